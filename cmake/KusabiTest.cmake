@@ -1,0 +1,10 @@
+# One GoogleTest executable a folder of tests:  kusabi_test(NAME SOURCES a.cpp b.cpp LIBRARIES x y)
+function(kusabi_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} kusabi_build GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    KUSABI_SOURCE_DIR="${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")
+  include(GoogleTest)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,171 @@
+// The open nodes of one rank, searched depth first.
+//
+// Every node that is open on a rank was branched off from one of the nodes on a single line from
+// the root: the line of the node opened last. So a node need not carry its path; its depth and its
+// branch number suffice, and the line itself, the *trail*, is stored once. Giving nodes away keeps
+// this true on both sides: the giver keeps a subset, and the taker, which has nothing open, gets a
+// subset together with the trail above it.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/path.hpp"
+
+namespace kusabi::engine {
+
+/// One node of the trail.
+struct Step {
+  std::uint32_t branch = 0;  ///< which child of the step above; of no meaning at the root
+  std::uint64_t hash = 0;    ///< the hash of the path that ends here
+  double share = 1;          ///< of the whole tree; each child takes an equal part of its parent's
+  std::uint32_t branches = 0;  ///< how many children this node has
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& branch& hash& share& branches;
+  }
+};
+
+/// A node that waits to be opened.
+template <class Node>
+struct OpenNode {
+  Node node;
+  std::uint32_t depth = 0;   ///< the root has depth 0
+  std::uint32_t branch = 0;  ///< its number among the children of the trail's node above
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& node& depth& branch;
+  }
+};
+
+/// Nodes on their way to another rank, with the part of the trail that they hang on.
+template <class Node>
+struct Gift {
+  std::vector<Step> trail;            ///< from the root down to the parent of the deepest node
+  std::vector<OpenNode<Node>> nodes;  ///< shallowest first
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& trail& nodes;
+  }
+};
+
+/// A stack of open nodes, shallowest first.
+///
+/// Requires: `branch` is called only between `open` and the next `open`.
+/// Guarantees: nodes are opened in depth-first order, the children of a node in the order in which
+/// they were branched; at most depth x branching nodes are open at any time.
+template <class Node>
+class Frontier {
+ public:
+  [[nodiscard]] bool empty() const { return nodes_.empty(); }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] std::size_t peak() const { return peak_; }
+
+  /// Puts the root in, as the only open node.
+  void plant(Node root) {
+    nodes_.clear();
+    nodes_.push_back({std::move(root), 0, 0});
+  }
+
+  /// Takes the next node out; from now on the trail ends in it.
+  /// @pre not empty()
+  Node open() {
+    assert(!nodes_.empty());
+    OpenNode<Node> next = std::move(nodes_.back());
+    nodes_.pop_back();
+    if (next.depth == 0) {
+      trail_.assign(1, Step{0, root_hash, 1.0, 0});
+    } else {
+      const Step& parent = trail_[next.depth - 1];
+      const Step step{next.branch, branch_hash(parent.hash, next.branch),
+                      parent.share / parent.branches, 0};
+      trail_.resize(next.depth);
+      trail_.push_back(step);
+    }
+    first_child_ = nodes_.size();
+    return std::move(next.node);
+  }
+
+  /// Adds a child of the node opened last, to be opened after the children already added.
+  void branch(Node child) {
+    const auto depth = static_cast<std::uint32_t>(trail_.size());
+    nodes_.push_back({std::move(child), depth, trail_.back().branches++});
+  }
+
+  /// Ends the expansion of the node opened last: its first child comes to the top of the stack.
+  void close() {
+    if (nodes_.size() - first_child_ > 1) {
+      std::reverse(nodes_.begin() + static_cast<std::ptrdiff_t>(first_child_), nodes_.end());
+    }
+    first_child_ = nodes_.size();
+    peak_ = std::max(peak_, nodes_.size());
+  }
+
+  /// The step of the node opened last.
+  [[nodiscard]] const Step& current() const { return trail_.back(); }
+
+  /// The path of the node opened last.
+  [[nodiscard]] Path path() const {
+    Path path;
+    path.reserve(trail_.size());
+    for (std::size_t depth = 1; depth < trail_.size(); ++depth)
+      path.push_back(trail_[depth].branch);
+    return path;
+  }
+
+  /// Whether there is something to give: one node must be left.
+  /// Children that the current expansion is still adding are not up for giving.
+  [[nodiscard]] bool can_give() const { return first_child_ >= 2; }
+
+  /// Takes out every other node from the shallowest on, so half of what there is; fewer if `limit`
+  /// is reached. (Giving the older half instead needs ten times as many steals on deep trees: the
+  /// two sides swap the same few subtrees back and forth.)
+  /// @pre can_give(), limit >= 1
+  Gift<Node> give(std::size_t limit) {
+    assert(can_give());
+    const std::size_t count = std::min(limit, first_child_ / 2);
+    Gift<Node> gift;
+    gift.nodes.reserve(count);
+    std::size_t kept = 0;
+    for (std::size_t place = 0; place < nodes_.size(); ++place) {
+      if (place % 2 == 0 && gift.nodes.size() < count) {
+        gift.nodes.push_back(std::move(nodes_[place]));
+      } else {
+        if (kept != place) nodes_[kept] = std::move(nodes_[place]);
+        ++kept;
+      }
+    }
+    first_child_ -= gift.nodes.size();
+    nodes_.erase(nodes_.begin() + static_cast<std::ptrdiff_t>(kept), nodes_.end());
+    const auto deepest = static_cast<std::ptrdiff_t>(gift.nodes.back().depth);
+    gift.trail.assign(trail_.begin(), trail_.begin() + deepest);
+    return gift;
+  }
+
+  /// Puts the nodes of a gift in.
+  /// @pre empty()
+  void take(Gift<Node>&& gift) {
+    assert(nodes_.empty());
+    trail_ = std::move(gift.trail);
+    nodes_ = std::move(gift.nodes);
+    first_child_ = nodes_.size();
+    peak_ = std::max(peak_, nodes_.size());
+  }
+
+ private:
+  std::vector<OpenNode<Node>> nodes_;
+  std::vector<Step> trail_;
+  std::size_t first_child_ = 0;  // nodes_ from here on are children still being branched
+  std::size_t peak_ = 0;
+};
+
+}  // namespace kusabi::engine

@@ -1,0 +1,53 @@
+// What a problem type must offer to be searched.
+#pragma once
+
+#include <concepts>
+#include <utility>
+
+#include "engine/expansion.hpp"
+
+namespace kusabi::engine {
+
+/// A tree to search: its root, and a way to open a node.
+///
+/// `Node` and `Solution` are movable values that Boost.Serialization can write and read (and that
+/// can be made without arguments). A node is a subproblem and nothing else: whatever is large or
+/// expensive to set up (a factorisation, a solver's workspace) belongs into the problem object, of
+/// which every rank has its own. What `expand` does must depend on the node alone.
+template <class P>
+concept Problem = requires(P& problem, const P& looked_at, typename P::Node node,
+                           Expansion<P>& out) {
+  typename P::Solution;
+  { looked_at.root() } -> std::same_as<typename P::Node>;
+  problem.expand(std::move(node), out);
+};
+
+/// A problem that counts things of its own while it expands nodes. Each rank's `tally()` (a
+/// Boost-serialisable value of type `Tally`) comes with the outcome, in the order of the ranks.
+template <class P>
+concept Tallying = Problem<P> && requires(const P& problem) {
+  { problem.tally() } -> std::convertible_to<typename P::Tally>;
+};
+
+/// The tally of a problem that keeps none.
+struct NoTally {
+  template <class Archive>
+  void serialize(Archive& /*archive*/, unsigned /*version*/) {}
+};
+
+namespace detail {
+template <class P>
+struct TallyOf {
+  using type = NoTally;
+};
+template <Tallying P>
+struct TallyOf<P> {
+  using type = typename P::Tally;
+};
+}  // namespace detail
+
+/// What a rank hands in as its tally.
+template <class P>
+using TallyOf = typename detail::TallyOf<P>::type;
+
+}  // namespace kusabi::engine

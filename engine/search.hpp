@@ -1,0 +1,67 @@
+// The front door of the engine: a parallel tree search for any branching problem.
+//
+//   struct Queens {
+//     struct Node { ... };                  // a subproblem; Boost-serialisable
+//     struct Solution { ... };              // what a leaf yields; Boost-serialisable
+//     Node root() const;
+//     void expand(Node&& node, engine::Expansion<Queens>& out);   // out.branch, out.solution
+//   };
+//
+//   Queens queens(8);
+//   auto outcome = engine::search(queens);               // in this process, without MPI
+//
+//   engine::MpiEnvironment mpi(argc, argv);              // or on every rank of an MPI job
+//   engine::MpiTransport transport;
+//   auto outcome = engine::search(queens, transport);    // the same outcome, on rank 0
+//
+// tests/engine/queens.hpp is this example in full. How the ranks share the tree is told in
+// engine/worker.hpp and docs/architecture.md.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "engine/options.hpp"
+#include "engine/outcome.hpp"
+#include "engine/problem.hpp"
+#include "engine/transport/single_process.hpp"
+#include "engine/transport/transport.hpp"
+#include "engine/worker.hpp"
+
+namespace kusabi::engine {
+
+/// Searches the whole tree of `problem`, together with all other ranks of `transport`, each of
+/// which makes the same call with its own copy of the problem.
+///
+/// Guarantees: every node is opened exactly once, on one of the ranks; the outcome on rank 0
+/// depends neither on the number of ranks nor on timing, but for the statistics.
+/// @throws ExpansionFailed if `expand` throws and the search runs in this process alone; over MPI
+///   one line is printed and all ranks end.
+template <Problem P>
+Outcome<P> search(P& problem, Transport& transport, const Options& options = {}) {
+  try {
+    Worker<P> worker(problem, transport, options);
+    for (;;) {
+      const Pace pace = worker.step();
+      if (pace.state == Pace::State::done) return std::move(worker).outcome();
+      // Asking the system to sleep costs some 50 microseconds, however short the sleep.
+      if (pace.state == Pace::State::waiting && pace.wait > 50e-6) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(pace.wait));
+      }
+    }
+  } catch (const std::exception& error) {
+    transport.abandon(error.what());
+    throw;
+  }
+}
+
+/// The same in this process alone, without MPI.
+template <Problem P>
+Outcome<P> search(P& problem, const Options& options = {}) {
+  SingleProcess transport;
+  return search(problem, transport, options);
+}
+
+}  // namespace kusabi::engine

@@ -1,0 +1,121 @@
+// How messages and surveys map to MPI calls.
+#include "engine/transport/mpi.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <stdexcept>
+
+namespace kusabi::engine {
+namespace {
+
+// The user-defined reduction behind a survey wave: into[i] := from[i] merged with into[i].
+void merge_surveys(void* from, void* into, int* count, MPI_Datatype* /*type*/) {
+  const std::span sources(static_cast<const Survey*>(from), static_cast<std::size_t>(*count));
+  const std::span targets(static_cast<Survey*>(into), static_cast<std::size_t>(*count));
+  for (std::size_t i = 0; i < targets.size(); ++i) targets[i].merge(sources[i]);
+}
+
+int message_length(const Bytes& body) {
+  // Gifts and reports are cut to a bounded size long before this.
+  if (body.size() > 0x7FFFFFFFU) throw std::length_error("a message of 2 GiB or more");
+  return static_cast<int>(body.size());
+}
+
+}  // namespace
+
+MpiEnvironment::MpiEnvironment(int& argc, char**& argv) {
+  MPI_Init(&argc, &argv);
+}
+
+MpiEnvironment::~MpiEnvironment() {
+  MPI_Finalize();
+}
+
+bool MpiEnvironment::launched() {
+  constexpr std::array launcher_variables{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"};
+  return std::any_of(launcher_variables.begin(), launcher_variables.end(),
+                     [](const char* name) { return std::getenv(name) != nullptr; });
+}
+
+MpiTransport::MpiTransport(MPI_Comm communicator) {
+  // Two communicators: MPI forbids nothing else on one that has a collective under way, but keeping
+  // them apart keeps the matching of messages short.
+  MPI_Comm_dup(communicator, &messages_);
+  MPI_Comm_dup(communicator, &surveys_);
+  MPI_Comm_rank(messages_, &rank_);
+  MPI_Comm_size(messages_, &size_);
+  MPI_Type_contiguous(static_cast<int>(sizeof(Survey)), MPI_BYTE, &survey_type_);
+  MPI_Type_commit(&survey_type_);
+  MPI_Op_create(&merge_surveys, 1, &merge_);
+}
+
+MpiTransport::~MpiTransport() {
+  // After a search all messages have been received, so this waits for book-keeping only.
+  for (auto& sent : outgoing_) MPI_Wait(&sent.request, MPI_STATUS_IGNORE);
+  MPI_Op_free(&merge_);
+  MPI_Type_free(&survey_type_);
+  MPI_Comm_free(&surveys_);
+  MPI_Comm_free(&messages_);
+}
+
+void MpiTransport::send(int to, Tag tag, Bytes body) {
+  auto& sent = outgoing_.emplace_back(Outgoing{std::move(body), MPI_REQUEST_NULL});
+  MPI_Isend(sent.body.data(), message_length(sent.body), MPI_BYTE, to, static_cast<int>(tag),
+            messages_, &sent.request);
+}
+
+std::optional<Message> MpiTransport::receive() {
+  if (!outgoing_.empty()) release_sent();
+  int arrived = 0;
+  MPI_Message handle = MPI_MESSAGE_NULL;
+  MPI_Status status;
+  MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, messages_, &arrived, &handle, &status);
+  if (arrived == 0) return std::nullopt;
+  int length = 0;
+  MPI_Get_count(&status, MPI_BYTE, &length);
+  Message message{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG),
+                  Bytes(static_cast<std::size_t>(length))};
+  MPI_Mrecv(message.body.data(), length, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
+  return message;
+}
+
+void MpiTransport::release_sent() {
+  outgoing_.remove_if([](Outgoing& sent) {
+    int done = 0;
+    MPI_Test(&sent.request, &done, MPI_STATUS_IGNORE);
+    return done != 0;
+  });
+}
+
+void MpiTransport::join_survey(const Survey& own) {
+  own_ = own;
+  MPI_Iallreduce(&own_, &merged_, 1, survey_type_, merge_, surveys_, &wave_);
+}
+
+std::optional<Survey> MpiTransport::survey() {
+  if (wave_ == MPI_REQUEST_NULL) return std::nullopt;
+  int done = 0;
+  MPI_Test(&wave_, &done, MPI_STATUS_IGNORE);
+  if (done == 0) return std::nullopt;
+  return merged_;
+}
+
+void MpiTransport::abandon(const std::string& reason) {
+  std::fflush(stdout);
+  std::fprintf(stderr, "rank %d of %d: %s\n", rank_, size_, reason.c_str());
+  std::fflush(stderr);
+  MPI_Abort(messages_, EXIT_FAILURE);
+  std::abort();  // MPI_Abort does not return, but is not declared so
+}
+
+void MpiTransport::broadcast(Bytes& bytes) {
+  auto length = static_cast<unsigned long long>(bytes.size());
+  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, messages_);
+  bytes.resize(length);
+  MPI_Bcast(bytes.data(), message_length(bytes), MPI_BYTE, 0, messages_);
+}
+
+}  // namespace kusabi::engine

@@ -1,0 +1,105 @@
+// The delays, and what may overtake what.
+#include "engine/transport/simulated.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace kusabi::engine {
+
+class SimulatedTransport final : public Transport {
+ public:
+  SimulatedTransport(SimulatedNetwork& network, int rank) : network_(network), rank_(rank) {}
+
+  [[nodiscard]] int rank() const override { return rank_; }
+  [[nodiscard]] int size() const override { return network_.size(); }
+  [[nodiscard]] double now() const override { return network_.now(); }
+  void send(int to, Tag tag, Bytes body) override {
+    network_.send(rank_, to, tag, std::move(body));
+  }
+  std::optional<Message> receive() override { return network_.receive(rank_); }
+  void join_survey(const Survey& own) override { network_.join_survey(rank_, own); }
+  std::optional<Survey> survey() override { return network_.survey(rank_); }
+  void abandon(const std::string& /*reason*/) override {}
+
+ private:
+  SimulatedNetwork& network_;
+  int rank_;
+};
+
+SimulatedNetwork::SimulatedNetwork(int ranks, std::uint64_t seed, const Weather& weather)
+    : weather_(weather), random_(seed), ranks_(static_cast<std::size_t>(ranks)) {
+  for (int rank = 0; rank < ranks; ++rank) {
+    transports_.push_back(std::make_unique<SimulatedTransport>(*this, rank));
+  }
+}
+
+SimulatedNetwork::~SimulatedNetwork() = default;
+
+Transport& SimulatedNetwork::transport(int rank) {
+  return *transports_[static_cast<std::size_t>(rank)];
+}
+
+double SimulatedNetwork::step_duration(std::uint64_t opened) {
+  // Even a step that opens nothing takes a moment, or an idle rank would stop the clock.
+  constexpr double least = 0.1e-6;
+  const double stall =
+      std::bernoulli_distribution(weather_.stall_probability)(random_) ? weather_.stall : 0.0;
+  return least + weather_.node * static_cast<double>(opened) + stall;
+}
+
+// Log-normal: most messages are on time, one in a thousand is twenty times late.
+double SimulatedNetwork::delay() {
+  return weather_.latency * std::lognormal_distribution<double>(-0.5, 1.0)(random_);
+}
+
+void SimulatedNetwork::send(int from, int to, Tag tag, Bytes body) {
+  assert(from != to);
+  auto& mailbox = ranks_[static_cast<std::size_t>(to)];
+  double arrival = now_ + delay() + static_cast<double>(body.size()) / weather_.bandwidth;
+  auto& channel = mailbox.last_arrival[{from, tag}];
+  arrival = std::max(arrival, std::nextafter(channel, HUGE_VAL));
+  channel = arrival;
+  mailbox.parcels.push_back({arrival, {from, tag, std::move(body)}});
+}
+
+std::optional<Message> SimulatedNetwork::receive(int rank) {
+  auto& parcels = ranks_[static_cast<std::size_t>(rank)].parcels;
+  const auto first = std::min_element(parcels.begin(), parcels.end(),
+                                      [](auto& a, auto& b) { return a.arrival < b.arrival; });
+  if (first == parcels.end() || first->arrival > now_) return std::nullopt;
+  auto message = std::move(first->message);
+  if (first != parcels.end() - 1) *first = std::move(parcels.back());
+  parcels.pop_back();
+  return message;
+}
+
+void SimulatedNetwork::join_survey(int rank, const Survey& own) {
+  auto& mine = ranks_[static_cast<std::size_t>(rank)];
+  assert(!mine.joined);
+  mine.joined = true;
+  mine.wave_done = -1;
+  wave_.merge(own);
+  if (wave_.ranks < ranks_.size()) return;
+  const double rounds = 1 + std::log2(static_cast<double>(ranks_.size()));
+  for (auto& each : ranks_) {
+    each.wave_result = wave_;
+    each.wave_done = now_ + rounds * delay();
+  }
+  wave_ = Survey{};
+}
+
+std::optional<Survey> SimulatedNetwork::survey(int rank) {
+  auto& mine = ranks_[static_cast<std::size_t>(rank)];
+  if (!mine.joined || mine.wave_done < 0 || mine.wave_done > now_) return std::nullopt;
+  mine.joined = false;
+  return mine.wave_result;
+}
+
+std::size_t SimulatedNetwork::in_flight() const {
+  std::size_t count = 0;
+  for (const auto& mailbox : ranks_) count += mailbox.parcels.size() + (mailbox.joined ? 1 : 0);
+  return count;
+}
+
+}  // namespace kusabi::engine

@@ -1,0 +1,48 @@
+// The random choice and the back-off.
+#include "engine/victims.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "engine/path.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+// The first pause is about one round trip over shared memory; the last one is short beside what a
+// person notices and long beside what an answer costs the rank that is asked.
+constexpr double shortest_pause = 10e-6;
+constexpr double longest_pause = 1e-3;
+
+}  // namespace
+
+Victims::Victims(int self, int ranks, std::uint64_t seed)
+    : self_(self),
+      ranks_(ranks),
+      random_(branch_hash(seed, static_cast<std::uint32_t>(self))),
+      pause_(shortest_pause) {
+  assert(ranks >= 2);
+}
+
+int Victims::choose() {
+  if (favourite_ >= 0) return favourite_;
+  random_ = branch_hash(random_, 0);
+  // The bias of the remainder is below 2^-40 for any number of ranks there is.
+  const auto others = static_cast<std::uint64_t>(ranks_) - 1;
+  const int pick = static_cast<int>(random_ % others);
+  return pick < self_ ? pick : pick + 1;
+}
+
+void Victims::gave(int victim) {
+  favourite_ = victim;
+  pause_ = shortest_pause;
+  next_request_ = 0;
+}
+
+void Victims::refused(int victim, double now) {
+  if (favourite_ == victim) favourite_ = -1;
+  next_request_ = now + pause_;
+  pause_ = std::min(2 * pause_, longest_pause);
+}
+
+}  // namespace kusabi::engine

@@ -1,0 +1,131 @@
+// The pool of open nodes: order, giving and taking, and the paths that are never stored.
+#include "engine/frontier.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace kusabi::engine {
+namespace {
+
+// A node that knows its own path, to check the one that the frontier works out.
+using Witness = Path;
+
+Witness child_of(const Witness& parent, std::uint32_t branch) {
+  Witness child = parent;
+  child.push_back(branch);
+  return child;
+}
+
+std::uint64_t hash_of(const Path& path) {
+  std::uint64_t hash = root_hash;
+  for (const auto branch : path) hash = branch_hash(hash, branch);
+  return hash;
+}
+
+// Opens one node, checks its path, and gives it `children` children.
+Witness open_and_branch(Frontier<Witness>& frontier, std::uint32_t children) {
+  Witness node = frontier.open();
+  EXPECT_EQ(frontier.path(), node);
+  EXPECT_EQ(frontier.current().hash, hash_of(node));
+  for (std::uint32_t branch = 0; branch < children; ++branch) {
+    frontier.branch(child_of(node, branch));
+  }
+  frontier.close();
+  return node;
+}
+
+TEST(Frontier, OpensDepthFirstAndChildrenInOrder) {
+  Frontier<Witness> frontier;
+  frontier.plant({});
+  std::vector<Witness> opened;
+  while (!frontier.empty()) {
+    const bool inner = opened.size() < 2;
+    opened.push_back(open_and_branch(frontier, inner ? 3 : 0));
+  }
+  const std::vector<Witness> expected{{}, {0}, {0, 0}, {0, 1}, {0, 2}, {1}, {2}};
+  EXPECT_EQ(opened, expected);
+}
+
+TEST(Frontier, GivesEveryOtherNodeFromTheShallowestOn) {
+  Frontier<Witness> frontier;
+  frontier.plant({});
+  open_and_branch(frontier, 3);  // stack: 2 1 0
+  open_and_branch(frontier, 3);  // stack: 2 1 0.2 0.1 0.0
+  const auto gift = frontier.give(100);
+  ASSERT_EQ(gift.nodes.size(), 2U);
+  EXPECT_EQ(gift.nodes[0].node, (Witness{2}));
+  EXPECT_EQ(gift.nodes[1].node, (Witness{0, 2}));
+  EXPECT_EQ(gift.trail.size(), 2U);  // the root and node 0
+  EXPECT_EQ(frontier.size(), 3U);
+}
+
+TEST(Frontier, KeepsAtLeastOneNode) {
+  Frontier<Witness> frontier;
+  frontier.plant({});
+  EXPECT_FALSE(frontier.can_give());
+  open_and_branch(frontier, 2);
+  ASSERT_TRUE(frontier.can_give());
+  EXPECT_EQ(frontier.give(100).nodes.size(), 1U);
+  EXPECT_FALSE(frontier.can_give());
+}
+
+TEST(Frontier, GivesNoMoreThanTheLimit) {
+  Frontier<Witness> frontier;
+  frontier.plant({});
+  open_and_branch(frontier, 100);
+  EXPECT_EQ(frontier.give(7).nodes.size(), 7U);
+  EXPECT_EQ(frontier.size(), 93U);
+}
+
+TEST(Frontier, DoesNotGiveChildrenThatAreStillBeingBranched) {
+  Frontier<Witness> frontier;
+  frontier.plant({});
+  frontier.open();
+  for (std::uint32_t branch = 0; branch < 4; ++branch) frontier.branch({branch});
+  EXPECT_FALSE(frontier.can_give());
+  frontier.close();
+  EXPECT_TRUE(frontier.can_give());
+}
+
+TEST(Frontier, TellsTheShareOfTheTreeOfEachNode) {
+  Frontier<Witness> frontier;
+  frontier.plant({});
+  open_and_branch(frontier, 4);
+  open_and_branch(frontier, 2);
+  open_and_branch(frontier, 0);
+  EXPECT_DOUBLE_EQ(frontier.current().share, 1.0 / 8);
+}
+
+// Several frontiers play a random game of opening and giving; every node must be opened once, with
+// the right path, whatever hands it went through.
+TEST(Frontier, PathsSurviveAnyNumberOfGifts) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    std::mt19937 random(seed);
+    std::vector<Frontier<Witness>> ranks(4);
+    ranks[0].plant({});
+    std::size_t open = 1;
+    std::size_t opened = 0;
+    std::uint64_t fingerprint = 0;
+    std::uint64_t expected = 0;
+    while (open > 0) {
+      auto& one = ranks[random() % ranks.size()];
+      auto& other = ranks[random() % ranks.size()];
+      if (!one.empty()) {
+        const auto children = opened < 300 ? static_cast<std::uint32_t>(random() % 4) : 0;
+        const auto node = open_and_branch(one, children);
+        fingerprint += one.current().hash;
+        expected += hash_of(node);
+        open += children;
+        --open;
+        ++opened;
+      } else if (other.can_give()) {
+        one.take(other.give(1 + random() % 5));
+      }
+    }
+    EXPECT_EQ(fingerprint, expected) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::engine

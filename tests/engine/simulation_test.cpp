@@ -1,0 +1,116 @@
+// The real workers under hostile schedules: whatever the network does, every node is opened once,
+// the search ends, nothing is left behind, and the answer is that of one rank.
+#include "engine/simulation.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/queens.hpp"
+#include "tests/engine/random_tree.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+using examples::Queens;
+using examples::RandomTree;
+
+template <class P>
+void expect_the_same(const Outcome<P>& alone, const Simulated<P>& many, const std::string& where) {
+  SCOPED_TRACE(where);
+  EXPECT_EQ(many.left_behind, 0U);
+  EXPECT_EQ(many.outcome.opened(), alone.opened());
+  EXPECT_EQ(many.outcome.fingerprint(), alone.fingerprint());
+  ASSERT_EQ(many.outcome.solutions.size(), alone.solutions.size());
+  for (std::size_t i = 0; i < alone.solutions.size(); ++i) {
+    EXPECT_EQ(many.outcome.solutions[i].path, alone.solutions[i].path);
+  }
+}
+
+TEST(Simulation, TheAnswerIsThatOfOneRankUnderAThousandSchedules) {
+  RandomTree tree(11, 10);
+  const auto alone = search(tree);
+  ASSERT_GT(alone.opened(), 100U);
+  const std::vector<Weather> weathers{
+      {},                                                           // a good day
+      {.latency = 100e-6},                                          // messages slower than nodes
+      {.latency = 1e-6, .stall = 5e-3, .stall_probability = 0.02},  // ranks that stall
+      {.latency = 50e-6, .node = 0},                                // nodes that cost nothing
+  };
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    const int ranks = 1 + static_cast<int>(seed % 9);
+    const auto& weather = weathers[seed % weathers.size()];
+    Options options;
+    options.nodes_per_step = seed % 3 == 0 ? 16 : 1;
+    const auto many = simulate(RandomTree(11, 10), ranks, seed, weather, options);
+    expect_the_same(alone, many, "seed " + std::to_string(seed));
+    if (HasFailure()) break;
+  }
+}
+
+TEST(Simulation, ManyRanksShareATinyTree) {
+  // More ranks than nodes: all but a few are idle from the start to the end.
+  Queens queens(4);
+  const auto alone = search(queens);
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    expect_the_same(alone, simulate(Queens(4), 64, seed), "seed " + std::to_string(seed));
+  }
+}
+
+TEST(Simulation, HundredsOfRanksFindTheSame) {
+  Queens queens(8);
+  const auto alone = search(queens);
+  expect_the_same(alone, simulate(Queens(8), 500, 1), "500 ranks");
+}
+
+TEST(Simulation, SmallMessagesCarryEverything) {
+  RandomTree tree(11, 12);
+  const auto alone = search(tree);
+  Options options;
+  options.message_bytes = 1;
+  expect_the_same(alone, simulate(RandomTree(11, 12), 5, 1, {}, options), "one node a message");
+}
+
+TEST(Simulation, AFailingSeedReplays) {
+  const auto once = simulate(RandomTree(11, 12), 7, 99, {.stall_probability = 0.01});
+  const auto again = simulate(RandomTree(11, 12), 7, 99, {.stall_probability = 0.01});
+  EXPECT_EQ(once.seconds, again.seconds);
+  for (std::size_t rank = 0; rank < 7; ++rank) {
+    EXPECT_EQ(once.outcome.ranks[rank].statistics.opened,
+              again.outcome.ranks[rank].statistics.opened);
+  }
+}
+
+// Virtual time: no clock of the machine enters, so shares and speed-up can be asserted.
+TEST(Simulation, TwoRanksShareTheWorkAndHalveTheTime) {
+  RandomTree tree(1, 24);
+  const auto alone = search(tree);
+  ASSERT_GT(alone.opened(), 10'000U);
+  const auto one = simulate(RandomTree(1, 24), 1, 1);
+  const auto two = simulate(RandomTree(1, 24), 2, 1);
+  for (const auto& rank : two.outcome.ranks) {
+    EXPECT_GE(static_cast<double>(rank.statistics.opened),
+              0.25 * static_cast<double>(alone.opened()));
+  }
+  EXPECT_GE(one.seconds / two.seconds, 1.8);
+}
+
+TEST(Simulation, IdleRanksDoNotStormTheBusyOne) {
+  // A path graph cannot be shared: one rank works, seven ask in vain for 10 ms.
+  struct Chain {
+    using Node = int;
+    using Solution = int;
+    Node root() const { return 10'000; }
+    void expand(Node&& node, Expansion<Chain>& out) {
+      if (node > 0) out.branch(node - 1);
+    }
+  };
+  const auto result = simulate(Chain{}, 8, 1);
+  EXPECT_EQ(result.outcome.opened(), 10'001U);
+  for (const auto& rank : result.outcome.ranks) {
+    EXPECT_LE(rank.statistics.requests, 30U);  // one a millisecond, once the pause has grown
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::engine

@@ -1,0 +1,47 @@
+// Mattern's rule: when it must and when it must not say that the search is over.
+#include "engine/termination.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kusabi::engine {
+namespace {
+
+Survey wave(std::uint64_t idle, std::uint64_t sent, std::uint64_t received) {
+  return {.ranks = 2, .idle = idle, .sent = sent, .received = received};
+}
+
+TEST(Termination, NeedsTwoQuietWaves) {
+  Termination termination;
+  EXPECT_FALSE(termination.observe(wave(2, 5, 5)));
+  EXPECT_TRUE(termination.observe(wave(2, 5, 5)));
+}
+
+TEST(Termination, ABusyRankKeepsTheSearchAlive) {
+  Termination termination;
+  EXPECT_FALSE(termination.observe(wave(1, 5, 5)));
+  EXPECT_FALSE(termination.observe(wave(1, 5, 5)));
+}
+
+TEST(Termination, AGiftInFlightKeepsTheSearchAlive) {
+  Termination termination;
+  EXPECT_FALSE(termination.observe(wave(2, 6, 5)));
+  EXPECT_FALSE(termination.observe(wave(2, 6, 5)));
+}
+
+TEST(Termination, WorkThatMovedBetweenTheWavesKeepsTheSearchAlive) {
+  // Behind the back of the first wave a gift went round: both waves look quiet, the sums differ.
+  Termination termination;
+  EXPECT_FALSE(termination.observe(wave(2, 5, 5)));
+  EXPECT_FALSE(termination.observe(wave(2, 6, 6)));
+  EXPECT_TRUE(termination.observe(wave(2, 6, 6)));
+}
+
+TEST(Termination, AQuietWaveDoesNotCountAfterABusyOne) {
+  Termination termination;
+  EXPECT_FALSE(termination.observe(wave(2, 5, 5)));
+  EXPECT_FALSE(termination.observe(wave(1, 5, 5)));
+  EXPECT_FALSE(termination.observe(wave(2, 5, 5)));
+}
+
+}  // namespace
+}  // namespace kusabi::engine

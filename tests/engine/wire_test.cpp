@@ -1,0 +1,47 @@
+// The wire format: what is packed comes out again, and a cut message is noticed.
+#include "engine/wire.hpp"
+
+#include <bit>
+#include <string>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+#include <gtest/gtest.h>
+
+#include "engine/frontier.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+TEST(Wire, GivesBackWhatWasPacked) {
+  const std::vector<std::string> words{"", "kusabi", std::string(100'000, 'x')};
+  EXPECT_EQ(unpack<std::vector<std::string>>(pack(words)), words);
+}
+
+TEST(Wire, KeepsEveryBitOfADouble) {
+  const std::vector<double> values{-0.0, 1.0 / 3.0, 5e-324, 1.7976931348623157e308};
+  const auto copy = unpack<std::vector<double>>(pack(values));
+  ASSERT_EQ(copy.size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(copy[i]), std::bit_cast<std::uint64_t>(values[i]));
+  }
+}
+
+TEST(Wire, RefusesBytesThatEndTooEarly) {
+  auto bytes = pack(std::vector<std::uint64_t>(10, 7));
+  bytes.resize(bytes.size() - 1);
+  EXPECT_THROW(unpack<std::vector<std::uint64_t>>(bytes), boost::archive::archive_exception);
+}
+
+TEST(Wire, CarriesAGift) {
+  const Gift<int> gift{{Step{0, root_hash, 1, 2}}, {{42, 1, 0}, {43, 1, 1}}};
+  const auto copy = unpack<Gift<int>>(pack(gift));
+  ASSERT_EQ(copy.trail.size(), 1U);
+  EXPECT_EQ(copy.trail[0].hash, root_hash);
+  ASSERT_EQ(copy.nodes.size(), 2U);
+  EXPECT_EQ(copy.nodes[1].node, 43);
+  EXPECT_EQ(copy.nodes[1].branch, 1U);
+}
+
+}  // namespace
+}  // namespace kusabi::engine
