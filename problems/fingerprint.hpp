@@ -1,0 +1,29 @@
+// A 64-bit number that tells one problem from another: a checkpoint or a result that belongs to
+// another problem is refused by it. FNV-1a over bytes in a fixed order, so the same on every
+// machine.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace kusabi::problems {
+
+/// Takes in values one after the other.
+class Fingerprint {
+ public:
+  void add(std::uint64_t value);
+  void add(int value);
+  /// The bits of the number; -0 counts as 0.
+  void add(double value);
+  /// Length first, so that "a", "bc" differs from "ab", "c".
+  void add(std::string_view text);
+
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  void add_byte(unsigned char byte);
+
+  std::uint64_t hash_ = 0xCBF29CE484222325U;  // the offset basis of FNV-1a, 64 bits
+};
+
+}  // namespace kusabi::problems

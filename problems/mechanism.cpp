@@ -1,0 +1,65 @@
+// The softest motion of a truss, by inverse iteration with the slightly shifted G.
+#include "problems/mechanism.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+
+#include <Eigen/SparseCholesky>
+
+namespace kusabi::problems {
+namespace {
+
+/// Shift that keeps G + shift I positive definite in spite of rounding: the diagonal of G is of the
+/// order of ten, its rounding 1e-15.
+constexpr double shift = 1e-12;
+
+/// Most steps of inverse iteration. Each divides what is left of a motion of energy e > shift by
+/// 1 + e / shift against a mechanism, so a mechanism is clear after two or three.
+constexpr int most_steps = 12;
+
+/// A node moves if it moves by more than this part of the largest motion: what stable motions
+/// leave behind after `most_steps` is far less.
+constexpr double visible = 1e-6;
+
+/// A motion without any symmetry, so that every mechanism has a part in it, and the same on every
+/// machine (the standard fixes what mt19937 yields, not what its distributions make of it).
+Eigen::VectorXd arbitrary_motion(Eigen::Index size) {
+  std::mt19937 bits(1);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
+  Eigen::VectorXd motion(size);
+  for (double& value : motion) value = static_cast<double>(bits()) * 0x1p-32 - 0.5;
+  return motion.normalized();
+}
+
+}  // namespace
+
+std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& degrees) {
+  const auto members = static_cast<Eigen::Index>(structure.members.size());
+  Eigen::SparseMatrix<double> shifted =
+      truss_stiffness(structure, degrees, Eigen::VectorXd::Ones(members));
+  Eigen::SparseMatrix<double> identity(degrees.size(), degrees.size());
+  identity.setIdentity();
+  shifted += shift * identity;
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorised(shifted);
+  if (factorised.info() != Eigen::Success) {
+    throw std::logic_error("the shifted stiffness of a truss has no factorisation");
+  }
+  Eigen::VectorXd motion = arbitrary_motion(degrees.size());
+  for (int step = 0; step < most_steps; ++step) {
+    motion = Eigen::VectorXd(factorised.solve(motion)).normalized();
+  }
+  // The elongations, not v^T G v: squares of small numbers keep their digits.
+  if (elongations(structure, degrees, motion).squaredNorm() > strainless) return {};
+  const double least = visible * motion.cwiseAbs().maxCoeff();
+  std::vector<int> nodes;
+  for (int number = 0; number < degrees.size(); ++number) {
+    const int node = degrees.free[static_cast<std::size_t>(number)].node;
+    if (std::abs(motion(number)) > least && (nodes.empty() || nodes.back() != node)) {
+      nodes.push_back(node);
+    }
+  }
+  return nodes;
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,70 @@
+// A structure as its file describes it: a truss in its own units, its supports, and the nodes that
+// may touch the obstacle (Gamma_D, Gamma_N and Gamma_C of the paper's section 2).
+//
+// Plain data. `read_structure` fills it from a file, a program may fill it by hand;
+// `check_structure` says whether it can be computed with.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "problems/input_error.hpp"
+
+namespace kusabi::problems {
+
+/// The user's units, only carried along: every answer is in these.
+struct Units {
+  std::string length;
+  std::string force;
+};
+
+/// A bar between two nodes.
+struct Member {
+  int first;
+  int second;
+  double axial_stiffness;  ///< E A, force
+};
+
+/// A node that lies on the surface of the rigid obstacle, without a gap.
+struct ContactCandidate {
+  int node;
+  Eigen::VectorXd normal;  ///< d, unit, outward normal of the obstacle: u_n >= 0 is separation
+  std::optional<Eigen::VectorXd> tangent;  ///< d, wish for the first tangent, any length
+};
+
+/// Where in the file each entry stands, so that an error found late still names its line. A
+/// structure made by a program leaves the vectors empty.
+struct Sources {
+  std::string file;
+  std::vector<SourcePosition> nodes;              ///< one a node: its name
+  std::vector<SourcePosition> members;            ///< one a member: its pair of nodes
+  std::vector<SourcePosition> axial_stiffnesses;  ///< one a member: the EA of its group
+  std::vector<SourcePosition> contact;            ///< one a candidate: its name in the list
+  std::vector<SourcePosition> normals;            ///< one a candidate: the normal of its group
+  std::vector<SourcePosition> tangents;           ///< one a candidate: the tangent of its group
+};
+
+struct Structure {
+  std::string name;
+  int dimension = 0;  ///< d: 2 or 3
+  Units units;
+  std::vector<std::string> node_names;
+  Eigen::MatrixXd coordinates;  ///< d x nodes, length
+  std::vector<Member> members;
+  std::vector<std::array<bool, 3>> fixed;  ///< per node, per axis; the third is unused if d = 2
+  std::vector<ContactCandidate> contact;   ///< in the order of every answer
+  Sources sources;
+};
+
+/// An error about `structure`: names its file and `position`, or, without a file, the structure.
+InputError structure_error(const Structure& structure, SourcePosition position,
+                           std::string_view message);
+
+/// Entry `index` of `positions`, or no position when the structure has none.
+SourcePosition position_of(const std::vector<SourcePosition>& positions, int index);
+
+}  // namespace kusabi::problems

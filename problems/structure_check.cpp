@@ -1,0 +1,206 @@
+// The rules a structure must meet before any number is computed from it.
+#include "problems/structure_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "problems/contact_frame.hpp"
+#include "problems/wedged_problem.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+/// A normal made by this library is off unit length by a few roundings only.
+constexpr double unit_length_tolerance = 1e-12;
+
+/// The rules of one structure, grouped by what they look at.
+class StructureCheck {
+ public:
+  explicit StructureCheck(const Structure& structure) : structure_(structure) {}
+
+  void sizes() const;
+  void coordinates() const;
+  void members() const;
+  void every_node_hangs_on_a_member() const;
+  void contact_count() const;
+  void contact_nodes() const;
+  void contact_directions() const;
+
+ private:
+  int node_count() const { return static_cast<int>(structure_.node_names.size()); }
+  bool is_node(int node) const { return node >= 0 && node < node_count(); }
+  std::string name(int node) const {
+    return in_quotes(structure_.node_names[static_cast<std::size_t>(node)]);
+  }
+  bool is_fixed(int node, int axis) const {
+    return structure_.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)];
+  }
+  int fixed_axes(int node) const;
+  void member(int index) const;
+  [[noreturn]] void fail(SourcePosition position, std::string_view message) const {
+    throw structure_error(structure_, position, message);
+  }
+
+  const Structure& structure_;
+};
+
+int StructureCheck::fixed_axes(int node) const {
+  int count = 0;
+  for (int axis = 0; axis < structure_.dimension; ++axis) count += is_fixed(node, axis) ? 1 : 0;
+  return count;
+}
+
+void StructureCheck::sizes() const {
+  if (structure_.dimension != 2 && structure_.dimension != 3) {
+    fail({}, fmt::format("dimension is {}; expected 2 or 3", structure_.dimension));
+  }
+  if (node_count() == 0) fail({}, "no nodes; expected at least two");
+  if (structure_.members.empty()) fail({}, "no members; expected at least one");
+  if (structure_.contact.empty()) fail({}, "no contact candidates; expected at least one");
+  if (structure_.coordinates.rows() != structure_.dimension ||
+      structure_.coordinates.cols() != node_count()) {
+    fail({}, fmt::format("coordinates are {} x {}; expected {} x {}", structure_.coordinates.rows(),
+                         structure_.coordinates.cols(), structure_.dimension, node_count()));
+  }
+  if (structure_.fixed.size() != structure_.node_names.size()) {
+    fail({}, fmt::format("supports are given for {} nodes; expected all {}",
+                         structure_.fixed.size(), node_count()));
+  }
+}
+
+void StructureCheck::coordinates() const {
+  for (int node = 0; node < node_count(); ++node) {
+    const auto position = structure_.coordinates.col(node);
+    if (!position.allFinite() || position.cwiseAbs().maxCoeff() > largest_magnitude) {
+      fail(position_of(structure_.sources.nodes, node),
+           fmt::format("node {} has a coordinate out of range; expected at most {:g} in magnitude",
+                       name(node), largest_magnitude));
+    }
+  }
+}
+
+void StructureCheck::member(int index) const {
+  const auto& [first, second, axial_stiffness] =
+      structure_.members[static_cast<std::size_t>(index)];
+  const SourcePosition position = position_of(structure_.sources.members, index);
+  if (!is_node(first) || !is_node(second)) {
+    fail(position, fmt::format("member {} names a node that does not exist", index));
+  }
+  // Written so that NaN fails too.
+  if (!(axial_stiffness >= smallest_magnitude && axial_stiffness <= largest_magnitude)) {
+    fail(position_of(structure_.sources.axial_stiffnesses, index),
+         fmt::format("EA is {:g}; expected a positive axial stiffness between {:g} and {:g}",
+                     axial_stiffness, smallest_magnitude, largest_magnitude));
+  }
+  if (first == second) {
+    fail(position,
+         fmt::format("member from node {} to itself; expected two different nodes", name(first)));
+  }
+  const auto from = structure_.coordinates.col(first);
+  const auto to = structure_.coordinates.col(second);
+  const double size = std::max(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
+  const double length = (to - from).stableNorm();
+  if (length <= zero_length * size || length < smallest_magnitude) {
+    fail(position, fmt::format("member from {} to {} has zero length; expected two nodes at "
+                               "different places",
+                               name(first), name(second)));
+  }
+}
+
+void StructureCheck::members() const {
+  std::set<std::pair<int, int>> seen;
+  for (int index = 0; index < static_cast<int>(structure_.members.size()); ++index) {
+    member(index);
+    const Member& bar = structure_.members[static_cast<std::size_t>(index)];
+    if (!seen.insert(std::minmax(bar.first, bar.second)).second) {
+      fail(position_of(structure_.sources.members, index),
+           fmt::format("second member between {} and {}; expected each pair of nodes once",
+                       name(bar.first), name(bar.second)));
+    }
+  }
+}
+
+void StructureCheck::every_node_hangs_on_a_member() const {
+  std::vector<bool> held(structure_.node_names.size(), false);
+  for (const Member& bar : structure_.members) {
+    held[static_cast<std::size_t>(bar.first)] = true;
+    held[static_cast<std::size_t>(bar.second)] = true;
+  }
+  for (int node = 0; node < node_count(); ++node) {
+    if (!held[static_cast<std::size_t>(node)] && fixed_axes(node) < structure_.dimension) {
+      fail(position_of(structure_.sources.nodes, node),
+           fmt::format("node {} hangs on no member; expected a member to it, or no such node",
+                       name(node)));
+    }
+  }
+}
+
+void StructureCheck::contact_count() const {
+  if (structure_.contact.size() <= static_cast<std::size_t>(most_contact_candidates)) return;
+  fail(position_of(structure_.sources.contact, most_contact_candidates),
+       fmt::format("{} contact candidates; expected at most {}, the limit of a sign pattern",
+                   structure_.contact.size(), most_contact_candidates));
+}
+
+void StructureCheck::contact_nodes() const {
+  std::set<int> seen;
+  for (int index = 0; index < static_cast<int>(structure_.contact.size()); ++index) {
+    const int node = structure_.contact[static_cast<std::size_t>(index)].node;
+    const SourcePosition position = position_of(structure_.sources.contact, index);
+    if (!is_node(node)) {
+      fail(position, fmt::format("contact candidate {} names a node that does not exist", index));
+    }
+    if (!seen.insert(node).second) {
+      fail(position,
+           fmt::format("node {} is a contact candidate twice; expected once", name(node)));
+    }
+    if (fixed_axes(node) > 0) {
+      fail(position, fmt::format("contact candidate {} is also supported; expected a node that is "
+                                 "free along every axis",
+                                 name(node)));
+    }
+  }
+}
+
+void StructureCheck::contact_directions() const {
+  for (int index = 0; index < static_cast<int>(structure_.contact.size()); ++index) {
+    const auto& [node, normal, tangent] = structure_.contact[static_cast<std::size_t>(index)];
+    if (normal.size() != structure_.dimension ||
+        !(std::abs(normal.norm() - 1.0) <= unit_length_tolerance)) {
+      fail(position_of(structure_.sources.normals, index),
+           fmt::format("the normal at {} is not a unit vector; expected {} components of norm 1",
+                       name(node), structure_.dimension));
+    }
+    if (!tangent) continue;
+    const SourcePosition position = position_of(structure_.sources.tangents, index);
+    if (tangent->size() != structure_.dimension || !tangent->allFinite()) {
+      fail(position, fmt::format("the tangent at {} is not a vector of {} finite numbers",
+                                 name(node), structure_.dimension));
+    }
+    // Written so that a zero tangent fails too.
+    if (!(tangent_sine(normal, *tangent) > smallest_tangent_sine)) {
+      fail(position, fmt::format("the tangent at {} is zero or parallel to the normal; expected a "
+                                 "vector that points along the surface",
+                                 name(node)));
+    }
+  }
+}
+
+}  // namespace
+
+void check_structure(const Structure& structure) {
+  const StructureCheck check(structure);
+  check.sizes();
+  check.coordinates();
+  check.members();
+  check.every_node_hangs_on_a_member();
+  check.contact_count();
+  check.contact_nodes();
+  check.contact_directions();
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,28 @@
+// Whether a structure can be computed with: every rule that is about the structure and not about
+// the spelling of its file. Reading a file ends with it and `wedged_problem` begins with it, so a
+// structure made by a program meets the same rules.
+#pragma once
+
+#include "problems/structure.hpp"
+
+namespace kusabi::problems {
+
+/// Smallest and largest magnitude of an axial stiffness or a length, in the user's units. Within
+/// these, EA / L and its inverse stay within 1e+-100, and their squares within the range of double.
+inline constexpr double smallest_magnitude = 1e-50;
+inline constexpr double largest_magnitude = 1e50;
+
+/// A member shorter than this times the largest coordinate of its ends counts as of zero length:
+/// the coordinates carry rounding of 1e-16, so its direction would have less than six digits.
+inline constexpr double zero_length = 1e-10;
+
+/// Smallest sine of the angle between a wished tangent and the normal. Below it the direction that
+/// is left after projection would have lost six of its sixteen digits.
+inline constexpr double smallest_tangent_sine = 1e-6;
+
+/// Checks sizes, finiteness, members (ends, length, EA, no two alike), that every node that can
+/// move has a member, and the contact candidates (count, supports, normals, tangents).
+/// @throws InputError at the first fault, in the order of the list above.
+void check_structure(const Structure& structure);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,30 @@
+// Reading a structure from a problem file (TOML). The format is described in
+// docs/problem-files.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "problems/structure.hpp"
+
+namespace kusabi::problems {
+
+/// Largest problem file, in bytes. A million members take half of it; more is no problem file.
+inline constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20U;
+
+/// Reads the text of a problem file. Nodes, members and contact candidates keep the order of the
+/// file; normals come out as unit vectors.
+/// @param file_name how errors name the file
+/// @throws InputError at the first fault of spelling, and then whatever `check_structure` finds
+Structure read_structure(std::string_view toml_text, const std::string& file_name);
+
+/// The text of a problem file.
+/// @throws InputError if it cannot be read or is larger than `largest_file`
+std::string file_text(const std::filesystem::path& file);
+
+/// `read_structure` of `file_text`.
+Structure load_structure(const std::filesystem::path& file);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,89 @@
+// Typed reading of a TOML document, in which every failure is an InputError with line and column.
+//
+// Knows the kinds of entry that problem files have (numbers, vectors, names, groups), not what
+// they mean. Only the sources that read files include it: toml++ is a large header.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+#include <toml++/toml.h>
+
+#include "problems/input_error.hpp"
+
+namespace kusabi::problems {
+
+/// A table, and what to call it in an error: "the file", "a [[members]] group".
+struct TomlTable {
+  const toml::table* table;
+  std::string called;
+};
+
+/// A value with the key it stands under.
+struct TomlEntry {
+  std::string key;
+  SourcePosition key_position;
+  const toml::node* value;
+};
+
+/// A string with its place.
+struct TomlText {
+  std::string text;
+  SourcePosition position;
+};
+
+class TomlReader {
+ public:
+  /// Parses the whole text.
+  /// @throws InputError if it is not UTF-8 or not TOML 1.0
+  TomlReader(std::string_view text, const std::string& file);
+
+  TomlTable root() const { return {&root_, "the file"}; }
+
+  /// @throws InputError at the first other key, with the nearest of `allowed`
+  void allow_only(const TomlTable& table, std::initializer_list<std::string_view> allowed) const;
+
+  /// The entry under `key`.
+  /// @param expected what belongs there, for the error if it is missing
+  const toml::node& require(const TomlTable& table, std::string_view key,
+                            std::string_view expected) const;
+
+  /// The entries of a table that is not empty, in the order of the file.
+  std::vector<TomlEntry> entries(const toml::node& node, std::string_view called) const;
+  TomlTable table(const toml::node& node, std::string_view called) const;
+  /// The tables of an array that is not empty: [[name]] in the file.
+  std::vector<TomlTable> groups(const toml::node& node, std::string_view name) const;
+  /// The elements of an array that is not empty.
+  std::vector<const toml::node*> elements(const toml::node& node, std::string_view called) const;
+
+  /// A finite number; an integer counts as one.
+  double number(const toml::node& node, std::string_view called) const;
+  /// An integer that is one of `allowed`.
+  int one_of(const toml::node& node, std::string_view called,
+             std::initializer_list<int> allowed) const;
+  /// `size` finite numbers.
+  Eigen::VectorXd vector(const toml::node& node, std::string_view called, int size) const;
+  /// A string fit for a table of results: not empty, short, without control characters.
+  TomlText text(const toml::node& node, std::string_view called) const;
+  std::vector<TomlText> texts(const toml::node& node, std::string_view called) const;
+  /// The rule of `text`, for a string from elsewhere (a key).
+  void check_text(std::string_view text, std::string_view called, SourcePosition position) const;
+
+  SourcePosition position(const toml::node& node) const;
+  const std::string& file() const { return file_; }
+  [[noreturn]] void fail(SourcePosition position, std::string_view message) const;
+  [[noreturn]] void fail(const toml::node& node, std::string_view message) const;
+
+ private:
+  std::string file_;
+  toml::table root_;
+};
+
+/// The one of `words` that `word` was probably meant to be, for a "did you mean"; empty if none is
+/// near.
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& words);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,92 @@
+// Assembly of the stiffness of a truss, member by member.
+#include "problems/truss.hpp"
+
+#include <cstddef>
+
+namespace kusabi::problems {
+namespace {
+
+double length(const Structure& structure, const Member& member) {
+  return (structure.coordinates.col(member.second) - structure.coordinates.col(member.first))
+      .stableNorm();
+}
+
+/// One entry of b_e: elongation of a member by a unit displacement of one of its ends.
+struct Elongation {
+  int number;
+  double value;
+};
+
+/// The nonzero part of b_e: minus and plus the member's direction, at its free displacements.
+std::vector<Elongation> elongation_vector(const Structure& structure, const FreeDegrees& degrees,
+                                          const Member& member) {
+  const Eigen::VectorXd direction =
+      (structure.coordinates.col(member.second) - structure.coordinates.col(member.first)) /
+      length(structure, member);
+  std::vector<Elongation> entries;
+  for (int axis = 0; axis < structure.dimension; ++axis) {
+    const int first = degrees.number(axis, member.first);
+    const int second = degrees.number(axis, member.second);
+    if (first >= 0) entries.push_back({first, -direction(axis)});
+    if (second >= 0) entries.push_back({second, direction(axis)});
+  }
+  return entries;
+}
+
+}  // namespace
+
+FreeDegrees free_degrees(const Structure& structure) {
+  FreeDegrees degrees;
+  degrees.number.setConstant(structure.dimension, structure.coordinates.cols(), -1);
+  for (int node = 0; node < static_cast<int>(structure.coordinates.cols()); ++node) {
+    for (int axis = 0; axis < structure.dimension; ++axis) {
+      if (structure.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)]) continue;
+      degrees.number(axis, node) = degrees.size();
+      degrees.free.push_back({node, axis});
+    }
+  }
+  return degrees;
+}
+
+Eigen::VectorXd member_stiffnesses(const Structure& structure) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(structure.members.size()));
+  for (Eigen::Index index = 0; index < result.size(); ++index) {
+    const Member& member = structure.members[static_cast<std::size_t>(index)];
+    result(index) = member.axial_stiffness / length(structure, member);
+  }
+  return result;
+}
+
+Eigen::SparseMatrix<double> truss_stiffness(const Structure& structure, const FreeDegrees& degrees,
+                                            const Eigen::VectorXd& member_stiffness) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index index = 0; index < member_stiffness.size(); ++index) {
+    const auto vector =
+        elongation_vector(structure, degrees, structure.members[static_cast<std::size_t>(index)]);
+    for (const Elongation& row : vector) {
+      for (const Elongation& column : vector) {
+        // The product of the two entries first: so (i, j) and (j, i) round alike.
+        entries.emplace_back(row.number, column.number,
+                             member_stiffness(index) * (row.value * column.value));
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> stiffness(degrees.size(), degrees.size());
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  return stiffness;
+}
+
+Eigen::VectorXd elongations(const Structure& structure, const FreeDegrees& degrees,
+                            const Eigen::VectorXd& displacement) {
+  Eigen::VectorXd result =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(structure.members.size()));
+  for (Eigen::Index index = 0; index < result.size(); ++index) {
+    const Member& member = structure.members[static_cast<std::size_t>(index)];
+    for (const Elongation& entry : elongation_vector(structure, degrees, member)) {
+      result(index) += entry.value * displacement(entry.number);
+    }
+  }
+  return result;
+}
+
+}  // namespace kusabi::problems

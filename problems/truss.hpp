@@ -1,0 +1,43 @@
+// The stiffness of a truss over the displacements that its supports leave free: the part
+// [K_CC K_CN; K_NC K_NN] of K^0 in equation (2) of the paper.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "problems/structure.hpp"
+
+namespace kusabi::problems {
+
+/// A displacement of one node along one axis.
+struct DegreeOfFreedom {
+  int node;
+  int axis;
+};
+
+/// The free displacements of a structure, node by node and axis by axis.
+struct FreeDegrees {
+  std::vector<DegreeOfFreedom> free;  ///< number -> node and axis
+  Eigen::MatrixXi number;             ///< d x nodes: node and axis -> number, or -1 if fixed
+
+  int size() const { return static_cast<int>(free.size()); }
+};
+
+FreeDegrees free_degrees(const Structure& structure);
+
+/// EA / L of each member, force/length.
+Eigen::VectorXd member_stiffnesses(const Structure& structure);
+
+/// Sum over the members of k_e b_e b_e^T, where b_e^T u is the elongation of member e: the whole
+/// symmetric matrix, over the free displacements, symmetric to the last bit.
+/// @param member_stiffness k, one a member; `member_stiffnesses` gives the true one
+Eigen::SparseMatrix<double> truss_stiffness(const Structure& structure, const FreeDegrees& degrees,
+                                            const Eigen::VectorXd& member_stiffness);
+
+/// Elongation b_e^T u of each member under the free displacements u.
+Eigen::VectorXd elongations(const Structure& structure, const FreeDegrees& degrees,
+                            const Eigen::VectorXd& displacement);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,99 @@
+// Every malformed file in tests/bad-input is refused with the one line that its first line, a
+// comment, says: `# expect: FILE:LINE:COLUMN: what is wrong; expected ...`. For a syntax error it
+// says `# expect: FILE:LINE:COLUMN: ...`: the words are those of the TOML library.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "problems/structure_file.hpp"
+#include "problems/wedged_problem.hpp"
+#include "trusses.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+/// Fewer malformed files than this cannot cover the rules of the format.
+constexpr std::size_t least_files = 20;
+
+std::vector<std::filesystem::path> malformed_files() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(test::source_path("tests/bad-input"))) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// What the first line promises of the error.
+testing::Matcher<std::string> promised_error(const std::string& text) {
+  const std::string_view mark = "# expect: ";
+  if (!text.starts_with(mark)) return testing::Eq("what a first line '# expect: ' says");
+  const std::string promise = text.substr(mark.size(), text.find('\n') - mark.size());
+  const std::string_view any_words = " ...";
+  if (!promise.ends_with(any_words)) return testing::Eq(promise);
+  return testing::StartsWith(promise.substr(0, promise.size() - any_words.size() + 1));
+}
+
+std::string error_of(const std::string& text, const std::string& file_name) {
+  try {
+    wedged_problem(read_structure(text, file_name));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class BadInput : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(BadInput, IsRefusedWithOneLineThatSaysWhere) {
+  const std::string text = contents(GetParam());
+  const std::string error = error_of(text, GetParam().filename().string());
+  EXPECT_THAT(error, promised_error(text));
+  EXPECT_EQ(error.find('\n'), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BadInput, testing::ValuesIn(malformed_files()),
+                         [](const auto& file) {
+                           std::string name = file.param.stem().string();
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+TEST(BadInputFiles, AreNotFewerThanTheRules) {
+  EXPECT_GE(malformed_files().size(), least_files);
+}
+
+TEST(BadInputText, WithoutAnyByteIsRefused) {
+  EXPECT_EQ(error_of("", "empty.toml"),
+            "empty.toml:1:1: the file is empty; expected a problem file in TOML");
+}
+
+TEST(BadInputText, OfCommentsOnlyIsRefused) {
+  EXPECT_EQ(error_of("# nothing\n\n", "comments.toml"),
+            "comments.toml:1:1: the file is empty; expected at least one entry");
+}
+
+TEST(BadInputText, CutAnywhereIsRefusedOrComplete) {
+  // Whatever a broken download leaves, the answer is an input error or a whole problem.
+  const std::string whole = contents(test::source_path("examples/two-bars.toml"));
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    const std::string error = error_of(whole.substr(0, length), "cut.toml");
+    EXPECT_TRUE(error.starts_with("cut.toml:") || length + 1 >= whole.size())
+        << length << ": " << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::problems
