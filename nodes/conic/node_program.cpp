@@ -1,0 +1,143 @@
+// Builds the standard form of a node program; the header states it.
+#include "nodes/conic/node_program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace kusabi::conic {
+
+namespace {
+
+// A node is a pair of 64-bit masks.
+constexpr std::size_t most_candidates = 64;
+
+// How unsymmetric a compliance may be, relative to its largest entry: the inverse of a stiffness
+// comes with rounding, a forgotten row does not hide below this.
+constexpr double symmetry_tolerance = 1e-8;
+
+void check(const Eigen::MatrixXd& compliance, std::span<const double> friction, int d) {
+  const std::size_t m = friction.size();
+  if (m < 1 || m > most_candidates)
+    throw std::invalid_argument("a node program takes 1 to 64 contact candidates, not " +
+                                std::to_string(m));
+  const auto size = static_cast<Eigen::Index>(m) * d;
+  if (compliance.rows() != size || compliance.cols() != size)
+    throw std::invalid_argument(
+        "the compliance must be " + std::to_string(size) + " x " + std::to_string(size) + ", not " +
+        std::to_string(compliance.rows()) + " x " + std::to_string(compliance.cols()));
+  if (!compliance.allFinite() || !(compliance.diagonal().array() > 0).all())
+    throw std::invalid_argument("the compliance must be finite with a positive diagonal");
+  const double largest = compliance.cwiseAbs().maxCoeff();
+  if ((compliance - compliance.transpose()).cwiseAbs().maxCoeff() > symmetry_tolerance * largest)
+    throw std::invalid_argument("the compliance must be symmetric");
+  for (const double mu : friction)
+    if (!(mu > 0) || !std::isfinite(mu))
+      throw std::invalid_argument("friction coefficients must be positive, not " +
+                                  std::to_string(mu));
+}
+
+}  // namespace
+
+template <int D>
+NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction)
+    : friction_(friction.begin(), friction.end()) {
+  check(compliance, friction, D);
+  const auto m = static_cast<Eigen::Index>(friction.size());
+  compliance_ = compliance;
+  normal_compliance_.resize(m, D * m);
+  for (Eigen::Index i = 0; i < m; ++i) normal_compliance_.row(i) = compliance.row(D * i);
+  matrix_.resize(m, D * m);
+  right_side_.resize(m);
+  gap_.resize(m);
+  cones_.reserve(friction.size());
+  gap_rows_.reserve(friction.size());
+  contact_rows_.reserve(friction.size());
+}
+
+template <int D>
+void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated) {
+  const std::size_t m = friction_.size();
+  const std::uint64_t all = m == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << m) - 1;
+  if ((contact & separated) != 0)
+    throw std::invalid_argument("a candidate is both in contact and separated");
+  if (((contact | separated) & ~all) != 0)
+    throw std::invalid_argument("a sign pattern names a candidate that does not exist");
+
+  cones_.clear();
+  gap_rows_.clear();
+  contact_rows_.clear();
+  weight_ = 0;
+  for (std::size_t i = 0; i < m; ++i) {
+    const int candidate = static_cast<int>(i);
+    if ((separated >> i & 1) == 0) {
+      cones_.push_back(candidate);
+      weight_ += 1 / friction_[i];
+    }
+    (contact >> i & 1 ? contact_rows_ : gap_rows_).push_back(candidate);
+  }
+  if (cones_.empty()) return;  // no standard form: nothing can sum to one
+
+  // Row i of the node program, with r_n = x_0 + t / mu and r_t = mu x_1, and t eliminated:
+  //   sum_C [F_nn, mu F_nt] x + g t - v = 0,  g = sum_C F_nn / mu - [i not in U],
+  //   t = (1 - sum x_0) / sigma.
+  right_side_.setZero();
+  for (const int k : cones_)
+    right_side_ += normal_compliance_.col(D * k) / friction_[static_cast<std::size_t>(k)];
+  for (const int j : gap_rows_) right_side_[j] -= 1;
+  right_side_ /= -weight_;
+  Eigen::Index column = 0;
+  for (const int k : cones_) {
+    matrix_.col(column) = normal_compliance_.col(D * k) + right_side_;
+    matrix_.template middleCols<D - 1>(column + 1) =
+        friction_[static_cast<std::size_t>(k)] *
+        normal_compliance_.template middleCols<D - 1>(D * k + 1);
+    column += D;
+  }
+}
+
+template <int D>
+void NodeProgram<D>::reaction(const Eigen::Matrix<double, D, Eigen::Dynamic>& x,
+                              Eigen::VectorXd& r) const {
+  r.setZero();
+  const auto count = static_cast<Eigen::Index>(cones_.size());
+  const double t = level(x.row(0).head(count).sum());
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const auto k = static_cast<std::size_t>(cones_[static_cast<std::size_t>(c)]);
+    const auto at = D * static_cast<Eigen::Index>(k);
+    r[at] = x(0, c) + t / friction_[k];
+    r.template segment<D - 1>(at + 1) = friction_[k] * x.col(c).template tail<D - 1>();
+  }
+}
+
+template <int D>
+double NodeProgram<D>::friction_level(const Eigen::VectorXd& r) const {
+  double t = std::numeric_limits<double>::infinity();
+  for (const int k : cones_) {
+    const auto part = r.template segment<D>(D * k);
+    t = std::min(
+        t, friction_[static_cast<std::size_t>(k)] * part[0] - part.template tail<D - 1>().norm());
+  }
+  return t;
+}
+
+template <int D>
+typename NodeProgram<D>::Evidence NodeProgram<D>::examine(const Eigen::VectorXd& r) {
+  double t = friction_level(r);
+  double sum = 0;
+  for (const int k : cones_) sum += r[D * k];
+  gap_.noalias() = normal_compliance_ * r;
+  for (const int j : gap_rows_) {
+    t = std::min(t, gap_[j]);
+    gap_[j] = 0;
+  }
+  gap_ = -gap_;
+  return {t, std::max(gap_.cwiseAbs().maxCoeff(), std::abs(sum - 1))};
+}
+
+template class NodeProgram<2>;
+template class NodeProgram<3>;
+
+}  // namespace kusabi::conic

@@ -1,0 +1,99 @@
+// The cone program of one node (U, R) of the tree of sign patterns, in standard form.
+//
+// The wedged paper, Algorithm 5.1, bounds a node by the program (18). We take the form of (23) at
+// every node instead, the cone relaxed by t as well: (18) as printed can be infeasible.
+//
+//   max t  s.t.  (F r)_{n,i} = 0 (i in U),   (F r)_{n,j} >= t (j not in U),
+//                ||r_{t,i}|| + t <= mu_i r_{n,i} (i in C),   r_i = 0 (i in R),   sum_i r_{n,i} = 1
+//
+// with C the complement of R. The substitution x_i = (r_{n,i} - t / mu_i, r_{t,i} / mu_i) makes the
+// friction cone of a candidate the second-order cone itself, and the sum gives
+// t = (1 - sum_i x_i0) / sigma with sigma = sum_C 1 / mu_i. With a slack v_j for each gap row:
+//
+//   min c'x  s.t.  A x - v = b (v_j only for j not in U),  x_i in Q_d,  v >= 0,  c = e in each
+//   cone.
+//
+// There is exactly one row for each candidate, so the normal equations are m x m.
+// docs/theory.md, section 3, has the derivation.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "nodes/conic/cone.hpp"
+
+namespace kusabi::conic {
+
+/// The data of the node programs of one contact problem, and the standard form of the node that
+/// was selected last. Owns all its storage: select() does not allocate.
+template <int D>
+class NodeProgram {
+ public:
+  /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and in it
+  ///        (n, t1[, t2]); scaled so that reactions and displacements are comparable
+  /// @param friction mu, m numbers > 0; 1 <= m <= 64
+  /// @throws std::invalid_argument when the sizes disagree or a number is out of range
+  NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction);
+
+  /// Builds the standard form of the node with the candidates of `contact` in U and those of
+  /// `separated` in R (bit i = candidate i).
+  /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
+  void select(std::uint64_t contact, std::uint64_t separated);
+
+  int candidates() const { return static_cast<int>(friction_.size()); }
+
+  /// C, the candidates that may carry a reaction; cone c of the standard form is candidate
+  /// cones()[c].
+  const std::vector<int>& cones() const { return cones_; }
+  /// The candidates not in U: the rows with a slack.
+  const std::vector<int>& gap_rows() const { return gap_rows_; }
+  /// U, the rows without a slack.
+  const std::vector<int>& contact_rows() const { return contact_rows_; }
+
+  /// The cone columns of A, m x D|C|.
+  auto matrix() const { return matrix_.leftCols(D * static_cast<Eigen::Index>(cones_.size())); }
+  /// b, m numbers.
+  const Eigen::VectorXd& right_side() const { return right_side_; }
+
+  /// t = (1 - value) / sigma: what a value of the objective c'x, or of the dual objective b'y, is
+  /// worth in the node program.
+  double level(double value) const { return (1 - value) / weight_; }
+
+  /// The reaction r (Dm, zero on R) of a point x of the cones (D x |C|, one cone a column).
+  void reaction(const Eigen::Matrix<double, D, Eigen::Dynamic>& x, Eigen::VectorXd& r) const;
+
+  /// The largest t the friction cones allow a reaction: min over C of mu_i r_{n,i} - ||r_{t,i}||.
+  double friction_level(const Eigen::VectorXd& r) const;
+
+  /// What a reaction proves, from the data of the node program itself.
+  struct Evidence {
+    double level;     ///< the largest t the inequalities allow it
+    double residual;  ///< largest error of its equations: u_n = 0 on U and the sum
+  };
+  Evidence examine(const Eigen::VectorXd& r);
+  /// What (F r)_n of the reaction examined last must change by: m numbers, zero outside U.
+  const Eigen::VectorXd& discrepancy() const { return gap_; }
+
+  /// u = F r, Dm.
+  void displacement(const Eigen::VectorXd& r, Eigen::VectorXd& u) const {
+    u.noalias() = compliance_ * r;
+  }
+
+ private:
+  Eigen::MatrixXd compliance_;         // F
+  Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, m x Dm
+  std::vector<double> friction_;
+  std::vector<int> cones_, gap_rows_, contact_rows_;
+  Eigen::MatrixXd matrix_;      // A, room for m x Dm
+  Eigen::VectorXd right_side_;  // b
+  Eigen::VectorXd gap_;         // normal displacements, then the discrepancy
+  double weight_ = 0;           // sigma
+};
+
+extern template class NodeProgram<2>;
+extern template class NodeProgram<3>;
+
+}  // namespace kusabi::conic

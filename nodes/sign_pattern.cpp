@@ -1,0 +1,115 @@
+// How a node of the sign-pattern tree is decided and split.
+#include "nodes/sign_pattern.hpp"
+
+#include <bit>
+
+namespace kusabi::nodes {
+namespace {
+
+std::uint64_t bit(int candidate) {
+  return std::uint64_t{1} << static_cast<unsigned>(candidate);
+}
+
+std::uint64_t first_bits(std::size_t count) {
+  return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+}
+
+// The mean diagonal of F_nn: every d-th entry of the diagonal.
+double mean_normal_compliance(const problems::WedgedProblem& problem) {
+  const auto m = static_cast<Eigen::Index>(problem.contact_names.size());
+  double sum = 0;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const Eigen::Index normal = problem.dimension * i;
+    sum += problem.compliance(normal, normal);
+  }
+  return sum / static_cast<double>(m);
+}
+
+}  // namespace
+
+SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
+  branched += other.branched;
+  dead += other.dead;
+  found += other.found;
+  marginal += other.marginal;
+  doubtful += other.doubtful;
+  iterations += other.iterations;
+  return *this;
+}
+
+SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
+                                 std::span<const double> friction, conic::Tolerances tolerances)
+    : dimension_(problem.dimension),
+      candidates_(first_bits(problem.contact_names.size())),
+      unit_(mean_normal_compliance(problem)),
+      solver_([&]() -> Solver {
+        const Eigen::MatrixXd scaled = problem.compliance / unit_;
+        if (problem.dimension == 2) return conic::NodeSolver<2>(scaled, friction, tolerances);
+        return conic::NodeSolver<3>(scaled, friction, tolerances);
+      }()) {}
+
+void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
+  const auto answer = solve(node);
+  tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+  if (answer.sign == conic::Sign::dead) {
+    ++tally_.dead;
+    return;
+  }
+  const bool marginal = answer.sign == conic::Sign::marginal;
+  if (undecided(node) == 0) {
+    ++(marginal ? tally_.marginal : tally_.found);
+    out.solution(configuration(node, answer));
+    return;
+  }
+  ++tally_.branched;
+  if (marginal) ++tally_.doubtful;
+  const auto split = bit(branching_candidate(node));
+  out.branch({node.contact | split, node.separated});
+  out.branch({node.contact, node.separated | split});
+}
+
+// A leaf that lives is worth its full accuracy: its margin is part of the answer.
+conic::Answer SignPatternTree::solve(const Node& node) {
+  const conic::StopEarly stop{.when_dead = true, .when_alive = undecided(node) != 0};
+  return std::visit([&](auto& solver) { return solver.solve(node.contact, node.separated, stop); },
+                    solver_);
+}
+
+// Remark 5.5: the candidate that violates complementarity most, the largest u_n r_n. Of equal ones
+// the first, so that the tree is the same everywhere.
+int SignPatternTree::branching_candidate(const Node& node) const {
+  return std::visit(
+      [&](const auto& solver) {
+        const auto open = undecided(node);
+        int best = std::countr_zero(open);
+        double largest = -1;
+        for (auto rest = open; rest != 0; rest &= rest - 1) {
+          const int i = std::countr_zero(rest);
+          const Eigen::Index normal = dimension_ * i;
+          const double product = solver.displacement()(normal) * solver.reaction()(normal);
+          if (product > largest) {
+            largest = product;
+            best = i;
+          }
+        }
+        return best;
+      },
+      solver_);
+}
+
+Configuration SignPatternTree::configuration(const Node& node, const conic::Answer& answer) const {
+  return std::visit(
+      [&](const auto& solver) {
+        const Eigen::VectorXd& r = solver.reaction();
+        const Eigen::VectorXd u = unit_ * solver.displacement();
+        return Configuration{.pattern = node,
+                             .marginal = answer.sign == conic::Sign::marginal,
+                             .lower = answer.lower,
+                             .upper = answer.upper,
+                             .reaction = {r.begin(), r.end()},
+                             .displacement = {u.begin(), u.end()}};
+      },
+      solver_);
+}
+
+}  // namespace kusabi::nodes

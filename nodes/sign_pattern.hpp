@@ -1,0 +1,110 @@
+// The tree of sign patterns: Algorithm 5.1 of the wedged paper.
+//
+// A node is a pair (U, R) of disjoint sets of contact candidates: those held in contact, u_n = 0,
+// and those held separated, r = 0. Its bound is the cone program of nodes/conic, whose optimal
+// value t* tells whether a wedged configuration can exist below the node:
+//
+//   t* < 0   none can: the node is dead;
+//   t* > 0   the relaxation is alive: a leaf is a pattern, any other node is branched;
+//   |t*| within the tolerance   marginal: the node is branched like a living one, and a marginal
+//            leaf is reported, but neither counted as a pattern nor thrown away.
+//
+// A marginal leaf is most often a face: t* = 0 exactly, its cone D(Y) of (14) has no interior point
+// and belongs to another pattern's cone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/search.hpp"
+#include "nodes/conic/node_solver.hpp"
+#include "problems/wedged_problem.hpp"
+
+namespace kusabi::nodes {
+
+/// U and R as bit sets; bit i is contact candidate i.
+struct SignPattern {
+  std::uint64_t contact = 0;    ///< U: u_n = 0
+  std::uint64_t separated = 0;  ///< R: r = 0
+
+  friend bool operator==(const SignPattern&, const SignPattern&) = default;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& contact& separated;
+  }
+};
+
+/// A leaf of the tree that is alive or marginal, with a configuration that shows it.
+struct Configuration {
+  SignPattern pattern;
+  bool marginal = false;
+  double lower = 0;              ///< lower <= t* <= upper, in scaled units (see SignPatternTree);
+  double upper = 0;              ///< `lower` is the value of the configuration below
+  std::vector<double> reaction;  ///< r, dm, force; sum of its normal parts 1
+  std::vector<double> displacement;  ///< u = K^-1 r, dm, length
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& pattern& marginal& lower& upper& reaction& displacement;
+  }
+};
+
+/// What became of the nodes that were opened, and what it cost.
+struct SignPatternTally {
+  std::uint64_t branched = 0;    ///< had both children put into the tree
+  std::uint64_t dead = 0;        ///< pruned: no wedged configuration below
+  std::uint64_t found = 0;       ///< leaves that are alive
+  std::uint64_t marginal = 0;    ///< leaves that are marginal
+  std::uint64_t doubtful = 0;    ///< marginal nodes that are no leaves; among those branched
+  std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
+
+  SignPatternTally& operator+=(const SignPatternTally& other);
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& branched& dead& found& marginal& doubtful& iterations;
+  }
+};
+
+/// The problem type that engine::search searches.
+///
+/// The compliance is scaled so that the mean diagonal of its normal part F_nn is 1: t compares
+/// reactions with displacements, so its size (not its sign) hangs on the units.
+class SignPatternTree {
+ public:
+  using Node = SignPattern;
+  using Solution = Configuration;
+  using Tally = SignPatternTally;
+
+  /// @param friction mu of each contact candidate, m numbers > 0
+  /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
+  SignPatternTree(const problems::WedgedProblem& problem, std::span<const double> friction,
+                  conic::Tolerances tolerances = {});
+
+  Node root() const { return {}; }
+  void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
+  Tally tally() const { return tally_; }
+
+ private:
+  using Solver = std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>>;
+
+  conic::Answer solve(const Node& node);
+  [[nodiscard]] std::uint64_t undecided(const Node& node) const {
+    return candidates_ & ~(node.contact | node.separated);
+  }
+  [[nodiscard]] int branching_candidate(const Node& node) const;
+  [[nodiscard]] Configuration configuration(const Node& node, const conic::Answer& answer) const;
+
+  int dimension_;
+  std::uint64_t candidates_;  // a bit for each
+  double unit_;               // of the scaled compliance, length/force
+  Solver solver_;
+  Tally tally_;
+};
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,183 @@
+// What the solver hands over proves what it says: checked in the original variables of the node
+// program, and against a blunt search that shares no idea with the solver.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "nodes/conic/node_solver.hpp"
+#include "tests/nodes/conic/contact_problem.hpp"
+
+namespace kusabi::conic {
+namespace {
+
+using testing::ContactProblem;
+using testing::contains;
+using testing::Masks;
+
+constexpr StopEarly never{.when_dead = false, .when_alive = false};
+
+// Equations of a reaction: rounding of F r for data of order one, with room.
+constexpr double feasibility = 1e-11;
+// Sums of m products with multipliers of their own size.
+constexpr double rounding = 1e-12;
+// The width asked of a bracket: ten times what the solver aims at.
+constexpr double bracket_width = 1e-7;
+
+// (r, lower) meets every line of the node program.
+void expect_proved_from_below(const ContactProblem& problem, Masks masks, const Eigen::VectorXd& r,
+                              double lower) {
+  const Eigen::VectorXd u = problem.compliance * r;
+  double sum = 0;
+  for (int i = 0; i < problem.candidates(); ++i) {
+    const int at = problem.d * i;
+    sum += r[at];
+    if (contains(masks.first, i)) {
+      EXPECT_NEAR(u[at], 0, feasibility);
+    }
+    if (contains(masks.second, i)) {
+      EXPECT_EQ(r.segment(at, problem.d).norm(), 0);
+    }
+  }
+  EXPECT_NEAR(sum, 1, feasibility);
+  EXPECT_GE(testing::level(problem, masks, r), lower - rounding);
+}
+
+// No (r, t) with t > upper meets the node program. With w = sum_i y_i (row (n, i) of F):
+//   w'r >= t Y,  Y = sum of y over the rows not in U, all of these y >= 0;
+//   w'r <= tau (1 - sigma t) + t sum_C w_n / mu  for any tau >= w_n + mu ||w_t|| on C, since
+//   r_n = x + t / mu and ||r_t|| <= mu x with x >= 0 and sum x = 1 - sigma t.
+// Together t (Y + sigma tau - sum_C w_n / mu) <= tau; with tau = sigma upper the bracket is sigma.
+void expect_proved_from_above(const ContactProblem& problem, Masks masks, const Eigen::VectorXd& y,
+                              double upper) {
+  const int d = problem.d, m = problem.candidates();
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(d * m);
+  double total = 0, sigma = 0, scale = 1;
+  for (int i = 0; i < m; ++i) {
+    w += y[i] * problem.compliance.row(d * i).transpose();
+    scale += std::abs(y[i]);
+    if (!contains(masks.first, i)) {
+      EXPECT_GE(y[i], 0);
+      total += y[i];
+    }
+    if (!contains(masks.second, i)) sigma += 1 / problem.friction[static_cast<std::size_t>(i)];
+  }
+  const double tau = sigma * upper;
+  double weighted = 0;
+  for (int i = 0; i < m; ++i) {
+    if (contains(masks.second, i)) continue;
+    const double mu = problem.friction[static_cast<std::size_t>(i)];
+    weighted += w[d * i] / mu;
+    EXPECT_LE(w[d * i] + mu * w.segment(d * i + 1, d - 1).norm(), tau + rounding * scale * m);
+  }
+  EXPECT_NEAR((total + sigma * tau - weighted) / sigma, 1, rounding * scale * m * m);
+}
+
+template <int D>
+void expect_certificates(double least, double most, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  int alive = 0, dead = 0;
+  for (int repetition = 0; repetition < 25; ++repetition)
+    for (int m = 1; m <= 8; ++m) {
+      const ContactProblem problem = testing::random_problem(D, m, least, most, generator);
+      NodeSolver<D> solver(problem.compliance, problem.friction);
+      const Masks masks = testing::random_masks(m, generator);
+      for (const StopEarly stop : {StopEarly{}, never}) {
+        const Answer answer = solver.solve(masks.first, masks.second, stop);
+        SCOPED_TRACE(::testing::Message()
+                     << "m = " << m << ", U = " << masks.first << ", R = " << masks.second
+                     << ", t* in [" << answer.lower << ", " << answer.upper << "]");
+        if (answer.has_point)
+          expect_proved_from_below(problem, masks, solver.reaction(), answer.lower);
+        expect_proved_from_above(problem, masks, solver.multipliers(), answer.upper);
+        EXPECT_LE(answer.lower, answer.upper + rounding);
+        EXPECT_LE((solver.displacement() - problem.compliance * solver.reaction()).norm(),
+                  rounding * m);
+        EXPECT_EQ(answer.sign == Sign::alive, answer.has_point && answer.lower > 1e-7);
+        EXPECT_EQ(answer.sign == Sign::dead, answer.upper < -1e-7);
+        if (!stop.when_dead) {
+          EXPECT_TRUE(answer.has_point);
+          EXPECT_LE(answer.gap, bracket_width * std::max(1.0, std::abs(answer.upper)));
+          alive += answer.sign == Sign::alive;
+          dead += answer.sign == Sign::dead;
+        }
+      }
+    }
+  // Both answers must occur, or half of the test is empty.
+  EXPECT_GT(alive, 20);
+  EXPECT_GT(dead, 20);
+}
+
+TEST(Certificates, HoldInThePlane) {
+  expect_certificates<2>(0.3, 1.5, 11);
+}
+TEST(Certificates, HoldInSpace) {
+  expect_certificates<3>(0.3, 1.5, 12);
+}
+TEST(Certificates, HoldForBadlyScaledFrictionInThePlane) {
+  expect_certificates<2>(0.01, 10, 13);
+}
+TEST(Certificates, HoldForBadlyScaledFrictionInSpace) {
+  expect_certificates<3>(0.01, 10, 14);
+}
+
+// The concave level(r) over the affine set of the equations, by a random walk that keeps what is
+// better and learns from its steps up in which directions to look: a (1+1) evolution strategy with
+// covariance adaptation. Plain walks stall on the ridges of a minimum of several functions.
+double search(const ContactProblem& problem, Masks masks, std::mt19937_64& generator) {
+  constexpr double learning = 0.1, usual_success = 0.15;
+  const Eigen::MatrixXd matrix = testing::equations(problem, masks);
+  const Eigen::VectorXd right_side = Eigen::VectorXd::Unit(matrix.rows(), matrix.rows() - 1);
+  const Eigen::MatrixXd directions = matrix.fullPivLu().kernel();
+  const Eigen::Index freedom = directions.cols();
+  Eigen::VectorXd best = matrix.completeOrthogonalDecomposition().solve(right_side);
+  double most = testing::level(problem, masks, best);
+  std::normal_distribution<double> normal;
+  for (int start = 0; start < 10; ++start) {
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(freedom, freedom);
+    Eigen::MatrixXd root = covariance;
+    double stride = 0.1;
+    for (int trial = 0; trial < 10000 && stride > 1e-10; ++trial) {
+      const Eigen::VectorXd move =
+          root * Eigen::VectorXd::NullaryExpr(freedom, [&] { return normal(generator); });
+      const Eigen::VectorXd r = best + stride * (directions * move);
+      const double t = testing::level(problem, masks, r);
+      const bool success = t > most;
+      stride *= std::exp(0.2 * ((success ? 1 : 0) - usual_success));
+      if (!success) continue;
+      most = t;
+      best = r;
+      covariance = (1 - learning) * covariance + learning * move * move.transpose();
+      root = covariance.llt().matrixL();
+    }
+  }
+  return most;
+}
+
+template <int D>
+void expect_agreement_with_search(int most_candidates, std::uint64_t seed) {
+  // How far a blunt walk gets in some thousand steps.
+  constexpr double reach = 1e-3;
+  std::mt19937_64 generator(seed);
+  for (int repetition = 0; repetition < 12; ++repetition) {
+    const int m = 1 + repetition % most_candidates;
+    const ContactProblem problem = testing::random_problem(D, m, 0.3, 1.5, generator);
+    const Masks masks = testing::random_masks(m, generator);
+    NodeSolver<D> solver(problem.compliance, problem.friction);
+    const Answer answer = solver.solve(masks.first, masks.second, never);
+    const double found = search(problem, masks, generator);
+    SCOPED_TRACE(::testing::Message()
+                 << "m = " << m << ", U = " << masks.first << ", R = " << masks.second);
+    EXPECT_LE(found, answer.upper + rounding);
+    EXPECT_GE(found, answer.lower - reach * std::max(1.0, std::abs(answer.lower)));
+  }
+}
+
+TEST(Certificates, NoSearchBeatsTheUpperBoundAndItReachesTheLowerInThePlane) {
+  expect_agreement_with_search<2>(3, 21);
+}
+TEST(Certificates, NoSearchBeatsTheUpperBoundAndItReachesTheLowerInSpace) {
+  expect_agreement_with_search<3>(3, 22);
+}
+
+}  // namespace
+}  // namespace kusabi::conic

@@ -1,0 +1,131 @@
+// The algebra of one cone, by its defining identities, inside the cone and close to its boundary.
+#include "nodes/conic/cone.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+namespace kusabi::conic {
+namespace {
+
+// Rounding of a D-vector operation, with room for its constant.
+constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
+
+// Points this close to the boundary, relative to their size.
+constexpr double depths[] = {1.0, 1e-2, 1e-5, 1e-8};
+
+template <class Dimension>
+class Cone : public ::testing::Test {
+ public:
+  static constexpr int dimension = Dimension::value;
+
+  /// A point (1 + depth) ||x_1|| deep in the cone, of random size and direction.
+  Point<dimension> interior(double depth) {
+    Point<dimension> x = anywhere();
+    x[0] = x.template tail<dimension - 1>().norm() * (1 + depth);
+    return x * std::exp(3 * uniform_(generator_));
+  }
+  Point<dimension> anywhere() {
+    return Point<dimension>::NullaryExpr([&] { return uniform_(generator_); });
+  }
+
+ private:
+  std::mt19937_64 generator_{7};
+  std::uniform_real_distribution<double> uniform_{-1, 1};
+};
+
+using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>,
+                                    std::integral_constant<int, 5>>;
+TYPED_TEST_SUITE(Cone, Dimensions);
+
+TYPED_TEST(Cone, ScalingTakesBothPointsToTheSamePoint) {
+  constexpr int D = TestFixture::dimension;
+  for (const double deep_x : depths)
+    for (const double deep_z : depths)
+      for (int repetition = 0; repetition < 20; ++repetition) {
+        const Point<D> x = this->interior(deep_x), z = this->interior(deep_z);
+        const Scaling<D> scaling(x, z);
+        // The determinants of x and z carry a relative error of rounding / depth each.
+        const double tolerance = rounding * (1 / deep_x + 1 / deep_z);
+        const Point<D> lambda = scaling.point();
+        EXPECT_LE((scaling.matrix() * lambda - x).norm(), tolerance * x.norm());
+        EXPECT_LE((scaling.matrix().inverse() * lambda - z).norm(), tolerance * z.norm() / deep_x);
+        EXPECT_NEAR(lambda.squaredNorm(), x.dot(z), tolerance * x.norm() * z.norm());
+        EXPECT_NEAR(determinant<D>(lambda) / std::sqrt(determinant<D>(x) * determinant<D>(z)), 1,
+                    tolerance / std::min(deep_x, deep_z));
+        EXPECT_TRUE(inside<D>(lambda));
+      }
+}
+
+TYPED_TEST(Cone, ScalingIsSymmetricPositiveDefinite) {
+  constexpr int D = TestFixture::dimension;
+  for (int repetition = 0; repetition < 20; ++repetition) {
+    const Scaling<D> scaling(this->interior(0.1), this->interior(1e-4));
+    const Eigen::Matrix<double, D, D>& matrix = scaling.matrix();
+    EXPECT_LE((matrix - matrix.transpose()).norm(), rounding * matrix.norm());
+    EXPECT_EQ(matrix.llt().info(), Eigen::Success);
+  }
+}
+
+TYPED_TEST(Cone, JordanProductHasItsIdentityAndCommutes) {
+  constexpr int D = TestFixture::dimension;
+  const Point<D> x = this->anywhere(), y = this->anywhere();
+  const Point<D> identity = Point<D>::Unit(0);
+  EXPECT_LE((jordan_product<D>(identity, x) - x).norm(), rounding);
+  EXPECT_LE((jordan_product<D>(x, y) - jordan_product<D>(y, x)).norm(), rounding);
+  // x o x - 2 x_0 x + det(x) e = 0: every element is a root of its characteristic polynomial.
+  EXPECT_LE((jordan_product<D>(x, x) - 2 * x[0] * x + determinant<D>(x) * identity).norm(),
+            rounding * 10);
+}
+
+TYPED_TEST(Cone, JordanDivisionUndoesTheProduct) {
+  constexpr int D = TestFixture::dimension;
+  for (const double depth : depths) {
+    const Scaling<D> scaling(this->interior(depth), this->interior(depth));
+    const Point<D> right_side = this->anywhere();
+    const Point<D> quotient = scaling.jordan_divide(right_side);
+    const Point<D> lambda = scaling.point();
+    EXPECT_LE((jordan_product<D>(lambda, quotient) - right_side).norm(),
+              rounding * (right_side.norm() + lambda.norm() * quotient.norm()) / depth);
+  }
+}
+
+TYPED_TEST(Cone, StepEndsOnTheBoundary) {
+  constexpr int D = TestFixture::dimension;
+  int bounded = 0;
+  for (const double depth : depths)
+    for (int repetition = 0; repetition < 50; ++repetition) {
+      const Scaling<D> scaling(this->interior(depth), this->interior(depth));
+      const Point<D> lambda = scaling.point();
+      const Point<D> direction = this->anywhere();
+      const double inverse = scaling.inverse_step(direction);
+      if (inverse <= 0) {
+        EXPECT_TRUE(inside<D>(lambda + 1e6 * direction));
+        continue;
+      }
+      ++bounded;
+      EXPECT_TRUE(inside<D>(lambda + 0.999 / inverse * direction));
+      EXPECT_FALSE(inside<D>(lambda + 1.001 / inverse * direction));
+    }
+  EXPECT_GT(bounded, 50);
+}
+
+TYPED_TEST(Cone, StepAlongTheConeIsUnbounded) {
+  constexpr int D = TestFixture::dimension;
+  const Scaling<D> scaling(this->interior(0.3), this->interior(0.01));
+  EXPECT_LE(scaling.inverse_step(this->interior(0.5)), 0);
+  EXPECT_GT(scaling.inverse_step(-this->interior(0.5)), 0);
+}
+
+TEST(ConeDeterminant, KeepsItsDigitsNearTheBoundary) {
+  // x = (5 + 2^-40, 3, 4): det = 2^-40 (10 + 2^-40), where x_0^2 rounds away what matters.
+  const double little = std::ldexp(1.0, -40);
+  const Point<3> x(5 + little, 3, 4);
+  EXPECT_NEAR(determinant<3>(x) / (little * (10 + little)), 1, 1e-15);
+}
+
+}  // namespace
+}  // namespace kusabi::conic

@@ -1,0 +1,99 @@
+// Contact problems for the tests of the cone solver, and the node program they define, written down
+// in its original variables. Shares nothing with the solver, so that it can judge it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <Eigen/Dense>
+
+namespace kusabi::conic::testing {
+
+using Masks = std::pair<std::uint64_t, std::uint64_t>;  // U, R
+
+inline bool contains(std::uint64_t set, int i) {
+  return (set >> i & 1) != 0;
+}
+
+/// A compliance (dm x dm, node-major, normal first) and a friction coefficient for each candidate.
+struct ContactProblem {
+  int d = 2;
+  Eigen::MatrixXd compliance;
+  std::vector<double> friction;
+
+  int candidates() const { return static_cast<int>(friction.size()); }
+};
+
+/// Scales to mean diagonal 1 of the normal block, the units of the solver's tolerances.
+inline Eigen::MatrixXd scaled(Eigen::MatrixXd compliance, int d) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < compliance.rows(); i += d) sum += compliance(i, i);
+  return compliance * (static_cast<double>(compliance.rows() / d) / sum);
+}
+
+/// The inverse of a random positive definite stiffness, with friction within the given range.
+inline ContactProblem random_problem(int d, int m, double least, double most,
+                                     std::mt19937_64& generator) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const int size = d * m;
+  const Eigen::MatrixXd factor =
+      Eigen::MatrixXd::NullaryExpr(size, size, [&] { return uniform(generator); });
+  const Eigen::MatrixXd stiffness =
+      factor * factor.transpose() + 0.2 * Eigen::MatrixXd::Identity(size, size);
+  const Eigen::MatrixXd inverse = stiffness.inverse();
+  ContactProblem problem{d, scaled((inverse + inverse.transpose()) / 2, d), {}};
+  std::uniform_real_distribution<double> exponent(std::log(least), std::log(most));
+  for (int i = 0; i < m; ++i) problem.friction.push_back(std::exp(exponent(generator)));
+  return problem;
+}
+
+/// Random disjoint U and R, R not everything.
+inline Masks random_masks(int m, std::mt19937_64& generator) {
+  for (;;) {
+    Masks masks{0, 0};
+    for (int i = 0; i < m; ++i) {
+      const auto draw = generator() % 3;
+      if (draw == 0) masks.first |= std::uint64_t{1} << i;
+      if (draw == 1) masks.second |= std::uint64_t{1} << i;
+    }
+    if (masks.second != (std::uint64_t{1} << m) - 1) return masks;
+  }
+}
+
+/// The largest t for which (r, t) meets the inequalities of the node program.
+inline double level(const ContactProblem& problem, Masks masks, const Eigen::VectorXd& r) {
+  const Eigen::VectorXd u = problem.compliance * r;
+  double t = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < problem.candidates(); ++i) {
+    const int at = problem.d * i;
+    if (!contains(masks.first, i)) t = std::min(t, u[at]);
+    if (!contains(masks.second, i))
+      t = std::min(t, problem.friction[static_cast<std::size_t>(i)] * r[at] -
+                          r.segment(at + 1, problem.d - 1).norm());
+  }
+  return t;
+}
+
+/// The equations of the node program: u_n = 0 on U, r = 0 on R, sum r_n = 1; and a right-hand side
+/// of them that ends in the one of the sum.
+inline Eigen::MatrixXd equations(const ContactProblem& problem, Masks masks) {
+  const int d = problem.d, m = problem.candidates();
+  std::vector<Eigen::RowVectorXd> rows;
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(d * m);
+  for (int i = 0; i < m; ++i) {
+    sum[d * i] = 1;
+    if (contains(masks.first, i)) rows.push_back(problem.compliance.row(d * i));
+    if (contains(masks.second, i))
+      for (int c = 0; c < d; ++c) rows.push_back(Eigen::RowVectorXd::Unit(d * m, d * i + c));
+  }
+  rows.push_back(sum);
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), d * m);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    matrix.row(static_cast<Eigen::Index>(row)) = rows[row];
+  return matrix;
+}
+
+}  // namespace kusabi::conic::testing

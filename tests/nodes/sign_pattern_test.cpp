@@ -1,0 +1,197 @@
+// The tree of sign patterns against the published counts, against all leaves one by one, and
+// against the definition of a wedged configuration.
+#include "nodes/sign_pattern.hpp"
+
+#include <bit>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/simulation.hpp"
+#include "problems/structure_file.hpp"
+
+namespace kusabi::nodes {
+namespace {
+
+using ContactSet = std::vector<int>;
+
+std::string content(const std::string& name) {
+  std::ifstream file(std::string(KUSABI_SOURCE_DIR) + "/" + name);
+  EXPECT_TRUE(file) << name;
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+problems::WedgedProblem example(const std::string& name) {
+  return problems::wedged_problem(problems::read_structure(content("examples/" + name), name));
+}
+
+nlohmann::json reference(const std::string& name) {
+  return nlohmann::json::parse(content("tests/reference/" + name));
+}
+
+SignPatternTree tree_of(const problems::WedgedProblem& problem, double mu) {
+  return {problem, std::vector<double>(problem.contact_names.size(), mu)};
+}
+
+ContactSet positions(std::uint64_t set) {
+  ContactSet list;
+  for (; set != 0; set &= set - 1) list.push_back(std::countr_zero(set));
+  return list;
+}
+
+std::set<ContactSet> contact_sets(const engine::Outcome<SignPatternTree>& outcome) {
+  std::set<ContactSet> sets;
+  for (const auto& found : outcome.solutions) {
+    if (!found.solution.marginal) sets.insert(positions(found.solution.pattern.contact));
+  }
+  return sets;
+}
+
+class SpaceTruss : public testing::TestWithParam<const char*> {};
+
+TEST_P(SpaceTruss, HasThePatternsOfTheReference) {
+  const auto known = reference("space-truss.json");
+  auto tree = tree_of(example("space-truss.toml"), std::stod(GetParam()));
+  const auto outcome = engine::search(tree);
+  EXPECT_EQ(contact_sets(outcome), known["patterns"][GetParam()].get<std::set<ContactSet>>());
+  EXPECT_EQ(tree.tally().found, known["counts"][GetParam()].get<std::uint64_t>());
+  EXPECT_EQ(tree.tally().marginal, 0U);
+}
+
+// The tree prunes and branches; this decides each of the 2^10 leaves by itself.
+TEST_P(SpaceTruss, HasThePatternsOfAllLeavesOneByOne) {
+  const auto problem = example("space-truss.toml");
+  const double mu = std::stod(GetParam());
+  auto tree = tree_of(problem, mu);
+  double unit = 0;
+  for (int i = 0; i < 10; ++i) unit += problem.compliance(3 * i, 3 * i) / 10;
+  const std::vector<double> friction(10, mu);
+  conic::NodeSolver<3> solver(problem.compliance / unit, friction);
+  std::set<ContactSet> alive;
+  for (std::uint64_t contact = 0; contact < 1024; ++contact) {
+    const auto answer = solver.solve(contact, 1023 & ~contact);
+    EXPECT_NE(answer.sign, conic::Sign::marginal);
+    if (answer.sign == conic::Sign::alive) alive.insert(positions(contact));
+  }
+  EXPECT_EQ(contact_sets(engine::search(tree)), alive);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllFrictions, SpaceTruss,
+                         testing::Values("0.55", "0.6", "0.65", "0.7", "1.0"));
+
+// Proposition 2.1 (iii): a configuration for one coefficient is one for every larger one.
+TEST(SignPatternTree, KeepsItsPatternsWhenFrictionGrows) {
+  const auto problem = example("space-truss.toml");
+  std::set<ContactSet> smaller;
+  for (const double mu : {0.5, 0.63, 0.66, 0.8, 0.95, 1.5, 3.0}) {
+    auto tree = tree_of(problem, mu);
+    const auto larger = contact_sets(engine::search(tree));
+    EXPECT_TRUE(std::includes(larger.begin(), larger.end(), smaller.begin(), smaller.end())) << mu;
+    smaller = larger;
+  }
+}
+
+// The evidence is checked against (6), in the units of the file, without the cone solver.
+TEST(SignPatternTree, EveryConfigurationSolvesTheWedgedProblem) {
+  const auto problem = example("space-truss.toml");
+  const double mu = 1.0;
+  auto tree = tree_of(problem, mu);
+  const auto outcome = engine::search(tree);
+  ASSERT_EQ(outcome.solutions.size(), 251U);
+  for (const auto& [path, found] : outcome.solutions) {
+    const Eigen::Map<const Eigen::VectorXd> r(found.reaction.data(), 30);
+    const Eigen::Map<const Eigen::VectorXd> u(found.displacement.data(), 30);
+    const double size = u.lpNorm<Eigen::Infinity>();
+    EXPECT_LE((problem.stiffness * u - r).lpNorm<Eigen::Infinity>(), 1e-9);
+    double sum = 0;
+    for (int i = 0; i < 10; ++i) {
+      const bool contact = ((found.pattern.contact >> static_cast<unsigned>(i)) & 1U) != 0;
+      const double normal_reaction = r(3 * i);
+      sum += normal_reaction;
+      if (contact) {
+        EXPECT_LE(std::abs(u(3 * i)), 1e-10 * size);
+        EXPECT_GT(normal_reaction, 0);
+        EXPECT_LT(r.segment(3 * i + 1, 2).norm(), mu * normal_reaction);
+      } else {
+        EXPECT_GT(u(3 * i), 0);
+        EXPECT_EQ(r.segment(3 * i, 3).norm(), 0);
+      }
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_LE(found.lower, found.upper);
+    EXPECT_LE(found.upper - found.lower, 1e-7);
+  }
+}
+
+TEST(SignPatternTree, DoesNotDependOnTheUnits) {
+  // A hundred thousand times stiffer, or softer, and the structure gets stuck in the same ways.
+  const auto problem = example("space-truss.toml");
+  auto tree = tree_of(problem, 0.65);
+  const auto expected = contact_sets(engine::search(tree));
+  for (const double factor : {1e-5, 1e5}) {
+    auto scaled = problem;
+    scaled.stiffness *= factor;
+    scaled.compliance /= factor;
+    auto other = tree_of(scaled, 0.65);
+    EXPECT_EQ(contact_sets(engine::search(other)), expected);
+  }
+}
+
+class PlaneTruss : public testing::TestWithParam<const char*> {};
+
+TEST_P(PlaneTruss, HasAsManyPatternsAsTheReference) {
+  const auto known = reference("plane-truss.json")["table"]["5"][GetParam()];
+  auto tree = tree_of(example("plane-truss.toml"), std::stod(GetParam()));
+  const auto outcome = engine::search(tree);
+  EXPECT_EQ(contact_sets(outcome).size(), known["patterns"].get<std::size_t>());
+}
+
+INSTANTIATE_TEST_SUITE_P(AllFrictions, PlaneTruss,
+                         testing::Values("0.62", "0.65", "0.7", "0.8", "1.0"));
+
+// Nothing couples the two candidates. The first can stick by itself, with r_t = 2 r_n; the second
+// then has u_n = r_n = 0 whether it is called in contact or separated. Both leaves have t* = 0:
+// they are one ray, a face, and neither may be counted.
+TEST(SignPatternTree, ReportsTiesAsMarginalAndDoesNotCountThem) {
+  problems::WedgedProblem problem;
+  problem.dimension = 2;
+  problem.contact_names = {"sticks", "idles"};
+  problem.compliance = Eigen::MatrixXd::Identity(4, 4);
+  problem.compliance(0, 1) = problem.compliance(1, 0) = -0.5;
+  problem.stiffness = problem.compliance.inverse();
+  auto tree = tree_of(problem, 3.0);
+  const auto outcome = engine::search(tree);
+  EXPECT_EQ(tree.tally().found, 0U);
+  EXPECT_EQ(tree.tally().marginal, 2U);
+  ASSERT_EQ(outcome.solutions.size(), 2U);
+  for (const auto& found : outcome.solutions) {
+    EXPECT_TRUE(found.solution.marginal);
+    EXPECT_EQ(found.solution.pattern.contact & 0b01U, 0b01U);
+    EXPECT_LE(found.solution.lower, 1e-7);
+    EXPECT_GE(found.solution.upper, -1e-7);
+  }
+}
+
+TEST(SignPatternTree, OpensTheSameNodesOnAnyNumberOfSimulatedRanks) {
+  const auto problem = example("space-truss.toml");
+  auto tree = tree_of(problem, 1.0);
+  const auto alone = engine::search(tree);
+  for (const int ranks : {2, 3, 8, 40}) {
+    const engine::Weather weather{.latency = 2e-6, .node = 20e-6};
+    const auto many = engine::simulate(tree_of(problem, 1.0), ranks, 7, weather);
+    EXPECT_EQ(many.outcome.fingerprint(), alone.fingerprint()) << ranks;
+    ASSERT_EQ(many.outcome.solutions.size(), alone.solutions.size());
+    for (std::size_t i = 0; i < alone.solutions.size(); ++i) {
+      EXPECT_EQ(many.outcome.solutions[i].solution.lower, alone.solutions[i].solution.lower);
+      EXPECT_EQ(many.outcome.solutions[i].solution.reaction, alone.solutions[i].solution.reaction);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::nodes
