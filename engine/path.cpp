@@ -23,8 +23,8 @@ std::string to_string(const Path& path) {
   const std::span<const std::uint32_t> branches(path);
   if (path.empty()) return "root";
   if (path.size() <= longest) return joined(branches);
-  return joined(branches.first(end)) + "...(" + std::to_string(path.size() - 2 * end) + " more)..." +
-         joined(branches.last(end));
+  return joined(branches.first(end)) + "...(" + std::to_string(path.size() - 2 * end) +
+         " more)..." + joined(branches.last(end));
 }
 
 }  // namespace kusabi::engine

@@ -1,0 +1,23 @@
+// `kusabi patterns FILE --mu MU`: all sign patterns of wedged configurations (Algorithm 5.1).
+#pragma once
+
+#include <string>
+
+#include "nodes/conic/node_solver.hpp"
+#include "run/session.hpp"
+
+namespace kusabi::run {
+
+struct PatternsOptions {
+  std::string file;                             ///< the problem
+  double friction = 0;                          ///< mu
+  double tolerance = conic::Tolerances{}.sign;  ///< |t*| up to this is marginal
+  std::string output;                           ///< the result file; empty: none
+  bool quiet = false;                           ///< no progress, no table
+};
+
+/// Runs the command on all ranks. @return the exit code
+/// @throws WrongInput, problems::InputError on every rank alike
+int patterns(Session& session, const PatternsOptions& options);
+
+}  // namespace kusabi::run

@@ -1,0 +1,201 @@
+// The table and the JSON of `kusabi patterns`.
+#include "run/patterns_report.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <iterator>
+#include <span>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+
+// True if the set `a`, read as an increasing list, comes before `b` in the order of a dictionary.
+bool before(std::uint64_t a, std::uint64_t b) {
+  while (a != 0 && b != 0) {
+    const int first_a = std::countr_zero(a);
+    const int first_b = std::countr_zero(b);
+    if (first_a != first_b) return first_a < first_b;
+    a &= a - 1;
+    b &= b - 1;
+  }
+  return a == 0 && b != 0;
+}
+
+// A dm-vector as m rows of d, in the frame (n, t1[, t2]) of each candidate.
+ordered_json rows(std::span<const double> values, int dimension) {
+  auto list = ordered_json::array();
+  const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t at = 0; at < values.size(); at += d) {
+    list.push_back(std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(at),
+                                       values.begin() + static_cast<std::ptrdiff_t>(at + d)));
+  }
+  return list;
+}
+
+ordered_json contact_frames(const problems::WedgedProblem& problem) {
+  auto list = ordered_json::array();
+  for (std::size_t i = 0; i < problem.contact_names.size(); ++i) {
+    ordered_json frame;
+    frame["node"] = problem.contact_names[i];
+    const char* const axes[] = {"n", "t1", "t2"};
+    for (int axis = 0; axis < problem.dimension; ++axis) {
+      const Eigen::VectorXd direction = problem.frames[i].col(axis);
+      frame[axes[axis]] = std::vector<double>(direction.begin(), direction.end());
+    }
+    list.push_back(std::move(frame));
+  }
+  return list;
+}
+
+ordered_json tally_json(const nodes::SignPatternTally& tally) {
+  return {{"branched", tally.branched},
+          {"dead", tally.dead},
+          {"found", tally.found},
+          {"marginal_leaves", tally.marginal},
+          {"marginal_branched", tally.doubtful},
+          {"iterations", tally.iterations}};
+}
+
+// Node names as one cell of the table.
+std::string listed(const std::vector<std::string>& words) {
+  return words.empty() ? "-" : fmt::format("{}", fmt::join(words, " "));
+}
+
+}  // namespace
+
+PatternsReport::PatternsReport(const PatternsOptions& options_,
+                               const problems::WedgedProblem& problem_,
+                               const engine::Outcome<nodes::SignPatternTree>& outcome_)
+    : options(options_), problem(problem_), outcome(outcome_) {
+  for (const auto& found : outcome.solutions) sorted.push_back(&found.solution);
+  std::sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) {
+    if (a->marginal != b->marginal) return b->marginal;
+    return before(a->pattern.contact, b->pattern.contact);
+  });
+}
+
+nodes::SignPatternTally PatternsReport::total() const {
+  nodes::SignPatternTally sum;
+  for (const auto& rank : outcome.ranks) sum += rank.tally;
+  return sum;
+}
+
+std::vector<std::string> PatternsReport::names(std::uint64_t candidates) const {
+  std::vector<std::string> list;
+  for (; candidates != 0; candidates &= candidates - 1) {
+    list.push_back(problem.contact_names[static_cast<std::size_t>(std::countr_zero(candidates))]);
+  }
+  return list;
+}
+
+std::string PatternsReport::table() const {
+  std::string text;
+  auto out = std::back_inserter(text);
+  const auto tally = total();
+
+  std::size_t contact_width = std::string_view("in contact (U)").size();
+  for (const auto* each : sorted) {
+    contact_width = std::max(contact_width, listed(names(each->pattern.contact)).size());
+  }
+  if (!sorted.empty()) {
+    fmt::format_to(out, "\n{:>5}  {:>10}  {:<{}}  {}\n", "", "margin t*", "in contact (U)",
+                   contact_width, "separated (R)");
+  }
+  std::size_t number = 0;
+  for (const auto* each : sorted) {
+    fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}\n", ++number,
+                   each->marginal ? "marginal" : fmt::format("{:.3e}", each->lower),
+                   listed(names(each->pattern.contact)), contact_width,
+                   listed(names(each->pattern.separated)));
+  }
+  fmt::format_to(out,
+                 "\n{} sign pattern{} of wedged configurations at friction coefficient {}; "
+                 "{} marginal (|t*| <= {})\n",
+                 tally.found, tally.found == 1 ? "" : "s", options.friction, tally.marginal,
+                 options.tolerance);
+
+  fmt::format_to(out, "\n{:<6} {:>10} {:>7} {:>10} {:>10} {:>8} {:>9} {:>11} {:>7} {:>9}\n", "rank",
+                 "opened", "share", "branched", "pruned", "found", "marginal", "iterations",
+                 "gifts", "seconds");
+  const auto opened = outcome.opened();
+  const auto row = [&](const std::string& name, std::uint64_t nodes,
+                       const nodes::SignPatternTally& its, std::uint64_t gifts, double seconds) {
+    const double share = 100 * static_cast<double>(nodes) / static_cast<double>(opened);
+    fmt::format_to(out, "{:<6} {:>10} {:>5.1f} % {:>10} {:>10} {:>8} {:>9} {:>11} {:>7} {:>9.3f}\n",
+                   name, nodes, share, its.branched, its.dead, its.found,
+                   its.marginal + its.doubtful, its.iterations, gifts, seconds);
+  };
+  std::uint64_t gifts = 0;
+  double longest = 0;
+  for (std::size_t rank = 0; rank < outcome.ranks.size(); ++rank) {
+    const auto& [statistics, its] = outcome.ranks[rank];
+    row(std::to_string(rank), statistics.opened, its, statistics.gifts_received,
+        statistics.seconds);
+    gifts += statistics.gifts_received;
+    longest = std::max(longest, statistics.seconds);
+  }
+  if (outcome.ranks.size() > 1) row("all", opened, tally, gifts, longest);
+  return text;
+}
+
+ordered_json PatternsReport::json() const {
+  const auto tally = total();
+  ordered_json patterns = ordered_json::array();
+  for (const auto* each : sorted) {
+    patterns.push_back({{"contact", names(each->pattern.contact)},
+                        {"separated", names(each->pattern.separated)},
+                        {"state", each->marginal ? "marginal" : "alive"},
+                        {"margin", each->lower},
+                        {"margin_upper", each->upper},
+                        {"reaction", rows(each->reaction, problem.dimension)},
+                        {"displacement", rows(each->displacement, problem.dimension)}});
+  }
+  ordered_json tree = tally_json(tally);
+  tree["opened"] = outcome.opened();
+  tree["fingerprint"] = fmt::format("{:016x}", outcome.fingerprint());
+
+  ordered_json ranks = ordered_json::array();
+  for (const auto& [statistics, its] : outcome.ranks) {
+    ordered_json rank = tally_json(its);
+    rank["opened"] = statistics.opened;
+    rank["peak_open"] = statistics.peak_open;
+    rank["requests"] = statistics.requests;
+    rank["gifts_received"] = statistics.gifts_received;
+    rank["gifts_sent"] = statistics.gifts_sent;
+    rank["nodes_given"] = statistics.nodes_given;
+    rank["idle_seconds"] = statistics.idle_seconds;
+    rank["seconds"] = statistics.seconds;
+    ranks.push_back(std::move(rank));
+  }
+
+  return {{"command", "patterns"},
+          {"version", KUSABI_VERSION},
+          {"problem",
+           {{"file", options.file},
+            {"name", problem.name},
+            {"d", problem.dimension},
+            {"m", problem.contact_names.size()},
+            {"nodes", problem.nodes},
+            {"members", problem.members},
+            {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
+            {"contact", contact_frames(problem)},
+            {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}}},
+          {"options", {{"mu", options.friction}, {"tolerance", options.tolerance}}},
+          {"status", "solved"},
+          {"result",
+           {{"friction", options.friction},
+            {"tolerance", options.tolerance},
+            {"count", tally.found},
+            {"marginal", tally.marginal},
+            {"tree", std::move(tree)},
+            {"patterns", std::move(patterns)}}},
+          {"statistics", {{"ranks", std::move(ranks)}}}};
+}
+
+}  // namespace kusabi::run

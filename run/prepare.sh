@@ -1,0 +1,59 @@
+# What both README commands share: find out what is missing, say so, install it, build.
+# Sourced by run/quickstart and run/test; not a command of its own.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+say() { printf '\n== %s\n' "$*"; }
+give_up() { printf 'kusabi: %s\n' "$*" >&2; exit 1; }
+
+# What the program itself needs, on Debian and its relatives.
+build_packages=(g++ cmake make libopenmpi-dev openmpi-bin libboost-serialization-dev libeigen3-dev
+  libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev)
+# What the tests need besides.
+test_packages=(libgtest-dev libgmock-dev)
+
+# install_missing PACKAGE...: installs those that are not there yet.
+install_missing() {
+  local missing=() package
+  command -v dpkg-query >/dev/null ||
+    give_up "this is no Debian-like system; install by hand what these Debian packages hold: $*"
+  for package in "$@"; do
+    [[ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] ||
+      missing+=("$package")
+  done
+  if [[ ${#missing[@]} -eq 0 ]]; then
+    say "everything needed is installed"
+    return
+  fi
+  say "installing with apt-get: ${missing[*]}"
+  local as_root=()
+  if [[ $(id -u) -ne 0 ]]; then
+    command -v sudo >/dev/null ||
+      give_up "cannot install as an ordinary user without sudo; ask for: apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get)
+  # A fresh machine has no package lists, an old one has stale ones.
+  "${apt[@]}" -q update || give_up "apt-get update failed; are the package sources reachable?"
+  "${apt[@]}" -qy --no-install-recommends install "${missing[@]}" ||
+    give_up "apt-get could not install: ${missing[*]}"
+}
+
+# build TARGET CMAKE_OPTION...: configures build/ and builds one target there.
+build() {
+  local target=$1
+  shift
+  say "building (Release, into build/)"
+  local log
+  log=$(cmake -S . -B build -DCMAKE_BUILD_TYPE=Release "$@" 2>&1) ||
+    { printf '%s\n' "$log" >&2; give_up "cmake could not configure the build"; }
+  cmake --build build --target "$target" --parallel "$(nproc)"
+}
+
+# Open MPI refuses to run as root, or more ranks than cores, unless told; and what pays on a cluster
+# (ranks pinned to cores, which hand their core over when they poll in vain) does not on a machine
+# that others use as well. Other launchers ignore these.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_MCA_mpi_yield_when_idle=0

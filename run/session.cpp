@@ -1,0 +1,67 @@
+// The choice between MPI and a single process, and the one broadcast that the command needs.
+#include "run/session.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include "engine/transport/mpi.hpp"
+#include "engine/transport/single_process.hpp"
+#include "problems/input_error.hpp"
+
+namespace kusabi::run {
+namespace {
+
+bool serial_wanted(int argc, char** argv) {
+  const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
+  return std::any_of(arguments.begin(), arguments.end(),
+                     [](const char* argument) { return std::string_view(argument) == "--serial"; });
+}
+
+}  // namespace
+
+struct Session::Mpi {
+  Mpi(int& argc, char**& argv) : environment(argc, argv) {}
+  engine::MpiEnvironment environment;
+  engine::MpiTransport transport;
+};
+
+Session::Session(int& argc, char**& argv) {
+  if (engine::MpiEnvironment::launched() && !serial_wanted(argc, argv)) {
+    mpi_ = std::make_unique<Mpi>(argc, argv);
+  } else {
+    alone_ = std::make_unique<engine::SingleProcess>();
+  }
+}
+
+Session::~Session() = default;
+
+engine::Transport& Session::transport() {
+  if (mpi_) return mpi_->transport;
+  return *alone_;
+}
+
+std::string Session::on_first_rank(const std::function<std::string()>& prepare) {
+  constexpr char good = '+';
+  constexpr char wrong = '-';
+  engine::Bytes message;
+  const auto tell = [&](char verdict, std::string_view text) {
+    message.assign(1, verdict);
+    message.insert(message.end(), text.begin(), text.end());
+  };
+  if (speaks()) {
+    try {
+      tell(good, prepare());
+    } catch (const WrongInput& error) {
+      tell(wrong, error.what());
+    } catch (const problems::InputError& error) {
+      tell(wrong, error.what());
+    }
+  }
+  if (mpi_) mpi_->transport.broadcast(message);
+  std::string text(message.begin() + 1, message.end());
+  if (message.front() == wrong) throw WrongInput(text);
+  return text;
+}
+
+}  // namespace kusabi::run
