@@ -3,12 +3,13 @@
 
 #include <functional>
 #include <utility>
-#include <vector>
 
-#include "engine/frontier.hpp"
 #include "engine/path.hpp"
 
 namespace kusabi::engine {
+
+template <class P>
+class Explorer;
 
 /// A solution and the path of the node that yielded it.
 template <class P>
@@ -29,25 +30,28 @@ class Expansion {
   using Node = typename P::Node;
   using Solution = typename P::Solution;
 
-  Expansion(Frontier<Node>& frontier, std::vector<Found<P>>& found, std::function<void()> serve)
-      : frontier_(frontier), found_(found), serve_(std::move(serve)) {}
+  Expansion(Explorer<P>& explorer, std::function<void()> serve)
+      : explorer_(explorer), serve_(std::move(serve)) {}
 
   /// Adds a subproblem. The first one added is searched first.
-  void branch(Node child) { frontier_.branch(std::move(child)); }
+  void branch(Node child);
 
   /// Reports a solution. A node may yield several, and have children as well.
-  void solution(Solution solution) { found_.push_back({frontier_.path(), std::move(solution)}); }
+  void solution(Solution solution);
+
+  /// The objective of the best solution known on this rank, infinity if there is none. A child all
+  /// of whose solutions are worse (greater, not equal) need not be branched.
+  [[nodiscard]] double cutoff() const;
 
   /// Lets the rank answer its messages. For an `expand` that takes longer than about a
   /// millisecond: call it now and then, so that others need not wait for work.
   void poll() { serve_(); }
 
   /// The path of the node being expanded.
-  [[nodiscard]] Path path() const { return frontier_.path(); }
+  [[nodiscard]] Path path() const;
 
  private:
-  Frontier<Node>& frontier_;
-  std::vector<Found<P>>& found_;
+  Explorer<P>& explorer_;
   std::function<void()> serve_;
 };
 

@@ -110,6 +110,19 @@ class Frontier {
     peak_ = std::max(peak_, nodes_.size());
   }
 
+  /// Calls `look(node)` for every open node.
+  template <class Look>
+  void for_each(Look look) const {
+    for (const auto& open : nodes_) look(open.node);
+  }
+
+  /// A copy of all that is open, with the trail it hangs on.
+  /// @pre not empty()
+  [[nodiscard]] Gift<Node> all() const {
+    const auto deepest = static_cast<std::ptrdiff_t>(nodes_.back().depth);
+    return {{trail_.begin(), trail_.begin() + deepest}, nodes_};
+  }
+
   /// The step of the node opened last.
   [[nodiscard]] const Step& current() const { return trail_.back(); }
 

@@ -4,8 +4,39 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <string>
 
 namespace kusabi::engine {
+
+/// What is looked for.
+enum class Goal {
+  all,    ///< every solution
+  best,   ///< the one with the least objective; of equals the first in depth-first order
+  first,  ///< the first in depth-first order, whichever rank meets one first
+};
+
+/// Where to stop although the tree is not done. Each counts over all ranks (and over the runs that
+/// a restarted search continues, but for the time), and is looked at at every survey, so it may be
+/// overrun by what is done between two of them.
+struct Limits {
+  double seconds = std::numeric_limits<double>::infinity();
+  std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t solutions = std::numeric_limits<std::uint64_t>::max();
+  /// Stop when objective - bound <= gap * |objective|; for Goal::best with a bounded problem.
+  double gap = 0;
+};
+
+/// What somebody outside (a signal, a batch system) wants of a running search.
+enum class Interrupt { none, checkpoint, stop };
+
+/// Where the state of the search is kept for a restart.
+struct CheckpointOptions {
+  std::string file;           ///< the manifest; parts lie beside it. Empty: no checkpoints
+  double interval = 600;      ///< seconds between two
+  std::string resume_from;    ///< a manifest found good by usable_checkpoint(); empty: start anew
+  std::uint64_t problem = 0;  ///< fingerprint of the problem: another's checkpoint is refused
+};
 
 /// The state of a running search, as of the last survey.
 struct Progress {
@@ -15,9 +46,14 @@ struct Progress {
   std::uint64_t found = 0;   ///< solutions
   double closed = 0;         ///< share of the tree that is done, 0 to 1
   std::uint64_t idle = 0;    ///< ranks without work
+  double objective = std::numeric_limits<double>::infinity();  ///< of the best solution so far
 };
 
 struct Options {
+  Goal goal = Goal::all;
+  Limits limits;
+  CheckpointOptions checkpoint;
+
   /// Seconds between two surveys while all ranks are busy (idle ranks join at once).
   double survey_interval = 0.05;
 
@@ -32,6 +68,12 @@ struct Options {
 
   /// Called on rank 0 after each survey.
   std::function<void(const Progress&)> progress;
+
+  /// Asked on every rank before each survey; what one rank is told, all do.
+  std::function<Interrupt()> interrupt;
+
+  /// Told, on rank 0, of what went wrong without ending the search: one line.
+  std::function<void(const std::string&)> warn;
 };
 
 }  // namespace kusabi::engine

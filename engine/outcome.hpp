@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/expansion.hpp"
@@ -13,7 +14,8 @@ namespace kusabi::engine {
 struct RankStatistics {
   std::uint64_t opened = 0;          ///< nodes opened here
   std::uint64_t fingerprint = 0;     ///< sum of the hashes of their paths, modulo 2^64
-  std::uint64_t found = 0;           ///< solutions found here
+  std::uint64_t pruned = 0;          ///< nodes not opened: they could not beat the best solution
+  std::uint64_t found = 0;           ///< solutions found here (that were the best at their time)
   std::uint64_t peak_open = 0;       ///< most nodes that were waiting at one time
   std::uint64_t requests = 0;        ///< times it asked for work
   std::uint64_t gifts_received = 0;  ///< times it was given some
@@ -24,7 +26,7 @@ struct RankStatistics {
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& opened& fingerprint& found& peak_open& requests& gifts_received& gifts_sent;
+    archive& opened& fingerprint& pruned& found& peak_open& requests& gifts_received& gifts_sent;
     archive& nodes_given& idle_seconds& seconds;
   }
 };
@@ -40,29 +42,56 @@ struct RankReport {
   }
 };
 
+/// Why a search ended.
+enum class Status {
+  solved,      ///< the whole tree is done
+  time_limit,  ///< stopped at a limit of `Limits`; what was found is valid, not complete
+  node_limit,
+  solution_limit,
+  gap_limit,
+  interrupted,  ///< stopped because `Options::interrupt` said so
+};
+
 /// The outcome of a search. On rank 0 it is whole; elsewhere it holds that rank's report only.
 template <class P>
 struct Outcome {
+  Status status = Status::solved;
+
+  /// Nodes that were left open, on all ranks; 0 if solved.
+  std::uint64_t open = 0;
+
+  /// For Goal::best: no solution is below this. The objective of the best one if solved, the least
+  /// bound of what was left open (or the objective, if smaller) otherwise.
+  double bound = -std::numeric_limits<double>::infinity();
+
   /// All solutions in the order in which a depth-first search on one rank meets them, whatever the
-  /// number of ranks was.
+  /// number of ranks was. For Goal::best and Goal::first, the one or none.
   std::vector<Found<P>> solutions;
 
   /// In the order of the ranks.
   std::vector<RankReport<P>> ranks;
 
-  /// Nodes opened on all ranks.
+  /// Those of the runs that this one continued from a checkpoint.
+  std::vector<RankReport<P>> earlier;
+
+  /// Nodes opened on all ranks, earlier runs included.
   [[nodiscard]] std::uint64_t opened() const {
-    std::uint64_t sum = 0;
-    for (const auto& report : ranks) sum += report.statistics.opened;
-    return sum;
+    return sum([](const RankStatistics& rank) { return rank.opened; });
   }
 
   /// The sum of the path hashes of all opened nodes: equal for two searches of one tree if and only
   /// if (but for a chance of 2^-64) both opened the same nodes, each once.
   [[nodiscard]] std::uint64_t fingerprint() const {
-    std::uint64_t sum = 0;
-    for (const auto& report : ranks) sum += report.statistics.fingerprint;
-    return sum;
+    return sum([](const RankStatistics& rank) { return rank.fingerprint; });
+  }
+
+ private:
+  template <class Value>
+  [[nodiscard]] std::uint64_t sum(Value value) const {
+    std::uint64_t total = 0;
+    for (const auto& report : earlier) total += value(report.statistics);
+    for (const auto& report : ranks) total += value(report.statistics);
+    return total;
   }
 };
 

@@ -22,6 +22,20 @@ concept Problem = requires(P& problem, const P& looked_at, typename P::Node node
   problem.expand(std::move(node), out);
 };
 
+/// A problem with an objective to be made small: what Goal::best asks for.
+template <class P>
+concept Minimising = Problem<P> &&
+    requires(const P& problem, const typename P::Solution& solution) {
+  { problem.objective(solution) } -> std::convertible_to<double>;
+};
+
+/// A minimising problem that can tell, without opening a node, a lower bound of the objective of
+/// every solution below it. Nodes whose bound is above the best known objective are not opened.
+template <class P>
+concept Bounded = Minimising<P> && requires(const P& problem, const typename P::Node& node) {
+  { problem.bound(node) } -> std::convertible_to<double>;
+};
+
 /// A problem that counts things of its own while it expands nodes. Each rank's `tally()` (a
 /// Boost-serialisable value of type `Tally`) comes with the outcome, in the order of the ranks.
 template <class P>

@@ -2,8 +2,8 @@
 //
 // One wave cannot tell: ranks join it at different moments, so a gift may slip behind its back,
 // sent by a rank that has not joined yet to one that already has. The rule asks for two successive
-// waves in which every rank was idle, every gift sent had been received, and the sums of the second
-// are those of the first.
+// waves in which every rank was idle, every message sent had been received, and the sums of the
+// second are those of the first.
 //
 // Why that suffices. Let every rank join wave 2 after wave 1 was complete, and let t be a moment
 // between the two. Counters only grow. From equal sums, no rank sent or received a gift between its

@@ -1,33 +1,47 @@
 // One rank of a search, as a state machine.
 //
-//                 all is done (Termination)      nothing owed to anyone       all reports are in
-//   searching ────────────────────────────► closing ──────────────────► reporting ───────────► done
-//   open nodes, give, ask                   wait for the last answer    solutions to rank 0
+//                                   ┌──────────── go on ────────────┐
+//                                   ▼                               │
+//   the root ──► searching ──► (a stop or a ──► pausing ──► writing a checkpoint ──┐
+//                    │          checkpoint           │                             │ stop
+//                    │ all is done   is due)         │ stop                        │
+//                    ▼                               ▼                             ▼
+//                 closing ◄────────────────────────────────────────────────────────┘
+//                    │ nothing owed to anyone
+//                    ▼
+//                reporting ──► done
 //
 // `step` does a bounded amount of work and returns; it never waits. Whoever drives the worker
 // (engine/search.hpp over a real transport, engine/simulation.hpp in virtual time) calls it until
 // it says that it is done.
 //
 // All ranks are peers. A rank without an open node asks one other rank at a time; the one asked
-// gives every other node from the shallowest on, or refuses. Requests are always answered, also
-// while closing; a rank leaves only after a last survey that every rank joins when its own last
-// request has been answered. So no message is ever left behind.
+// gives every other node from the shallowest on, or refuses. What concerns all ranks at once is
+// decided from merged surveys, which all ranks see alike, so all take the same turn at the same
+// wave. In `pausing` no rank opens, asks or gives; when two waves are quiet
+// (engine/termination.hpp) every open node lies on exactly one rank, and that is the state that a
+// checkpoint keeps.
+//
+// Requests are always answered, also while closing; a rank leaves only after a last survey that
+// every rank joins when its own last request has been answered. So no message is ever left behind.
 #pragma once
 
 #include <algorithm>
 #include <cassert>
-#include <exception>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "engine/expansion.hpp"
-#include "engine/frontier.hpp"
+#include "engine/checkpoint.hpp"
+#include "engine/explorer.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
+#include "engine/relay.hpp"
 #include "engine/survey.hpp"
 #include "engine/termination.hpp"
 #include "engine/transport/transport.hpp"
@@ -35,14 +49,6 @@
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {
-
-/// An exception that left `expand`, with the path of the node it was expanding; the exception
-/// itself is nested in it.
-class ExpansionFailed : public std::runtime_error {
- public:
-  ExpansionFailed(const Path& path, const std::string& reason)
-      : std::runtime_error("node " + to_string(path) + ": " + reason) {}
-};
 
 /// What a worker wants after a step.
 struct Pace {
@@ -55,20 +61,27 @@ class Worker {
  public:
   using Node = typename P::Node;
 
-  /// The problem, the transport and the options must outlive the worker. Rank 0 plants the root.
+  /// The problem, the transport and the options must outlive the worker. Rank 0 plants the root,
+  /// unless the search goes on from a checkpoint.
+  /// @throws CheckpointError if the checkpoint to go on from cannot be read
   Worker(P& problem, Transport& transport, const Options& options)
       : problem_(problem),
         transport_(transport),
         options_(options),
-        expansion_(frontier_, found_, [this] { poll(); }),
+        explorer_(problem, options.goal, [this] { poll(); }),
         stride_(std::max(1U, options.nodes_per_step)),
         started_(transport.now()),
         now_(started_),
         step_started_(started_),
         last_survey_(started_),
+        last_checkpoint_(started_),
         idle_since_(started_) {
     if (transport.size() > 1) victims_.emplace(transport.rank(), transport.size(), options.seed);
-    if (transport.rank() == 0) frontier_.plant(std::as_const(problem).root());
+    if (!options.checkpoint.resume_from.empty()) {
+      resume();
+    } else if (transport.rank() == 0) {
+      explorer_.plant();
+    }
   }
 
   Worker(const Worker&) = delete;
@@ -79,7 +92,7 @@ class Worker {
   Pace step() {
     now_ = transport_.now();
     const double last_step = std::exchange(step_started_, now_);
-    if (phase_ == Phase::searching && !frontier_.empty()) {
+    if (phase_ == Phase::searching && explorer_.has_nodes()) {
       if (worked_) adapt_stride(now_ - last_step);
       open_nodes();
     }
@@ -87,6 +100,9 @@ class Worker {
     switch (phase_) {
       case Phase::searching:
         if (idle()) ask();
+        [[fallthrough]];
+      case Phase::pausing:
+      case Phase::writing:
         attend_survey();
         break;
       case Phase::closing:
@@ -102,65 +118,67 @@ class Worker {
   }
 
   /// Nodes opened on this rank so far.
-  [[nodiscard]] std::uint64_t opened() const { return statistics_.opened; }
+  [[nodiscard]] std::uint64_t opened() { return explorer_.statistics().opened; }
 
   /// The outcome. @pre the last step said done
   Outcome<P> outcome() && {
     Outcome<P> outcome;
-    outcome.solutions = std::move(found_);
+    outcome.status = status_;
+    outcome.open = last_wave_.open;
+    outcome.bound = std::min(last_wave_.bound, last_wave_.objective);
+    outcome.solutions = std::move(explorer_.found());
     std::stable_sort(outcome.solutions.begin(), outcome.solutions.end(),
                      [](const auto& a, const auto& b) { return a.path < b.path; });
-    if (transport_.rank() == 0) {
-      reports_.resize(static_cast<std::size_t>(transport_.size()));
-      reports_.front() = own_report();
-      outcome.ranks = std::move(reports_);
-    } else {
-      outcome.ranks.push_back(own_report());
-    }
+    outcome.earlier = std::move(earlier_);
+    reports_.resize(transport_.rank() == 0 ? static_cast<std::size_t>(transport_.size()) : 1);
+    reports_.front() = own_report();
+    outcome.ranks = std::move(reports_);
     return outcome;
   }
 
  private:
-  enum class Phase { searching, closing, reporting, done };
+  enum class Phase { searching, pausing, writing, closing, reporting, done };
 
   // A part of a rank's report: some solutions, and with the last part the rest.
   struct ReportPart {
     std::vector<Found<P>> found;
     bool last = false;
     RankReport<P> rank;
+    std::vector<RankReport<P>> earlier;
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
       archive& found& last;
-      if (last) archive& rank;
+      if (last) archive& rank& earlier;
     }
   };
 
-  [[nodiscard]] bool idle() const { return frontier_.empty() && !expanding_; }
+  // A rank's part of a checkpoint.
+  struct Saved {
+    typename Explorer<P>::State state;
+    std::vector<RankReport<P>> reports;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& state& reports;
+    }
+  };
+
+  [[nodiscard]] bool idle() const { return !explorer_.busy(); }
+  // Opens no node, and will not before a gift arrives or all ranks go on together. (A survey may
+  // say "pause" while a long expansion polls; that expansion comes to its end first.)
+  [[nodiscard]] bool resting() const {
+    const bool pausing = phase_ == Phase::pausing || phase_ == Phase::writing;
+    return idle() || (pausing && !explorer_.expanding());
+  }
 
   // ---- opening nodes ----------------------------------------------------------------------------
 
   void open_nodes() {
-    for (unsigned count = 0; count < stride_ && !frontier_.empty(); ++count) open_node();
+    explorer_.open_nodes(stride_);
     worked_ = true;
-    if (frontier_.empty()) idle_since_ = transport_.now();
-  }
-
-  void open_node() {
-    Node node = frontier_.open();
-    ++statistics_.opened;
-    statistics_.fingerprint += frontier_.current().hash;
-    expanding_ = true;
-    try {
-      problem_.expand(std::move(node), expansion_);
-    } catch (const std::exception& error) {
-      std::throw_with_nested(ExpansionFailed(frontier_.path(), error.what()));
-    } catch (...) {
-      std::throw_with_nested(ExpansionFailed(frontier_.path(), "an unknown exception"));
-    }
-    expanding_ = false;
-    if (frontier_.current().branches == 0) closed_ += frontier_.current().share;
-    frontier_.close();
+    if (explorer_.just_improved()) tell(nobody);
+    if (!explorer_.has_nodes()) idle_since_ = transport_.now();
   }
 
   // Messages should be looked at every 10 to 20 microseconds: seldom enough not to be felt with the
@@ -175,8 +193,10 @@ class Worker {
     if (elapsed > too_long) stride_ = std::max(stride_ / 2, 1U);
   }
 
+  // Called from inside a long expansion.
   void poll() {
     now_ = transport_.now();
+    if (explorer_.just_improved()) tell(nobody);
     serve();
     if (phase_ == Phase::searching) attend_survey();
   }
@@ -197,6 +217,10 @@ class Worker {
           asked_ = nobody;
           victims_->refused(message->from, now_);
           break;
+        case Tag::news:
+          ++received_;
+          if (explorer_.learn(unpack<Incumbent>(message->body))) tell(message->from);
+          break;
         case Tag::report:
           receive_report(*message);
           break;
@@ -205,34 +229,47 @@ class Worker {
   }
 
   void answer(int thief) {
-    if (!frontier_.can_give()) {
+    if (phase_ != Phase::searching || !explorer_.can_give()) {
       transport_.send(thief, Tag::refusal, {});
       return;
     }
     const std::size_t limit = std::max<std::size_t>(1, options_.message_bytes / bytes_per_node_);
-    const auto gift = frontier_.give(limit);
+    const auto gift = explorer_.give(limit);
     auto body = pack(gift);
     bytes_per_node_ = std::max<std::size_t>(1, body.size() / gift.nodes.size());
-    ++statistics_.gifts_sent;
-    statistics_.nodes_given += gift.nodes.size();
+    auto& statistics = explorer_.statistics();
+    ++statistics.gifts_sent;
+    statistics.nodes_given += gift.nodes.size();
+    ++sent_;
     transport_.send(thief, Tag::gift, std::move(body));
   }
 
   void ask() {
     if (!victims_ || asked_ != nobody || !victims_->due(now_)) return;
     asked_ = victims_->choose();
-    ++statistics_.requests;
+    ++explorer_.statistics().requests;
     transport_.send(asked_, Tag::request, {});
   }
 
   void receive_gift(const Message& message) {
-    assert(idle() && phase_ == Phase::searching && message.from == asked_);
+    assert(idle() && message.from == asked_);
     asked_ = nobody;
     victims_->gave(message.from);
-    ++statistics_.gifts_received;
-    frontier_.take(unpack<Gift<Node>>(message.body));
-    statistics_.idle_seconds += now_ - idle_since_;
+    ++received_;
+    ++explorer_.statistics().gifts_received;
+    explorer_.take(unpack<Gift<Node>>(message.body));
+    explorer_.statistics().idle_seconds += now_ - idle_since_;
     worked_ = false;
+  }
+
+  // Passes the incumbent on to the neighbours in the relay tree, but not back to where it is from.
+  void tell(int source) {
+    const auto body = pack(explorer_.incumbent());
+    for (const int neighbour : relay_neighbours(transport_.rank(), transport_.size())) {
+      if (neighbour == source) continue;
+      ++sent_;
+      transport_.send(neighbour, Tag::news, body);
+    }
   }
 
   // ---- surveys ----------------------------------------------------------------------------------
@@ -243,27 +280,118 @@ class Worker {
       if (!wave) return;
       joined_ = false;
       last_survey_ = now_;
-      if (transport_.rank() == 0 && options_.progress) show(*wave);
-      if (termination_.observe(*wave)) {
-        statistics_.idle_seconds += now_ - idle_since_;
-        phase_ = Phase::closing;
-        return;
-      }
+      last_wave_ = *wave;
+      act_on(*wave);
+      if (phase_ == Phase::closing) return;
     }
-    // An idle rank joins at once: the wave then ends as soon as the last busy rank joins it.
-    if (idle() || now_ - last_survey_ >= options_.survey_interval) join();
+    // A resting rank joins at once: the wave then ends as soon as the last busy rank joins it.
+    const bool due = now_ - last_survey_ >= options_.survey_interval ||
+                     explorer_.statistics().opened >= options_.limits.nodes;
+    if (resting() || due) join();
   }
 
   void join() {
     joined_ = true;
-    transport_.join_survey({.ranks = 1,
-                            .idle = idle() ? 1U : 0U,
-                            .sent = statistics_.gifts_sent,
-                            .received = statistics_.gifts_received,
-                            .opened = statistics_.opened,
-                            .open = frontier_.size(),
-                            .found = found_.size(),
-                            .closed = closed_});
+    const auto& statistics = explorer_.statistics();
+    Survey own{.ranks = 1,
+               .idle = resting() ? 1U : 0U,
+               .sent = sent_,
+               .received = received_,
+               .opened = statistics.opened,
+               .open = explorer_.open(),
+               .found = explorer_.found().size(),
+               .fingerprint = statistics.fingerprint,
+               .wishes = wishes(),
+               .closed = explorer_.closed(),
+               .objective = explorer_.incumbent().objective,
+               .bound = explorer_.bound()};
+    for (const auto& report : earlier_) {
+      own.opened += report.statistics.opened;
+      own.fingerprint += report.statistics.fingerprint;
+    }
+    transport_.join_survey(own);
+  }
+
+  // What this rank wants all to do. The clock of rank 0 counts.
+  std::uint64_t wishes() {
+    std::uint64_t wishes = 0;
+    if (std::exchange(failed_, false)) wishes |= wish_failed;
+    const Interrupt interrupt = options_.interrupt ? options_.interrupt() : Interrupt::none;
+    if (interrupt == Interrupt::stop) wishes |= wish_stop_interrupt;
+    if (interrupt == Interrupt::checkpoint) wishes |= wish_checkpoint;
+    if (transport_.rank() != 0) return wishes;
+    if (now_ - started_ >= options_.limits.seconds) wishes |= wish_stop_time;
+    if (now_ - last_checkpoint_ >= options_.checkpoint.interval) wishes |= wish_checkpoint;
+    return wishes;
+  }
+
+  // Every rank comes here with the same waves in the same order, and so to the same decisions.
+  void act_on(const Survey& wave) {
+    if (transport_.rank() == 0 && options_.progress) show(wave);
+    note_stop(wave);
+    switch (phase_) {
+      case Phase::searching:
+        if (termination_.observe(wave)) {
+          start_closing();
+        } else if (status_ != Status::solved ||
+                   ((wave.wishes & wish_checkpoint) != 0 && keeps_checkpoints())) {
+          phase_ = Phase::pausing;
+          termination_ = {};
+        }
+        break;
+      case Phase::pausing:
+        if (termination_.observe(wave)) act_at_rest(wave);
+        break;
+      case Phase::writing:
+        finish_checkpoint(wave);
+        status_ == Status::solved ? go_on() : start_closing();
+        break;
+      default:
+        break;
+    }
+  }
+
+  [[nodiscard]] bool keeps_checkpoints() const { return !options_.checkpoint.file.empty(); }
+
+  void note_stop(const Survey& wave) {
+    if (status_ != Status::solved) return;
+    if ((wave.wishes & wish_stop_interrupt) != 0) {
+      status_ = Status::interrupted;
+    } else if ((wave.wishes & wish_stop_time) != 0) {
+      status_ = Status::time_limit;
+    } else if (wave.opened >= options_.limits.nodes) {
+      status_ = Status::node_limit;
+    } else if (wave.found >= options_.limits.solutions) {
+      status_ = Status::solution_limit;
+    } else if (gap_closed(wave)) {
+      status_ = Status::gap_limit;
+    }
+  }
+
+  [[nodiscard]] bool gap_closed(const Survey& wave) const {
+    if (options_.limits.gap <= 0 || !(wave.objective < infinity)) return false;
+    return wave.objective - wave.bound <= options_.limits.gap * std::abs(wave.objective);
+  }
+
+  // All ranks pause and nothing is in flight: sums and minima of this wave are exact.
+  void act_at_rest(const Survey& wave) {
+    if (wave.open == 0) {  // the tree was done after all
+      status_ = Status::solved;
+      start_closing();
+    } else if (status_ == Status::gap_limit && !gap_closed(wave)) {
+      status_ = Status::solved;  // an earlier wave missed a node that was on its way
+      go_on();
+    } else if (keeps_checkpoints()) {
+      write_checkpoint(wave);
+    } else {
+      status_ == Status::solved ? go_on() : start_closing();
+    }
+  }
+
+  void go_on() {
+    phase_ = Phase::searching;
+    termination_ = {};
+    worked_ = false;
   }
 
   void show(const Survey& wave) const {
@@ -272,48 +400,115 @@ class Worker {
                        .open = wave.open,
                        .found = wave.found,
                        .closed = std::min(1.0, wave.closed),
-                       .idle = wave.idle});
+                       .idle = wave.idle,
+                       .objective = wave.objective});
+  }
+
+  // ---- checkpoints ------------------------------------------------------------------------------
+
+  [[nodiscard]] Manifest manifest(const Survey& wave) const {
+    return {.problem = options_.checkpoint.problem,
+            .epoch = epoch_,
+            .ranks = transport_.size(),
+            .opened = wave.opened,
+            .fingerprint = wave.fingerprint,
+            .open = wave.open};
+  }
+
+  void write_checkpoint(const Survey& wave) {
+    ++epoch_;
+    Saved saved{explorer_.state(), earlier_};
+    saved.reports.push_back(own_report());
+    try {
+      write_part(options_.checkpoint.file, manifest(wave), transport_.rank(), pack(saved));
+    } catch (const CheckpointError& error) {
+      warn(error.what());
+      failed_ = true;
+    }
+    phase_ = Phase::writing;
+  }
+
+  // The wave after the parts were written: it counts if no rank failed.
+  void finish_checkpoint(const Survey& wave) {
+    last_checkpoint_ = now_;
+    if (transport_.rank() != 0) return;
+    if ((wave.wishes & wish_failed) != 0) {
+      warn("a part of checkpoint " + std::to_string(epoch_) + " could not be written; " +
+           "the one before still counts");
+      return;
+    }
+    try {
+      commit(options_.checkpoint.file, manifest(wave));
+    } catch (const CheckpointError& error) {
+      warn(error.what());
+    }
+  }
+
+  void warn(const std::string& line) const {
+    if (options_.warn) options_.warn(line);
+  }
+
+  void resume() {
+    const auto& file = options_.checkpoint.resume_from;
+    const auto found = read_manifest(file);
+    epoch_ = found.epoch;
+    // As many ranks as there were, or fewer, or more: parts are dealt round, ranks without one ask.
+    for (int part = transport_.rank(); part < found.ranks; part += transport_.size()) {
+      auto saved = unpack<Saved>(read_part(file, found, part));
+      explorer_.restore(std::move(saved.state));
+      std::move(saved.reports.begin(), saved.reports.end(), std::back_inserter(earlier_));
+    }
   }
 
   // ---- the end ----------------------------------------------------------------------------------
 
+  void start_closing() {
+    if (idle()) explorer_.statistics().idle_seconds += now_ - idle_since_;
+    phase_ = Phase::closing;
+  }
+
   // The last survey is complete when no rank waits for an answer any more and none will ask again.
   void close() {
-    if (!joined_ && asked_ == nobody) join();
+    if (!joined_ && asked_ == nobody) {
+      joined_ = true;
+      transport_.join_survey({.ranks = 1});
+    }
     if (!joined_ || !transport_.survey()) return;
-    statistics_.found = found_.size();
-    statistics_.peak_open = frontier_.peak();
-    statistics_.seconds = now_ - started_;
+    explorer_.statistics().seconds = now_ - started_;
     if (transport_.rank() != 0) send_report();
     phase_ = Phase::reporting;
   }
 
-  RankReport<P> own_report() const {
+  RankReport<P> own_report() {
     RankReport<P> report;
-    report.statistics = statistics_;
+    report.statistics = explorer_.statistics();
     if constexpr (Tallying<P>) report.tally = problem_.tally();
     return report;
   }
 
   void send_report() {
-    auto rest = found_.begin();
+    auto& found = explorer_.found();
+    auto rest = found.begin();
     std::size_t count = 1;
-    while (rest != found_.end()) {
+    while (rest != found.end()) {
       ReportPart part;
-      while (rest != found_.end() && part.found.size() < count)
+      while (rest != found.end() && part.found.size() < count) {
         part.found.push_back(std::move(*rest++));
+      }
       auto body = pack(part);
       count = std::max<std::size_t>(1, options_.message_bytes * part.found.size() / body.size());
       transport_.send(0, Tag::report, std::move(body));
     }
-    found_.clear();
-    transport_.send(0, Tag::report, pack(ReportPart{{}, true, own_report()}));
+    found.clear();
+    transport_.send(0, Tag::report, pack(ReportPart{{}, true, own_report(), earlier_}));
   }
 
   void receive_report(const Message& message) {
     auto part = unpack<ReportPart>(message.body);
-    std::move(part.found.begin(), part.found.end(), std::back_inserter(found_));
+    auto& found = explorer_.found();
+    std::move(part.found.begin(), part.found.end(), std::back_inserter(found));
     if (!part.last) return;
+    std::move(part.earlier.begin(), part.earlier.end(), std::back_inserter(earlier_));
     reports_.resize(static_cast<std::size_t>(transport_.size()));
     reports_[static_cast<std::size_t>(message.from)] = std::move(part.rank);
     ++reports_in_;
@@ -325,7 +520,7 @@ class Worker {
   // sits on may have better things to do, and a millisecond is not missed.
   Pace pace() {
     if (phase_ == Phase::done) return {Pace::State::done, 0};
-    if (phase_ == Phase::searching && !frontier_.empty()) return {Pace::State::working, 0};
+    if (phase_ == Phase::searching && explorer_.has_nodes()) return {Pace::State::working, 0};
     constexpr double first_wait = 1e-6;
     constexpr unsigned doublings = 10;  // up to 1 ms
     const double wait = first_wait * static_cast<double>(1U << waits_);
@@ -334,35 +529,40 @@ class Worker {
   }
 
   static constexpr int nobody = -1;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   P& problem_;
   Transport& transport_;
   const Options& options_;
 
-  Frontier<Node> frontier_;
-  std::vector<Found<P>> found_;
-  Expansion<P> expansion_;
-  bool expanding_ = false;
+  Explorer<P> explorer_;
   unsigned stride_;
   bool worked_ = false;  // the last step opened nodes, so its duration tells how long they take
-  double closed_ = 0;
 
   std::optional<Victims> victims_;
   int asked_ = nobody;
   std::size_t bytes_per_node_ = sizeof(OpenNode<Node>);
+  std::uint64_t sent_ = 0;      // gifts and news
+  std::uint64_t received_ = 0;  // gifts and news
 
   Phase phase_ = Phase::searching;
+  Status status_ = Status::solved;  // otherwise: why the search stops, or will
   Termination termination_;
   bool joined_ = false;
+  Survey last_wave_;
 
+  std::uint64_t epoch_ = 0;
+  bool failed_ = false;
+
+  std::vector<RankReport<P>> earlier_;
   std::vector<RankReport<P>> reports_;
   int reports_in_ = 0;
 
-  RankStatistics statistics_;
   double started_;
   double now_;
   double step_started_;
   double last_survey_;
+  double last_checkpoint_;
   double idle_since_;
   unsigned waits_ = 0;
 };

@@ -17,6 +17,7 @@ enum class Tag : int {
   request,  ///< an idle rank asks for nodes; empty
   gift,     ///< nodes (answers a request)
   refusal,  ///< none to spare (answers a request); empty
+  news,     ///< a better solution is known
   report,   ///< solutions and statistics on their way to rank 0 at the end
 };
 

@@ -1,0 +1,63 @@
+// The files of a checkpoint.
+//
+// A checkpoint is one part a rank and a manifest that lists them. Parts are named after the
+// manifest, the epoch and the rank; each is written beside its place, synced to the disk and
+// renamed. The rename of the manifest, which comes last, is what makes the epoch count. The
+// manifest before it is kept as FILE.previous together with its parts, so there is a good one at
+// any moment.
+//
+// Everything is verified when it is read: format, version, the fingerprint of the problem, epoch
+// and rank, length and checksum of every part. What fails is refused with one line.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "engine/wire.hpp"
+
+namespace kusabi::engine {
+
+/// A checkpoint that cannot be used; `what()` says which file and why, in one line.
+class CheckpointError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What the manifest says.
+struct Manifest {
+  std::uint64_t problem = 0;      ///< fingerprint of the problem
+  std::uint64_t epoch = 0;        ///< 1 for the first checkpoint of a search
+  int ranks = 0;                  ///< as many parts
+  std::uint64_t opened = 0;       ///< nodes opened so far, and
+  std::uint64_t fingerprint = 0;  ///< the sum of their path hashes
+  std::uint64_t open = 0;         ///< nodes in the parts
+
+  friend bool operator==(const Manifest&, const Manifest&) = default;
+};
+
+/// Writes one rank's part. @throws CheckpointError if the disk is full, or the like.
+void write_part(const std::string& file, const Manifest& manifest, int rank, const Bytes& payload);
+
+/// The payload of a part of the checkpoint that `manifest_file` (FILE or FILE.previous) describes.
+/// @throws CheckpointError if it is not there, not of this checkpoint, or damaged
+Bytes read_part(const std::string& manifest_file, const Manifest& manifest, int rank);
+
+/// Makes the epoch count: the manifest there is becomes FILE.previous, the one before goes with its
+/// parts, and this one takes its place. Call when all parts are written.
+/// @throws CheckpointError
+void commit(const std::string& file, const Manifest& manifest);
+
+/// @throws CheckpointError if it is not there, no manifest, or damaged
+Manifest read_manifest(const std::string& manifest_file);
+
+/// The newest checkpoint of `problem` that is whole: `file` or, if that one is damaged,
+/// `file`.previous. Reads and verifies all parts.
+/// @param warning receives why the newest was passed over, if it was
+/// @throws CheckpointError with the fault of the newest if neither is good
+std::string usable_checkpoint(const std::string& file, std::uint64_t problem, std::string& warning);
+
+/// Whether there is a checkpoint, good or not, that a new search would overwrite.
+bool checkpoint_exists(const std::string& file);
+
+}  // namespace kusabi::engine

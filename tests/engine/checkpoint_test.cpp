@@ -1,0 +1,256 @@
+// Stopping and going on, any number of times and on any number of ranks, gives what one run gives;
+// and no damaged or foreign file is taken for a good one.
+#include "engine/checkpoint.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/simulation.hpp"
+#include "tests/engine/knapsack.hpp"
+#include "tests/engine/random_tree.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+namespace fs = std::filesystem;
+using examples::Knapsack;
+using examples::RandomTree;
+using testing::HasSubstr;
+
+constexpr std::uint64_t problem = 42;
+
+class Checkpoint : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "kusabi-checkpoint-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    file_ = (folder_ / "search").string();
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] Options options() const {
+    Options options;
+    options.survey_interval = 20e-6;
+    options.checkpoint.file = file_;
+    options.checkpoint.interval = 1e9;
+    options.checkpoint.problem = problem;
+    return options;
+  }
+
+  // Lets a search of `tree` die of a limit of nodes again and again, each time on another number of
+  // ranks, and go on from what it left.
+  template <class P>
+  Outcome<P> in_pieces(const P& tree, std::uint64_t piece, std::uint64_t seed, Goal goal,
+                       int* pieces) {
+    auto choice = options();
+    choice.goal = goal;
+    for (*pieces = 1;; ++*pieces) {
+      choice.limits.nodes = piece * static_cast<std::uint64_t>(*pieces);
+      const int ranks = 1 + static_cast<int>((seed + static_cast<std::uint64_t>(*pieces)) % 5);
+      auto simulated = simulate(tree, ranks, seed, {}, choice);
+      EXPECT_EQ(simulated.left_behind, 0U);
+      if (simulated.outcome.status == Status::solved) return std::move(simulated.outcome);
+      EXPECT_EQ(simulated.outcome.status, Status::node_limit);
+      std::string warning;
+      choice.checkpoint.resume_from = usable_checkpoint(file_, problem, warning);
+      EXPECT_EQ(warning, "");
+    }
+  }
+
+  [[nodiscard]] std::vector<fs::path> parts() const {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      if (entry.path() != file_ && entry.path().extension() != ".previous") {
+        found.push_back(entry.path());
+      }
+    }
+    return found;
+  }
+
+  // Leaves a checkpoint of a search on three ranks.
+  void leave_one() {
+    auto choice = options();
+    choice.limits.nodes = 500;
+    simulate(RandomTree(1, 20), 3, 1, {}, choice);
+    ASSERT_EQ(read_manifest(file_).ranks, 3);
+  }
+
+  [[nodiscard]] std::string refusal() const {
+    try {
+      std::string warning;
+      return "accepted " + usable_checkpoint(file_, problem, warning);
+    } catch (const CheckpointError& error) {
+      return error.what();
+    }
+  }
+
+  fs::path folder_;
+  std::string file_;
+};
+
+std::string content(const fs::path& name) {
+  std::ifstream file(name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void overwrite(const fs::path& name, const std::string& bytes) {
+  std::ofstream(name, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+TEST_F(Checkpoint, ManyStopsGiveWhatOneRunGives) {
+  RandomTree tree(2, 16);
+  const auto whole = search(tree);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    fs::remove_all(folder_);
+    fs::create_directory(folder_);
+    int pieces = 0;
+    const auto outcome = in_pieces(RandomTree(2, 16), 1500, seed, Goal::all, &pieces);
+    EXPECT_GT(pieces, 4);
+    EXPECT_EQ(outcome.opened(), whole.opened());
+    EXPECT_EQ(outcome.fingerprint(), whole.fingerprint());
+    ASSERT_EQ(outcome.solutions.size(), whole.solutions.size());
+    for (std::size_t i = 0; i < whole.solutions.size(); ++i) {
+      ASSERT_EQ(outcome.solutions[i].path, whole.solutions[i].path);
+      ASSERT_EQ(outcome.solutions[i].solution, whole.solutions[i].solution);
+    }
+    std::uint64_t leaves = 0;
+    for (const auto& report : outcome.earlier) leaves += report.tally;
+    for (const auto& report : outcome.ranks) leaves += report.tally;
+    EXPECT_EQ(leaves, tree.tally());
+  }
+}
+
+TEST_F(Checkpoint, TheBestSolutionSurvives) {
+  auto knapsack = Knapsack::random(5, 24);
+  Options best;
+  best.goal = Goal::best;
+  const auto whole = search(knapsack, best);
+  int pieces = 0;
+  const auto outcome = in_pieces(knapsack, whole.opened() / 5, 3, Goal::best, &pieces);
+  EXPECT_GT(pieces, 2);
+  ASSERT_EQ(outcome.solutions.size(), 1U);
+  EXPECT_EQ(outcome.solutions[0].path, whole.solutions[0].path);
+  EXPECT_EQ(outcome.bound, whole.bound);
+}
+
+TEST_F(Checkpoint, APeriodicOneDoesNotDisturbTheSearch) {
+  RandomTree tree(2, 16);
+  const auto whole = search(tree);
+  auto choice = options();
+  choice.checkpoint.interval = 1e-3;
+  const auto simulated = simulate(RandomTree(2, 16), 4, 1, {}, choice);
+  EXPECT_EQ(simulated.outcome.fingerprint(), whole.fingerprint());
+  EXPECT_GE(read_manifest(file_).epoch, 3U);
+  // Two epochs are kept, four parts each, and nothing else.
+  EXPECT_EQ(parts().size(), 8U);
+  EXPECT_TRUE(fs::exists(file_ + ".previous"));
+}
+
+TEST_F(Checkpoint, GoesOnFromAPeriodicOneAsFromAStop) {
+  RandomTree tree(2, 16);
+  const auto whole = search(tree);
+  auto choice = options();
+  choice.checkpoint.interval = 1e-3;
+  simulate(RandomTree(2, 16), 4, 1, {}, choice);
+  // As if that run had been killed after its last checkpoint.
+  for (const auto* from : {"", ".previous"}) {
+    choice.checkpoint.file = "";
+    choice.checkpoint.resume_from = file_ + from;
+    const auto again = simulate(RandomTree(2, 16), 3, 1, {}, choice);
+    EXPECT_EQ(again.outcome.fingerprint(), whole.fingerprint());
+    EXPECT_EQ(again.outcome.solutions.size(), whole.solutions.size());
+  }
+}
+
+TEST_F(Checkpoint, TheManifestSumsUpItsParts) {
+  leave_one();
+  const auto manifest = read_manifest(file_);
+  EXPECT_EQ(manifest.problem, problem);
+  EXPECT_EQ(manifest.epoch, 1U);
+  EXPECT_GE(manifest.opened, 500U);
+  EXPECT_GT(manifest.open, 0U);
+  EXPECT_EQ(parts().size(), 3U);
+}
+
+TEST_F(Checkpoint, OfAnotherProblemIsRefused) {
+  leave_one();
+  std::string warning;
+  EXPECT_THROW(usable_checkpoint(file_, problem + 1, warning), CheckpointError);
+}
+
+TEST_F(Checkpoint, AMissingOneIsRefused) {
+  EXPECT_THAT(refusal(), HasSubstr("cannot be read"));
+}
+
+TEST_F(Checkpoint, AnyFlippedByteIsNoticed) {
+  leave_one();
+  auto files = parts();
+  files.emplace_back(file_);
+  for (const auto& name : files) {
+    const auto good = content(name);
+    const std::size_t stride = std::max<std::size_t>(1, good.size() / 200);
+    for (std::size_t at = 0; at < good.size(); at += stride) {
+      auto bad = good;
+      bad[at] = static_cast<char>(bad[at] ^ 1);
+      overwrite(name, bad);
+      EXPECT_THAT(refusal(), testing::Not(testing::StartsWith("accepted"))) << name << " " << at;
+    }
+    overwrite(name, good);
+  }
+  EXPECT_THAT(refusal(), testing::StartsWith("accepted"));
+}
+
+TEST_F(Checkpoint, ATruncatedOrMissingPartIsNoticed) {
+  leave_one();
+  const auto name = parts().front();
+  const auto good = content(name);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{10}, good.size() - 1}) {
+    overwrite(name, good.substr(0, size));
+    EXPECT_THAT(refusal(), HasSubstr(name.string()));
+  }
+  fs::remove(name);
+  EXPECT_THAT(refusal(), HasSubstr("cannot be read"));
+}
+
+TEST_F(Checkpoint, APartOfAnotherEpochIsNoticed) {
+  auto choice = options();
+  choice.checkpoint.interval = 1e-3;
+  simulate(RandomTree(2, 16), 2, 1, {}, choice);
+  const auto newest = read_manifest(file_);
+  const auto before = read_manifest(file_ + ".previous");
+  const auto part = [&](std::uint64_t epoch) { return file_ + "." + std::to_string(epoch) + ".0"; };
+  fs::copy_file(part(before.epoch), part(newest.epoch), fs::copy_options::overwrite_existing);
+  EXPECT_THROW(read_part(file_, newest, 0), CheckpointError);
+}
+
+TEST_F(Checkpoint, TheEpochBeforeServesWhenTheNewestIsDamaged) {
+  auto choice = options();
+  choice.checkpoint.interval = 1e-3;
+  simulate(RandomTree(2, 16), 4, 1, {}, choice);
+  overwrite(file_, content(file_).substr(0, 20));
+  std::string warning;
+  EXPECT_EQ(usable_checkpoint(file_, problem, warning), file_ + ".previous");
+  EXPECT_THAT(warning, HasSubstr("going on from"));
+}
+
+TEST_F(Checkpoint, AFolderThatIsGoneIsAWarningAndNotTheEnd) {
+  RandomTree tree(2, 16);
+  const auto whole = search(tree);
+  auto choice = options();
+  choice.checkpoint.interval = 1e-3;
+  choice.checkpoint.file = (folder_ / "nowhere" / "search").string();
+  int warnings = 0;
+  choice.warn = [&](const std::string&) { ++warnings; };
+  const auto simulated = simulate(RandomTree(2, 16), 3, 1, {}, choice);
+  EXPECT_EQ(simulated.outcome.fingerprint(), whole.fingerprint());
+  EXPECT_GT(warnings, 0);
+}
+
+}  // namespace
+}  // namespace kusabi::engine

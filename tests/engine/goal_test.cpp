@@ -1,0 +1,203 @@
+// Looking for the best and for the first solution: the answer is that of brute force, the same on
+// any number of ranks, and found without opening the whole tree.
+#include <gtest/gtest.h>
+
+#include "engine/incumbent.hpp"
+#include "engine/relay.hpp"
+#include "engine/simulation.hpp"
+#include "tests/engine/knapsack.hpp"
+#include "tests/engine/queens.hpp"
+#include "tests/engine/random_tree.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+using examples::Knapsack;
+using examples::Queens;
+using examples::RandomTree;
+
+Options with_goal(Goal goal) {
+  Options options;
+  options.goal = goal;
+  return options;
+}
+
+// The best of all solutions, by enumeration: least objective, then smallest path.
+Found<Knapsack> best_of_all(Knapsack knapsack) {
+  const auto all = search(knapsack).solutions;
+  auto best = all.front();
+  for (const auto& each : all) {
+    if (knapsack.objective(each.solution) < knapsack.objective(best.solution)) best = each;
+  }
+  return best;
+}
+
+TEST(Goal, TheBestIsThatOfBruteForce) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    auto knapsack = Knapsack::random(seed, 12);
+    const auto expected = best_of_all(knapsack);
+    const auto outcome = search(knapsack, with_goal(Goal::best));
+    ASSERT_EQ(outcome.solutions.size(), 1U);
+    EXPECT_EQ(outcome.solutions[0].path, expected.path) << "seed " << seed;
+    EXPECT_EQ(outcome.status, Status::solved);
+    EXPECT_EQ(outcome.bound, knapsack.objective(expected.solution));
+  }
+}
+
+TEST(Goal, TheBestIsTheSameOnAnyNumberOfRanksUnderAnySchedule) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    auto knapsack = Knapsack::random(static_cast<unsigned>(seed % 20), 14);
+    const auto alone = search(knapsack, with_goal(Goal::best));
+    const auto many = simulate(knapsack, 2 + static_cast<int>(seed % 40), seed,
+                               {.latency = seed % 2 == 0 ? 1e-6 : 50e-6}, with_goal(Goal::best));
+    EXPECT_EQ(many.left_behind, 0U);
+    ASSERT_EQ(many.outcome.solutions.size(), 1U) << "seed " << seed;
+    EXPECT_EQ(many.outcome.solutions[0].path, alone.solutions[0].path) << "seed " << seed;
+    EXPECT_EQ(many.outcome.bound, alone.bound);
+  }
+}
+
+TEST(Goal, ABoundSavesMostOfTheTree) {
+  auto knapsack = Knapsack::random(3, 18);
+  const auto all = search(knapsack);
+  const auto best = search(knapsack, with_goal(Goal::best));
+  EXPECT_LT(best.opened(), all.opened() / 10);
+  EXPECT_GT(best.ranks[0].statistics.pruned, 0U);
+}
+
+TEST(Goal, TheFirstIsTheFirstInDepthFirstOrder) {
+  Queens queens(8);
+  const auto all = search(queens);
+  const auto first = search(queens, with_goal(Goal::first));
+  ASSERT_EQ(first.solutions.size(), 1U);
+  EXPECT_EQ(first.solutions[0].path, all.solutions[0].path);
+  EXPECT_LT(first.opened(), all.opened() / 10);
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const auto many = simulate(Queens(8), 13, seed, {}, with_goal(Goal::first));
+    ASSERT_EQ(many.outcome.solutions.size(), 1U);
+    EXPECT_EQ(many.outcome.solutions[0].path, all.solutions[0].path) << "seed " << seed;
+  }
+}
+
+TEST(Goal, NoSolutionIsAnOutcome) {
+  Queens queens(3);
+  const auto outcome = search(queens, with_goal(Goal::first));
+  EXPECT_TRUE(outcome.solutions.empty());
+  EXPECT_EQ(outcome.status, Status::solved);
+}
+
+struct NotANumber {
+  using Node = int;
+  using Solution = int;
+  Node root() const { return 0; }
+  void expand(Node&& /*node*/, Expansion<NotANumber>& out) { out.solution(1); }
+  double objective(const Solution& /*solution*/) const { return std::nan(""); }
+};
+
+TEST(Goal, AnObjectiveThatIsNotANumberIsAnError) {
+  NotANumber problem;
+  EXPECT_THROW(search(problem, with_goal(Goal::best)), ExpansionFailed);
+}
+
+TEST(Incumbent, PrefersTheSmallerObjectiveThenTheSmallerPath) {
+  const Incumbent none;
+  const Incumbent low{true, 1, {5}};
+  const Incumbent high{true, 2, {0}};
+  const Incumbent left{true, 1, {4, 9}};
+  EXPECT_TRUE(low.better_than(none));
+  EXPECT_FALSE(none.better_than(low));
+  EXPECT_TRUE(low.better_than(high));
+  EXPECT_TRUE(left.better_than(low));
+  EXPECT_FALSE(low.better_than(low));
+}
+
+TEST(Incumbent, RulesOutOnlyWhatCannotBeBetter) {
+  const Incumbent best{true, 1, {2, 1}};
+  EXPECT_TRUE(best.rules_out(1.5, {0}));      // worse, wherever it is
+  EXPECT_FALSE(best.rules_out(1, {2, 0}));    // as good, and would come first
+  EXPECT_FALSE(best.rules_out(1, {2}));       // above it: something below may come first
+  EXPECT_TRUE(best.rules_out(1, {2, 1, 0}));  // below it: comes later
+  EXPECT_TRUE(best.rules_out(1, {3}));        // comes later
+  EXPECT_FALSE(best.rules_out(0.5, {3}));     // may be better
+}
+
+TEST(Relay, ReachesEveryRankOverEdgesThatBothEndsKnow) {
+  for (const int ranks : {1, 2, 17, 18, 300}) {
+    std::vector<int> reached{0};
+    std::vector<bool> seen(static_cast<std::size_t>(ranks), false);
+    seen[0] = true;
+    for (std::size_t at = 0; at < reached.size(); ++at) {
+      for (const int next : relay_neighbours(reached[at], ranks)) {
+        const auto back = relay_neighbours(next, ranks);
+        EXPECT_NE(std::find(back.begin(), back.end(), reached[at]), back.end());
+        if (!seen[static_cast<std::size_t>(next)]) reached.push_back(next);
+        seen[static_cast<std::size_t>(next)] = true;
+      }
+    }
+    EXPECT_EQ(reached.size(), static_cast<std::size_t>(ranks));
+  }
+}
+
+TEST(Limits, OfNodesStopsTheSearchAndSaysWhatIsLeft) {
+  RandomTree tree(1, 24);
+  Options options;
+  options.limits.nodes = 1000;
+  const auto outcome = search(tree, options);
+  EXPECT_EQ(outcome.status, Status::node_limit);
+  EXPECT_GE(outcome.opened(), 1000U);
+  EXPECT_LT(outcome.opened(), 20'000U);
+  EXPECT_GT(outcome.open, 0U);
+}
+
+TEST(Limits, OfSolutionsStopsOnAllRanks) {
+  Options options;
+  options.limits.solutions = 10;
+  options.survey_interval = 20e-6;
+  const auto outcome = simulate(RandomTree(1, 24), 5, 3, {}, options).outcome;
+  EXPECT_EQ(outcome.status, Status::solution_limit);
+  EXPECT_GE(outcome.solutions.size(), 10U);
+  EXPECT_GT(outcome.open, 0U);
+}
+
+TEST(Limits, OfTimeStopsInVirtualTime) {
+  Options options;
+  options.limits.seconds = 5e-3;
+  options.survey_interval = 1e-3;
+  const auto simulated = simulate(RandomTree(1, 24), 2, 3, {}, options);
+  EXPECT_EQ(simulated.outcome.status, Status::time_limit);
+  EXPECT_GE(simulated.seconds, 5e-3);
+  EXPECT_LT(simulated.seconds, 10e-3);
+  EXPECT_EQ(simulated.left_behind, 0U);
+}
+
+TEST(Limits, OfGapStopsWithAValidBound) {
+  int stopped = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    auto knapsack = Knapsack::random(seed, 30);
+    const double best = search(knapsack, with_goal(Goal::best)).bound;
+    Options options = with_goal(Goal::best);
+    options.limits.gap = 0.02;
+    options.survey_interval = 5e-6;
+    const auto outcome = simulate(knapsack, 3, seed, {}, options).outcome;
+    ASSERT_EQ(outcome.solutions.size(), 1U);
+    const double objective = knapsack.objective(outcome.solutions[0].solution);
+    EXPECT_LE(outcome.bound, best);
+    EXPECT_GE(objective, best);
+    EXPECT_LE(objective - outcome.bound, 0.02 * std::abs(objective));
+    if (outcome.status == Status::gap_limit) ++stopped;
+  }
+  EXPECT_GT(stopped, 0);
+}
+
+TEST(Limits, AnInterruptOnOneRankStopsAll) {
+  Options options;
+  options.survey_interval = 20e-6;
+  int asked = 0;
+  options.interrupt = [&] { return ++asked > 20 ? Interrupt::stop : Interrupt::none; };
+  const auto simulated = simulate(RandomTree(1, 24), 4, 3, {}, options);
+  EXPECT_EQ(simulated.outcome.status, Status::interrupted);
+  EXPECT_EQ(simulated.left_behind, 0U);
+}
+
+}  // namespace
+}  // namespace kusabi::engine
