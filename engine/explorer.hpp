@@ -101,11 +101,14 @@ class Explorer {
     return frontier_.can_give() || (!bundles_.empty() && bundles_.size() + others >= 2);
   }
 
+  /// Nodes for another rank, of at most `limit` bytes together unless one alone has more.
+  /// @pre can_give()
   Gift<Node> give(std::size_t limit) {
     if (frontier_.can_give()) return frontier_.give(limit);
-    auto bundle = std::move(bundles_.back());
-    bundles_.pop_back();
-    return bundle;
+    auto& bundle = bundles_.back();
+    Gift<Node> gift{bundle.trail, take_every_other(bundle.nodes, bundle.nodes.size(), limit)};
+    if (bundle.nodes.empty()) bundles_.pop_back();
+    return gift;
   }
 
   void take(Gift<Node>&& gift) { bundles_.push_back(std::move(gift)); }

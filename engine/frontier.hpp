@@ -17,6 +17,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/path.hpp"
+#include "engine/wire.hpp"
 
 namespace kusabi::engine {
 
@@ -57,6 +58,32 @@ struct Gift {
     archive& trail& nodes;
   }
 };
+
+/// Takes out the first, the third, the fifth … of `nodes`: at most `count` of them, and no more
+/// than fit into `limit` bytes, but at least one.
+/// @pre nodes is not empty
+template <class Node>
+std::vector<OpenNode<Node>> take_every_other(std::vector<OpenNode<Node>>& nodes, std::size_t count,
+                                             std::size_t limit) {
+  std::vector<OpenNode<Node>> taken;
+  std::size_t bytes = 0;
+  bool full = false;
+  std::size_t kept = 0;
+  for (std::size_t place = 0; place < nodes.size(); ++place) {
+    if (place % 2 == 0 && !full) {
+      bytes += packed_size(nodes[place]);
+      full = !taken.empty() && (taken.size() == count || bytes > limit);
+      if (!full) {
+        taken.push_back(std::move(nodes[place]));
+        continue;
+      }
+    }
+    if (kept != place) nodes[kept] = std::move(nodes[place]);
+    ++kept;
+  }
+  nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(kept), nodes.end());
+  return taken;
+}
 
 /// A stack of open nodes, shallowest first.
 ///
@@ -139,26 +166,16 @@ class Frontier {
   /// Children that the current expansion is still adding are not up for giving.
   [[nodiscard]] bool can_give() const { return first_child_ >= 2; }
 
-  /// Takes out every other node from the shallowest on, so half of what there is; fewer if `limit`
-  /// is reached. (Giving the older half instead needs ten times as many steals on deep trees: the
-  /// two sides swap the same few subtrees back and forth.)
-  /// @pre can_give(), limit >= 1
+  /// Takes out every other node from the shallowest on, so half of what there is; fewer if they
+  /// would take more than `limit` bytes together, but at least one. (Giving the older half instead
+  /// needs ten times as many steals on deep trees: the two sides swap the same few subtrees back
+  /// and forth.)
+  /// @pre can_give()
   Gift<Node> give(std::size_t limit) {
     assert(can_give());
-    const std::size_t count = std::min(limit, first_child_ / 2);
     Gift<Node> gift;
-    gift.nodes.reserve(count);
-    std::size_t kept = 0;
-    for (std::size_t place = 0; place < nodes_.size(); ++place) {
-      if (place % 2 == 0 && gift.nodes.size() < count) {
-        gift.nodes.push_back(std::move(nodes_[place]));
-      } else {
-        if (kept != place) nodes_[kept] = std::move(nodes_[place]);
-        ++kept;
-      }
-    }
+    gift.nodes = take_every_other(nodes_, first_child_ / 2, limit);
     first_child_ -= gift.nodes.size();
-    nodes_.erase(nodes_.begin() + static_cast<std::ptrdiff_t>(kept), nodes_.end());
     const auto deepest = static_cast<std::ptrdiff_t>(gift.nodes.back().depth);
     gift.trail.assign(trail_.begin(), trail_.begin() + deepest);
     return gift;

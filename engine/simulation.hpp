@@ -20,8 +20,9 @@ namespace kusabi::engine {
 template <class P>
 struct Simulated {
   Outcome<P> outcome;
-  double seconds = 0;           ///< virtual time at which the last rank was done
-  std::size_t left_behind = 0;  ///< messages never received; 0 unless the protocol is wrong
+  double seconds = 0;               ///< virtual time at which the last rank was done
+  std::size_t largest_message = 0;  ///< in bytes
+  std::size_t left_behind = 0;      ///< messages never received; 0 unless the protocol is wrong
 };
 
 /// Searches the tree of `problem` (copied for every rank) with `ranks` simulated ranks.
@@ -60,7 +61,7 @@ Simulated<P> simulate(const P& problem, int ranks, std::uint64_t seed, const Wea
     events.emplace(time + busy + pace.wait, steps, rank);
   }
   auto outcome = std::move(*workers.front()).outcome();
-  return {std::move(outcome), network.now(), network.in_flight()};
+  return {std::move(outcome), network.now(), network.largest_message(), network.in_flight()};
 }
 
 }  // namespace kusabi::engine

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 #include <streambuf>
+#include <type_traits>
 #include <vector>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -50,6 +51,16 @@ Bytes pack(const Value& value) {
   boost::archive::binary_oarchive archive(buffer, wire::archive_flags);
   archive << value;
   return bytes;
+}
+
+/// How many bytes a value takes in a message, or a little more.
+template <class Value>
+std::size_t packed_size(const Value& value) {
+  if constexpr (std::is_trivially_copyable_v<Value>) {
+    return sizeof(Value);
+  } else {
+    return pack(value).size();
+  }
 }
 
 /// The value that `pack` wrote into `bytes`.

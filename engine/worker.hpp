@@ -233,15 +233,12 @@ class Worker {
       transport_.send(thief, Tag::refusal, {});
       return;
     }
-    const std::size_t limit = std::max<std::size_t>(1, options_.message_bytes / bytes_per_node_);
-    const auto gift = explorer_.give(limit);
-    auto body = pack(gift);
-    bytes_per_node_ = std::max<std::size_t>(1, body.size() / gift.nodes.size());
+    const auto gift = explorer_.give(options_.message_bytes);
     auto& statistics = explorer_.statistics();
     ++statistics.gifts_sent;
     statistics.nodes_given += gift.nodes.size();
     ++sent_;
-    transport_.send(thief, Tag::gift, std::move(body));
+    transport_.send(thief, Tag::gift, pack(gift));
   }
 
   void ask() {
@@ -487,20 +484,22 @@ class Worker {
   }
 
   void send_report() {
-    auto& found = explorer_.found();
-    auto rest = found.begin();
-    std::size_t count = 1;
-    while (rest != found.end()) {
-      ReportPart part;
-      while (rest != found.end() && part.found.size() < count) {
-        part.found.push_back(std::move(*rest++));
+    ReportPart part;
+    std::size_t bytes = 0;
+    for (auto& found : explorer_.found()) {
+      bytes += packed_size(found);
+      if (bytes > options_.message_bytes && !part.found.empty()) {
+        transport_.send(0, Tag::report, pack(part));
+        part.found.clear();
+        bytes = packed_size(found);
       }
-      auto body = pack(part);
-      count = std::max<std::size_t>(1, options_.message_bytes * part.found.size() / body.size());
-      transport_.send(0, Tag::report, std::move(body));
+      part.found.push_back(std::move(found));
     }
-    found.clear();
-    transport_.send(0, Tag::report, pack(ReportPart{{}, true, own_report(), earlier_}));
+    explorer_.found().clear();
+    part.last = true;
+    part.rank = own_report();
+    part.earlier = earlier_;
+    transport_.send(0, Tag::report, pack(part));
   }
 
   void receive_report(const Message& message) {
@@ -541,7 +540,6 @@ class Worker {
 
   std::optional<Victims> victims_;
   int asked_ = nobody;
-  std::size_t bytes_per_node_ = sizeof(OpenNode<Node>);
   std::uint64_t sent_ = 0;      // gifts and news
   std::uint64_t received_ = 0;  // gifts and news
 

@@ -55,6 +55,7 @@ double SimulatedNetwork::delay() {
 
 void SimulatedNetwork::send(int from, int to, Tag tag, Bytes body) {
   assert(from != to);
+  largest_message_ = std::max(largest_message_, body.size());
   auto& mailbox = ranks_[static_cast<std::size_t>(to)];
   double arrival = now_ + delay() + static_cast<double>(body.size()) / weather_.bandwidth;
   auto& channel = mailbox.last_arrival[{from, tag}];

@@ -49,6 +49,9 @@ class SimulatedNetwork {
   /// Messages sent and not received, and surveys joined and not fetched. 0 when all went well.
   [[nodiscard]] std::size_t in_flight() const;
 
+  /// In bytes, of all that were sent.
+  [[nodiscard]] std::size_t largest_message() const { return largest_message_; }
+
  private:
   friend class SimulatedTransport;
 
@@ -76,6 +79,7 @@ class SimulatedNetwork {
   std::vector<Mailbox> ranks_;
   std::vector<std::unique_ptr<SimulatedTransport>> transports_;
   Survey wave_;
+  std::size_t largest_message_ = 0;
 };
 
 }  // namespace kusabi::engine

@@ -52,7 +52,7 @@ TEST(Frontier, GivesEveryOtherNodeFromTheShallowestOn) {
   frontier.plant({});
   open_and_branch(frontier, 3);  // stack: 2 1 0
   open_and_branch(frontier, 3);  // stack: 2 1 0.2 0.1 0.0
-  const auto gift = frontier.give(100);
+  const auto gift = frontier.give(100'000);
   ASSERT_EQ(gift.nodes.size(), 2U);
   EXPECT_EQ(gift.nodes[0].node, (Witness{2}));
   EXPECT_EQ(gift.nodes[1].node, (Witness{0, 2}));
@@ -66,16 +66,19 @@ TEST(Frontier, KeepsAtLeastOneNode) {
   EXPECT_FALSE(frontier.can_give());
   open_and_branch(frontier, 2);
   ASSERT_TRUE(frontier.can_give());
-  EXPECT_EQ(frontier.give(100).nodes.size(), 1U);
+  EXPECT_EQ(frontier.give(100'000).nodes.size(), 1U);
   EXPECT_FALSE(frontier.can_give());
 }
 
-TEST(Frontier, GivesNoMoreThanTheLimit) {
+TEST(Frontier, GivesNoMoreBytesThanTheLimitButAtLeastOneNode) {
   Frontier<Witness> frontier;
   frontier.plant({});
   open_and_branch(frontier, 100);
-  EXPECT_EQ(frontier.give(7).nodes.size(), 7U);
-  EXPECT_EQ(frontier.size(), 93U);
+  const auto gift = frontier.give(400);
+  EXPECT_GT(gift.nodes.size(), 1U);
+  EXPECT_LE(pack(gift.nodes).size(), 400U + 64U);  // and the header of the list
+  EXPECT_EQ(frontier.size(), 100U - gift.nodes.size());
+  EXPECT_EQ(frontier.give(1).nodes.size(), 1U);
 }
 
 TEST(Frontier, DoesNotGiveChildrenThatAreStillBeingBranched) {
@@ -120,7 +123,7 @@ TEST(Frontier, PathsSurviveAnyNumberOfGifts) {
         --open;
         ++opened;
       } else if (other.can_give()) {
-        one.take(other.give(1 + random() % 5));
+        one.take(other.give(1 + random() % 500));
       }
     }
     EXPECT_EQ(fingerprint, expected) << "seed " << seed;

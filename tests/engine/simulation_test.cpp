@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <boost/serialization/vector.hpp>
 #include <gtest/gtest.h>
 
 #include "tests/engine/queens.hpp"
@@ -25,6 +26,9 @@ void expect_the_same(const Outcome<P>& alone, const Simulated<P>& many, const st
   for (std::size_t i = 0; i < alone.solutions.size(); ++i) {
     EXPECT_EQ(many.outcome.solutions[i].path, alone.solutions[i].path);
   }
+  std::uint64_t found = 0;
+  for (const auto& rank : many.outcome.ranks) found += rank.statistics.found;
+  EXPECT_EQ(found, alone.solutions.size());
 }
 
 TEST(Simulation, TheAnswerIsThatOfOneRankUnderAThousandSchedules) {
@@ -61,6 +65,36 @@ TEST(Simulation, HundredsOfRanksFindTheSame) {
   Queens queens(8);
   const auto alone = search(queens);
   expect_the_same(alone, simulate(Queens(8), 500, 1), "500 ranks");
+}
+
+// Nodes of very different sizes, none above 4 kB, of which the root has hundreds.
+struct Bulky {
+  struct Node {
+    int depth = 0;
+    std::vector<char> load;
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& depth& load;
+    }
+  };
+  using Solution = std::vector<char>;
+  Node root() const { return {}; }
+  void expand(Node&& node, Expansion<Bulky>& out) {
+    if (node.depth == 2) return out.solution(std::move(node.load));
+    for (std::size_t child = 0; child < (node.depth == 0 ? 500 : 3); ++child) {
+      out.branch({node.depth + 1, std::vector<char>(child % 7 == 0 ? 4000 : 10)});
+    }
+  }
+};
+
+TEST(Simulation, NoMessageIsLargerThanTheLimitAllows) {
+  Options options;
+  options.message_bytes = 10'000;
+  const auto simulated = simulate(Bulky{}, 4, 1, {}, options);
+  EXPECT_EQ(simulated.outcome.solutions.size(), 1500U);
+  // The limit speaks of the nodes or solutions; a trail and list headers come on top.
+  EXPECT_LE(simulated.largest_message, 10'000U + 500U);
+  EXPECT_GT(simulated.largest_message, 5'000U);
 }
 
 TEST(Simulation, SmallMessagesCarryEverything) {
