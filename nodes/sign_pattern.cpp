@@ -32,6 +32,7 @@ SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
   dead += other.dead;
   found += other.found;
   marginal += other.marginal;
+  undecided += other.undecided;
   doubtful += other.doubtful;
   iterations += other.iterations;
   return *this;
@@ -42,6 +43,7 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
     : dimension_(problem.dimension),
       candidates_(first_bits(problem.contact_names.size())),
       unit_(mean_normal_compliance(problem)),
+      tolerances_(tolerances),
       solver_([&]() -> Solver {
         const Eigen::MatrixXd scaled = problem.compliance / unit_;
         if (problem.dimension == 2) return conic::NodeSolver<2>(scaled, friction, tolerances);
@@ -55,14 +57,24 @@ void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& ou
     ++tally_.dead;
     return;
   }
-  const bool marginal = answer.sign == conic::Sign::marginal;
-  if (undecided(node) == 0) {
-    ++(marginal ? tally_.marginal : tally_.found);
-    out.solution(configuration(node, answer));
+  if (free_candidates(node) == 0) {
+    auto leaf = configuration(node, answer);
+    switch (leaf.state) {
+      case LeafState::alive:
+        ++tally_.found;
+        break;
+      case LeafState::marginal:
+        ++tally_.marginal;
+        break;
+      case LeafState::undecided:
+        ++tally_.undecided;
+        break;
+    }
+    out.solution(std::move(leaf));
     return;
   }
   ++tally_.branched;
-  if (marginal) ++tally_.doubtful;
+  if (answer.sign == conic::Sign::marginal) ++tally_.doubtful;
   const auto split = bit(branching_candidate(node));
   out.branch({node.contact | split, node.separated});
   out.branch({node.contact, node.separated | split});
@@ -70,7 +82,7 @@ void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& ou
 
 // A leaf that lives is worth its full accuracy: its margin is part of the answer.
 conic::Answer SignPatternTree::solve(const Node& node) {
-  const conic::StopEarly stop{.when_dead = true, .when_alive = undecided(node) != 0};
+  const conic::StopEarly stop{.when_dead = true, .when_alive = free_candidates(node) != 0};
   return std::visit([&](auto& solver) { return solver.solve(node.contact, node.separated, stop); },
                     solver_);
 }
@@ -80,7 +92,7 @@ conic::Answer SignPatternTree::solve(const Node& node) {
 int SignPatternTree::branching_candidate(const Node& node) const {
   return std::visit(
       [&](const auto& solver) {
-        const auto open = undecided(node);
+        const auto open = free_candidates(node);
         int best = std::countr_zero(open);
         double largest = -1;
         for (auto rest = open; rest != 0; rest &= rest - 1) {
@@ -97,13 +109,19 @@ int SignPatternTree::branching_candidate(const Node& node) const {
       solver_);
 }
 
+LeafState SignPatternTree::leaf_state(const conic::Answer& answer) const {
+  if (answer.sign == conic::Sign::alive) return LeafState::alive;
+  const bool bracketed = answer.lower >= -tolerances_.sign && answer.upper <= tolerances_.sign;
+  return bracketed ? LeafState::marginal : LeafState::undecided;
+}
+
 Configuration SignPatternTree::configuration(const Node& node, const conic::Answer& answer) const {
   return std::visit(
       [&](const auto& solver) {
         const Eigen::VectorXd& r = solver.reaction();
         const Eigen::VectorXd u = unit_ * solver.displacement();
         return Configuration{.pattern = node,
-                             .marginal = answer.sign == conic::Sign::marginal,
+                             .state = leaf_state(answer),
                              .lower = answer.lower,
                              .upper = answer.upper,
                              .reaction = {r.begin(), r.end()},

@@ -9,6 +9,9 @@
 //   |t*| within the tolerance   marginal: the node is branched like a living one, and a marginal
 //            leaf is reported, but neither counted as a pattern nor thrown away.
 //
+// Should rounding end the solver while its bracket of t* still reaches beyond the tolerance on both
+// sides, the node is undecided. It is treated as a marginal one, and reported under its own name.
+//
 // A marginal leaf is most often a face: t* = 0 exactly, its cone D(Y) of (14) has no interior point
 // and belongs to another pattern's cone.
 #pragma once
@@ -39,10 +42,17 @@ struct SignPattern {
   }
 };
 
-/// A leaf of the tree that is alive or marginal, with a configuration that shows it.
+/// What is known of a leaf that is not dead.
+enum class LeafState {
+  alive,      ///< t* is above the tolerance
+  marginal,   ///< |t*| is within the tolerance
+  undecided,  ///< neither is proved
+};
+
+/// A leaf of the tree that is not dead, with a configuration that shows it.
 struct Configuration {
   SignPattern pattern;
-  bool marginal = false;
+  LeafState state = LeafState::alive;
   double lower = 0;              ///< lower <= t* <= upper, in scaled units (see SignPatternTree);
   double upper = 0;              ///< `lower` is the value of the configuration below
   std::vector<double> reaction;  ///< r, dm, force; sum of its normal parts 1
@@ -50,7 +60,7 @@ struct Configuration {
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& pattern& marginal& lower& upper& reaction& displacement;
+    archive& pattern& state& lower& upper& reaction& displacement;
   }
 };
 
@@ -60,14 +70,15 @@ struct SignPatternTally {
   std::uint64_t dead = 0;        ///< pruned: no wedged configuration below
   std::uint64_t found = 0;       ///< leaves that are alive
   std::uint64_t marginal = 0;    ///< leaves that are marginal
-  std::uint64_t doubtful = 0;    ///< marginal nodes that are no leaves; among those branched
+  std::uint64_t undecided = 0;   ///< leaves that are undecided
+  std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
 
   SignPatternTally& operator+=(const SignPatternTally& other);
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& branched& dead& found& marginal& doubtful& iterations;
+    archive& branched& dead& found& marginal& undecided& doubtful& iterations;
   }
 };
 
@@ -94,15 +105,17 @@ class SignPatternTree {
   using Solver = std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>>;
 
   conic::Answer solve(const Node& node);
-  [[nodiscard]] std::uint64_t undecided(const Node& node) const {
+  [[nodiscard]] std::uint64_t free_candidates(const Node& node) const {
     return candidates_ & ~(node.contact | node.separated);
   }
   [[nodiscard]] int branching_candidate(const Node& node) const;
+  [[nodiscard]] LeafState leaf_state(const conic::Answer& answer) const;
   [[nodiscard]] Configuration configuration(const Node& node, const conic::Answer& answer) const;
 
   int dimension_;
   std::uint64_t candidates_;  // a bit for each
   double unit_;               // of the scaled compliance, length/force
+  conic::Tolerances tolerances_;
   Solver solver_;
   Tally tally_;
 };

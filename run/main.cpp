@@ -54,8 +54,26 @@ int run(Session& session, int argc, char** argv) {
       ->check(positive)
       ->capture_default_str();
   patterns_command->add_option("--output", options.output, "write the result to this JSON file");
+  patterns_command->add_option("--time-limit", options.limits.seconds, "stop after so many seconds")
+      ->check(positive);
+  patterns_command
+      ->add_option("--node-limit", options.limits.nodes, "stop when so many nodes have been opened")
+      ->check(CLI::PositiveNumber);
+  patterns_command
+      ->add_option("--pattern-limit", options.limits.solutions, "stop at so many patterns")
+      ->check(CLI::PositiveNumber);
+  patterns_command->add_option("--checkpoint", options.checkpoint,
+                               "keep the state of the search in this file and others beside it");
+  patterns_command
+      ->add_option("--checkpoint-interval", options.checkpoint_interval,
+                   "seconds between two checkpoints")
+      ->check(positive)
+      ->capture_default_str();
+  patterns_command->add_option("--restart", options.restart,
+                               "go on from this checkpoint, on any number of ranks");
   patterns_command->add_flag("--quiet", options.quiet, "print errors only");
-  patterns_command->add_flag("--serial", serial, "run in this process alone, without MPI");
+  patterns_command->add_flag("--serial", serial, "run in this process alone, without MPI")
+      ->disable_flag_override();
 
   try {
     app.parse(argc, argv);
@@ -72,6 +90,10 @@ int run(Session& session, int argc, char** argv) {
     return complain(session, fmt::format("kusabi: {} (try --help)", error.what()));
   }
 
+  if (serial && Session::serial_among_many()) {
+    return complain(session,
+                    "kusabi: --serial under mpirun: every process would do the whole search");
+  }
   return patterns(session, options);
 }
 

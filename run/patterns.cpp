@@ -1,18 +1,26 @@
 // From the file to the report, on all ranks.
 #include "run/patterns.hpp"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include "engine/checkpoint.hpp"
 #include "nodes/sign_pattern.hpp"
+#include "problems/fingerprint.hpp"
 #include "problems/structure_file.hpp"
 #include "run/exit_code.hpp"
 #include "run/patterns_report.hpp"
 #include "run/progress_line.hpp"
 #include "run/result_file.hpp"
+#include "run/signals.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -27,16 +35,69 @@ void announce(const PatternsOptions& options, const problems::WedgedProblem& pro
              ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
+void warn(const std::string& line) {
+  fmt::print(stderr, "kusabi: {}\n", line);
+}
+
+// A checkpoint belongs to a tree, and the tree hangs on the friction and the tolerance as well.
+std::uint64_t tree_fingerprint(const problems::WedgedProblem& problem,
+                               const PatternsOptions& options) {
+  problems::Fingerprint fingerprint;
+  fingerprint.add(problem.fingerprint);
+  fingerprint.add(options.friction);
+  fingerprint.add(options.tolerance);
+  return fingerprint.value();
+}
+
+// A wrong name should cost a second and not the night.
+void require_writable_folder(const std::string& checkpoint) {
+  const auto folder = std::filesystem::absolute(checkpoint).parent_path();
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw WrongInput(fmt::format("--checkpoint {}: cannot be written: {}: {}", checkpoint,
+                                 folder.string(), std::strerror(errno)));
+  }
+}
+
+// The checkpoint to go on from, found on rank 0 and told to all; empty if none is asked for.
+std::string restart_from(Session& session, const PatternsOptions& options, std::uint64_t tree) {
+  return session.on_first_rank([&]() -> std::string {
+    if (!options.checkpoint.empty()) require_writable_folder(options.checkpoint);
+    if (options.restart.empty()) {
+      if (!options.checkpoint.empty() && engine::checkpoint_exists(options.checkpoint)) {
+        throw WrongInput(
+            fmt::format("--checkpoint {}: exists already; expected --restart {} to go on from it, "
+                        "or a new name",
+                        options.checkpoint, options.checkpoint));
+      }
+      return {};
+    }
+    try {
+      std::string warning;
+      auto file = engine::usable_checkpoint(options.restart, tree, warning);
+      if (!warning.empty()) warn(warning);
+      return file;
+    } catch (const engine::CheckpointError& error) {
+      throw WrongInput(fmt::format("--restart {}", error.what()));
+    }
+  });
+}
+
+void tell_what_is_left(const PatternsOptions& options, const std::string& checkpoint,
+                       const engine::Outcome<nodes::SignPatternTree>& outcome) {
+  fmt::print(stderr, "stopped early ({}): {} open nodes are left, the list is not complete\n",
+             status_name(outcome.status), outcome.open);
+  if (checkpoint.empty()) return;
+  fmt::print(stderr, "go on with: kusabi patterns {} --mu {} --restart {}\n", options.file,
+             options.friction, checkpoint);
+}
+
 }  // namespace
 
 int patterns(Session& session, const PatternsOptions& options) {
   std::optional<ResultFile> result_file;
   const std::string text = session.on_first_rank([&] {
     auto content = problems::file_text(options.file);
-    if (options.output == options.file) {
-      throw WrongInput(fmt::format("--output {}: is the problem file itself", options.output));
-    }
-    result_file.emplace(options.output);
+    result_file.emplace(options.output, options.file);
     return content;
   });
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
@@ -45,21 +106,34 @@ int patterns(Session& session, const PatternsOptions& options) {
   nodes::SignPatternTree tree(problem, friction, {.sign = options.tolerance});
 
   engine::Options search_options;
+  search_options.limits = options.limits;
+  auto& checkpoint = search_options.checkpoint;
+  checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
+  checkpoint.interval = options.checkpoint_interval;
+  checkpoint.problem = tree_fingerprint(problem, options);
+  checkpoint.resume_from = restart_from(session, options, checkpoint.problem);
+  search_options.interrupt = asked_by_signal;
+  search_options.warn = warn;
   std::optional<ProgressLine> progress;
   if (session.speaks() && !options.quiet) {
     announce(options, problem, session.ranks());
     progress.emplace();
     search_options.progress = [&](const auto& state) { progress->show(state); };
   }
+  heed_signals();
   const auto outcome = engine::search(tree, session.transport(), search_options);
   progress.reset();
 
-  if (!session.speaks()) return solved;
-  const PatternsReport report(options, problem, outcome);
-  result_file->write(report.json());
-  if (!options.quiet) fmt::print("{}", report.table());
-  if (!options.output.empty()) fmt::print(stderr, "wrote {}\n", options.output);
-  return solved;
+  const bool whole = outcome.status == engine::Status::solved;
+  if (session.speaks()) {
+    const PatternsReport report(options, problem, outcome);
+    if (!options.quiet) fmt::print("{}", report.table());
+    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+    result_file->write(report.json());
+    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", options.output);
+    if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
+  }
+  return whole ? solved : stopped_early;
 }
 
 }  // namespace kusabi::run

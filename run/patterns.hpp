@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "engine/options.hpp"
 #include "nodes/conic/node_solver.hpp"
 #include "run/session.hpp"
 
@@ -13,6 +14,10 @@ struct PatternsOptions {
   double friction = 0;                          ///< mu
   double tolerance = conic::Tolerances{}.sign;  ///< |t*| up to this is marginal
   std::string output;                           ///< the result file; empty: none
+  engine::Limits limits;                        ///< where to stop early
+  std::string checkpoint;                       ///< keep the state here; empty: nowhere
+  double checkpoint_interval = 600;             ///< seconds
+  std::string restart;                          ///< go on from here; empty: start anew
   bool quiet = false;                           ///< no progress, no table
 };
 

@@ -58,8 +58,38 @@ ordered_json tally_json(const nodes::SignPatternTally& tally) {
           {"dead", tally.dead},
           {"found", tally.found},
           {"marginal_leaves", tally.marginal},
-          {"marginal_branched", tally.doubtful},
+          {"undecided_leaves", tally.undecided},
+          {"doubtful_branched", tally.doubtful},
           {"iterations", tally.iterations}};
+}
+
+std::string state_name(nodes::LeafState state) {
+  switch (state) {
+    case nodes::LeafState::alive:
+      return "alive";
+    case nodes::LeafState::marginal:
+      return "marginal";
+    case nodes::LeafState::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+ordered_json rank_reports(const std::vector<engine::RankReport<nodes::SignPatternTree>>& reports) {
+  auto list = ordered_json::array();
+  for (const auto& [statistics, tally] : reports) {
+    ordered_json rank = tally_json(tally);
+    rank["opened"] = statistics.opened;
+    rank["peak_open"] = statistics.peak_open;
+    rank["requests"] = statistics.requests;
+    rank["gifts_received"] = statistics.gifts_received;
+    rank["gifts_sent"] = statistics.gifts_sent;
+    rank["nodes_given"] = statistics.nodes_given;
+    rank["idle_seconds"] = statistics.idle_seconds;
+    rank["seconds"] = statistics.seconds;
+    list.push_back(std::move(rank));
+  }
+  return list;
 }
 
 // Node names as one cell of the table.
@@ -69,13 +99,31 @@ std::string listed(const std::vector<std::string>& words) {
 
 }  // namespace
 
+const char* status_name(engine::Status status) {
+  switch (status) {
+    case engine::Status::solved:
+      return "solved";
+    case engine::Status::time_limit:
+      return "time-limit";
+    case engine::Status::node_limit:
+      return "node-limit";
+    case engine::Status::solution_limit:
+      return "solution-limit";
+    case engine::Status::gap_limit:
+      return "gap-limit";
+    case engine::Status::interrupted:
+      break;
+  }
+  return "interrupted";
+}
+
 PatternsReport::PatternsReport(const PatternsOptions& options_,
                                const problems::WedgedProblem& problem_,
                                const engine::Outcome<nodes::SignPatternTree>& outcome_)
     : options(options_), problem(problem_), outcome(outcome_) {
   for (const auto& found : outcome.solutions) sorted.push_back(&found.solution);
   std::sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) {
-    if (a->marginal != b->marginal) return b->marginal;
+    if (a->state != b->state) return a->state < b->state;
     return before(a->pattern.contact, b->pattern.contact);
   });
 }
@@ -83,6 +131,7 @@ PatternsReport::PatternsReport(const PatternsOptions& options_,
 nodes::SignPatternTally PatternsReport::total() const {
   nodes::SignPatternTally sum;
   for (const auto& rank : outcome.ranks) sum += rank.tally;
+  for (const auto& rank : outcome.earlier) sum += rank.tally;
   return sum;
 }
 
@@ -110,7 +159,8 @@ std::string PatternsReport::table() const {
   std::size_t number = 0;
   for (const auto* each : sorted) {
     fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}\n", ++number,
-                   each->marginal ? "marginal" : fmt::format("{:.3e}", each->lower),
+                   each->state == nodes::LeafState::alive ? fmt::format("{:.3e}", each->lower)
+                                                          : state_name(each->state),
                    listed(names(each->pattern.contact)), contact_width,
                    listed(names(each->pattern.separated)));
   }
@@ -119,6 +169,10 @@ std::string PatternsReport::table() const {
                  "{} marginal (|t*| <= {})\n",
                  tally.found, tally.found == 1 ? "" : "s", options.friction, tally.marginal,
                  options.tolerance);
+  if (tally.undecided != 0) {
+    fmt::format_to(out, "{} undecided: double precision did not suffice to bracket t*\n",
+                   tally.undecided);
+  }
 
   fmt::format_to(out, "\n{:<6} {:>10} {:>7} {:>10} {:>10} {:>8} {:>9} {:>11} {:>7} {:>9}\n", "rank",
                  "opened", "share", "branched", "pruned", "found", "marginal", "iterations",
@@ -129,7 +183,7 @@ std::string PatternsReport::table() const {
     const double share = 100 * static_cast<double>(nodes) / static_cast<double>(opened);
     fmt::format_to(out, "{:<6} {:>10} {:>5.1f} % {:>10} {:>10} {:>8} {:>9} {:>11} {:>7} {:>9.3f}\n",
                    name, nodes, share, its.branched, its.dead, its.found,
-                   its.marginal + its.doubtful, its.iterations, gifts, seconds);
+                   its.marginal + its.undecided + its.doubtful, its.iterations, gifts, seconds);
   };
   std::uint64_t gifts = 0;
   double longest = 0;
@@ -140,7 +194,10 @@ std::string PatternsReport::table() const {
     gifts += statistics.gifts_received;
     longest = std::max(longest, statistics.seconds);
   }
-  if (outcome.ranks.size() > 1) row("all", opened, tally, gifts, longest);
+  for (const auto& [statistics, its] : outcome.earlier) {
+    row("before", statistics.opened, its, statistics.gifts_received, statistics.seconds);
+  }
+  if (outcome.ranks.size() + outcome.earlier.size() > 1) row("all", opened, tally, gifts, longest);
   return text;
 }
 
@@ -150,7 +207,7 @@ ordered_json PatternsReport::json() const {
   for (const auto* each : sorted) {
     patterns.push_back({{"contact", names(each->pattern.contact)},
                         {"separated", names(each->pattern.separated)},
-                        {"state", each->marginal ? "marginal" : "alive"},
+                        {"state", state_name(each->state)},
                         {"margin", each->lower},
                         {"margin_upper", each->upper},
                         {"reaction", rows(each->reaction, problem.dimension)},
@@ -158,44 +215,34 @@ ordered_json PatternsReport::json() const {
   }
   ordered_json tree = tally_json(tally);
   tree["opened"] = outcome.opened();
+  tree["open"] = outcome.open;
   tree["fingerprint"] = fmt::format("{:016x}", outcome.fingerprint());
 
-  ordered_json ranks = ordered_json::array();
-  for (const auto& [statistics, its] : outcome.ranks) {
-    ordered_json rank = tally_json(its);
-    rank["opened"] = statistics.opened;
-    rank["peak_open"] = statistics.peak_open;
-    rank["requests"] = statistics.requests;
-    rank["gifts_received"] = statistics.gifts_received;
-    rank["gifts_sent"] = statistics.gifts_sent;
-    rank["nodes_given"] = statistics.nodes_given;
-    rank["idle_seconds"] = statistics.idle_seconds;
-    rank["seconds"] = statistics.seconds;
-    ranks.push_back(std::move(rank));
-  }
-
-  return {{"command", "patterns"},
-          {"version", KUSABI_VERSION},
-          {"problem",
-           {{"file", options.file},
-            {"name", problem.name},
-            {"d", problem.dimension},
-            {"m", problem.contact_names.size()},
-            {"nodes", problem.nodes},
-            {"members", problem.members},
-            {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-            {"contact", contact_frames(problem)},
-            {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}}},
-          {"options", {{"mu", options.friction}, {"tolerance", options.tolerance}}},
-          {"status", "solved"},
-          {"result",
-           {{"friction", options.friction},
-            {"tolerance", options.tolerance},
-            {"count", tally.found},
-            {"marginal", tally.marginal},
-            {"tree", std::move(tree)},
-            {"patterns", std::move(patterns)}}},
-          {"statistics", {{"ranks", std::move(ranks)}}}};
+  return {
+      {"command", "patterns"},
+      {"version", KUSABI_VERSION},
+      {"problem",
+       {{"file", options.file},
+        {"name", problem.name},
+        {"d", problem.dimension},
+        {"m", problem.contact_names.size()},
+        {"nodes", problem.nodes},
+        {"members", problem.members},
+        {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
+        {"contact", contact_frames(problem)},
+        {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}}},
+      {"options", {{"mu", options.friction}, {"tolerance", options.tolerance}}},
+      {"status", status_name(outcome.status)},
+      {"result",
+       {{"friction", options.friction},
+        {"tolerance", options.tolerance},
+        {"count", tally.found},
+        {"marginal", tally.marginal},
+        {"undecided", tally.undecided},
+        {"tree", std::move(tree)},
+        {"patterns", std::move(patterns)}}},
+      {"statistics",
+       {{"ranks", rank_reports(outcome.ranks)}, {"earlier_runs", rank_reports(outcome.earlier)}}}};
 }
 
 }  // namespace kusabi::run

@@ -13,14 +13,17 @@
 
 namespace kusabi::run {
 
+/// As the result file calls it: "solved", "time-limit", ...
+const char* status_name(engine::Status status);
+
 /// Everything that the command has to tell.
 struct PatternsReport {
   const PatternsOptions& options;
   const problems::WedgedProblem& problem;
   const engine::Outcome<nodes::SignPatternTree>& outcome;
 
-  /// Living patterns first, then marginal ones; each in the lexicographic order of their contact
-  /// sets, whatever the tree looked like.
+  /// Living patterns first, then marginal, then undecided ones; each in the lexicographic order of
+  /// their contact sets, whatever the tree looked like.
   std::vector<const nodes::Configuration*> sorted;
 
   PatternsReport(const PatternsOptions& options_, const problems::WedgedProblem& problem_,

@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 say() { printf '\n== %s\n' "$*"; }
 give_up() { printf 'kusabi: %s\n' "$*" >&2; exit 1; }
 
-# What the program itself needs, on Debian and its relatives.
+# What the program itself needs, by the names of Debian 12.
 build_packages=(g++ cmake make libopenmpi-dev openmpi-bin libboost-serialization-dev libeigen3-dev
   libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev)
 # What the tests need besides.
@@ -15,8 +15,10 @@ test_packages=(libgtest-dev libgmock-dev)
 # install_missing PACKAGE...: installs those that are not there yet.
 install_missing() {
   local missing=() package
-  command -v dpkg-query >/dev/null ||
-    give_up "this is no Debian-like system; install by hand what these Debian packages hold: $*"
+  if ! command -v dpkg-query >/dev/null; then
+    say "not a Debian system: nothing is installed; what these Debian packages hold must be there: $*"
+    return
+  fi
   for package in "$@"; do
     [[ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] ||
       missing+=("$package")
@@ -28,8 +30,9 @@ install_missing() {
   say "installing with apt-get: ${missing[*]}"
   local as_root=()
   if [[ $(id -u) -ne 0 ]]; then
-    command -v sudo >/dev/null ||
-      give_up "cannot install as an ordinary user without sudo; ask for: apt-get install ${missing[*]}"
+    local ask="ask an administrator for: apt-get install ${missing[*]}"
+    command -v sudo >/dev/null || give_up "an ordinary user cannot install without sudo; $ask"
+    sudo true || give_up "sudo was refused; $ask"
     as_root=(sudo)
   fi
   local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get)
@@ -44,16 +47,20 @@ build() {
   local target=$1
   shift
   say "building (Release, into build/)"
+  mkdir -p build && [[ -w build ]] || give_up "build/ cannot be written to; was it made by another user?"
   local log
   log=$(cmake -S . -B build -DCMAKE_BUILD_TYPE=Release "$@" 2>&1) ||
     { printf '%s\n' "$log" >&2; give_up "cmake could not configure the build"; }
-  cmake --build build --target "$target" --parallel "$(nproc)"
+  cmake --build build --target "$target" --parallel "$(nproc)" ||
+    give_up "the build failed; the first error is above"
 }
 
 # Open MPI refuses to run as root, or more ranks than cores, unless told; and what pays on a cluster
 # (ranks pinned to cores, which hand their core over when they poll in vain) does not on a machine
-# that others use as well. Other launchers ignore these.
+# that others use as well. In a container one process may not read the memory of another, which the
+# last setting does without. Other launchers ignore these.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1
 export OMPI_MCA_hwloc_base_binding_policy=none
 export OMPI_MCA_mpi_yield_when_idle=0
+export OMPI_MCA_btl_vader_single_copy_mechanism=none

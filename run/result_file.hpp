@@ -2,6 +2,7 @@
 // one, and opened before the work begins, so that a wrong name costs a second and not a night.
 #pragma once
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -11,20 +12,22 @@ namespace kusabi::run {
 
 class ResultFile {
  public:
-  /// Opens `name`.tmp. An empty name: nothing will be written.
-  /// @throws WrongInput if it cannot be written.
-  explicit ResultFile(const std::string& name);
+  /// Opens a file beside `name`, or `name` itself if it is a device or a pipe. A link is followed.
+  /// An empty name: nothing will be written.
+  /// @param input the problem file, which must not be the same
+  /// @throws WrongInput if it cannot be written
+  ResultFile(const std::string& name, const std::string& input);
   ResultFile(const ResultFile&) = delete;
   ResultFile& operator=(const ResultFile&) = delete;
-  ~ResultFile();  ///< leaves nothing behind if nothing was written
+  ~ResultFile();  ///< leaves nothing behind unless the result is in its place
 
   /// Writes `result` and puts the file into its place.
   /// @throws std::runtime_error if the disk is full, or the like.
   void write(const nlohmann::ordered_json& result);
 
  private:
-  std::string name_;
-  std::string beside_;
+  std::filesystem::path place_;
+  std::filesystem::path beside_;  // empty: the place is written to directly
   std::ofstream file_;
 };
 

@@ -2,6 +2,7 @@
 #include "run/session.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <span>
 #include <string_view>
 
@@ -14,11 +15,18 @@ namespace {
 
 bool serial_wanted(int argc, char** argv) {
   const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
-  return std::any_of(arguments.begin(), arguments.end(),
-                     [](const char* argument) { return std::string_view(argument) == "--serial"; });
+  return std::any_of(arguments.begin(), arguments.end(), [](const char* argument) {
+    return std::string_view(argument).starts_with("--serial");
+  });
 }
 
 }  // namespace
+
+bool Session::serial_among_many() {
+  // Open MPI's variable; other launchers have no common one, and the mistake is then seen by eye.
+  const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
+  return size != nullptr && std::string_view(size) != "1";
+}
 
 struct Session::Mpi {
   Mpi(int& argc, char**& argv) : environment(argc, argv) {}

@@ -23,6 +23,11 @@ class WrongInput : public std::runtime_error {
 class Session {
  public:
   Session(int& argc, char**& argv);
+
+  /// Whether `--serial` keeps one of several processes from joining its fellows: each would do the
+  /// whole search.
+  [[nodiscard]] static bool serial_among_many();
+
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
   ~Session();

@@ -17,10 +17,19 @@
 
 namespace {
 
+namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const std::string command = KUSABI_COMMAND;
-const std::string truss = std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml";
+// One word for the shell, whatever it holds.
+std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+const std::string command = quoted(KUSABI_COMMAND);
+const std::string truss_file = std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml";
+const std::string truss = quoted(truss_file);
 
 struct Run {
   int exit_code;
@@ -52,17 +61,28 @@ std::string ranks(int count) {
 class Command : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "kusabi-test-XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / "kusabi test-XXXXXX").string();
     ASSERT_NE(mkdtemp(name.data()), nullptr);
     folder_ = name;
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
 
   [[nodiscard]] std::string in_folder(const std::string& name) const {
     return (folder_ / name).string();
   }
+  // The same for the shell.
+  [[nodiscard]] std::string argument(const std::string& name) const {
+    return quoted(in_folder(name));
+  }
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
 
-  std::filesystem::path folder_;
+  fs::path folder_;
 };
 
 std::string content(const std::string& name) {
@@ -89,11 +109,11 @@ TEST_F(Command, ShowsTheTableOfPatterns) {
 TEST_F(Command, GivesTheSameResultByteForByteOnAnyNumberOfRanks) {
   const std::string call = command + " patterns " + truss + " --mu 1.0 --quiet --output ";
   const auto serial = in_folder("serial.json");
-  ASSERT_EQ(shell(call + serial + " --serial").exit_code, 0);
+  ASSERT_EQ(shell(call + quoted(serial) + " --serial").exit_code, 0);
   const auto expected = without_statistics(serial);
   for (int count = 1; count <= 4; ++count) {
     const auto file = in_folder(fmt::format("np{}.json", count));
-    const auto run = shell(ranks(count) + call + file);
+    const auto run = shell(ranks(count) + call + quoted(file));
     ASSERT_EQ(run.exit_code, 0) << run.output;
     EXPECT_EQ(without_statistics(file), expected) << count << " ranks";
     const auto statistics = nlohmann::json::parse(content(file))["statistics"];
@@ -103,7 +123,8 @@ TEST_F(Command, GivesTheSameResultByteForByteOnAnyNumberOfRanks) {
 
 TEST_F(Command, WritesTheResultInFull) {
   const auto file = in_folder("result.json");
-  ASSERT_EQ(shell(command + " patterns " + truss + " --mu 0.55 --output " + file).exit_code, 0);
+  ASSERT_EQ(shell(command + " patterns " + truss + " --mu 0.55 --output " + quoted(file)).exit_code,
+            0);
   const auto json = nlohmann::json::parse(content(file));
   EXPECT_EQ(json["command"], "patterns");
   EXPECT_EQ(json["status"], "solved");
@@ -120,7 +141,7 @@ TEST_F(Command, WritesTheResultInFull) {
   EXPECT_GT(pattern["margin"].get<double>(), 0);
   EXPECT_EQ(pattern["reaction"].size(), 10U);
   EXPECT_EQ(pattern["displacement"][9].size(), 3U);
-  EXPECT_FALSE(std::filesystem::exists(file + ".tmp"));
+  EXPECT_EQ(files(), std::vector<std::string>{"result.json"});
 }
 
 TEST_F(Command, AnswersNoneWithExitCodeZero) {
@@ -138,7 +159,7 @@ TEST_F(Command, SaysNothingWhenAskedToBeQuiet) {
 TEST_F(Command, AWrongFileGetsOneLineAndExitCodeTwo) {
   const auto file = in_folder("typo.toml");
   std::ofstream(file) << "name = \"x\"\ndimensions = 3\n";
-  const auto run = shell(command + " patterns " + file + " --mu 0.5");
+  const auto run = shell(command + " patterns " + quoted(file) + " --mu 0.5");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.output, HasSubstr(file + ":2:1: "));
   EXPECT_THAT(run.output, HasSubstr("dimensions"));
@@ -147,7 +168,7 @@ TEST_F(Command, AWrongFileGetsOneLineAndExitCodeTwo) {
 
 TEST_F(Command, AWrongFileIsReportedOnceByAllRanksTogether) {
   const auto run =
-      shell(fmt::format("{} {} patterns {} --mu 1", ranks(3), command, in_folder("none.toml")));
+      shell(fmt::format("{} {} patterns {} --mu 1", ranks(3), command, argument("none.toml")));
   EXPECT_EQ(run.exit_code, 2);
   const auto first = run.output.find("none.toml: the file cannot be read");
   ASSERT_NE(first, std::string::npos);
@@ -166,12 +187,18 @@ TEST_F(Command, RefusesWrongCalls) {
       "patterns " + truss + " --mu nan",
       "patterns " + truss + " --mu inf",
       "patterns " + truss + " --mu 1,5",
-      "patterns " + folder_.string() + " --mu 0.5",
+      "patterns " + quoted(folder_.string()) + " --mu 0.5",
       "paterns " + truss + " --mu 0.5",
       good + " --nonsense",
       good + " --tolerance 0",
       good + " --output /nowhere/at/all.json",
-      good + " --output " + folder_.string(),
+      good + " --output " + quoted(folder_.string()),
+      good + " --serial=false",
+      good + " --node-limit 0",
+      good + " --time-limit -1",
+      good + " --checkpoint /nowhere/at/all",
+      good + " --restart " + argument("none"),
+      good + " --restart " + truss,
   };
   for (const auto& call : wrong) {
     const auto run = shell(command + " " + call);
@@ -181,18 +208,86 @@ TEST_F(Command, RefusesWrongCalls) {
 }
 
 TEST_F(Command, DoesNotOverwriteTheProblemWithTheResult) {
-  const auto file = in_folder("truss.toml");
-  std::filesystem::copy_file(truss, file);
-  EXPECT_EQ(shell(command + " patterns " + file + " --mu 0.5 --output " + file).exit_code, 2);
-  EXPECT_EQ(content(file), content(truss));
+  fs::copy_file(truss_file, in_folder("truss.toml"));
+  fs::create_symlink("truss.toml", in_folder("link"));
+  const auto call = command + " patterns " + argument("truss.toml") + " --mu 0.5 --output ";
+  for (const auto* other_name : {"truss.toml", "./truss.toml", "link"}) {
+    EXPECT_EQ(shell(call + argument(other_name)).exit_code, 2) << other_name;
+    EXPECT_EQ(content(in_folder("truss.toml")), content(truss_file)) << other_name;
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"link", "truss.toml"}));
+}
+
+TEST_F(Command, WritesToWhereALinkPoints) {
+  std::ofstream(in_folder("old.json")) << "old";
+  fs::create_symlink("old.json", in_folder("link"));
+  const auto call = command + " patterns " + truss + " --mu 0.5 --quiet --output ";
+  ASSERT_EQ(shell(call + argument("link")).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(in_folder("link")));
+  EXPECT_EQ(nlohmann::json::parse(content(in_folder("old.json")))["command"], "patterns");
+}
+
+TEST_F(Command, WritesToADeviceWithoutReplacingIt) {
+  const auto call = command + " patterns " + truss + " --mu 0.5 --quiet --output ";
+  EXPECT_EQ(nlohmann::json::parse(shell(call + "/dev/stdout").output)["command"], "patterns");
+  EXPECT_EQ(shell(call + "/dev/null").exit_code, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(Command, SaysThatTheDiskIsFull) {
+  const auto call = command + " patterns " + truss + " --mu 0.5 ";
+  const auto file = shell(call + "--quiet --output /dev/full");
+  EXPECT_EQ(file.exit_code, 1);
+  EXPECT_THAT(file.output, HasSubstr("/dev/full: could not be written in full"));
+  const auto table = shell("{ " + call + " > /dev/full; }");
+  EXPECT_EQ(table.exit_code, 1);
+  EXPECT_THAT(table.output, HasSubstr("standard output cannot be written"));
 }
 
 TEST_F(Command, LeavesNoHalfWrittenFileBehindAfterAnError) {
-  const auto file = in_folder("typo.toml");
-  std::ofstream(file) << "name = 1\n";
-  shell(command + " patterns " + file + " --mu 0.5 --output " + in_folder("result.json"));
-  EXPECT_FALSE(std::filesystem::exists(in_folder("result.json")));
-  EXPECT_FALSE(std::filesystem::exists(in_folder("result.json.tmp")));
+  std::ofstream(in_folder("typo.toml")) << "name = 1\n";
+  shell(command + " patterns " + argument("typo.toml") + " --mu 0.5 --output " +
+        argument("result.json"));
+  EXPECT_EQ(files(), std::vector<std::string>{"typo.toml"});
+}
+
+TEST_F(Command, SaysWhatItCouldNotDecide) {
+  // A friction this large leaves no digits to tell a wedged configuration from a free one.
+  const auto file = in_folder("result.json");
+  const auto run = shell(command + " patterns " + truss + " --mu 1e6 --output " + quoted(file));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("undecided"));
+  EXPECT_GT(nlohmann::json::parse(content(file))["result"]["undecided"], 0);
+}
+
+TEST_F(Command, StopsAtALimitAndGoesOnFromItsCheckpoint) {
+  const std::string call = command + " patterns " + truss + " --mu 1.0 --output ";
+  const auto whole = in_folder("whole.json");
+  ASSERT_EQ(shell(call + quoted(whole)).exit_code, 0);
+
+  const auto part = in_folder("part.json");
+  const auto stopped =
+      shell(ranks(2) + call + quoted(part) + " --node-limit 300 --checkpoint " + argument("state"));
+  EXPECT_EQ(stopped.exit_code, 3) << stopped.output;
+  EXPECT_THAT(stopped.output, HasSubstr("stopped early (node-limit)"));
+  EXPECT_THAT(stopped.output, HasSubstr("--restart"));
+  const auto json = nlohmann::json::parse(content(part));
+  EXPECT_EQ(json["status"], "node-limit");
+  EXPECT_GT(json["result"]["tree"]["open"], 0);
+  EXPECT_LT(json["result"]["count"], 251);
+
+  // Started again as if new, it does not overwrite what the night has brought.
+  EXPECT_EQ(shell(call + quoted(part) + " --checkpoint " + argument("state")).exit_code, 2);
+  // It is the checkpoint of another tree.
+  const auto other =
+      shell(command + " patterns " + truss + " --mu 0.9 --restart " + argument("state"));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.output, HasSubstr("another problem"));
+
+  const auto rest = in_folder("rest.json");
+  const auto resumed = shell(ranks(3) + call + quoted(rest) + " --restart " + argument("state"));
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.output;
+  EXPECT_EQ(without_statistics(rest), without_statistics(whole));
 }
 
 TEST_F(Command, HelpsAndTellsItsVersion) {
@@ -204,11 +299,21 @@ TEST_F(Command, HelpsAndTellsItsVersion) {
 }
 
 TEST_F(Command, NeverCallsMpiWhenSerial) {
-  // Inside an MPI job's environment whose daemon is long gone, MPI_Init would fail or hang.
-  const auto run = shell("env OMPI_COMM_WORLD_SIZE=2 PMIX_RANK=1 timeout 20 " + command +
-                         " patterns " + truss + " --mu 0.55 --serial");
+  // Under a launcher, with Open MPI told to use a component that does not exist: whoever calls
+  // MPI_Init fails.
+  const auto call = "env OMPI_COMM_WORLD_SIZE=1 OMPI_MCA_pml=none_such timeout 60 " + command +
+                    " patterns " + truss + " --mu 0.55";
+  EXPECT_NE(shell(call).exit_code, 0);
+  const auto run = shell(call + " --serial");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("1 sign pattern "));
+}
+
+TEST_F(Command, RefusesToDoTheSerialSearchOnEveryRank) {
+  const auto run = shell("env OMPI_COMM_WORLD_SIZE=2 OMPI_MCA_pml=none_such timeout 60 " + command +
+                         " patterns " + truss + " --mu 0.55 --serial");
+  EXPECT_EQ(run.exit_code, 2) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("--serial under mpirun"));
 }
 
 }  // namespace

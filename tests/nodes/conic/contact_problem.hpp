@@ -31,7 +31,7 @@ struct ContactProblem {
 inline Eigen::MatrixXd scaled(Eigen::MatrixXd compliance, int d) {
   double sum = 0;
   for (Eigen::Index i = 0; i < compliance.rows(); i += d) sum += compliance(i, i);
-  return compliance * (static_cast<double>(compliance.rows() / d) / sum);
+  return compliance * (static_cast<double>(compliance.rows()) / (d * sum));
 }
 
 /// The inverse of a random positive definite stiffness, with friction within the given range.
@@ -85,9 +85,9 @@ inline Eigen::MatrixXd equations(const ContactProblem& problem, Masks masks) {
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(d * m);
   for (int i = 0; i < m; ++i) {
     sum[d * i] = 1;
-    if (contains(masks.first, i)) rows.push_back(problem.compliance.row(d * i));
+    if (contains(masks.first, i)) rows.emplace_back(problem.compliance.row(d * i));
     if (contains(masks.second, i))
-      for (int c = 0; c < d; ++c) rows.push_back(Eigen::RowVectorXd::Unit(d * m, d * i + c));
+      for (int c = 0; c < d; ++c) rows.emplace_back(Eigen::RowVectorXd::Unit(d * m, d * i + c));
   }
   rows.push_back(sum);
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows.size()), d * m);

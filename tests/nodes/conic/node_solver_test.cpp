@@ -170,6 +170,7 @@ TEST(NodeSolver, GivesTheSameBitsWhateverItSolvedBefore) {
   const int m = 7;
   const ContactProblem problem = testing::random_problem(3, m, 0.3, 1.5, generator);
   std::vector<Masks> nodes;
+  nodes.reserve(20);
   for (int i = 0; i < 20; ++i) nodes.push_back(testing::random_masks(m, generator));
   NodeSolver<3> used(problem.compliance, problem.friction);
   for (const Masks& other : nodes)

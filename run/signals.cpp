@@ -1,0 +1,36 @@
+// The handlers do nothing but note the signal; the search looks at the note at its next survey.
+#include "run/signals.hpp"
+
+#include <csignal>
+
+namespace kusabi::run {
+namespace {
+
+volatile std::sig_atomic_t stop_asked = 0;
+volatile std::sig_atomic_t checkpoint_asked = 0;
+
+extern "C" void note_stop(int signal) {
+  stop_asked = 1;
+  if (signal == SIGINT) std::signal(SIGINT, SIG_DFL);
+}
+
+extern "C" void note_checkpoint(int /*signal*/) {
+  checkpoint_asked = 1;
+}
+
+}  // namespace
+
+void heed_signals() {
+  std::signal(SIGINT, &note_stop);
+  std::signal(SIGTERM, &note_stop);
+  std::signal(SIGUSR1, &note_checkpoint);
+}
+
+engine::Interrupt asked_by_signal() {
+  if (stop_asked != 0) return engine::Interrupt::stop;
+  if (checkpoint_asked == 0) return engine::Interrupt::none;
+  checkpoint_asked = 0;
+  return engine::Interrupt::checkpoint;
+}
+
+}  // namespace kusabi::run

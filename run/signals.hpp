@@ -1,0 +1,15 @@
+// What a signal asks of a running search: an end with everything kept, or a checkpoint.
+#pragma once
+
+#include "engine/options.hpp"
+
+namespace kusabi::run {
+
+/// From now on SIGINT and SIGTERM ask for an end (a second SIGINT ends the process at once), and
+/// SIGUSR1, which batch systems send before the time is up, asks for a checkpoint.
+void heed_signals();
+
+/// What has been asked for; a checkpoint is told once. Fits Options::interrupt.
+engine::Interrupt asked_by_signal();
+
+}  // namespace kusabi::run
