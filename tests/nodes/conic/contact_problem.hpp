@@ -63,16 +63,28 @@ inline Masks random_masks(int m, std::mt19937_64& generator) {
   }
 }
 
-/// The largest t for which (r, t) meets the inequalities of the node program.
-inline double level(const ContactProblem& problem, Masks masks, const Eigen::VectorXd& r) {
+/// The largest t for which (r, t) meets the inequalities of the node program, a concave function.
+/// @param slope if not null, receives a supergradient of it at r
+inline double level(const ContactProblem& problem, Masks masks, const Eigen::VectorXd& r,
+                    Eigen::VectorXd* slope = nullptr) {
   const Eigen::VectorXd u = problem.compliance * r;
   double t = std::numeric_limits<double>::infinity();
   for (int i = 0; i < problem.candidates(); ++i) {
     const int at = problem.d * i;
-    if (!contains(masks.first, i)) t = std::min(t, u[at]);
-    if (!contains(masks.second, i))
-      t = std::min(t, problem.friction[static_cast<std::size_t>(i)] * r[at] -
-                          r.segment(at + 1, problem.d - 1).norm());
+    if (!contains(masks.first, i) && u[at] < t) {
+      t = u[at];
+      if (slope != nullptr) *slope = problem.compliance.row(at);
+    }
+    const double friction = problem.friction[static_cast<std::size_t>(i)];
+    const Eigen::VectorXd tangential = r.segment(at + 1, problem.d - 1);
+    const double margin = friction * r[at] - tangential.norm();
+    if (!contains(masks.second, i) && margin < t) {
+      t = margin;
+      if (slope == nullptr) continue;
+      slope->setZero(r.size());
+      (*slope)[at] = friction;
+      slope->segment(at + 1, problem.d - 1) = -tangential.normalized();
+    }
   }
   return t;
 }
