@@ -21,13 +21,15 @@ struct RankStatistics {
   std::uint64_t gifts_received = 0;  ///< times it was given some
   std::uint64_t gifts_sent = 0;      ///< times it gave some
   std::uint64_t nodes_given = 0;     ///< nodes in those
-  double idle_seconds = 0;           ///< time without an open node
+  double idle_seconds = 0;           ///< time without an open node, of which
+  double ramp_up_seconds = 0;        ///< before the first node
+  double tail_seconds = 0;           ///< after the last
   double seconds = 0;                ///< time from the start to the end of the search
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& opened& fingerprint& pruned& found& peak_open& requests& gifts_received& gifts_sent;
-    archive& nodes_given& idle_seconds& seconds;
+    archive& nodes_given& idle_seconds& ramp_up_seconds& tail_seconds& seconds;
   }
 };
 

@@ -46,10 +46,7 @@ Outcome<P> search(P& problem, Transport& transport, const Options& options = {})
     for (;;) {
       const Pace pace = worker.step();
       if (pace.state == Pace::State::done) return std::move(worker).outcome();
-      // Asking the system to sleep costs some 50 microseconds, however short the sleep.
-      if (pace.state == Pace::State::waiting && pace.wait > 50e-6) {
-        std::this_thread::sleep_for(std::chrono::duration<double>(pace.wait));
-      }
+      if (pace.sleeps()) std::this_thread::sleep_for(std::chrono::duration<double>(pace.wait));
     }
   } catch (const std::exception& error) {
     transport.abandon(error.what());

@@ -10,9 +10,10 @@ namespace kusabi::engine {
 namespace {
 
 // The first pause is about one round trip over shared memory; the last one is short beside what a
-// person notices and long beside what an answer costs the rank that is asked.
+// person notices and long beside what an answer costs the rank that is asked. (A rank that waits so
+// long has left its name with its lifelines, which bring work sooner.)
 constexpr double shortest_pause = 10e-6;
-constexpr double longest_pause = 1e-3;
+constexpr double longest_pause = 10e-3;
 
 }  // namespace
 
@@ -37,10 +38,12 @@ void Victims::gave(int victim) {
   favourite_ = victim;
   pause_ = shortest_pause;
   next_request_ = 0;
+  refusals_ = 0;
 }
 
 void Victims::refused(int victim, double now) {
   if (favourite_ == victim) favourite_ = -1;
+  ++refusals_;
   next_request_ = now + pause_;
   pause_ = std::min(2 * pause_, longest_pause);
 }

@@ -20,16 +20,24 @@ class Victims {
   [[nodiscard]] bool due(double now) const { return now >= next_request_; }
   [[nodiscard]] double next_request() const { return next_request_; }
 
+  /// Whether asking around has been in vain for some time.
+  [[nodiscard]] bool in_vain() const { return refusals_ >= patience; }
+
   void gave(int victim);
   void refused(int victim, double now);
 
  private:
+  // While most ranks have work, the first one asked gives; three refusals in a row tell that few
+  // have.
+  static constexpr unsigned patience = 3;
+
   int self_;
   int ranks_;
   std::uint64_t random_;
   int favourite_ = -1;
   double pause_;
   double next_request_ = 0;
+  unsigned refusals_ = 0;  // since the last gift
 };
 
 }  // namespace kusabi::engine

@@ -38,6 +38,7 @@
 
 #include "engine/checkpoint.hpp"
 #include "engine/explorer.hpp"
+#include "engine/lifelines.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
@@ -53,7 +54,12 @@ namespace kusabi::engine {
 /// What a worker wants after a step.
 struct Pace {
   enum class State { working, waiting, done } state = State::working;
-  double wait = 0;  ///< if waiting: seconds that nothing needs to be done for
+  double wait = 0;  ///< if waiting: seconds after which to step again
+
+  /// A wait shorter than this is not worth a sleep (which takes some 50 microseconds, however short
+  /// it is meant to be): better step again at once.
+  static constexpr double worth_a_sleep = 50e-6;
+  [[nodiscard]] bool sleeps() const { return state == State::waiting && wait >= worth_a_sleep; }
 };
 
 template <Problem P>
@@ -70,12 +76,14 @@ class Worker {
         options_(options),
         explorer_(problem, options.goal, [this] { poll(); }),
         stride_(std::max(1U, options.nodes_per_step)),
+        lifelines_(transport.rank(), transport.size()),
         started_(transport.now()),
         now_(started_),
         step_started_(started_),
         last_survey_(started_),
         last_checkpoint_(started_),
-        idle_since_(started_) {
+        idle_since_(started_),
+        quiet_since_(started_) {
     if (transport.size() > 1) victims_.emplace(transport.rank(), transport.size(), options.seed);
     if (!options.checkpoint.resume_from.empty()) {
       resume();
@@ -119,6 +127,18 @@ class Worker {
 
   /// Nodes opened on this rank so far.
   [[nodiscard]] std::uint64_t opened() { return explorer_.statistics().opened; }
+
+  /// Nodes waiting on this rank.
+  [[nodiscard]] std::uint64_t open() const { return explorer_.open(); }
+
+  /// A moment before which this rank, as long as it has nodes to open and nothing reaches it, sends
+  /// nothing and joins no survey.
+  [[nodiscard]] double quiet_until() const {
+    const bool may_speak_any_time = options_.goal != Goal::all || phase_ != Phase::searching ||
+                                    options_.limits.nodes != Limits{}.nodes;
+    if (may_speak_any_time) return now_;
+    return joined_ ? infinity : last_survey_ + options_.survey_interval;
+  }
 
   /// The outcome. @pre the last step said done
   Outcome<P> outcome() && {
@@ -178,7 +198,7 @@ class Worker {
     explorer_.open_nodes(stride_);
     worked_ = true;
     if (explorer_.just_improved()) tell(nobody);
-    if (!explorer_.has_nodes()) idle_since_ = transport_.now();
+    if (!explorer_.has_nodes()) idle_since_ = quiet_since_ = transport_.now();
   }
 
   // Messages should be looked at every 10 to 20 microseconds: seldom enough not to be felt with the
@@ -205,17 +225,23 @@ class Worker {
 
   void serve() {
     while (auto message = transport_.receive()) {
-      waits_ = 0;
+      quiet_since_ = now_;
       switch (message->tag) {
         case Tag::request:
           answer(message->from);
+          break;
+        case Tag::plea:
+          if (!answer(message->from)) lifelines_.remember(message->from);
           break;
         case Tag::gift:
           receive_gift(*message);
           break;
         case Tag::refusal:
-          asked_ = nobody;
-          victims_->refused(message->from, now_);
+          receive_refusal(message->from);
+          break;
+        case Tag::parcel:
+          lifelines_.served_by(message->from);
+          take_nodes(*message);
           break;
         case Tag::news:
           ++received_;
@@ -226,36 +252,65 @@ class Worker {
           break;
       }
     }
+    if (lifelines_.wanted() && can_give()) give(lifelines_.take(), Tag::parcel);
   }
 
-  void answer(int thief) {
-    if (phase_ != Phase::searching || !explorer_.can_give()) {
-      transport_.send(thief, Tag::refusal, {});
-      return;
-    }
+  [[nodiscard]] bool can_give() const { return phase_ == Phase::searching && explorer_.can_give(); }
+
+  // @return whether there was something to give
+  bool answer(int thief) {
+    const bool can = can_give();
+    can ? give(thief, Tag::gift) : transport_.send(thief, Tag::refusal, {});
+    return can;
+  }
+
+  void give(int thief, Tag tag) {
     const auto gift = explorer_.give(options_.message_bytes);
     auto& statistics = explorer_.statistics();
     ++statistics.gifts_sent;
     statistics.nodes_given += gift.nodes.size();
     ++sent_;
-    transport_.send(thief, Tag::gift, pack(gift));
+    transport_.send(thief, tag, pack(gift));
   }
 
+  // Asks around at first; when that was in vain, leaves its name with one lifeline after another,
+  // and asks around again now and then.
   void ask() {
-    if (!victims_ || asked_ != nobody || !victims_->due(now_)) return;
-    asked_ = victims_->choose();
+    if (!victims_ || asked_ != nobody) return;
+    const auto lifeline = victims_->in_vain() ? lifelines_.next() : std::nullopt;
+    if (!lifeline && !victims_->due(now_)) return;
+    pleaded_ = lifeline.has_value();
+    asked_ = lifeline ? *lifeline : victims_->choose();
     ++explorer_.statistics().requests;
-    transport_.send(asked_, Tag::request, {});
+    transport_.send(asked_, pleaded_ ? Tag::plea : Tag::request, {});
   }
 
   void receive_gift(const Message& message) {
-    assert(idle() && message.from == asked_);
+    assert(message.from == asked_);
     asked_ = nobody;
-    victims_->gave(message.from);
+    take_nodes(message);
+  }
+
+  void receive_refusal(int victim) {
+    assert(victim == asked_);
+    asked_ = nobody;
+    if (pleaded_) {
+      lifelines_.left_name_with(victim);
+    } else {
+      victims_->refused(victim, now_);
+    }
+  }
+
+  void take_nodes(const Message& message) {
     ++received_;
-    ++explorer_.statistics().gifts_received;
+    victims_->gave(message.from);
+    auto& statistics = explorer_.statistics();
+    if (idle()) {
+      statistics.idle_seconds += now_ - idle_since_;
+      if (statistics.opened == 0) statistics.ramp_up_seconds = now_ - idle_since_;
+    }
+    ++statistics.gifts_received;
     explorer_.take(unpack<Gift<Node>>(message.body));
-    explorer_.statistics().idle_seconds += now_ - idle_since_;
     worked_ = false;
   }
 
@@ -276,7 +331,7 @@ class Worker {
       const auto wave = transport_.survey();
       if (!wave) return;
       joined_ = false;
-      last_survey_ = now_;
+      last_survey_ = quiet_since_ = now_;
       last_wave_ = *wave;
       act_on(*wave);
       if (phase_ == Phase::closing) return;
@@ -460,7 +515,10 @@ class Worker {
   // ---- the end ----------------------------------------------------------------------------------
 
   void start_closing() {
-    if (idle()) explorer_.statistics().idle_seconds += now_ - idle_since_;
+    if (idle()) {
+      explorer_.statistics().tail_seconds = now_ - idle_since_;
+      explorer_.statistics().idle_seconds += now_ - idle_since_;
+    }
     phase_ = Phase::closing;
   }
 
@@ -515,16 +573,15 @@ class Worker {
 
   // ---- pace -------------------------------------------------------------------------------------
 
-  // A rank that waits looks again after a pause that doubles while nothing arrives: the core it
-  // sits on may have better things to do, and a millisecond is not missed.
-  Pace pace() {
+  // A rank that waits looks again after as long as nothing has happened so far: an answer is met at
+  // once, and in vain a rank looks ever less often. The core it sits on may have better things to
+  // do, and a millisecond is not missed.
+  [[nodiscard]] Pace pace() const {
     if (phase_ == Phase::done) return {Pace::State::done, 0};
     if (phase_ == Phase::searching && explorer_.has_nodes()) return {Pace::State::working, 0};
-    constexpr double first_wait = 1e-6;
-    constexpr unsigned doublings = 10;  // up to 1 ms
-    const double wait = first_wait * static_cast<double>(1U << waits_);
-    waits_ = std::min(waits_ + 1, doublings);
-    return {Pace::State::waiting, wait};
+    constexpr double shortest = 1e-6;
+    constexpr double longest = 1e-3;
+    return {Pace::State::waiting, std::clamp(now_ - quiet_since_, shortest, longest)};
   }
 
   static constexpr int nobody = -1;
@@ -539,7 +596,9 @@ class Worker {
   bool worked_ = false;  // the last step opened nodes, so its duration tells how long they take
 
   std::optional<Victims> victims_;
+  Lifelines lifelines_;
   int asked_ = nobody;
+  bool pleaded_ = false;        // and not only asked
   std::uint64_t sent_ = 0;      // gifts and news
   std::uint64_t received_ = 0;  // gifts and news
 
@@ -562,7 +621,7 @@ class Worker {
   double last_survey_;
   double last_checkpoint_;
   double idle_since_;
-  unsigned waits_ = 0;
+  double quiet_since_;  // no message, no survey, no node opened
 };
 
 }  // namespace kusabi::engine

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace kusabi::engine {
 
@@ -40,12 +41,15 @@ Transport& SimulatedNetwork::transport(int rank) {
   return *transports_[static_cast<std::size_t>(rank)];
 }
 
-double SimulatedNetwork::step_duration(std::uint64_t opened) {
-  // Even a step that opens nothing takes a moment, or an idle rank would stop the clock.
-  constexpr double least = 0.1e-6;
-  const double stall =
-      std::bernoulli_distribution(weather_.stall_probability)(random_) ? weather_.stall : 0.0;
-  return least + weather_.node * static_cast<double>(opened) + stall;
+// Even a step that opens nothing takes a moment, or an idle rank would stop the clock.
+double SimulatedNetwork::step_duration(int rank, double work) {
+  const auto handled = std::exchange(ranks_[static_cast<std::size_t>(rank)].handled, 0U);
+  double duration = least_step + work + weather_.handling * handled;
+  if (weather_.stall_probability > 0 &&
+      std::bernoulli_distribution(weather_.stall_probability)(random_)) {
+    duration += weather_.stall;
+  }
+  return duration;
 }
 
 // Log-normal: most messages are on time, one in a thousand is twenty times late.
@@ -62,16 +66,20 @@ void SimulatedNetwork::send(int from, int to, Tag tag, Bytes body) {
   arrival = std::max(arrival, std::nextafter(channel, HUGE_VAL));
   channel = arrival;
   mailbox.parcels.push_back({arrival, {from, tag, std::move(body)}});
+  notices_.push_back({arrival, to});
+  ++ranks_[static_cast<std::size_t>(from)].handled;
 }
 
 std::optional<Message> SimulatedNetwork::receive(int rank) {
-  auto& parcels = ranks_[static_cast<std::size_t>(rank)].parcels;
+  auto& mine = ranks_[static_cast<std::size_t>(rank)];
+  auto& parcels = mine.parcels;
   const auto first = std::min_element(parcels.begin(), parcels.end(),
                                       [](auto& a, auto& b) { return a.arrival < b.arrival; });
   if (first == parcels.end() || first->arrival > now_) return std::nullopt;
   auto message = std::move(first->message);
   if (first != parcels.end() - 1) *first = std::move(parcels.back());
   parcels.pop_back();
+  ++mine.handled;
   return message;
 }
 
@@ -83,9 +91,10 @@ void SimulatedNetwork::join_survey(int rank, const Survey& own) {
   wave_.merge(own);
   if (wave_.ranks < ranks_.size()) return;
   const double rounds = 1 + std::log2(static_cast<double>(ranks_.size()));
-  for (auto& each : ranks_) {
-    each.wave_result = wave_;
-    each.wave_done = now_ + rounds * delay();
+  for (std::size_t each = 0; each < ranks_.size(); ++each) {
+    ranks_[each].wave_result = wave_;
+    ranks_[each].wave_done = now_ + rounds * delay();
+    notices_.push_back({ranks_[each].wave_done, static_cast<int>(each)});
   }
   wave_ = Survey{};
 }

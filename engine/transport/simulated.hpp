@@ -12,6 +12,7 @@
 #include <memory>
 #include <random>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engine/transport/transport.hpp"
@@ -22,7 +23,8 @@ namespace kusabi::engine {
 struct Weather {
   double latency = 2e-6;         ///< mean delay of a message (its distribution has a long tail)
   double bandwidth = 1e10;       ///< bytes per second
-  double node = 1e-6;            ///< time to open a node
+  double node = 1e-6;            ///< time to open a node, unless the problem is Timed
+  double handling = 0;           ///< time that a rank spends on a message it sends or receives
   double stall = 1e-3;           ///< length of a stall
   double stall_probability = 0;  ///< of a stall at a step
 };
@@ -43,8 +45,21 @@ class SimulatedNetwork {
   [[nodiscard]] double now() const { return now_; }
   void advance(double time) { now_ = time; }
 
-  /// How long a step in which `opened` nodes were opened lasts.
-  double step_duration(std::uint64_t opened);
+  /// How long a step of this rank lasts in which it opened nodes for `work` seconds; counts the
+  /// messages that it handled since the last call.
+  double step_duration(int rank, double work);
+
+  /// No step is shorter.
+  static constexpr double least_step = 0.1e-6;
+
+  /// Something that a rank can know of from a moment on: a message, or a survey's result.
+  struct Notice {
+    double time;
+    int rank;
+  };
+
+  /// The notices that came up since the last call.
+  std::vector<Notice> take_notices() { return std::exchange(notices_, {}); }
 
   /// Messages sent and not received, and surveys joined and not fetched. 0 when all went well.
   [[nodiscard]] std::size_t in_flight() const;
@@ -65,6 +80,7 @@ class SimulatedNetwork {
     Survey wave_result;
     double wave_done = -1;  // virtual time, or -1: not known yet
     bool joined = false;
+    unsigned handled = 0;  // messages since the last step_duration
   };
 
   void send(int from, int to, Tag tag, Bytes body);
@@ -78,6 +94,7 @@ class SimulatedNetwork {
   double now_ = 0;
   std::vector<Mailbox> ranks_;
   std::vector<std::unique_ptr<SimulatedTransport>> transports_;
+  std::vector<Notice> notices_;
   Survey wave_;
   std::size_t largest_message_ = 0;
 };

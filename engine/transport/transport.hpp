@@ -15,8 +15,10 @@ namespace kusabi::engine {
 /// What a message is about.
 enum class Tag : int {
   request,  ///< an idle rank asks for nodes; empty
-  gift,     ///< nodes (answers a request)
-  refusal,  ///< none to spare (answers a request); empty
+  plea,     ///< the same, and not to be forgotten if there are none to spare now; empty
+  gift,     ///< nodes (answers a request or a plea)
+  refusal,  ///< none to spare (answers a request or a plea); empty
+  parcel,   ///< nodes for a rank that once pleaded
   news,     ///< a better solution is known
   report,   ///< solutions and statistics on their way to rank 0 at the end
 };

@@ -129,6 +129,27 @@ TEST(Simulation, TwoRanksShareTheWorkAndHalveTheTime) {
   EXPECT_GE(one.seconds / two.seconds, 1.8);
 }
 
+TEST(Simulation, WorkFindsTheRanksThatWaitForIt) {
+  // All but one of 256 ranks are asleep when a chain of a thousand nodes ends in a tree that gives
+  // each of them 128 nodes of a millisecond.
+  struct LateTree {
+    using Node = int;
+    using Solution = int;
+    Node root() const { return 1014; }
+    void expand(Node&& node, Expansion<LateTree>& out) {
+      if (node > 0) out.branch(node - 1);
+      if (node > 0 && node <= 14) out.branch(node - 1);
+    }
+  };
+  constexpr int ranks = 256;
+  const auto result = simulate(LateTree{}, ranks, 1, {.node = 1e-3});
+  const double nodes = static_cast<double>(result.outcome.opened()) - 1000;
+  const double ideal = nodes * 1e-3 / ranks;
+  EXPECT_GT(ideal, 0.12);
+  // A quarter more, for the ramp-up in a binary tree. Asking at random alone takes twice as long.
+  EXPECT_LT(result.seconds - 1, 1.25 * ideal);
+}
+
 TEST(Simulation, IdleRanksDoNotStormTheBusyOne) {
   // A path graph cannot be shared: one rank works, seven ask in vain for 10 ms.
   struct Chain {
