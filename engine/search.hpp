@@ -14,8 +14,8 @@
 //   engine::MpiTransport transport;
 //   auto outcome = engine::search(queens, transport);    // the same outcome, on rank 0
 //
-// tests/engine/queens.hpp is this example in full. How the ranks share the tree is told in
-// engine/worker.hpp and docs/architecture.md.
+// tests/engine/queens.hpp is this example in full, tests/install/colouring a project of its own.
+// How the ranks share the tree is told in engine/worker.hpp and docs/engine.md.
 #pragma once
 
 #include <chrono>
