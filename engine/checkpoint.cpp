@@ -1,13 +1,18 @@
 // Writing beside, syncing, renaming; and reading with suspicion.
 #include "engine/checkpoint.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <boost/crc.hpp>
 #include <fcntl.h>
@@ -22,6 +27,7 @@ constexpr const char* manifest_magic = "kusabi-checkpoint";
 constexpr const char* part_magic = "kusabi-checkpoint-part";
 constexpr int format_version = 1;
 constexpr const char* previous_suffix = ".previous";
+constexpr const char* beside_suffix = ".tmp";
 
 std::string previous(const std::string& file) {
   return file + previous_suffix;
@@ -45,6 +51,11 @@ std::string checksum(const std::string& header, const std::string& body) {
   throw CheckpointError(file + ": " + what);
 }
 
+fs::path folder_of(const std::string& name) {
+  const auto folder = fs::path(name).parent_path();
+  return folder.empty() ? "." : folder;
+}
+
 void sync(const std::string& name, int flags) {
   const int descriptor = open(name.c_str(), flags);
   const bool synced = descriptor >= 0 && fsync(descriptor) == 0;
@@ -52,28 +63,38 @@ void sync(const std::string& name, int flags) {
   if (!synced) fail(name, std::string("cannot be synced to the disk: ") + std::strerror(errno));
 }
 
-// Writes beside, syncs, renames, and syncs the folder, so that after a crash of the machine the
-// file is either the old one or the new one.
-void replace(const std::string& name, const std::string& content) {
-  const std::string beside = name + ".tmp";
+std::string beside(const std::string& name) {
+  return name + beside_suffix;
+}
+
+void write_beside(const std::string& name, const std::string& content) {
+  const auto other = beside(name);
   {
-    std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+    std::ofstream file(other, std::ios::binary | std::ios::trunc);
     file << content;
     file.flush();
-    if (!file) fail(beside, std::string("cannot be written: ") + std::strerror(errno));
+    if (!file) fail(other, std::string("cannot be written: ") + std::strerror(errno));
   }
-  sync(beside, O_RDONLY);
+  sync(other, O_RDONLY);
+}
+
+// The file that lies beside takes its place. The folder is synced, so that after a crash of the
+// machine the file is either the old one or the new one.
+void put_in_place(const std::string& name) {
   std::error_code error;
-  fs::rename(beside, name, error);
+  fs::rename(beside(name), name, error);
   if (error) fail(name, "cannot be put in place: " + error.message());
-  const auto folder = fs::path(name).parent_path();
-  sync(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
+  sync(folder_of(name).string(), O_RDONLY | O_DIRECTORY);
 }
 
 std::string content_of(const std::string& name) {
   std::ifstream file(name, std::ios::binary);
   if (!file) fail(name, std::string("cannot be read: ") + std::strerror(errno));
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  try {
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  } catch (const std::ios_base::failure&) {  // what opens and cannot be read: a folder, a bad disk
+    fail(name, std::string("cannot be read: ") + std::strerror(errno));
+  }
 }
 
 // Both kinds of file are a header line of words, the last of which is the checksum of all else, and
@@ -105,17 +126,43 @@ std::string with_checksum(const std::string& header, const std::string& body) {
   return header + " " + checksum(header, body) + "\n" + body;
 }
 
-void remove_with_parts(const std::string& manifest_file) {
-  // A failed clean-up must not end a long run: it leaves files behind, nothing worse.
+// The manifest, if there is one that can be read.
+std::optional<Manifest> readable_manifest(const std::string& manifest_file) {
   try {
-    const auto manifest = read_manifest(manifest_file);
-    std::error_code ignored;
-    for (int rank = 0; rank < manifest.ranks; ++rank) {
-      fs::remove(part_name(manifest_file, manifest.epoch, rank), ignored);
-    }
-    fs::remove(manifest_file, ignored);
+    return read_manifest(manifest_file);
   } catch (const CheckpointError&) {
+    return std::nullopt;
   }
+}
+
+// A number and what follows it.
+template <class Number>
+std::optional<std::pair<Number, std::string_view>> leading(std::string_view text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return std::nullopt;
+  return std::pair(number, text.substr(static_cast<std::size_t>(end - text.data())));
+}
+
+// The epoch and the rank of a part whose name is that of its checkpoint and `rest`.
+std::optional<std::pair<std::uint64_t, int>> part_of(std::string_view rest) {
+  if (!rest.starts_with('.')) return std::nullopt;
+  const auto epoch = leading<std::uint64_t>(rest.substr(1));
+  if (!epoch || !epoch->second.starts_with('.')) return std::nullopt;
+  const auto rank = leading<int>(epoch->second.substr(1));
+  if (!rank || !(rank->second.empty() || rank->second == beside_suffix)) return std::nullopt;
+  return std::pair(epoch->first, rank->first);
+}
+
+// Whether a file holds a part or, since its rank may have been killed while it wrote, the
+// beginning of one.
+bool begins_like_a_part(const fs::path& name) {
+  std::string expected = part_magic;
+  std::string found(expected.size(), '\0');
+  std::ifstream file(name, std::ios::binary);
+  file.read(found.data(), static_cast<std::streamsize>(found.size()));
+  found.resize(static_cast<std::size_t>(file.gcount()));
+  return file.is_open() && expected.starts_with(found);
 }
 
 // Reads all of a checkpoint and lets nothing wrong pass.
@@ -131,8 +178,9 @@ void write_part(const std::string& file, const Manifest& manifest, int rank, con
   std::ostringstream header;
   header << part_magic << ' ' << format_version << ' ' << manifest.problem << ' ' << manifest.epoch
          << ' ' << rank << ' ' << payload.size();
-  replace(part_name(file, manifest.epoch, rank),
-          with_checksum(header.str(), {payload.begin(), payload.end()}));
+  const auto name = part_name(file, manifest.epoch, rank);
+  write_beside(name, with_checksum(header.str(), {payload.begin(), payload.end()}));
+  put_in_place(name);
 }
 
 Bytes read_part(const std::string& manifest_file, const Manifest& manifest, int rank) {
@@ -150,16 +198,63 @@ Bytes read_part(const std::string& manifest_file, const Manifest& manifest, int 
   return {body.begin(), body.end()};
 }
 
-void commit(const std::string& file, const Manifest& manifest) {
+void commit(const std::string& file, const Manifest& manifest, std::uint64_t before) {
   std::ostringstream header;
   header << manifest_magic << ' ' << format_version << ' ' << manifest.problem << ' '
          << manifest.epoch << ' ' << manifest.ranks << ' ' << manifest.opened << ' '
          << manifest.fingerprint << ' ' << manifest.open;
-  remove_with_parts(previous(file));
+  write_beside(file, with_checksum(header.str(), ""));
+  // Until here nothing has changed. Only a checkpoint known to be good may take the place of the
+  // previous one: a damaged FILE was passed over for it, and may not be there at all.
+  const auto there = readable_manifest(file);
+  if (there && there->epoch == before) {
+    std::error_code error;
+    fs::rename(file, previous(file), error);
+    if (error) fail(file, "cannot be kept as the previous one: " + error.message());
+  }
+  put_in_place(file);
+  remove_leftovers(file);
+}
+
+void remove_leftovers(const std::string& file) {
+  // A failed clean-up must not end a long run: it leaves files behind, nothing worse.
+  std::vector<Manifest> kept;
+  for (const auto& name : {file, previous(file)}) {
+    std::error_code ignored;
+    const auto manifest = readable_manifest(name);
+    if (manifest) {
+      kept.push_back(*manifest);
+    } else if (fs::exists(name, ignored)) {
+      return;  // which parts are its own cannot be told
+    }
+  }
+  const auto listed = [&](std::uint64_t epoch, int rank) {
+    return std::any_of(kept.begin(), kept.end(), [&](const Manifest& manifest) {
+      return epoch == manifest.epoch && rank < manifest.ranks;
+    });
+  };
+  const auto base = fs::path(file).filename().string();
+  std::vector<fs::path> leftovers;
   std::error_code error;
-  if (fs::exists(file)) fs::rename(file, previous(file), error);
-  if (error) fail(file, "cannot be kept as the previous one: " + error.message());
-  replace(file, with_checksum(header.str(), ""));
+  for (fs::directory_iterator entry(folder_of(file), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const auto name = entry->path().filename().string();
+    if (!name.starts_with(base)) continue;
+    const auto part = part_of(std::string_view(name).substr(base.size()));
+    if (!part) continue;
+    const bool half_written = name.ends_with(beside_suffix);
+    if (!half_written && listed(part->first, part->second)) continue;
+    if (begins_like_a_part(entry->path())) leftovers.push_back(entry->path());
+  }
+  for (const auto& name : leftovers) fs::remove(name, error);
+}
+
+std::uint64_t newest_epoch(const std::string& file) {
+  std::uint64_t newest = 0;
+  for (const auto& name : {file, previous(file)}) {
+    if (const auto manifest = readable_manifest(name)) newest = std::max(newest, manifest->epoch);
+  }
+  return newest;
 }
 
 Manifest read_manifest(const std::string& manifest_file) {

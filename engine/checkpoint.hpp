@@ -43,10 +43,21 @@ void write_part(const std::string& file, const Manifest& manifest, int rank, con
 /// @throws CheckpointError if it is not there, not of this checkpoint, or damaged
 Bytes read_part(const std::string& manifest_file, const Manifest& manifest, int rank);
 
-/// Makes the epoch count: the manifest there is becomes FILE.previous, the one before goes with its
-/// parts, and this one takes its place. Call when all parts are written.
-/// @throws CheckpointError
-void commit(const std::string& file, const Manifest& manifest);
+/// Makes the epoch count: the manifest there is becomes FILE.previous, and this one takes its
+/// place. What neither of the two lists goes. Call when all parts are written.
+/// @param before the epoch that was last found good or made to count, 0 if none. A manifest of
+///   another epoch is not kept as FILE.previous; the one that is, is.
+/// @throws CheckpointError; then the checkpoint of epoch `before` still counts
+void commit(const std::string& file, const Manifest& manifest, std::uint64_t before);
+
+/// Removes parts, also half-written ones, that neither FILE nor FILE.previous lists: those of runs
+/// that were killed and of epochs that failed. Call when no rank is writing. Never throws a
+/// CheckpointError.
+void remove_leftovers(const std::string& file);
+
+/// The greatest epoch that FILE or FILE.previous lists, with good parts or not; 0 if neither can be
+/// read. A new epoch must be greater: its parts would otherwise mix with older ones.
+std::uint64_t newest_epoch(const std::string& file);
 
 /// @throws CheckpointError if it is not there, no manifest, or damaged
 Manifest read_manifest(const std::string& manifest_file);

@@ -90,6 +90,7 @@ class Worker {
     } else if (transport.rank() == 0) {
       explorer_.plant();
     }
+    if (keeps_checkpoints()) epoch_ = std::max(epoch_, newest_epoch(options.checkpoint.file));
   }
 
   Worker(const Worker&) = delete;
@@ -487,10 +488,12 @@ class Worker {
     if ((wave.wishes & wish_failed) != 0) {
       warn("a part of checkpoint " + std::to_string(epoch_) + " could not be written; " +
            "the one before still counts");
+      remove_leftovers(options_.checkpoint.file);
       return;
     }
     try {
-      commit(options_.checkpoint.file, manifest(wave));
+      commit(options_.checkpoint.file, manifest(wave), good_epoch_);
+      good_epoch_ = epoch_;
     } catch (const CheckpointError& error) {
       warn(error.what());
     }
@@ -503,7 +506,7 @@ class Worker {
   void resume() {
     const auto& file = options_.checkpoint.resume_from;
     const auto found = read_manifest(file);
-    epoch_ = found.epoch;
+    epoch_ = good_epoch_ = found.epoch;
     // As many ranks as there were, or fewer, or more: parts are dealt round, ranks without one ask.
     for (int part = transport_.rank(); part < found.ranks; part += transport_.size()) {
       auto saved = unpack<Saved>(read_part(file, found, part));
@@ -608,7 +611,8 @@ class Worker {
   bool joined_ = false;
   Survey last_wave_;
 
-  std::uint64_t epoch_ = 0;
+  std::uint64_t epoch_ = 0;       // of the last checkpoint written, good or not
+  std::uint64_t good_epoch_ = 0;  // the last that counts, as far as rank 0 knows
   bool failed_ = false;
 
   std::vector<RankReport<P>> earlier_;
