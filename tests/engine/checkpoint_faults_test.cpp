@@ -1,6 +1,5 @@
 // Whatever goes wrong with the files of a checkpoint, at whatever moment, one that is whole and
 // unmixed stays; and what a failure leaves behind is cleared away.
-#include <array>
 #include <bit>
 #include <csignal>
 #include <cstdlib>
@@ -8,6 +7,8 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 using examples::RandomTree;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 constexpr std::uint64_t problem = 42;

@@ -48,7 +48,7 @@ Run shell(const std::string& line) {
 }
 
 std::string ranks(int count) {
-  // The settings of mpi_tests/CMakeLists.txt: root, more ranks than cores, no pinning.
+  // The settings of cmake/KusabiTest.cmake: root, more ranks than cores, no pinning.
   return fmt::format(
       "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
       "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
@@ -288,6 +288,68 @@ TEST_F(Command, StopsAtALimitAndGoesOnFromItsCheckpoint) {
   const auto resumed = shell(ranks(3) + call + quoted(rest) + " --restart " + argument("state"));
   EXPECT_EQ(resumed.exit_code, 0) << resumed.output;
   EXPECT_EQ(without_statistics(rest), without_statistics(whole));
+}
+
+// The truss of examples/two-bars.toml so many times over, one not knowing of the other. At a
+// friction of 3 each may wedge or not, so all choices but "none does" are wedged or, where the
+// margin of the whole is that of a free node, marginal; each makes a leaf, and the tree twice as
+// many nodes.
+std::string many_wedges(int count) {
+  std::string nodes;
+  std::string bars[2];
+  std::string supports;
+  std::string tips;
+  for (int i = 0; i < count; ++i) {
+    nodes += fmt::format("left{0} = [0.0, {1}.0]\ntop{0} = [1.0, {2}.0]\ntip{0} = [1.0, {1}.0]\n",
+                         i, 10 * i, 10 * i + 1);
+    bars[0] += fmt::format("['left{0}', 'tip{0}'],", i);
+    bars[1] += fmt::format("['top{0}', 'tip{0}'],", i);
+    supports += fmt::format("'left{0}', 'top{0}',", i);
+    tips += fmt::format("'tip{0}',", i);
+  }
+  return fmt::format(
+      "name = 'many'\ndimension = 2\nunits = {{length = 'm', force = 'kN'}}\n[nodes]\n{}"
+      "[[members]]\nEA = 1.0\nbetween = [{}]\n[[members]]\nEA = 3.0\nbetween = [{}]\n"
+      "[[supports]]\nnodes = [{}]\n[[contact]]\nnormal = [-1.0, 1.0]\nnodes = [{}]\n",
+      nodes, bars[0], bars[1], supports, tips);
+}
+
+TEST_F(Command, ASignalEndsItWithACheckpointToGoOnFrom) {
+  constexpr int count = 14;
+  std::ofstream(in_folder("many.toml")) << many_wedges(count);
+  const auto call = command + " patterns " + argument("many.toml") + " --mu 3 ";
+  for (const std::string signal : {"TERM", "INT"}) {
+    const auto state = in_folder(signal);
+    // Once there is a checkpoint the command heeds signals.
+    const auto stopped = shell(fmt::format(
+        "{{ {} --checkpoint {} --checkpoint-interval 0.02 >{} & p=$!;"
+        "   while [ ! -e {} ] && kill -0 $p; do sleep 0.01; done; kill -{} $p; wait $p; }}",
+        call, quoted(state), argument("table"), quoted(state), signal));
+    EXPECT_EQ(stopped.exit_code, 3) << stopped.output;
+    EXPECT_THAT(stopped.output, HasSubstr("stopped early (interrupted)"));
+    const auto file = in_folder(signal + ".json");
+    const auto resumed = shell(fmt::format("{} {} --quiet --restart {} --output {}", ranks(2), call,
+                                           quoted(state), quoted(file)));
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.output;
+    const auto result = nlohmann::json::parse(content(file))["result"];
+    EXPECT_EQ(result["count"].get<int>() + result["marginal"].get<int>(), (1 << count) - 1);
+  }
+}
+
+TEST_F(Command, SIGUSR1AsksForACheckpointAndTheSearchGoesOn) {
+  std::ofstream(in_folder("many.toml")) << many_wedges(17);
+  const auto state = in_folder("state");
+  // It heeds signals from just after it has said what it does.
+  const auto run = shell(fmt::format(
+      "{{ {} patterns {} --mu 3 --checkpoint {} >{} 2>{} & p=$!;"
+      "   while [ ! -s {} ] && kill -0 $p; do sleep 0.01; done; sleep 0.2; kill -USR1 $p;"
+      "   while [ ! -e {} ] && kill -0 $p; do sleep 0.01; done; kill -TERM $p; wait $p; }}",
+      command, argument("many.toml"), quoted(state), argument("table"), argument("log"),
+      argument("log"), quoted(state)));
+  EXPECT_EQ(run.exit_code, 3) << content(in_folder("log"));
+  // The first asked for by SIGUSR1, the second at the end: it had gone on.
+  EXPECT_THAT(files(),
+              testing::IsSupersetOf({"state", "state.previous", "state.1.0", "state.2.0"}));
 }
 
 TEST_F(Command, HelpsAndTellsItsVersion) {

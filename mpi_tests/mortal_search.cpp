@@ -1,0 +1,181 @@
+// A search that keeps checkpoints, and that can be told when to die or to send itself a signal:
+// what kill_restart_test.cpp starts, kills and starts again. Goes on from the checkpoint if there
+// is one.
+//
+//   mortal_search STATE RESULT SECONDS [EVENT:RANK:COUNT]
+//
+// STATE is the checkpoint, "-" for none, SECONDS its interval. RESULT receives the outcome when the
+// whole tree is done: one text, the same for all runs. EVENT is what rank RANK does to itself:
+//   node      is killed when it opens its COUNT-th node
+//   disk      is killed at its COUNT-th call of fsync or rename
+//   term, int, usr1    sends itself the signal when it opens its COUNT-th node
+//
+// Exit codes: 0 done, 2 the checkpoint is refused, 3 stopped by a signal.
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include <fcntl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include "engine/checkpoint.hpp"
+#include "engine/search.hpp"
+#include "engine/transport/mpi.hpp"
+#include "run/signals.hpp"
+
+namespace {
+
+namespace engine = kusabi::engine;
+
+struct Event {
+  std::string kind;
+  int rank = -1;
+  std::uint64_t count = 0;  // 0: never
+};
+
+Event planned;  // for this rank
+std::uint64_t disk_calls = 0;
+
+Event parsed(const std::string& text) {
+  std::istringstream words(text);
+  Event event;
+  char colon = 0;
+  std::getline(words, event.kind, ':');
+  words >> event.rank >> colon >> event.count;
+  return event;
+}
+
+void die_at_disk_call() {
+  if (planned.kind == "disk" && ++disk_calls == planned.count) std::raise(SIGKILL);
+}
+
+void happen_at_node(std::uint64_t opened) {
+  if (opened != planned.count) return;
+  if (planned.kind == "node") std::raise(SIGKILL);
+  if (planned.kind == "term") std::raise(SIGTERM);
+  if (planned.kind == "int") std::raise(SIGINT);
+  if (planned.kind == "usr1") std::raise(SIGUSR1);
+}
+
+}  // namespace
+
+// The engine's calls come here instead of to the C library: each is a moment to die at.
+extern "C" int fsync(int descriptor) {
+  die_at_disk_call();
+  return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
+extern "C" int rename(const char* from, const char* to) noexcept {
+  die_at_disk_call();
+  return renameat(AT_FDCWD, from, AT_FDCWD, to);
+}
+
+namespace {
+
+// A random tree of 193,480 nodes of some ten microseconds each (counted in rounds, not by a clock),
+// uneven as real ones are. Every solution and every node leaves a trace in the result.
+class Tree {
+ public:
+  struct Node {
+    std::uint64_t state = 0;
+    std::uint32_t depth = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& state& depth;
+    }
+  };
+  using Solution = std::uint64_t;
+  using Tally = std::uint64_t;
+
+  Node root() const { return {engine::branch_hash(2, 0), 0}; }
+
+  void expand(Node&& node, engine::Expansion<Tree>& out) {
+    happen_at_node(++opened_);
+    work_ += work(node.state);
+    const auto children = node.depth == deepest ? 0 : node.depth < 3 ? 3 : (node.state >> 40U) & 3U;
+    for (std::uint32_t child = 0; child < children; ++child) {
+      out.branch({engine::branch_hash(node.state, child), node.depth + 1});
+    }
+    if (children == 0 && (node.state & 63U) == 0) out.solution(node.state);
+  }
+
+  /// A sum over the opened nodes that does not come from the engine's own book-keeping.
+  Tally tally() const { return work_; }
+
+ private:
+  static constexpr std::uint32_t deepest = 22;
+
+  static std::uint64_t work(std::uint64_t state) {
+    for (std::uint32_t round = 0; round < 1500; ++round) state = engine::branch_hash(state, round);
+    return state;
+  }
+
+  std::uint64_t opened_ = 0;
+  std::uint64_t work_ = 0;
+};
+
+void write(const std::string& name, const engine::Outcome<Tree>& outcome) {
+  std::uint64_t work = 0;
+  for (const auto& report : outcome.earlier) work += report.tally;
+  for (const auto& report : outcome.ranks) work += report.tally;
+  std::ofstream file(name);
+  file << "opened " << outcome.opened() << "\nfingerprint " << outcome.fingerprint() << "\nwork "
+       << work << "\nsolutions " << outcome.solutions.size() << '\n';
+  for (const auto& found : outcome.solutions) {
+    for (const auto branch : found.path) file << branch << '.';
+    file << ' ' << found.solution << '\n';
+  }
+  if (!file.flush()) std::abort();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 4) return EXIT_FAILURE;
+  const std::string state = argv[1];
+  std::unique_ptr<engine::MpiEnvironment> mpi;
+  std::unique_ptr<engine::Transport> transport = std::make_unique<engine::SingleProcess>();
+  if (engine::MpiEnvironment::launched()) {
+    mpi = std::make_unique<engine::MpiEnvironment>(argc, argv);
+    transport = std::make_unique<engine::MpiTransport>();
+  }
+
+  engine::Options options;
+  options.survey_interval = 2e-3;
+  options.interrupt = kusabi::run::asked_by_signal;
+  options.warn = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  if (state != "-") {
+    options.checkpoint.file = state;
+    options.checkpoint.interval = std::atof(argv[3]);
+    options.checkpoint.problem = 22;
+    if (engine::checkpoint_exists(state)) {
+      // Every rank looks for itself: the files do not change before all ranks search.
+      try {
+        std::string warning;
+        options.checkpoint.resume_from =
+            engine::usable_checkpoint(state, options.checkpoint.problem, warning);
+      } catch (const engine::CheckpointError& error) {
+        std::fprintf(stderr, "refused: %s\n", error.what());
+        return 2;
+      }
+    }
+    // Whom a killer from outside may choose.
+    std::ofstream(state + ".pid." + std::to_string(transport->rank())) << getpid();
+  }
+  if (argc > 4) planned = parsed(argv[4]);
+  if (planned.rank != transport->rank()) planned = {};
+  kusabi::run::heed_signals();
+
+  Tree tree;
+  const auto outcome = engine::search(tree, *transport, options);
+  const bool done = outcome.status == engine::Status::solved;
+  if (done && transport->rank() == 0) write(argv[2], outcome);
+  transport.reset();  // before MPI ends
+  return done ? EXIT_SUCCESS : 3;
+}
