@@ -46,7 +46,10 @@ struct Progress {
   std::uint64_t found = 0;   ///< solutions
   double closed = 0;         ///< share of the tree that is done, 0 to 1
   std::uint64_t idle = 0;    ///< ranks without work
+  std::uint64_t ranks = 1;   ///< all ranks
   double objective = std::numeric_limits<double>::infinity();  ///< of the best solution so far
+  double bound = -std::numeric_limits<double>::infinity();     ///< least of the nodes that wait
+                                                               ///< (but for nodes on their way)
 };
 
 struct Options {
@@ -65,6 +68,9 @@ struct Options {
 
   /// Upper limit, in bytes, that the engine aims at for one message.
   std::size_t message_bytes = std::size_t{64} * 1024;
+
+  /// Events that each rank keeps for a trace (Outcome::traces); 0: no trace. The same on all ranks.
+  std::size_t trace_events = 0;
 
   /// Called on rank 0 after each survey.
   std::function<void(const Progress&)> progress;

@@ -7,6 +7,7 @@
 
 #include "engine/expansion.hpp"
 #include "engine/problem.hpp"
+#include "engine/trace.hpp"
 
 namespace kusabi::engine {
 
@@ -21,6 +22,7 @@ struct RankStatistics {
   std::uint64_t gifts_received = 0;  ///< times it was given some
   std::uint64_t gifts_sent = 0;      ///< times it gave some
   std::uint64_t nodes_given = 0;     ///< nodes in those
+  std::uint64_t messages_sent = 0;   ///< requests, gifts, refusals, news; not the report at the end
   double idle_seconds = 0;           ///< time without an open node, of which
   double ramp_up_seconds = 0;        ///< before the first node
   double tail_seconds = 0;           ///< after the last
@@ -29,7 +31,7 @@ struct RankStatistics {
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& opened& fingerprint& pruned& found& peak_open& requests& gifts_received& gifts_sent;
-    archive& nodes_given& idle_seconds& ramp_up_seconds& tail_seconds& seconds;
+    archive& nodes_given& messages_sent& idle_seconds& ramp_up_seconds& tail_seconds& seconds;
   }
 };
 
@@ -75,6 +77,10 @@ struct Outcome {
 
   /// Those of the runs that this one continued from a checkpoint.
   std::vector<RankReport<P>> earlier;
+
+  /// What happened when, in the order of the ranks and on one time axis; on rank 0, and empty
+  /// unless `Options::trace_events` asks for it.
+  std::vector<RankTrace> traces;
 
   /// Nodes opened on all ranks, earlier runs included.
   [[nodiscard]] std::uint64_t opened() const {

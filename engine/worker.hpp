@@ -45,6 +45,7 @@
 #include "engine/relay.hpp"
 #include "engine/survey.hpp"
 #include "engine/termination.hpp"
+#include "engine/trace.hpp"
 #include "engine/transport/transport.hpp"
 #include "engine/victims.hpp"
 #include "engine/wire.hpp"
@@ -91,6 +92,7 @@ class Worker {
       explorer_.plant();
     }
     if (keeps_checkpoints()) epoch_ = std::max(epoch_, newest_epoch(options.checkpoint.file));
+    if (options.trace_events > 0) begin_trace();
   }
 
   Worker(const Worker&) = delete;
@@ -107,6 +109,9 @@ class Worker {
     }
     serve();
     switch (phase_) {
+      case Phase::gathering:
+        gather();
+        break;
       case Phase::searching:
         if (idle()) ask();
         [[fallthrough]];
@@ -118,7 +123,7 @@ class Worker {
         close();
         break;
       case Phase::reporting:
-        if (transport_.rank() != 0 || reports_in_ == transport_.size() - 1) phase_ = Phase::done;
+        if (transport_.rank() != 0 || reports_in_ == transport_.size() - 1) enter(Phase::done);
         break;
       case Phase::done:
         break;
@@ -154,22 +159,30 @@ class Worker {
     reports_.resize(transport_.rank() == 0 ? static_cast<std::size_t>(transport_.size()) : 1);
     reports_.front() = own_report();
     outcome.ranks = std::move(reports_);
+    if (trace_) {
+      traces_.resize(outcome.ranks.size());
+      traces_.front() = trace_->take();
+      align_clocks(traces_);
+    }
+    outcome.traces = std::move(traces_);
     return outcome;
   }
 
  private:
-  enum class Phase { searching, pausing, writing, closing, reporting, done };
+  enum class Phase { gathering, searching, pausing, writing, closing, reporting, done };
 
-  // A part of a rank's report: some solutions, and with the last part the rest.
+  // A part of a rank's report: some solutions, then some of the trace, and with the last part the
+  // rest.
   struct ReportPart {
     std::vector<Found<P>> found;
+    RankTrace trace;
     bool last = false;
     RankReport<P> rank;
     std::vector<RankReport<P>> earlier;
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
-      archive& found& last;
+      archive& found& trace& last;
       if (last) archive& rank& earlier;
     }
   };
@@ -193,6 +206,11 @@ class Worker {
     return idle() || (pausing && !explorer_.expanding());
   }
 
+  void enter(Phase phase) {
+    phase_ = phase;
+    record_activity();
+  }
+
   // ---- opening nodes ----------------------------------------------------------------------------
 
   void open_nodes() {
@@ -200,6 +218,7 @@ class Worker {
     worked_ = true;
     if (explorer_.just_improved()) tell(nobody);
     if (!explorer_.has_nodes()) idle_since_ = quiet_since_ = transport_.now();
+    record_activity();
   }
 
   // Messages should be looked at every 10 to 20 microseconds: seldom enough not to be felt with the
@@ -256,12 +275,17 @@ class Worker {
     if (lifelines_.wanted() && can_give()) give(lifelines_.take(), Tag::parcel);
   }
 
+  void send(int to, Tag tag, Bytes body) {
+    ++explorer_.statistics().messages_sent;
+    transport_.send(to, tag, std::move(body));
+  }
+
   [[nodiscard]] bool can_give() const { return phase_ == Phase::searching && explorer_.can_give(); }
 
   // @return whether there was something to give
   bool answer(int thief) {
     const bool can = can_give();
-    can ? give(thief, Tag::gift) : transport_.send(thief, Tag::refusal, {});
+    can ? give(thief, Tag::gift) : send(thief, Tag::refusal, {});
     return can;
   }
 
@@ -271,7 +295,8 @@ class Worker {
     ++statistics.gifts_sent;
     statistics.nodes_given += gift.nodes.size();
     ++sent_;
-    transport_.send(thief, tag, pack(gift));
+    record(TraceEvent::Kind::gift_sent, thief, gift.nodes.size());
+    send(thief, tag, pack(gift));
   }
 
   // Asks around at first; when that was in vain, leaves its name with one lifeline after another,
@@ -283,7 +308,8 @@ class Worker {
     pleaded_ = lifeline.has_value();
     asked_ = lifeline ? *lifeline : victims_->choose();
     ++explorer_.statistics().requests;
-    transport_.send(asked_, pleaded_ ? Tag::plea : Tag::request, {});
+    record(TraceEvent::Kind::request_sent, asked_);
+    send(asked_, pleaded_ ? Tag::plea : Tag::request, {});
   }
 
   void receive_gift(const Message& message) {
@@ -295,6 +321,7 @@ class Worker {
   void receive_refusal(int victim) {
     assert(victim == asked_);
     asked_ = nobody;
+    record(TraceEvent::Kind::refusal_arrived, victim);
     if (pleaded_) {
       lifelines_.left_name_with(victim);
     } else {
@@ -312,16 +339,19 @@ class Worker {
     }
     ++statistics.gifts_received;
     explorer_.take(unpack<Gift<Node>>(message.body));
+    record(TraceEvent::Kind::gift_arrived, message.from, explorer_.open());
+    record_activity();
     worked_ = false;
   }
 
   // Passes the incumbent on to the neighbours in the relay tree, but not back to where it is from.
   void tell(int source) {
+    if (source == nobody) record(TraceEvent::Kind::improved);
     const auto body = pack(explorer_.incumbent());
     for (const int neighbour : relay_neighbours(transport_.rank(), transport_.size())) {
       if (neighbour == source) continue;
       ++sent_;
-      transport_.send(neighbour, Tag::news, body);
+      send(neighbour, Tag::news, body);
     }
   }
 
@@ -334,6 +364,7 @@ class Worker {
       joined_ = false;
       last_survey_ = quiet_since_ = now_;
       last_wave_ = *wave;
+      record(TraceEvent::Kind::survey_arrived, nobody, wave->idle);
       act_on(*wave);
       if (phase_ == Phase::closing) return;
     }
@@ -362,6 +393,7 @@ class Worker {
       own.opened += report.statistics.opened;
       own.fingerprint += report.statistics.fingerprint;
     }
+    record(TraceEvent::Kind::survey_joined);
     transport_.join_survey(own);
   }
 
@@ -388,7 +420,7 @@ class Worker {
           start_closing();
         } else if (status_ != Status::solved ||
                    ((wave.wishes & wish_checkpoint) != 0 && keeps_checkpoints())) {
-          phase_ = Phase::pausing;
+          enter(Phase::pausing);
           termination_ = {};
         }
         break;
@@ -442,7 +474,7 @@ class Worker {
   }
 
   void go_on() {
-    phase_ = Phase::searching;
+    enter(Phase::searching);
     termination_ = {};
     worked_ = false;
   }
@@ -454,7 +486,9 @@ class Worker {
                        .found = wave.found,
                        .closed = std::min(1.0, wave.closed),
                        .idle = wave.idle,
-                       .objective = wave.objective});
+                       .ranks = wave.ranks,
+                       .objective = wave.objective,
+                       .bound = wave.bound});
   }
 
   // ---- checkpoints ------------------------------------------------------------------------------
@@ -469,6 +503,7 @@ class Worker {
   }
 
   void write_checkpoint(const Survey& wave) {
+    enter(Phase::writing);
     ++epoch_;
     Saved saved{explorer_.state(), earlier_};
     saved.reports.push_back(own_report());
@@ -478,7 +513,6 @@ class Worker {
       warn(error.what());
       failed_ = true;
     }
-    phase_ = Phase::writing;
   }
 
   // The wave after the parts were written: it counts if no rank failed.
@@ -522,7 +556,7 @@ class Worker {
       explorer_.statistics().tail_seconds = now_ - idle_since_;
       explorer_.statistics().idle_seconds += now_ - idle_since_;
     }
-    phase_ = Phase::closing;
+    enter(Phase::closing);
   }
 
   // The last survey is complete when no rank waits for an answer any more and none will ask again.
@@ -533,8 +567,9 @@ class Worker {
     }
     if (!joined_ || !transport_.survey()) return;
     explorer_.statistics().seconds = now_ - started_;
+    if (trace_) trace_->end(transport_.now());
     if (transport_.rank() != 0) send_report();
-    phase_ = Phase::reporting;
+    enter(Phase::reporting);
   }
 
   RankReport<P> own_report() {
@@ -557,6 +592,7 @@ class Worker {
       part.found.push_back(std::move(found));
     }
     explorer_.found().clear();
+    if (trace_) send_trace(part);
     part.last = true;
     part.rank = own_report();
     part.earlier = earlier_;
@@ -567,11 +603,71 @@ class Worker {
     auto part = unpack<ReportPart>(message.body);
     auto& found = explorer_.found();
     std::move(part.found.begin(), part.found.end(), std::back_inserter(found));
+    if (!part.trace.events.empty()) receive_trace(message.from, part.trace);
     if (!part.last) return;
     std::move(part.earlier.begin(), part.earlier.end(), std::back_inserter(earlier_));
     reports_.resize(static_cast<std::size_t>(transport_.size()));
     reports_[static_cast<std::size_t>(message.from)] = std::move(part.rank);
     ++reports_in_;
+  }
+
+  // ---- the trace --------------------------------------------------------------------------------
+
+  // A survey precedes the search, so that clocks can be compared (engine/trace.hpp).
+  void begin_trace() {
+    trace_.emplace(options_.trace_events);
+    phase_ = Phase::gathering;
+    trace_->join(transport_.now());
+    transport_.join_survey({.ranks = 1});
+  }
+
+  void gather() {
+    if (!transport_.survey()) return;
+    now_ = last_survey_ = idle_since_ = quiet_since_ = transport_.now();
+    trace_->begin(now_);
+    enter(Phase::searching);
+  }
+
+  void record(TraceEvent::Kind kind, int peer = nobody, std::uint64_t value = 0) {
+    if (!trace_) return;
+    trace_->record({.time = transport_.now(),
+                    .value = value,
+                    .open = explorer_.open(),
+                    .peer = peer,
+                    .kind = kind});
+  }
+
+  void record_activity() {
+    if (trace_) record(activity());
+  }
+
+  [[nodiscard]] TraceEvent::Kind activity() const {
+    if (explorer_.expanding()) return TraceEvent::Kind::busy;
+    switch (phase_) {
+      case Phase::pausing:
+        return TraceEvent::Kind::pausing;
+      case Phase::writing:
+        return TraceEvent::Kind::writing;
+      case Phase::gathering:
+      case Phase::searching:
+        return idle() ? TraceEvent::Kind::idle : TraceEvent::Kind::busy;
+      default:
+        return TraceEvent::Kind::closing;
+    }
+  }
+
+  // Sends what `part` holds and then the trace, but for the last piece, which stays in `part`.
+  void send_trace(ReportPart& part) {
+    for (auto& piece : trace_->take().pieces(options_.message_bytes / sizeof(TraceEvent) + 1)) {
+      transport_.send(0, Tag::report, pack(part));
+      part.found.clear();
+      part.trace = std::move(piece);
+    }
+  }
+
+  void receive_trace(int from, const RankTrace& piece) {
+    traces_.resize(static_cast<std::size_t>(transport_.size()));
+    traces_[static_cast<std::size_t>(from)].append(piece);
   }
 
   // ---- pace -------------------------------------------------------------------------------------
@@ -584,6 +680,8 @@ class Worker {
     if (phase_ == Phase::searching && explorer_.has_nodes()) return {Pace::State::working, 0};
     constexpr double shortest = 1e-6;
     constexpr double longest = 1e-3;
+    // A short wait, spent awake: clocks are to be compared as closely as may be.
+    if (phase_ == Phase::gathering) return {Pace::State::waiting, shortest};
     return {Pace::State::waiting, std::clamp(now_ - quiet_since_, shortest, longest)};
   }
 
@@ -614,6 +712,9 @@ class Worker {
   std::uint64_t epoch_ = 0;       // of the last checkpoint written, good or not
   std::uint64_t good_epoch_ = 0;  // the last that counts, as far as rank 0 knows
   bool failed_ = false;
+
+  std::optional<TraceRecorder> trace_;
+  std::vector<RankTrace> traces_;  // of all ranks, on rank 0
 
   std::vector<RankReport<P>> earlier_;
   std::vector<RankReport<P>> reports_;

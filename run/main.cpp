@@ -71,6 +71,8 @@ int run(Session& session, int argc, char** argv) {
       ->capture_default_str();
   patterns_command->add_option("--restart", options.restart,
                                "go on from this checkpoint, on any number of ranks");
+  patterns_command->add_option("--trace", options.trace,
+                               "write what each rank did when to this file, for ui.perfetto.dev");
   patterns_command->add_flag("--quiet", options.quiet, "print errors only");
   patterns_command->add_flag("--serial", serial, "run in this process alone, without MPI")
       ->disable_flag_override();

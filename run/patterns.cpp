@@ -17,10 +17,12 @@
 #include "problems/fingerprint.hpp"
 #include "problems/structure_file.hpp"
 #include "run/exit_code.hpp"
+#include "run/output_file.hpp"
 #include "run/patterns_report.hpp"
 #include "run/progress_line.hpp"
 #include "run/result_file.hpp"
 #include "run/signals.hpp"
+#include "run/trace_file.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -95,9 +97,11 @@ void tell_what_is_left(const PatternsOptions& options, const std::string& checkp
 
 int patterns(Session& session, const PatternsOptions& options) {
   std::optional<ResultFile> result_file;
+  std::optional<OutputFile> trace_file;
   const std::string text = session.on_first_rank([&] {
     auto content = problems::file_text(options.file);
     result_file.emplace(options.output, options.file);
+    trace_file.emplace("--trace", options.trace, options.file);
     return content;
   });
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
@@ -113,11 +117,12 @@ int patterns(Session& session, const PatternsOptions& options) {
   checkpoint.problem = tree_fingerprint(problem, options);
   checkpoint.resume_from = restart_from(session, options, checkpoint.problem);
   search_options.interrupt = asked_by_signal;
+  if (!options.trace.empty()) search_options.trace_events = trace_events_a_rank(session.ranks());
   search_options.warn = warn;
   std::optional<ProgressLine> progress;
   if (session.speaks() && !options.quiet) {
     announce(options, problem, session.ranks());
-    progress.emplace();
+    progress.emplace(search_options.goal);
     search_options.progress = [&](const auto& state) { progress->show(state); };
   }
   heed_signals();
@@ -130,7 +135,13 @@ int patterns(Session& session, const PatternsOptions& options) {
     if (!options.quiet) fmt::print("{}", report.table());
     if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
     result_file->write(report.json());
-    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", options.output);
+    if (trace_file->wanted()) {
+      write_trace(trace_file->stream(), outcome.traces);
+      trace_file->put_in_place();
+    }
+    for (const auto& file : {options.output, options.trace}) {
+      if (!file.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", file);
+    }
     if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
   }
   return whole ? solved : stopped_early;

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/rank_table.hpp"
+
 namespace kusabi::run {
 namespace {
 
@@ -79,14 +81,7 @@ ordered_json rank_reports(const std::vector<engine::RankReport<nodes::SignPatter
   auto list = ordered_json::array();
   for (const auto& [statistics, tally] : reports) {
     ordered_json rank = tally_json(tally);
-    rank["opened"] = statistics.opened;
-    rank["peak_open"] = statistics.peak_open;
-    rank["requests"] = statistics.requests;
-    rank["gifts_received"] = statistics.gifts_received;
-    rank["gifts_sent"] = statistics.gifts_sent;
-    rank["nodes_given"] = statistics.nodes_given;
-    rank["idle_seconds"] = statistics.idle_seconds;
-    rank["seconds"] = statistics.seconds;
+    add_statistics(rank, statistics);
     list.push_back(std::move(rank));
   }
   return list;
@@ -174,30 +169,14 @@ std::string PatternsReport::table() const {
                    tally.undecided);
   }
 
-  fmt::format_to(out, "\n{:<6} {:>10} {:>7} {:>10} {:>10} {:>8} {:>9} {:>11} {:>7} {:>9}\n", "rank",
-                 "opened", "share", "branched", "pruned", "found", "marginal", "iterations",
-                 "gifts", "seconds");
-  const auto opened = outcome.opened();
-  const auto row = [&](const std::string& name, std::uint64_t nodes,
-                       const nodes::SignPatternTally& its, std::uint64_t gifts, double seconds) {
-    const double share = 100 * static_cast<double>(nodes) / static_cast<double>(opened);
-    fmt::format_to(out, "{:<6} {:>10} {:>5.1f} % {:>10} {:>10} {:>8} {:>9} {:>11} {:>7} {:>9.3f}\n",
-                   name, nodes, share, its.branched, its.dead, its.found,
-                   its.marginal + its.undecided + its.doubtful, its.iterations, gifts, seconds);
+  RankTable ranks({"branched", "pruned", "found", "marginal", "iterations"});
+  const auto own = [](const nodes::SignPatternTally& its) {
+    return std::vector<std::uint64_t>{its.branched, its.dead, its.found,
+                                      its.marginal + its.undecided + its.doubtful, its.iterations};
   };
-  std::uint64_t gifts = 0;
-  double longest = 0;
-  for (std::size_t rank = 0; rank < outcome.ranks.size(); ++rank) {
-    const auto& [statistics, its] = outcome.ranks[rank];
-    row(std::to_string(rank), statistics.opened, its, statistics.gifts_received,
-        statistics.seconds);
-    gifts += statistics.gifts_received;
-    longest = std::max(longest, statistics.seconds);
-  }
-  for (const auto& [statistics, its] : outcome.earlier) {
-    row("before", statistics.opened, its, statistics.gifts_received, statistics.seconds);
-  }
-  if (outcome.ranks.size() + outcome.earlier.size() > 1) row("all", opened, tally, gifts, longest);
+  for (const auto& rank : outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
+  for (const auto& rank : outcome.earlier) ranks.add_earlier(rank.statistics, own(rank.tally));
+  text += '\n' + ranks.text();
   return text;
 }
 

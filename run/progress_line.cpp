@@ -1,56 +1,72 @@
-// The bar and the table row.
+// When a line is due, and where it goes.
 #include "run/progress_line.hpp"
 
 #include <cstdio>
-#include <string>
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace kusabi::run {
 namespace {
 
-// In seconds: short searches should not flicker, long ones not fill the log.
+// In seconds. Surveys come in bursts when ranks are idle; a guess wants some distance in time.
+constexpr double sample_interval = 0.1;
 constexpr double bar_interval = 0.2;
-constexpr double row_interval = 2.0;
 constexpr unsigned long rows_a_page = 30;
 
-std::string bar(double share) {
-  constexpr int width = 24;
-  const auto full = static_cast<int>(share * width);
-  return fmt::format("[{:#<{}}{:.<{}}]", "", full, "", width - full);
+// Asked each time: windows change. The last column stays free, or some terminals begin a new line.
+std::size_t terminal_width() {
+  constexpr std::size_t usual = 80;
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual - 1;
+  return size.ws_col - 1U;
 }
 
 }  // namespace
 
-ProgressLine::ProgressLine()
-    : terminal_(isatty(STDERR_FILENO) != 0), next_(terminal_ ? bar_interval : row_interval) {}
+ProgressLine::ProgressLine(engine::Goal goal)
+    : terminal_(isatty(STDERR_FILENO) != 0),
+      next_line_(terminal_ ? bar_interval : row_interval(0)) {
+  state_.minimising = goal == engine::Goal::best;
+}
 
 ProgressLine::~ProgressLine() {
   if (bar_shown_) fmt::print(stderr, "\r\033[K");  // the result follows; the bar has done its work
 }
 
 void ProgressLine::show(const engine::Progress& progress) {
-  if (progress.seconds < next_) return;
-  next_ = progress.seconds + (terminal_ ? bar_interval : row_interval);
-  terminal_ ? show_bar(progress) : show_row(progress);
+  const double opened = static_cast<double>(progress.opened);
+  if (progress.seconds >= next_sample_) {
+    next_sample_ = progress.seconds + sample_interval;
+    remaining_.observe(progress.seconds, progress.closed);
+    if (shown_opened_ < 0) {  // a search that goes on has opened nodes before
+      shown_opened_ = opened;
+      shown_seconds_ = progress.seconds;
+    }
+  }
+  if (progress.seconds < next_line_) return;
+  const double elapsed = progress.seconds - shown_seconds_;
+  if (elapsed > 0) state_.nodes_per_second = (opened - shown_opened_) / elapsed;
+  shown_opened_ = opened;
+  shown_seconds_ = progress.seconds;
+  state_.progress = progress;
+  state_.remaining = remaining_.seconds();
+  next_line_ = progress.seconds + (terminal_ ? bar_interval : row_interval(progress.seconds));
+  terminal_ ? show_bar() : show_row();
   std::fflush(stderr);
 }
 
-void ProgressLine::show_bar(const engine::Progress& progress) {
+void ProgressLine::show_bar() {
   bar_shown_ = true;
-  fmt::print(stderr, "\r\033[K{} {:5.1f} %  {} found  {} nodes  {} open  {:.0f} s",
-             bar(progress.closed), 100 * progress.closed, progress.found, progress.opened,
-             progress.open, progress.seconds);
+  fmt::print(stderr, "\r\033[K{}", progress_bar(state_, terminal_width()));
 }
 
-void ProgressLine::show_row(const engine::Progress& progress) {
+void ProgressLine::show_row() {
   if (rows_++ % rows_a_page == 0) {
-    fmt::print(stderr, "{:>8} {:>12} {:>8} {:>8} {:>6} {:>8}\n", "time", "nodes", "open", "found",
-               "idle", "done");
+    fmt::print(stderr, "{}\n", progress_header(state_.minimising));
   }
-  fmt::print(stderr, "{:>6.0f} s {:>12} {:>8} {:>8} {:>6} {:>6.1f} %\n", progress.seconds,
-             progress.opened, progress.open, progress.found, progress.idle, 100 * progress.closed);
+  fmt::print(stderr, "{}\n", progress_row(state_));
 }
 
 }  // namespace kusabi::run

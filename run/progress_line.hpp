@@ -3,12 +3,14 @@
 #pragma once
 
 #include "engine/options.hpp"
+#include "run/progress_text.hpp"
+#include "run/remaining_time.hpp"
 
 namespace kusabi::run {
 
 class ProgressLine {
  public:
-  ProgressLine();
+  explicit ProgressLine(engine::Goal goal);
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
@@ -16,11 +18,16 @@ class ProgressLine {
   void show(const engine::Progress& progress);
 
  private:
-  void show_bar(const engine::Progress& progress);
-  void show_row(const engine::Progress& progress);
+  void show_bar();
+  void show_row();
 
   bool terminal_;
-  double next_;
+  ProgressState state_;
+  RemainingTime remaining_;
+  double next_sample_ = 0;
+  double next_line_;
+  double shown_seconds_ = 0;
+  double shown_opened_ = -1;  // -1: nothing seen yet
   unsigned long rows_ = 0;
   bool bar_shown_ = false;
 };

@@ -1,20 +1,12 @@
-// Writing beside and renaming, and a layout that a person can read.
+// A layout that a person can read.
 #include "run/result_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <stdexcept>
-
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include "run/session.hpp"
+#include <ostream>
 
 namespace kusabi::run {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 bool holds_objects(const ordered_json& value) {
@@ -49,46 +41,14 @@ void lay_out(std::ostream& out, const ordered_json& value, const std::string& in
 
 }  // namespace
 
-ResultFile::ResultFile(const std::string& name, const std::string& input) {
-  if (name.empty()) return;
-  const auto refuse = [&](const std::string& why) {
-    throw WrongInput(fmt::format("--output {}: {}", name, why));
-  };
-  std::error_code error;
-  const auto kind = fs::status(name, error).type();
-  if (kind == fs::file_type::directory) refuse("is a folder, expected a file name");
-  if (kind == fs::file_type::not_found || kind == fs::file_type::regular) {
-    place_ = fs::weakly_canonical(name, error);
-    if (error) refuse(error.message());
-    if (fs::equivalent(place_, input, error)) refuse("is the problem file itself");
-    beside_ = place_;
-    beside_ += fmt::format(".{}.tmp", getpid());
-    if (fs::exists(beside_, error)) refuse(beside_.string() + " is in the way");
-  } else {
-    place_ = name;  // a device or a pipe, whose real name nobody can open
-  }
-  file_.open(beside_.empty() ? place_ : beside_, std::ios::binary | std::ios::trunc);
-  if (!file_) refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
-}
-
-ResultFile::~ResultFile() {
-  if (beside_.empty()) return;
-  std::error_code nothing_to_be_done;
-  fs::remove(beside_, nothing_to_be_done);
-}
+ResultFile::ResultFile(const std::string& name, const std::string& input)
+    : file_("--output", name, input) {}
 
 void ResultFile::write(const ordered_json& result) {
-  if (place_.empty()) return;
-  lay_out(file_, result, "");
-  file_ << '\n';
-  file_.close();
-  if (!file_) {
-    throw std::runtime_error(
-        fmt::format("{}: could not be written in full; is the disk full?", place_.string()));
-  }
-  if (beside_.empty()) return;
-  fs::rename(beside_, place_);
-  beside_.clear();
+  if (!file_.wanted()) return;
+  lay_out(file_.stream(), result, "");
+  file_.stream() << '\n';
+  file_.put_in_place();
 }
 
 }  // namespace kusabi::run

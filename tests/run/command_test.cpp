@@ -192,6 +192,7 @@ TEST_F(Command, RefusesWrongCalls) {
       good + " --nonsense",
       good + " --tolerance 0",
       good + " --output /nowhere/at/all.json",
+      good + " --trace /nowhere/at/all.json",
       good + " --output " + quoted(folder_.string()),
       good + " --serial=false",
       good + " --node-limit 0",
@@ -350,6 +351,33 @@ TEST_F(Command, SIGUSR1AsksForACheckpointAndTheSearchGoesOn) {
   // The first asked for by SIGUSR1, the second at the end: it had gone on.
   EXPECT_THAT(files(),
               testing::IsSupersetOf({"state", "state.previous", "state.1.0", "state.2.0"}));
+}
+
+TEST_F(Command, WritesATraceOfAllRanksAndTheSameResult) {
+  const std::string call = command + " patterns " + truss + " --mu 1.0 --quiet --output ";
+  const auto plain = in_folder("plain.json");
+  ASSERT_EQ(shell(call + quoted(plain)).exit_code, 0);
+  const auto file = in_folder("result.json");
+  const auto trace = in_folder("trace.json");
+  for (int count = 1; count <= 2; ++count) {
+    const auto run = shell(ranks(count) + call + quoted(file) + " --trace " + quoted(trace));
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_EQ(without_statistics(file), without_statistics(plain));
+    const auto events = nlohmann::json::parse(content(trace))["traceEvents"];
+    std::vector<double> work_ends(static_cast<std::size_t>(count), 0);
+    for (const auto& event : events) {
+      ASSERT_LT(event["pid"], count);
+      if (event["ph"] != "X" || event["tid"] != 0) continue;
+      auto& end = work_ends[event["pid"].get<std::size_t>()];
+      // Times are written to the nanosecond; their sums are rounded.
+      constexpr double rounding = 1e-3;
+      EXPECT_GE(event["ts"].get<double>(), end - rounding);
+      EXPECT_GE(event["dur"].get<double>(), 0);
+      end = event["ts"].get<double>() + event["dur"].get<double>();
+    }
+    for (const double end : work_ends) EXPECT_GT(end, 0);
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"plain.json", "result.json", "trace.json"}));
 }
 
 TEST_F(Command, HelpsAndTellsItsVersion) {

@@ -1,0 +1,116 @@
+// What an idle rank costs, and how soon it is awake: rank 0 works alone, two seconds of CPU time on
+// a chain that cannot be shared, and then has plenty to give. Until then the other ranks, which ask
+// in vain, must leave their cores to others: their CPU time is a small part of that of rank 0. (And
+// not of the wall time: where others crowd the machine, a rank that spins gets little of that as
+// well.)
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include <mpi.h>
+#include <sys/resource.h>
+
+#include "engine/search.hpp"
+#include "engine/transport/mpi.hpp"
+
+namespace {
+
+using kusabi::engine::Expansion;
+
+// A core's own time, which a busy machine cannot stretch.
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void work(double seconds) {
+  const double end = cpu_seconds() + seconds;
+  while (cpu_seconds() < end) {
+  }
+}
+
+// A chain of 2000 nodes of a millisecond; its last node has 400 children of a tenth of one.
+class ChainThenBush {
+ public:
+  using Node = int;
+  using Solution = int;
+
+  static constexpr int length = 2000;
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  // The wall and CPU time of this rank when the chain ended (rank 0) or when it opened its first
+  // node (the others). Ranks of one machine have one clock.
+  double first_seen = never;
+  double first_seen_cpu = never;
+
+  Node root() const { return 0; }
+
+  void expand(Node&& node, Expansion<ChainThenBush>& out) {
+    if (node < length) {
+      work(1e-3);
+      out.branch(node + 1);
+    } else if (node == length) {
+      note();
+      for (int child = 0; child < 400; ++child) out.branch(length + 1);
+    } else {
+      note();
+      work(1e-4);
+    }
+  }
+
+ private:
+  void note() {
+    if (first_seen < never) return;
+    first_seen = wall_seconds();
+    first_seen_cpu = cpu_seconds();
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const kusabi::engine::MpiEnvironment mpi(argc, argv);
+  kusabi::engine::MpiTransport transport;
+  ChainThenBush tree;
+  MPI_Barrier(MPI_COMM_WORLD);
+  const double start = wall_seconds();
+  const double start_cpu = cpu_seconds();
+  const auto outcome = kusabi::engine::search(tree, transport);
+  // A rank that got nothing was idle to the end.
+  const double idle_until = std::min(tree.first_seen, wall_seconds());
+  const double idle_until_cpu = std::min(tree.first_seen_cpu, cpu_seconds());
+
+  const double own[]{idle_until, idle_until - start, idle_until_cpu - start_cpu,
+                     static_cast<double>(outcome.ranks.front().statistics.requests)};
+  constexpr int figures = 4;
+  const auto ranks = static_cast<std::size_t>(transport.size());
+  std::vector<double> all(figures * ranks);
+  MPI_Gather(static_cast<const double*>(own), figures, MPI_DOUBLE, all.data(), figures, MPI_DOUBLE,
+             0, MPI_COMM_WORLD);
+  if (transport.rank() != 0) return 0;
+
+  // Some 2 to 5 % is usual, and a rank that spins takes as much as one that works.
+  constexpr double most = 0.20;
+  bool good = true;
+  for (std::size_t rank = 1; rank < ranks; ++rank) {
+    const double* const its = all.data() + figures * rank;
+    const double share = its[2] / all[2];
+    std::printf(
+        "rank %zu: idle for %.2f s, of which %.3f s on a core (%.1f %% of rank 0's), %.0f "
+        "requests; "
+        "awake %.2f ms after the first node to share\n",
+        rank, its[1], its[2], 100 * share, its[3], 1e3 * (its[0] - all[0]));
+    good = good && all[2] > 1.9 && share < most;
+  }
+  return good ? 0 : 1;
+}

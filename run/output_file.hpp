@@ -1,0 +1,39 @@
+// A file that the command writes: beside its place and renamed, so that a reader never sees half of
+// one, and opened before the work begins, so that a wrong name costs a second and not a night.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace kusabi::run {
+
+class OutputFile {
+ public:
+  /// Opens a file beside `name`, or `name` itself if it is a device or a pipe. A link is followed.
+  /// An empty name: nothing will be written.
+  /// @param option the option of the command that names it, for messages
+  /// @param input the problem file, which must not be the same
+  /// @throws WrongInput if it cannot be written
+  OutputFile(const std::string& option, const std::string& name, const std::string& input);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();  ///< leaves nothing behind unless the file is in its place
+
+  [[nodiscard]] bool wanted() const { return !place_.empty(); }
+
+  /// Where to write to. @pre wanted()
+  [[nodiscard]] std::ostream& stream() { return file_; }
+
+  /// Closes the file and puts it into its place.
+  /// @pre wanted()
+  /// @throws std::runtime_error if the disk is full, or the like.
+  void put_in_place();
+
+ private:
+  std::filesystem::path place_;
+  std::filesystem::path beside_;  // empty: the place is written to directly
+  std::ofstream file_;
+};
+
+}  // namespace kusabi::run

@@ -1,0 +1,126 @@
+// Columns and their widths.
+#include "run/progress_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace kusabi::run {
+namespace {
+
+// Never rounded up to 100: the last open node may hold half of the work.
+std::string percent(double share) {
+  const double rounded_down = std::floor(std::clamp(share, 0.0, 1.0) * 1000) / 10;
+  return fmt::format("{:.1f} %", rounded_down);
+}
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-";
+}
+
+std::string idle(const engine::Progress& progress) {
+  return fmt::format("{}/{}", progress.idle, progress.ranks);
+}
+
+// No bound is above the objective: what lies above it is not looked at.
+double bound(const engine::Progress& progress) {
+  return std::min(progress.bound, progress.objective);
+}
+
+}  // namespace
+
+std::string duration(std::optional<double> seconds) {
+  if (!seconds || !(*seconds >= 0)) return "?";
+  constexpr double minute = 60;
+  constexpr double hour = 60 * minute;
+  constexpr double day = 24 * hour;
+  if (*seconds >= 99.5 * day) return "> 99 d";
+  const auto whole = std::llround(*seconds);
+  if (*seconds >= day) return fmt::format("{} d {:02} h", whole / 86400, whole / 3600 % 24);
+  if (whole >= 3600) {
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+  }
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string count(double value) {
+  constexpr double as_it_is = 99'999.5;
+  if (!(value >= 0)) return "-";
+  if (value < as_it_is) return fmt::format("{:.0f}", value);
+  for (const char unit : {'k', 'M', 'G', 'T', 'P'}) {
+    value /= 1000;
+    if (value < 9.995) return fmt::format("{:.2f}{}", value, unit);
+    if (value < 99.95) return fmt::format("{:.1f}{}", value, unit);
+    if (value < 999.5) return fmt::format("{:.0f}{}", value, unit);
+  }
+  return "many";
+}
+
+std::string gap(double objective, double bound) {
+  if (!std::isfinite(objective) || !std::isfinite(bound)) return "-";
+  const double difference = std::max(0.0, objective - bound);
+  if (difference == 0) return "0 %";
+  const double share = 100 * difference / std::abs(objective);
+  return share < 999.5 ? fmt::format("{:.3g} %", share) : "> 999 %";
+}
+
+std::string progress_header(bool minimising) {
+  const std::string common =
+      fmt::format("{:>9} {:>7} {:>7} {:>7}", "time", "nodes", "per s", "open");
+  const std::string answer = minimising
+                                 ? fmt::format(" {:>12} {:>12} {:>7}", "objective", "bound", "gap")
+                                 : fmt::format(" {:>7}", "found");
+  return fmt::format("{}{} {:>9} {:>7} {:>9}", common, answer, "idle", "done", "left");
+}
+
+std::string progress_row(const ProgressState& state) {
+  const auto& progress = state.progress;
+  const std::string common =
+      fmt::format("{:>9} {:>7} {:>7} {:>7}", duration(progress.seconds),
+                  count(static_cast<double>(progress.opened)), count(state.nodes_per_second),
+                  count(static_cast<double>(progress.open)));
+  const std::string answer =
+      state.minimising
+          ? fmt::format(" {:>12} {:>12} {:>7}", number(progress.objective), number(bound(progress)),
+                        gap(progress.objective, bound(progress)))
+          : fmt::format(" {:>7}", count(static_cast<double>(progress.found)));
+  return fmt::format("{}{} {:>9} {:>7} {:>9}", common, answer, idle(progress),
+                     percent(progress.closed), duration(state.remaining));
+}
+
+std::string progress_bar(const ProgressState& state, std::size_t width) {
+  constexpr int bar_width = 20;
+  const auto& progress = state.progress;
+  const auto full = static_cast<int>(std::clamp(progress.closed, 0.0, 1.0) * bar_width);
+  std::vector<std::string> fields{
+      percent(progress.closed),
+      duration(state.remaining) + " left",
+      state.minimising ? fmt::format("best {}, gap {}", number(progress.objective),
+                                     gap(progress.objective, bound(progress)))
+                       : count(static_cast<double>(progress.found)) + " found",
+      duration(progress.seconds),
+      count(static_cast<double>(progress.opened)) + " nodes",
+      count(state.nodes_per_second) + "/s",
+      count(static_cast<double>(progress.open)) + " open",
+  };
+  if (progress.ranks > 1) fields.push_back(idle(progress) + " idle");
+  std::string line = fmt::format("[{:#<{}}{:.<{}}]", "", full, "", bar_width - full);
+  if (line.size() > width) line.clear();
+  for (const auto& field : fields) {
+    const std::string separator = line.empty() ? "" : "  ";
+    if (line.size() + separator.size() + field.size() > width) break;
+    line += separator + field;
+  }
+  return line;
+}
+
+double row_interval(double seconds) {
+  if (seconds < 20) return 2;
+  if (seconds < 120) return 10;
+  if (seconds < 7200) return 60;
+  return 600;
+}
+
+}  // namespace kusabi::run
