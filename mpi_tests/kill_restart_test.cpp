@@ -122,10 +122,11 @@ TEST_F(KillRestart, TwentyKillsChangeNothing) {
   const auto between = [&](std::uint64_t low, std::uint64_t high) {
     return std::uniform_int_distribution<std::uint64_t>(low, high)(random);
   };
-  // A rank dies after 5,000 nodes at the latest, so that 24 deaths come long before the end of a
-  // tree of 193,480 even if all that was done in between is kept.
+  // Whatever else is planned, every rank dies at its 3,500th node, also if another that should have
+  // died before gets no turn on a busy machine. So 24 deaths on one, two and three ranks in turn
+  // come before the end of a tree of 193,480 nodes even if all that was done in between is kept.
   constexpr int deaths = 24;
-  constexpr std::uint64_t most_nodes = 5000;
+  constexpr std::uint64_t most_nodes = 3500;
   int kills = 0;
   int kept = 0;  // kills after which more was on the disk than before
   int from_outside = 0;
@@ -134,20 +135,19 @@ TEST_F(KillRestart, TwentyKillsChangeNothing) {
     const int ranks = 1 + attempt % 3;
     const auto victim = between(0, static_cast<std::uint64_t>(ranks - 1));
     const auto who = ":" + std::to_string(victim) + ":";
-    std::string event;
+    std::string event = "node:-1:" + std::to_string(most_nodes) + " ";
     std::function<void(pid_t)> killer = [](pid_t) {};
     const auto before = engine::newest_epoch(state_);
     switch (attempt / 3 % 4) {
       case 0:
-        event = "node" + who + std::to_string(between(1000, most_nodes));
+        event += "node" + who + std::to_string(between(500, most_nodes));
         break;
       case 1:
       case 2:
         // Rank 0 makes seven calls for one checkpoint, the others three.
-        event = "disk" + who + std::to_string(victim == 0 ? between(1, 21) : between(1, 9));
+        event += "disk" + who + std::to_string(victim == 0 ? between(1, 21) : between(1, 9));
         break;
       default: {
-        event = "node" + who + std::to_string(most_nodes);  // if the killer is late
         const bool everybody = between(0, 1) == 1;
         const auto pause = std::chrono::microseconds(between(0, 30'000));
         killer = [&, everybody, pause, done = false](pid_t launcher) mutable {
@@ -164,15 +164,13 @@ TEST_F(KillRestart, TwentyKillsChangeNothing) {
       }
     }
     const int code = run(ranks, call("0.01", event), killer);
-    ASSERT_TRUE(code == killed || code == 0) << code << " " << event << "\n" << content(log());
-    if (code == 0) break;  // the end came first
+    ASSERT_EQ(code, killed) << event << "\n" << content(log());
     ++kills;
     sizes.insert(ranks);
     if (engine::newest_epoch(state_) > before) ++kept;
   }
   std::printf("%d kills, %d of them from outside; after %d more was kept than before\n", kills,
               from_outside, kept);
-  EXPECT_GE(kills, 20);
   EXPECT_GE(kept, 5) << "hardly a checkpoint was written: this shows nothing";
   EXPECT_EQ(sizes.size(), 3U);
   ASSERT_FALSE(fs::exists(result_));

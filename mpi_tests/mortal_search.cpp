@@ -2,10 +2,11 @@
 // what kill_restart_test.cpp starts, kills and starts again. Goes on from the checkpoint if there
 // is one.
 //
-//   mortal_search STATE RESULT SECONDS [EVENT:RANK:COUNT]
+//   mortal_search STATE RESULT SECONDS [EVENT:RANK:COUNT]...
 //
 // STATE is the checkpoint, "-" for none, SECONDS its interval. RESULT receives the outcome when the
-// whole tree is done: one text, the same for all runs. EVENT is what rank RANK does to itself:
+// whole tree is done: one text, the same for all runs. EVENT is what rank RANK ("-1": each rank)
+// does to itself:
 //   node      is killed when it opens its COUNT-th node
 //   disk      is killed at its COUNT-th call of fsync or rename
 //   term, int, usr1    sends itself the signal when it opens its COUNT-th node
@@ -19,6 +20,8 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/syscall.h>
@@ -35,11 +38,11 @@ namespace engine = kusabi::engine;
 
 struct Event {
   std::string kind;
-  int rank = -1;
+  int rank = 0;
   std::uint64_t count = 0;  // 0: never
 };
 
-Event planned;  // for this rank
+std::vector<Event> planned;  // for this rank
 std::uint64_t disk_calls = 0;
 
 Event parsed(const std::string& text) {
@@ -52,15 +55,20 @@ Event parsed(const std::string& text) {
 }
 
 void die_at_disk_call() {
-  if (planned.kind == "disk" && ++disk_calls == planned.count) std::raise(SIGKILL);
+  ++disk_calls;
+  for (const auto& event : planned) {
+    if (event.kind == "disk" && event.count == disk_calls) std::raise(SIGKILL);
+  }
 }
 
 void happen_at_node(std::uint64_t opened) {
-  if (opened != planned.count) return;
-  if (planned.kind == "node") std::raise(SIGKILL);
-  if (planned.kind == "term") std::raise(SIGTERM);
-  if (planned.kind == "int") std::raise(SIGINT);
-  if (planned.kind == "usr1") std::raise(SIGUSR1);
+  for (const auto& event : planned) {
+    if (event.count != opened) continue;
+    if (event.kind == "node") std::raise(SIGKILL);
+    if (event.kind == "term") std::raise(SIGTERM);
+    if (event.kind == "int") std::raise(SIGINT);
+    if (event.kind == "usr1") std::raise(SIGUSR1);
+  }
 }
 
 }  // namespace
@@ -168,8 +176,10 @@ int main(int argc, char** argv) {
     // Whom a killer from outside may choose.
     std::ofstream(state + ".pid." + std::to_string(transport->rank())) << getpid();
   }
-  if (argc > 4) planned = parsed(argv[4]);
-  if (planned.rank != transport->rank()) planned = {};
+  for (int i = 4; i < argc; ++i) {
+    auto event = parsed(argv[i]);
+    if (event.rank == -1 || event.rank == transport->rank()) planned.push_back(std::move(event));
+  }
   kusabi::run::heed_signals();
 
   Tree tree;
