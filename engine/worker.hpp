@@ -295,7 +295,8 @@ class Worker {
     ++statistics.gifts_sent;
     statistics.nodes_given += gift.nodes.size();
     ++sent_;
-    record(TraceEvent::Kind::gift_sent, thief, gift.nodes.size());
+    record(tag == Tag::gift ? TraceEvent::Kind::gift_sent : TraceEvent::Kind::parcel_sent, thief,
+           gift.nodes.size());
     send(thief, tag, pack(gift));
   }
 
@@ -338,8 +339,11 @@ class Worker {
       if (statistics.opened == 0) statistics.ramp_up_seconds = now_ - idle_since_;
     }
     ++statistics.gifts_received;
-    explorer_.take(unpack<Gift<Node>>(message.body));
-    record(TraceEvent::Kind::gift_arrived, message.from, explorer_.open());
+    auto gift = unpack<Gift<Node>>(message.body);
+    record(message.tag == Tag::gift ? TraceEvent::Kind::gift_arrived
+                                    : TraceEvent::Kind::parcel_arrived,
+           message.from, gift.nodes.size());
+    explorer_.take(std::move(gift));
     record_activity();
     worked_ = false;
   }

@@ -98,11 +98,19 @@ class Writer {
         break;
       case Kind::gift_sent:
         instant(event, "gift sent", {{"to", event.peer}, {"nodes", event.value}});
-        arrow("s", event, rank_, event.peer);
+        arrow("s", "gift", event, rank_, event.peer);
         break;
       case Kind::gift_arrived:
         instant(event, "gift", {{"from", event.peer}, {"nodes", event.value}});
-        arrow("f", event, event.peer, rank_);
+        arrow("f", "gift", event, event.peer, rank_);
+        break;
+      case Kind::parcel_sent:
+        instant(event, "parcel sent", {{"to", event.peer}, {"nodes", event.value}});
+        arrow("s", "parcel", event, rank_, event.peer);
+        break;
+      case Kind::parcel_arrived:
+        instant(event, "parcel", {{"from", event.peer}, {"nodes", event.value}});
+        arrow("f", "parcel", event, event.peer, rank_);
         break;
       case Kind::improved:
         instant(event, "better solution", Json::object());
@@ -138,10 +146,10 @@ class Writer {
 
   // The n-th gift that leaves for a rank is the n-th that arrives there: messages of one kind
   // between two ranks do not overtake one another. So both ends come to the same number.
-  void arrow(const char* end, const TraceEvent& event, int from, int to) {
-    const auto number = ++gifts_[{from, to, *end}];
-    const auto id = arrows_.try_emplace({from, to, number}, arrows_.size() + 1).first->second;
-    auto line = begin(end, "gift", work_track, event.time);
+  void arrow(const char* end, const std::string& kind, const TraceEvent& event, int from, int to) {
+    const auto number = ++gifts_[{kind, from, to, *end}];
+    const auto id = arrows_.try_emplace({kind, from, to, number}, arrows_.size() + 1).first->second;
+    auto line = begin(end, kind, work_track, event.time);
     line["cat"] = "gift";
     line["id"] = id;
     put(line);
@@ -178,8 +186,8 @@ class Writer {
   const char* separator_ = "\n";
   int rank_ = 0;
   std::optional<std::uint64_t> open_;
-  std::map<std::tuple<int, int, char>, std::uint64_t> gifts_;
-  std::map<std::tuple<int, int, std::uint64_t>, std::uint64_t> arrows_;
+  std::map<std::tuple<std::string, int, int, char>, std::uint64_t> gifts_;
+  std::map<std::tuple<std::string, int, int, std::uint64_t>, std::uint64_t> arrows_;
 };
 
 }  // namespace

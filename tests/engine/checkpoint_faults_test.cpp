@@ -71,6 +71,12 @@ class CheckpointFaults : public testing::Test {
     warnings_.clear();
   }
 
+  // Puts in the files of a folder of tests/reference.
+  void copy_stored(const std::string& name) {
+    const fs::path stored = fs::path(KUSABI_SOURCE_DIR) / "tests" / "reference" / name;
+    for (const auto& entry : fs::directory_iterator(stored)) fs::copy(entry.path(), folder_);
+  }
+
   // Goes on from what is there, to the end or to so many nodes more.
   Outcome<RandomTree> go_on(Options choice, int ranks, std::uint64_t nodes = 0) {
     std::string passed_over;
@@ -248,11 +254,11 @@ TEST_F(CheckpointFaults, AnotherFormatVersionIsRefusedByNumber) {
   fs::remove(file_ + ".previous");
   for (const auto& name : {file_, part(read_manifest(file_).epoch, 2)}) {
     const auto good = content(name);
-    for (const std::string version : {"2", "0", "99"}) {
+    for (const std::string version : {"1", "0", "99"}) {
       auto bad = good;
-      bad.replace(bad.find(" 1 ") + 1, 1, version);
+      bad.replace(bad.find(" 2 ") + 1, 1, version);
       overwrite(name, bad);
-      EXPECT_EQ(refusal(), name + ": is of format version " + version + "; expected 1");
+      EXPECT_EQ(refusal(), name + ": is of format version " + version + "; expected 2");
     }
     overwrite(name, good);
   }
@@ -276,17 +282,19 @@ TEST_F(CheckpointFaults, AnyTruncationIsRefusedInOneLine) {
   EXPECT_THAT(refusal(), HasSubstr("accepted"));
 }
 
-// Files that somebody may have kept since. If this fails because the content of a part has changed,
+// Files that somebody may have kept since, written by a search of RandomTree(2, 16) on three ranks
+// that stopped at 3000 nodes. If the second test fails because the content of a part has changed,
 // the format version must change too, so that old files are refused by number and not misread.
-TEST_F(CheckpointFaults, AStoredOneOfFormatVersionOneLeadsToTheEnd) {
+TEST_F(CheckpointFaults, AStoredOneOfFormatVersionOneIsRefused) {
+  copy_stored("checkpoint-version-1");
+  EXPECT_EQ(refusal(), file_ + ": is of format version 1; expected 2");
+}
+
+TEST_F(CheckpointFaults, AStoredOneOfFormatVersionTwoLeadsToTheEnd) {
   if (std::endian::native != std::endian::little || sizeof(long) != 8) {
     GTEST_SKIP() << "parts are in the machine's own format; the stored ones are of x86-64";
   }
-  // Written by a search of RandomTree(2, 16) on three ranks that stopped at 3000 nodes.
-  for (const auto& entry :
-       fs::directory_iterator(KUSABI_SOURCE_DIR "/tests/reference/checkpoint-version-1")) {
-    fs::copy(entry.path(), folder_);
-  }
+  copy_stored("checkpoint-version-2");
   ASSERT_EQ(read_manifest(file_).ranks, 3);
   ASSERT_GE(read_manifest(file_).opened, 3000U);
   ASSERT_GT(read_manifest(file_).open, 0U);

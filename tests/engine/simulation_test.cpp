@@ -146,8 +146,8 @@ TEST(Simulation, WorkFindsTheRanksThatWaitForIt) {
   const double nodes = static_cast<double>(result.outcome.opened()) - 1000;
   const double ideal = nodes * 1e-3 / ranks;
   EXPECT_GT(ideal, 0.12);
-  // A quarter more, for the ramp-up in a binary tree. Asking at random alone takes twice as long.
-  EXPECT_LT(result.seconds - 1, 1.25 * ideal);
+  // Two fifths more, for the sharing of a binary tree. Asking at random alone takes thrice as long.
+  EXPECT_LT(result.seconds - 1, 1.4 * ideal);
 }
 
 TEST(Simulation, IdleRanksDoNotStormTheBusyOne) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -32,8 +33,8 @@ TEST(Trace, OfASimulatedRunTellsWhatHappened) {
     ASSERT_EQ(traces.size(), 5U);
     // The nodes and times of the gifts from one rank to another, in order.
     using Gifts = std::vector<std::pair<std::uint64_t, double>>;
-    std::map<std::pair<int, int>, Gifts> sent;
-    std::map<std::pair<int, int>, Gifts> arrived;
+    std::map<std::tuple<int, int, bool>, Gifts> sent;
+    std::map<std::tuple<int, int, bool>, Gifts> arrived;
     for (int rank = 0; rank < 5; ++rank) {
       const auto& trace = traces[static_cast<std::size_t>(rank)];
       const auto& statistics = run.outcome.ranks[static_cast<std::size_t>(rank)].statistics;
@@ -53,15 +54,18 @@ TEST(Trace, OfASimulatedRunTellsWhatHappened) {
         if (event.starts_activity()) {
           EXPECT_NE(std::exchange(activity, event.kind), event.kind);
         }
-        if (event.kind == Kind::gift_sent) sent[{rank, event.peer}].emplace_back(event.value, time);
-        if (event.kind == Kind::gift_arrived) {
-          arrived[{event.peer, rank}].emplace_back(event.value, time);
+        const bool asked_for = event.kind == Kind::gift_sent || event.kind == Kind::gift_arrived;
+        if (event.kind == Kind::gift_sent || event.kind == Kind::parcel_sent) {
+          sent[{rank, event.peer, asked_for}].emplace_back(event.value, time);
+        }
+        if (event.kind == Kind::gift_arrived || event.kind == Kind::parcel_arrived) {
+          arrived[{event.peer, rank, asked_for}].emplace_back(event.value, time);
         }
       }
       EXPECT_EQ(activity, Kind::closing);
       EXPECT_EQ(count[Kind::request_sent], statistics.requests);
-      EXPECT_EQ(count[Kind::gift_sent], statistics.gifts_sent);
-      EXPECT_EQ(count[Kind::gift_arrived], statistics.gifts_received);
+      EXPECT_EQ(count[Kind::gift_sent] + count[Kind::parcel_sent], statistics.gifts_sent);
+      EXPECT_EQ(count[Kind::gift_arrived] + count[Kind::parcel_arrived], statistics.gifts_received);
       EXPECT_EQ(count[Kind::gift_arrived] + count[Kind::refusal_arrived], statistics.requests);
       EXPECT_EQ(count[Kind::survey_joined], count[Kind::survey_arrived]);
     }
