@@ -36,6 +36,11 @@ class SizedTree {
 
   [[nodiscard]] Node root() const { return root_; }
 
+  /// For Goal::best; many leaves have the same, so that ties are tried too.
+  [[nodiscard]] double objective(Solution random) const {
+    return static_cast<double>(engine::branch_hash(random, 0) % 16);
+  }
+
   /// @param out engine::Expansion of this type
   template <class Expansion>
   void expand(Node&& node, Expansion& out) const {

@@ -3,12 +3,16 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <functional>
+#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "problems/input_error.hpp"
+#include "run/bench_scaling.hpp"
+#include "run/bench_schedules.hpp"
 #include "run/exit_code.hpp"
 #include "run/patterns.hpp"
 #include "run/session.hpp"
@@ -34,48 +38,96 @@ int complain(Session& session, const std::string& message) {
   return wrong_input;
 }
 
+// What the call asks for, when all of it has been read. @return the exit code
+using Action = std::function<int(Session&)>;
+
+void add_patterns(CLI::App& app, Action& action, bool& serial) {
+  auto& command = *app.add_subcommand(
+      "patterns",
+      "every sign pattern of wedged configurations (contact or separated, node by node)");
+  const auto options = std::make_shared<PatternsOptions>();
+  command.add_option("file", options->file, "the problem, a TOML file")->required();
+  command.add_option("--mu", options->friction, "friction coefficient")
+      ->required()
+      ->check(positive);
+  command
+      .add_option("--tolerance", options->tolerance,
+                  "a margin t* up to this size is neither positive nor negative")
+      ->check(positive)
+      ->capture_default_str();
+  command.add_option("--output", options->output, "write the result to this JSON file");
+  command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
+      ->check(positive);
+  command
+      .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--pattern-limit", options->limits.solutions, "stop at so many patterns")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--checkpoint", options->checkpoint,
+                     "keep the state of the search in this file and others beside it");
+  command
+      .add_option("--checkpoint-interval", options->checkpoint_interval,
+                  "seconds between two checkpoints")
+      ->check(positive)
+      ->capture_default_str();
+  command.add_option("--restart", options->restart,
+                     "go on from this checkpoint, on any number of ranks");
+  command.add_option("--trace", options->trace,
+                     "write what each rank did when to this file, for ui.perfetto.dev");
+  command.add_flag("--quiet", options->quiet, "print errors only");
+  command.add_flag("--serial", serial, "run in this process alone, without MPI")
+      ->disable_flag_override();
+  command.callback(
+      [&action, options] { action = [options](Session& s) { return patterns(s, *options); }; });
+}
+
+void add_scaling(CLI::App& bench, Action& action) {
+  auto& command = *bench.add_subcommand(
+      "scaling", "how far the search scales, by simulation of up to 65536 ranks in virtual time");
+  const auto options = std::make_shared<BenchScalingOptions>();
+  const auto number = [&](const char* name, auto& value, const char* what) {
+    command.add_option(name, value, what)->check(positive)->capture_default_str();
+  };
+  number("--nodes", options->nodes, "of the tree");
+  number("--node-us", options->node_microseconds, "microseconds to open a node");
+  number("--latency-us", options->latency_microseconds, "microseconds that a message travels");
+  number("--handling-us", options->handling_microseconds,
+         "microseconds that a message costs its sender, and its receiver");
+  number("--bandwidth", options->gigabytes_a_second, "gigabytes a second");
+  number("--least-ranks", options->least_ranks, "the first row");
+  number("--most-ranks", options->most_ranks, "where to stop; each row has four times as many");
+  number("--seed", options->seed, "of the tree and of the schedule");
+  command.callback([&action, options] {
+    action = [options](Session& s) { return bench_scaling(s, *options); };
+  });
+}
+
+void add_schedules(CLI::App& bench, Action& action) {
+  auto& command = *bench.add_subcommand(
+      "schedules",
+      "simulates searches under random schedules: does each find what one rank finds?");
+  const auto options = std::make_shared<BenchSchedulesOptions>();
+  command.add_option("--seeds", options->seeds, "how many schedules")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--first-seed", options->first_seed, "of the first schedule")
+      ->capture_default_str();
+  command.callback([&action, options] {
+    action = [options](Session& s) { return bench_schedules(s, *options); };
+  });
+}
+
 int run(Session& session, int argc, char** argv) {
   CLI::App app{"All wedged configurations of a structure with Coulomb friction.", "kusabi"};
   app.set_version_flag("--version", "kusabi " KUSABI_VERSION);
   app.require_subcommand(1);
-
-  PatternsOptions options;
-  auto* patterns_command = app.add_subcommand(
-      "patterns",
-      "every sign pattern of wedged configurations (contact or separated, node by node)");
+  Action action;
   bool serial = false;
-  patterns_command->add_option("file", options.file, "the problem, a TOML file")->required();
-  patterns_command->add_option("--mu", options.friction, "friction coefficient")
-      ->required()
-      ->check(positive);
-  patterns_command
-      ->add_option("--tolerance", options.tolerance,
-                   "a margin t* up to this size is neither positive nor negative")
-      ->check(positive)
-      ->capture_default_str();
-  patterns_command->add_option("--output", options.output, "write the result to this JSON file");
-  patterns_command->add_option("--time-limit", options.limits.seconds, "stop after so many seconds")
-      ->check(positive);
-  patterns_command
-      ->add_option("--node-limit", options.limits.nodes, "stop when so many nodes have been opened")
-      ->check(CLI::PositiveNumber);
-  patterns_command
-      ->add_option("--pattern-limit", options.limits.solutions, "stop at so many patterns")
-      ->check(CLI::PositiveNumber);
-  patterns_command->add_option("--checkpoint", options.checkpoint,
-                               "keep the state of the search in this file and others beside it");
-  patterns_command
-      ->add_option("--checkpoint-interval", options.checkpoint_interval,
-                   "seconds between two checkpoints")
-      ->check(positive)
-      ->capture_default_str();
-  patterns_command->add_option("--restart", options.restart,
-                               "go on from this checkpoint, on any number of ranks");
-  patterns_command->add_option("--trace", options.trace,
-                               "write what each rank did when to this file, for ui.perfetto.dev");
-  patterns_command->add_flag("--quiet", options.quiet, "print errors only");
-  patterns_command->add_flag("--serial", serial, "run in this process alone, without MPI")
-      ->disable_flag_override();
+  add_patterns(app, action, serial);
+  auto& bench = *app.add_subcommand("bench", "measures and tries the search engine");
+  bench.require_subcommand(1);
+  add_scaling(bench, action);
+  add_schedules(bench, action);
 
   try {
     app.parse(argc, argv);
@@ -96,7 +148,7 @@ int run(Session& session, int argc, char** argv) {
     return complain(session,
                     "kusabi: --serial under mpirun: every process would do the whole search");
   }
-  return patterns(session, options);
+  return action(session);
 }
 
 }  // namespace

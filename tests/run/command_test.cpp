@@ -388,6 +388,24 @@ TEST_F(Command, HelpsAndTellsItsVersion) {
   EXPECT_THAT(shell(command + " --version").output, HasSubstr("kusabi "));
 }
 
+TEST_F(Command, TheProtocolHoldsUnderThousandsOfSchedules) {
+  const auto run = shell(command + " bench schedules --seeds 3000");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("3000 schedules, 0 failed"));
+}
+
+TEST_F(Command, ShowsHowFarTheSearchScales) {
+  // A quarter of a million nodes in virtual time: 64 ranks with four thousand each.
+  const auto run = shell(command + " bench scaling --nodes 262144 --node-us 100 --most-ranks 64");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto last = run.output.rfind("\n", run.output.size() - 2) + 1;
+  int ranks = 0;
+  double efficiency = 0;
+  ASSERT_EQ(std::sscanf(run.output.c_str() + last, "%d %lf", &ranks, &efficiency), 2);
+  EXPECT_EQ(ranks, 64);
+  EXPECT_GE(efficiency, 0.9);
+}
+
 TEST_F(Command, NeverCallsMpiWhenSerial) {
   // Under a launcher, with Open MPI told to use a component that does not exist: whoever calls
   // MPI_Init fails.

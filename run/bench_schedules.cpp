@@ -1,0 +1,124 @@
+// What is drawn from a seed, and what must hold whatever was drawn.
+#include "run/bench_schedules.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <random>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "engine/simulation.hpp"
+#include "nodes/sized_tree.hpp"
+#include "run/exit_code.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using engine::Goal;
+using engine::Weather;
+using nodes::SizedTree;
+
+// Days on which one thing or another takes longest.
+constexpr std::array weathers{
+    Weather{},
+    Weather{.latency = 100e-6},                                          // messages
+    Weather{.latency = 20e-6, .bandwidth = 1e6},                         // long messages
+    Weather{.latency = 50e-6, .node = 0},                                // everything but nodes
+    Weather{.node = 100e-6},                                             // nodes
+    Weather{.handling = 5e-6},                                           // sending and receiving
+    Weather{.stall = 5e-3, .stall_probability = 0.02},                   // a rank now and then
+    Weather{.latency = 200e-6, .stall = 2e-3, .stall_probability = 0.1}  // one or the other
+};
+
+struct Draw {
+  SizedTree tree;
+  int ranks;
+  Weather weather;
+  engine::Options options;
+};
+
+Draw draw(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto below = [&](std::uint64_t bound) { return random() % bound; };
+  Draw draw{SizedTree(random(), 1 + below(400), 1 + below(8)),
+            static_cast<int>(1 + below(below(4) == 0 ? 100 : 10)),
+            weathers[below(weathers.size())],
+            {}};
+  constexpr std::array goals{Goal::all, Goal::all, Goal::best, Goal::first};
+  draw.options.goal = goals[below(goals.size())];
+  draw.options.nodes_per_step = below(4) == 0 ? 16 : 1;
+  draw.options.message_bytes = below(4) == 0 ? 1 : std::size_t{64} * 1024;
+  draw.options.survey_interval = below(2) == 0 ? 0.05 : 1e-4;
+  return draw;
+}
+
+// What is wrong with the search of this seed; empty: nothing.
+std::string fault(std::uint64_t seed) {
+  auto [tree, ranks, weather, options] = draw(seed);
+  const auto alone = engine::search(tree, options);
+  constexpr std::uint64_t most_steps = 10'000'000;
+  const auto many = engine::simulate(tree, ranks, seed, weather, options, most_steps);
+  if (many.left_behind != 0) return fmt::format("{} messages left behind", many.left_behind);
+  const auto& outcome = many.outcome;
+  if (outcome.status != engine::Status::solved || outcome.open != 0) return "ended early";
+  if (options.goal == Goal::all && outcome.opened() != alone.opened()) {
+    return fmt::format("opened {} nodes, expected {}", outcome.opened(), alone.opened());
+  }
+  if (options.goal == Goal::all && outcome.fingerprint() != alone.fingerprint()) {
+    return "opened a node twice and another one not at all";
+  }
+  if (outcome.solutions.size() != alone.solutions.size()) {
+    return fmt::format("found {} solutions, expected {}", outcome.solutions.size(),
+                       alone.solutions.size());
+  }
+  for (std::size_t i = 0; i < alone.solutions.size(); ++i) {
+    const auto& [path, solution] = outcome.solutions[i];
+    if (path != alone.solutions[i].path || solution != alone.solutions[i].solution) {
+      return fmt::format("solution {} is at {}, expected {}", i, engine::to_string(path),
+                         engine::to_string(alone.solutions[i].path));
+    }
+  }
+  return {};
+}
+
+std::string fault_or_exception(std::uint64_t seed) {
+  try {
+    return fault(seed);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+int bench_schedules(Session& session, const BenchSchedulesOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds interval{5};
+  auto next_line = Clock::now() + interval;
+  std::uint64_t tried = 0;
+  std::uint64_t failed_seeds = 0;
+  const auto step = static_cast<std::uint64_t>(session.ranks());
+  const auto end = options.first_seed + options.seeds;
+  for (auto seed = options.first_seed + static_cast<std::uint64_t>(session.transport().rank());
+       seed < end; seed += step) {
+    ++tried;
+    if (const auto wrong = fault_or_exception(seed); !wrong.empty()) {
+      ++failed_seeds;
+      fmt::print("seed {}: {}; again with: kusabi bench schedules --first-seed {} --seeds 1\n",
+                 seed, wrong, seed);
+      std::fflush(stdout);
+    }
+    if (!session.speaks() || Clock::now() < next_line) continue;
+    next_line = Clock::now() + interval;
+    fmt::print(stderr, "{} of {} schedules, {} failed\n", tried * step, options.seeds,
+               failed_seeds);
+  }
+  fmt::print("{} schedules{}, {} failed\n", tried,
+             step == 1 ? "" : fmt::format(" on rank {}", session.transport().rank()), failed_seeds);
+  return failed_seeds == 0 ? solved : failed;
+}
+
+}  // namespace kusabi::run
