@@ -103,10 +103,7 @@ class Worker {
   Pace step() {
     now_ = transport_.now();
     const double last_step = std::exchange(step_started_, now_);
-    if (phase_ == Phase::searching && explorer_.has_nodes()) {
-      if (worked_) adapt_stride(now_ - last_step);
-      open_nodes();
-    }
+    if (std::exchange(worked_, false)) take_stock(now_ - last_step);
     serve();
     switch (phase_) {
       case Phase::gathering:
@@ -127,6 +124,10 @@ class Worker {
         break;
       case Phase::done:
         break;
+    }
+    if (phase_ == Phase::searching && explorer_.has_nodes()) {
+      explorer_.open_nodes(stride_);
+      worked_ = true;
     }
     return pace();
   }
@@ -213,11 +214,11 @@ class Worker {
 
   // ---- opening nodes ----------------------------------------------------------------------------
 
-  void open_nodes() {
-    explorer_.open_nodes(stride_);
-    worked_ = true;
+  // After a step that opened nodes, for `elapsed` seconds.
+  void take_stock(double elapsed) {
+    adapt_stride(elapsed);
     if (explorer_.just_improved()) tell(nobody);
-    if (!explorer_.has_nodes()) idle_since_ = quiet_since_ = transport_.now();
+    if (!explorer_.has_nodes()) idle_since_ = quiet_since_ = now_;
     record_activity();
   }
 
@@ -345,7 +346,6 @@ class Worker {
            message.from, gift.nodes.size());
     explorer_.take(std::move(gift));
     record_activity();
-    worked_ = false;
   }
 
   // Passes the incumbent on to the neighbours in the relay tree, but not back to where it is from.
@@ -480,7 +480,6 @@ class Worker {
   void go_on() {
     enter(Phase::searching);
     termination_ = {};
-    worked_ = false;
   }
 
   void show(const Survey& wave) const {
@@ -681,7 +680,7 @@ class Worker {
   // do, and a millisecond is not missed.
   [[nodiscard]] Pace pace() const {
     if (phase_ == Phase::done) return {Pace::State::done, 0};
-    if (phase_ == Phase::searching && explorer_.has_nodes()) return {Pace::State::working, 0};
+    if (worked_) return {Pace::State::working, 0};
     constexpr double shortest = 1e-6;
     constexpr double longest = 1e-3;
     // A short wait, spent awake: clocks are to be compared as closely as may be.

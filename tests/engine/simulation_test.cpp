@@ -146,8 +146,8 @@ TEST(Simulation, WorkFindsTheRanksThatWaitForIt) {
   const double nodes = static_cast<double>(result.outcome.opened()) - 1000;
   const double ideal = nodes * 1e-3 / ranks;
   EXPECT_GT(ideal, 0.12);
-  // Two fifths more, for the sharing of a binary tree. Asking at random alone takes thrice as long.
-  EXPECT_LT(result.seconds - 1, 1.4 * ideal);
+  // As binary trees are shared in steps of a node, half as long again. At random alone: thrice.
+  EXPECT_LT(result.seconds - 1, 1.75 * ideal);
 }
 
 TEST(Simulation, IdleRanksDoNotStormTheBusyOne) {
