@@ -23,9 +23,9 @@ namespace kusabi::engine {
 
 /// One node of the trail.
 struct Step {
-  std::uint32_t branch = 0;  ///< which child of the step above; of no meaning at the root
-  std::uint64_t hash = 0;    ///< the hash of the path that ends here
-  double share = 1;          ///< of the whole tree; each child takes an equal part of its parent's
+  std::uint32_t branch = 0;        ///< which child of the step above; of no meaning at the root
+  std::uint64_t hash = root_hash;  ///< the hash of the path that ends here
+  double share = 1;  ///< of the whole tree; each child takes an equal part of its parent's
   std::uint32_t branches = 0;  ///< how many children this node has
 
   template <class Archive>
@@ -40,6 +40,10 @@ struct OpenNode {
   Node node;
   std::uint32_t depth = 0;   ///< the root has depth 0
   std::uint32_t branch = 0;  ///< its number among the children of the trail's node above
+
+  OpenNode() = default;
+  OpenNode(Node&& waiting, std::uint32_t its_depth, std::uint32_t its_branch)
+      : node(std::move(waiting)), depth(its_depth), branch(its_branch) {}
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -100,32 +104,36 @@ class Frontier {
   /// Puts the root in, as the only open node.
   void plant(Node root) {
     nodes_.clear();
-    nodes_.push_back({std::move(root), 0, 0});
+    nodes_.emplace_back(std::move(root), 0, 0);
   }
 
   /// Takes the next node out; from now on the trail ends in it.
   /// @pre not empty()
   Node open() {
     assert(!nodes_.empty());
-    OpenNode<Node> next = std::move(nodes_.back());
-    nodes_.pop_back();
-    if (next.depth == 0) {
-      trail_.assign(1, Step{0, root_hash, 1.0, 0});
+    auto& next = nodes_.back();
+    depth_ = next.depth;
+    // The trail never shrinks: most nodes are leaves, and find their place in it made.
+    if (depth_ >= trail_.size()) trail_.resize(depth_ + 1);
+    Step& step = trail_[depth_];
+    if (depth_ == 0) {
+      step = {};
     } else {
-      const Step& parent = trail_[next.depth - 1];
-      const Step step{next.branch, branch_hash(parent.hash, next.branch),
-                      parent.share / parent.branches, 0};
-      trail_.resize(next.depth);
-      trail_.push_back(step);
+      const Step& parent = trail_[depth_ - 1];
+      step.branch = next.branch;
+      step.hash = branch_hash(parent.hash, next.branch);
+      step.share = parent.share / parent.branches;
+      step.branches = 0;
     }
+    Node node = std::move(next.node);
+    nodes_.pop_back();
     first_child_ = nodes_.size();
-    return std::move(next.node);
+    return node;
   }
 
   /// Adds a child of the node opened last, to be opened after the children already added.
-  void branch(Node child) {
-    const auto depth = static_cast<std::uint32_t>(trail_.size());
-    nodes_.push_back({std::move(child), depth, trail_.back().branches++});
+  void branch(Node&& child) {
+    nodes_.emplace_back(std::move(child), depth_ + 1, trail_[depth_].branches++);
   }
 
   /// Ends the expansion of the node opened last: its first child comes to the top of the stack.
@@ -151,14 +159,13 @@ class Frontier {
   }
 
   /// The step of the node opened last.
-  [[nodiscard]] const Step& current() const { return trail_.back(); }
+  [[nodiscard]] const Step& current() const { return trail_[depth_]; }
 
   /// The path of the node opened last.
   [[nodiscard]] Path path() const {
     Path path;
-    path.reserve(trail_.size());
-    for (std::size_t depth = 1; depth < trail_.size(); ++depth)
-      path.push_back(trail_[depth].branch);
+    path.reserve(depth_);
+    for (std::size_t depth = 1; depth <= depth_; ++depth) path.push_back(trail_[depth].branch);
     return path;
   }
 
@@ -193,7 +200,8 @@ class Frontier {
 
  private:
   std::vector<OpenNode<Node>> nodes_;
-  std::vector<Step> trail_;
+  std::vector<Step> trail_;      // of use down to depth_ only
+  std::uint32_t depth_ = 0;      // of the node opened last
   std::size_t first_child_ = 0;  // nodes_ from here on are children still being branched
   std::size_t peak_ = 0;
 };

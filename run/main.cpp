@@ -6,13 +6,16 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "nodes/standard_trees.hpp"
 #include "problems/input_error.hpp"
 #include "run/bench_scaling.hpp"
 #include "run/bench_schedules.hpp"
+#include "run/bench_uts.hpp"
 #include "run/exit_code.hpp"
 #include "run/patterns.hpp"
 #include "run/session.hpp"
@@ -40,6 +43,11 @@ int complain(Session& session, const std::string& message) {
 
 // What the call asks for, when all of it has been read. @return the exit code
 using Action = std::function<int(Session&)>;
+
+void add_serial(CLI::App& command, bool& serial) {
+  command.add_flag("--serial", serial, "run in this process alone, without MPI")
+      ->disable_flag_override();
+}
 
 void add_patterns(CLI::App& app, Action& action, bool& serial) {
   auto& command = *app.add_subcommand(
@@ -75,8 +83,7 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
   command.add_option("--trace", options->trace,
                      "write what each rank did when to this file, for ui.perfetto.dev");
   command.add_flag("--quiet", options->quiet, "print errors only");
-  command.add_flag("--serial", serial, "run in this process alone, without MPI")
-      ->disable_flag_override();
+  add_serial(command, serial);
   command.callback(
       [&action, options] { action = [options](Session& s) { return patterns(s, *options); }; });
 }
@@ -117,6 +124,27 @@ void add_schedules(CLI::App& bench, Action& action) {
   });
 }
 
+void add_uts(CLI::App& bench, Action& action, bool& serial) {
+  auto& command = *bench.add_subcommand(
+      "uts", "the Unbalanced Tree Search benchmark: are the published counts found, how fast");
+  const auto options = std::make_shared<BenchUtsOptions>();
+  std::vector<std::string> names;
+  for (const auto& tree : kusabi::nodes::standard_trees()) names.emplace_back(tree.name);
+  command.add_option("--tree", options->tree, "a standard tree")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  constexpr unsigned about_a_second = 10'000'000;
+  command.add_option("--work", options->work, "hashes a node, some 0.1 microseconds each")
+      ->check(CLI::Range(1U, about_a_second))
+      ->capture_default_str();
+  command.add_option("--rounds", options->rounds, "searches, of which the fastest counts")
+      ->check(CLI::Range(1U, 1000U))
+      ->capture_default_str();
+  add_serial(command, serial);
+  command.callback(
+      [&action, options] { action = [options](Session& s) { return bench_uts(s, *options); }; });
+}
+
 int run(Session& session, int argc, char** argv) {
   CLI::App app{"All wedged configurations of a structure with Coulomb friction.", "kusabi"};
   app.set_version_flag("--version", "kusabi " KUSABI_VERSION);
@@ -128,6 +156,7 @@ int run(Session& session, int argc, char** argv) {
   bench.require_subcommand(1);
   add_scaling(bench, action);
   add_schedules(bench, action);
+  add_uts(bench, action, serial);
 
   try {
     app.parse(argc, argv);

@@ -1,0 +1,98 @@
+// The compression function and the padding.
+#include "nodes/sha1.hpp"
+
+#include <bit>
+#include <string>
+
+namespace kusabi::nodes {
+namespace {
+
+using Block = detail::Sha1Block;
+
+constexpr Sha1Digest initial{0x67452301U, 0xEFCDAB89U, 0x98BADCFEU, 0x10325476U, 0xC3D2E1F0U};
+
+constexpr std::uint32_t choose(std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  return d ^ (b & (c ^ d));
+}
+constexpr std::uint32_t parity(std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  return b ^ c ^ d;
+}
+constexpr std::uint32_t majority(std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  return (b & c) | (d & (b | c));
+}
+
+// One round; instead of moving all five words on, each round is called with their names moved on.
+template <auto Function>
+inline void round(std::uint32_t a, std::uint32_t& b, std::uint32_t c, std::uint32_t d,
+                  std::uint32_t& e, std::uint32_t addend) {
+  e += std::rotl(a, 5) + Function(b, c, d) + addend;
+  b = std::rotl(b, 30);
+}
+
+// Rounds `From` to `From` + 19. Unrolled, most of the schedule and the words stay in registers:
+// three to four times as fast.
+template <std::size_t From, auto Function, std::uint32_t Constant>
+inline void rounds(Sha1Digest& words, Block& schedule) {
+  auto& [a, b, c, d, e] = words;
+  // The schedule's words 16 to 79 take the place of the word 16 before each.
+  const auto addend = [&](std::size_t t) {
+    auto& word = schedule[t % 16];
+    if (t >= 16) {
+      word ^= schedule[(t - 3) % 16] ^ schedule[(t - 8) % 16] ^ schedule[(t - 14) % 16];
+      word = std::rotl(word, 1);
+    }
+    return word + Constant;
+  };
+#pragma GCC unroll 4
+  for (std::size_t t = From; t < From + 20; t += 5) {
+    round<Function>(a, b, c, d, e, addend(t));
+    round<Function>(e, a, b, c, d, addend(t + 1));
+    round<Function>(d, e, a, b, c, addend(t + 2));
+    round<Function>(c, d, e, a, b, addend(t + 3));
+    round<Function>(b, c, d, e, a, addend(t + 4));
+  }
+}
+
+// Takes one block into the chain.
+inline void compress(Sha1Digest& chain, const Block& block) {
+  Block schedule = block;  // a copy nobody else sees, which the compiler need not keep in memory
+  auto words = chain;
+  rounds<0, choose, 0x5A827999U>(words, schedule);
+  rounds<20, parity, 0x6ED9EBA1U>(words, schedule);
+  rounds<40, majority, 0x8F1BBCDCU>(words, schedule);
+  rounds<60, parity, 0xCA62C1D6U>(words, schedule);
+  for (std::size_t i = 0; i < chain.size(); ++i) chain[i] += words[i];
+}
+
+}  // namespace
+
+Sha1Digest detail::sha1_of_block(const Block& block) {
+  auto digest = initial;
+  compress(digest, block);
+  return digest;
+}
+
+Sha1Digest sha1(std::string_view message) {
+  constexpr std::size_t block_bytes = 64;
+  constexpr std::size_t length_bytes = 8;
+  // A one bit, then zeros until the length in bits ends a block.
+  std::string padded(message);
+  padded += '\x80';
+  while (padded.size() % block_bytes != block_bytes - length_bytes) padded += '\0';
+  const auto bits = 8 * std::uint64_t{message.size()};
+  for (unsigned shift = 64; shift > 0; shift -= 8) {
+    padded += static_cast<char>((bits >> (shift - 8)) & 0xFFU);
+  }
+
+  auto digest = initial;
+  for (std::size_t start = 0; start < padded.size(); start += block_bytes) {
+    Block block{};
+    for (std::size_t i = 0; i < block_bytes; ++i) {
+      block[i / 4] = (block[i / 4] << 8U) | static_cast<unsigned char>(padded[start + i]);
+    }
+    compress(digest, block);
+  }
+  return digest;
+}
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,191 @@
+// The recursion, the search, and the tables that compare them.
+//
+// CPU time, not wall-clock time, and the least of some rounds: that is what a machine that others
+// use as well can measure.
+#include "run/bench_uts.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/search.hpp"
+#include "nodes/standard_trees.hpp"
+#include "run/exit_code.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nodes::TreeCounts;
+using nodes::UnbalancedTree;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Of this process, from its start.
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// What a person would write who needs no engine.
+void visit(const UnbalancedTree& tree, const UnbalancedTree::Node& node, TreeCounts& seen) {
+  const auto children = tree.children(node);
+  seen += {1, children == 0 ? 1U : 0U, node.depth};
+  for (std::uint32_t number = 0; number < children; ++number) {
+    visit(tree, tree.child(node, number), seen);
+  }
+}
+
+// What one rank saw, and the CPU time that it took for it.
+struct Part {
+  TreeCounts counts;
+  double recursion_seconds = 0;  // for the whole tree
+  double search_seconds = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& counts& recursion_seconds& search_seconds;
+  }
+};
+
+// The tree, with CPU times in its tally: the engine asks for it once, when the search is over.
+class TimedTree : public UnbalancedTree {
+ public:
+  using Tally = Part;
+  using UnbalancedTree::UnbalancedTree;
+
+  /// Walks the whole tree without the engine. @return what there is
+  TreeCounts recur() {
+    TreeCounts seen;
+    const double start = cpu_seconds();
+    visit(*this, root(), seen);
+    recursion_seconds_ = cpu_seconds() - start;
+    return seen;
+  }
+
+  void start() { start_ = cpu_seconds(); }
+
+  [[nodiscard]] Tally tally() const {
+    return {UnbalancedTree::tally(), recursion_seconds_, cpu_seconds() - start_};
+  }
+
+ private:
+  double recursion_seconds_ = 0;
+  double start_ = 0;
+};
+
+// Returns when all ranks have come here.
+void meet(engine::Transport& transport) {
+  transport.join_survey({});
+  while (!transport.survey()) {
+  }
+}
+
+// The search alone: the ranks begin it together, and the recursion is behind all of them.
+engine::Outcome<TimedTree> search(Session& session, TimedTree& tree) {
+  meet(session.transport());
+  tree.start();
+  return engine::search(tree, session.transport());
+}
+
+void print_ranks(const engine::Outcome<TimedTree>& outcome) {
+  fmt::print("{:<6} {:>12} {:>7} {:>9} {:>7} {:>12}\n", "rank", "opened", "share", "requests",
+             "gifts", "CPU seconds");
+  const auto row = [&](const std::string& name, std::uint64_t opened, std::uint64_t requests,
+                       std::uint64_t gifts, double seconds) {
+    const double share = 100 * static_cast<double>(opened) / static_cast<double>(outcome.opened());
+    fmt::print("{:<6} {:>12} {:>5.1f} % {:>9} {:>7} {:>12.3f}\n", name, opened, share, requests,
+               gifts, seconds);
+  };
+  std::uint64_t requests = 0;
+  std::uint64_t gifts = 0;
+  double seconds = 0;
+  for (std::size_t rank = 0; rank < outcome.ranks.size(); ++rank) {
+    const auto& [statistics, part] = outcome.ranks[rank];
+    row(std::to_string(rank), statistics.opened, statistics.requests, statistics.gifts_received,
+        part.search_seconds);
+    requests += statistics.requests;
+    gifts += statistics.gifts_received;
+    seconds += part.search_seconds;
+  }
+  if (outcome.ranks.size() > 1) row("all", outcome.opened(), requests, gifts, seconds);
+}
+
+TreeCounts counts_of(const engine::Outcome<TimedTree>& outcome) {
+  TreeCounts counts;
+  for (const auto& rank : outcome.ranks) counts += rank.tally.counts;
+  return counts;
+}
+
+void print_counts(const TreeCounts& counted, const TreeCounts& published) {
+  const auto line = [](const char* name, std::uint64_t count, std::uint64_t expected) {
+    fmt::print("{:<8} {:>14}   {}\n", name, count,
+               count == expected ? "as published" : fmt::format("WRONG: not {}", expected));
+  };
+  line("nodes", counted.nodes, published.nodes);
+  line("leaves", counted.leaves, published.leaves);
+  line("depth", counted.depth, published.depth);
+}
+
+// CPU seconds of one round, over all ranks: the recursion costs a rank so much on the average, the
+// search costs them so much together.
+struct Times {
+  double recursion = 0;
+  double search = 0;
+};
+
+Times times_of(const engine::Outcome<TimedTree>& outcome) {
+  Times times;
+  for (const auto& rank : outcome.ranks) {
+    times.recursion += rank.tally.recursion_seconds / static_cast<double>(outcome.ranks.size());
+    times.search += rank.tally.search_seconds;
+  }
+  return times;
+}
+
+void print_times(const Times& times, std::uint64_t opened) {
+  const auto line = [&](const char* name, double seconds) {
+    fmt::print("{:<10} {:>12.3f} CPU seconds {:>10.3f} million nodes a CPU second\n", name, seconds,
+               static_cast<double>(opened) / 1e6 / seconds);
+  };
+  line("recursion", times.recursion);
+  line("search", times.search);
+  fmt::print("{:<10} {:>12.3f}\n", "efficiency", times.recursion / times.search);
+}
+
+}  // namespace
+
+int bench_uts(Session& session, const BenchUtsOptions& options) {
+  const auto& standard = nodes::standard_tree(options.tree);
+  bool right = true;
+  Times least{infinity, infinity};
+  engine::Outcome<TimedTree> fastest;
+  for (unsigned round = 0; round < options.rounds; ++round) {
+    TimedTree tree(standard.parameters, options.work);
+    // Every rank recurs over the whole tree, all at once: the yardstick is taken on the cores of
+    // the search, and under its load.
+    right &= tree.recur() == standard.counts;
+    auto outcome = search(session, tree);
+    if (!session.speaks()) continue;
+    right &= counts_of(outcome) == standard.counts;
+    const auto times = times_of(outcome);
+    least.recursion = std::min(least.recursion, times.recursion);
+    if (times.search < least.search) {
+      least.search = times.search;
+      fastest = std::move(outcome);
+    }
+  }
+  if (!session.speaks()) return right ? solved : failed;
+
+  print_ranks(fastest);
+  fmt::print("\n");
+  print_counts(counts_of(fastest), standard.counts);
+  if (!right) fmt::print("WRONG: in one of the rounds something else was counted\n");
+  fmt::print("\n");
+  print_times(least, fastest.opened());
+  return right ? solved : failed;
+}
+
+}  // namespace kusabi::run

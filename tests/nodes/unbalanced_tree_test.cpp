@@ -1,0 +1,87 @@
+// The Unbalanced Tree Search trees: the hash they grow from, their published counts, and the same
+// counts on many simulated ranks.
+#include "nodes/unbalanced_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "engine/simulation.hpp"
+#include "nodes/sha1.hpp"
+#include "nodes/standard_trees.hpp"
+
+namespace kusabi::nodes {
+
+// What a failing test prints.
+std::ostream& operator<<(std::ostream& out, const TreeCounts& counts) {
+  return out << counts.nodes << " nodes, " << counts.leaves << " leaves, depth " << counts.depth;
+}
+
+namespace {
+
+TreeCounts counts_of(const engine::Outcome<UnbalancedTree>& outcome) {
+  TreeCounts counts;
+  for (const auto& rank : outcome.ranks) counts += rank.tally;
+  return counts;
+}
+
+// The examples that came with FIPS 180 and the digest of nothing.
+TEST(Sha1, GivesTheDigestsOfTheStandard) {
+  EXPECT_EQ(sha1(""), (Sha1Digest{0xDA39A3EE, 0x5E6B4B0D, 0x3255BFEF, 0x95601890, 0xAFD80709}));
+  EXPECT_EQ(sha1("abc"), (Sha1Digest{0xA9993E36, 0x4706816A, 0xBA3E2571, 0x7850C26C, 0x9CD0D89D}));
+  EXPECT_EQ(sha1("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            (Sha1Digest{0x84983E44, 0x1C3BD26E, 0xBAAE4AA1, 0xF95129E5, 0xE54670F1}));
+  EXPECT_EQ(sha1(std::string(1'000'000, 'a')),
+            (Sha1Digest{0x34AA973C, 0xD4C4DAA4, 0xF61EEB2B, 0xDBAD2731, 0x6534016F}));
+}
+
+TEST(Sha1, WordsAreTheirBytesWithTheUpperOneFirst) {
+  EXPECT_EQ(sha1(std::array<std::uint32_t, 2>{0x61626364, 0x65666768}), sha1("abcdefgh"));
+  EXPECT_EQ(sha1(std::array<std::uint32_t, 0>{}), sha1(""));
+}
+
+class Standard : public testing::TestWithParam<const char*> {};
+
+TEST_P(Standard, TreeHasItsPublishedCounts) {
+  const auto& standard = standard_tree(GetParam());
+  UnbalancedTree tree(standard.parameters);
+  const auto outcome = engine::search(tree);
+  EXPECT_EQ(counts_of(outcome), standard.counts);
+  EXPECT_EQ(outcome.opened(), standard.counts.nodes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Uts, Standard,
+                         testing::Values("T1-4", "T1-6", "T1-7", "T1", "T2", "T3", "T4", "T5"),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(StandardTrees, AnUnknownNameIsRefused) {
+  EXPECT_THROW(standard_tree("T9"), std::out_of_range);
+}
+
+TEST(UnbalancedTree, MoreWorkGrowsTheSameTree) {
+  const auto& standard = standard_tree("T1-4");
+  UnbalancedTree tree(standard.parameters, 3);
+  EXPECT_EQ(counts_of(engine::search(tree)), standard.counts);
+}
+
+TEST(UnbalancedTree, SimulatedRanksCountWhatOneDoes) {
+  const auto& standard = standard_tree("T1-6");
+  const UnbalancedTree tree(standard.parameters);
+  for (const int ranks : {1, 2, 4, 7, 32}) {
+    const auto seed = static_cast<std::uint64_t>(ranks);
+    const auto together = engine::simulate(tree, ranks, seed, {.stall_probability = 0.001});
+    EXPECT_EQ(counts_of(together.outcome), standard.counts) << ranks << " ranks";
+    EXPECT_EQ(together.left_behind, 0U) << ranks << " ranks";
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::nodes
