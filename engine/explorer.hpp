@@ -14,6 +14,7 @@
 
 #include "engine/expansion.hpp"
 #include "engine/frontier.hpp"
+#include "engine/heap.hpp"
 #include "engine/incumbent.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
@@ -38,7 +39,7 @@ class Explorer {
   /// All that a rank must keep to go on later. Frontiers of several ranks may meet on one when a
   /// search goes on with fewer: each is a bundle of its own, since each has its own trail.
   struct State {
-    std::vector<Gift<Node>> bundles;
+    std::vector<Bundle<Node>> bundles;
     std::vector<Found<P>> found;
     Incumbent incumbent;
     double closed = 0;
@@ -50,8 +51,20 @@ class Explorer {
   };
 
   /// @param serve called by a long expansion that polls
-  Explorer(P& problem, Goal goal, std::function<void()> serve)
-      : problem_(problem), goal_(goal), expansion_(*this, std::move(serve)) {}
+  /// @throws std::invalid_argument if the options ask for what the problem does not offer
+  Explorer(P& problem, const Options& options, std::function<void()> serve)
+      : problem_(problem),
+        goal_(options.goal),
+        order_(options.order),
+        heap_nodes_(options.heap_nodes),
+        expansion_(*this, std::move(serve)) {
+    if (goal_ == Goal::best && !Minimising<P>) {
+      throw std::invalid_argument("Goal::best is for problems with an objective()");
+    }
+    if (order_ != Order::depth_first && !Bounded<P>) {
+      throw std::invalid_argument("orders other than depth first are for problems with a bound()");
+    }
+  }
 
   Explorer(const Explorer&) = delete;
   Explorer& operator=(const Explorer&) = delete;
@@ -60,7 +73,9 @@ class Explorer {
 
   // ---- opening nodes ----------------------------------------------------------------------------
 
-  [[nodiscard]] bool has_nodes() const { return !frontier_.empty() || !bundles_.empty(); }
+  [[nodiscard]] bool has_nodes() const {
+    return !frontier_.empty() || !bundles_.empty() || !heap_.empty();
+  }
 
   /// Whether this is called from inside an expansion.
   [[nodiscard]] bool expanding() const { return expanding_; }
@@ -70,7 +85,7 @@ class Explorer {
 
   /// Nodes waiting to be opened.
   [[nodiscard]] std::uint64_t open() const {
-    std::uint64_t count = frontier_.size();
+    std::uint64_t count = frontier_.size() + heap_.size();
     for (const auto& bundle : bundles_) count += bundle.nodes.size();
     return count;
   }
@@ -79,14 +94,16 @@ class Explorer {
   /// @throws ExpansionFailed if the problem's `expand` throws
   void open_nodes(unsigned count) {
     for (; count > 0; --count) {
-      if (frontier_.empty() && !next_bundle()) return;
+      if (frontier_.empty() && !next_nodes()) return;
       open_node();
+      if (order_ != Order::depth_first) rank_nodes();
     }
   }
 
   /// The least bound of the nodes that wait; infinity if there is none.
   [[nodiscard]] double bound() const {
     double least = std::numeric_limits<double>::infinity();
+    if (!heap_.empty()) least = bound_of(heap_.best());
     frontier_.for_each([&](const Node& node) { least = std::min(least, bound_of(node)); });
     for (const auto& bundle : bundles_) {
       for (const auto& open : bundle.nodes) least = std::min(least, bound_of(open.node));
@@ -97,21 +114,24 @@ class Explorer {
   // ---- giving and taking ------------------------------------------------------------------------
 
   [[nodiscard]] bool can_give() const {
-    const std::size_t others = expanding_ || !frontier_.empty() ? 1 : 0;
-    return frontier_.can_give() || (!bundles_.empty() && bundles_.size() + others >= 2);
+    return heap_.can_give() || frontier_.can_give() || stores() >= 2;
   }
 
   /// Nodes for another rank, of at most `limit` bytes together unless one alone has more.
   /// @pre can_give()
   Gift<Node> give(std::size_t limit) {
-    if (frontier_.can_give()) return frontier_.give(limit);
+    if (heap_.can_give()) return heap_.give(limit);
+    if (frontier_.can_give()) return {frontier_.give(limit)};
+    if (!heap_.empty()) return {heap_.take()};
     auto& bundle = bundles_.back();
-    Gift<Node> gift{bundle.trail, take_every_other(bundle.nodes, bundle.nodes.size(), limit)};
+    Bundle<Node> part{bundle.trail, take_every_other(bundle.nodes, bundle.nodes.size(), limit)};
     if (bundle.nodes.empty()) bundles_.pop_back();
-    return gift;
+    return {std::move(part)};
   }
 
-  void take(Gift<Node>&& gift) { bundles_.push_back(std::move(gift)); }
+  void take(Gift<Node>&& gift) {
+    for (auto& bundle : gift) keep(std::move(bundle));
+  }
 
   // ---- results ----------------------------------------------------------------------------------
 
@@ -150,7 +170,7 @@ class Explorer {
 
   /// Nodes opened here, their fingerprint, solutions, nodes pruned, most open nodes.
   [[nodiscard]] RankStatistics& statistics() {
-    statistics_.peak_open = frontier_.peak();
+    statistics_.peak_open = std::max<std::uint64_t>(statistics_.peak_open, frontier_.peak());
     return statistics_;
   }
 
@@ -158,13 +178,14 @@ class Explorer {
 
   /// @pre no node is being expanded
   [[nodiscard]] State state() const {
-    State state{bundles_, found_, incumbent_, closed_};
+    State state{heap_.all(), found_, incumbent_, closed_};
+    state.bundles.insert(state.bundles.end(), bundles_.begin(), bundles_.end());
     if (!frontier_.empty()) state.bundles.push_back(frontier_.all());
     return state;
   }
 
   void restore(State&& state) {
-    std::move(state.bundles.begin(), state.bundles.end(), std::back_inserter(bundles_));
+    take(std::move(state.bundles));
     std::move(state.found.begin(), state.found.end(), std::back_inserter(found_));
     closed_ += state.closed;
     if (state.incumbent.better_than(incumbent_)) incumbent_ = state.incumbent;
@@ -187,11 +208,45 @@ class Explorer {
     return goal_ == Goal::first ? 0 : -std::numeric_limits<double>::infinity();
   }
 
-  bool next_bundle() {
+  // What decides the order. It need not be the goal that asks for a bound.
+  [[nodiscard]] double rank_of(const Node& node) const {
+    if constexpr (Bounded<P>) return std::as_const(problem_).bound(node);
+    return 0;
+  }
+
+  // Where a node is being expanded or waits; each of them could go to another rank as a whole, but
+  // for the node that is being expanded.
+  [[nodiscard]] std::size_t stores() const {
+    const bool own = expanding_ || !frontier_.empty();
+    return (own ? 1 : 0) + bundles_.size() + (heap_.empty() ? 0 : 1);
+  }
+
+  void keep(Bundle<Node>&& bundle) {
+    if (order_ == Order::depth_first) {
+      bundles_.push_back(std::move(bundle));
+    } else {
+      heap_.put(std::move(bundle), [this](const Node& node) { return rank_of(node); });
+    }
+  }
+
+  bool next_nodes() {
+    if (!heap_.empty()) {
+      frontier_.take(heap_.take());
+      return true;
+    }
     if (bundles_.empty()) return false;
     frontier_.take(std::move(bundles_.back()));
     bundles_.pop_back();
     return true;
+  }
+
+  // After a node was opened: its children, if any, and what else is in the frontier wait among all
+  // others from now on; unless the order is to go on below this node, or the heap is full.
+  void rank_nodes() {
+    statistics_.peak_open = std::max(statistics_.peak_open, open());
+    const bool goes_on = order_ == Order::hybrid && frontier_.current().branches > 0;
+    if (frontier_.empty() || goes_on || heap_.size() >= heap_nodes_) return;
+    keep(frontier_.take_all());
   }
 
   void open_node() {
@@ -221,8 +276,11 @@ class Explorer {
 
   P& problem_;
   Goal goal_;
-  Frontier<Node> frontier_;
-  std::vector<Gift<Node>> bundles_;
+  Order order_;
+  std::size_t heap_nodes_;
+  Frontier<Node> frontier_;            // what is searched depth first
+  std::vector<Bundle<Node>> bundles_;  // what comes after it; only if the order is depth first,
+  Heap<Node> heap_;                    // and only if it is not
   Expansion<P> expansion_;
   bool expanding_ = false;
   bool improved_ = false;

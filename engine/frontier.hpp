@@ -51,9 +51,9 @@ struct OpenNode {
   }
 };
 
-/// Nodes on their way to another rank, with the part of the trail that they hang on.
+/// Nodes taken out of where they waited, with the part of the trail that they hang on.
 template <class Node>
-struct Gift {
+struct Bundle {
   std::vector<Step> trail;            ///< from the root down to the parent of the deepest node
   std::vector<OpenNode<Node>> nodes;  ///< shallowest first
 
@@ -62,6 +62,17 @@ struct Gift {
     archive& trail& nodes;
   }
 };
+
+/// Nodes on their way to another rank.
+template <class Node>
+using Gift = std::vector<Bundle<Node>>;
+
+template <class Node>
+std::size_t size_of(const Gift<Node>& gift) {
+  std::size_t nodes = 0;
+  for (const auto& bundle : gift) nodes += bundle.nodes.size();
+  return nodes;
+}
 
 /// Takes out the first, the third, the fifth … of `nodes`: at most `count` of them, and no more
 /// than fit into `limit` bytes, but at least one.
@@ -153,9 +164,18 @@ class Frontier {
 
   /// A copy of all that is open, with the trail it hangs on.
   /// @pre not empty()
-  [[nodiscard]] Gift<Node> all() const {
+  [[nodiscard]] Bundle<Node> all() const {
     const auto deepest = static_cast<std::ptrdiff_t>(nodes_.back().depth);
     return {{trail_.begin(), trail_.begin() + deepest}, nodes_};
+  }
+
+  /// Takes out all that is open. @pre not empty(); no node is being expanded
+  Bundle<Node> take_all() {
+    const auto deepest = static_cast<std::ptrdiff_t>(nodes_.back().depth);
+    Bundle<Node> all{{trail_.begin(), trail_.begin() + deepest}, std::move(nodes_)};
+    nodes_.clear();
+    first_child_ = 0;
+    return all;
   }
 
   /// The step of the node opened last.
@@ -178,9 +198,9 @@ class Frontier {
   /// needs ten times as many steals on deep trees: the two sides swap the same few subtrees back
   /// and forth.)
   /// @pre can_give()
-  Gift<Node> give(std::size_t limit) {
+  Bundle<Node> give(std::size_t limit) {
     assert(can_give());
-    Gift<Node> gift;
+    Bundle<Node> gift;
     gift.nodes = take_every_other(nodes_, first_child_ / 2, limit);
     first_child_ -= gift.nodes.size();
     const auto deepest = static_cast<std::ptrdiff_t>(gift.nodes.back().depth);
@@ -188,12 +208,12 @@ class Frontier {
     return gift;
   }
 
-  /// Puts the nodes of a gift in.
+  /// Puts the nodes of a bundle in.
   /// @pre empty()
-  void take(Gift<Node>&& gift) {
+  void take(Bundle<Node>&& bundle) {
     assert(nodes_.empty());
-    trail_ = std::move(gift.trail);
-    nodes_ = std::move(gift.nodes);
+    trail_ = std::move(bundle.trail);
+    nodes_ = std::move(bundle.nodes);
     first_child_ = nodes_.size();
     peak_ = std::max(peak_, nodes_.size());
   }

@@ -16,6 +16,15 @@ enum class Goal {
   first,  ///< the first in depth-first order, whichever rank meets one first
 };
 
+/// Which of the nodes that wait on a rank is opened next. The outcome does not depend on it.
+enum class Order {
+  depth_first,  ///< a child of the last one; needs the least memory
+  best_first,   ///< the one with the least bound; opens the fewest nodes
+  /// From the one with the least bound down, always a first child, to a leaf; then again. Finds
+  /// solutions sooner than best_first, at the price of some nodes.
+  hybrid,
+};
+
 /// Where to stop although the tree is not done. Each counts over all ranks (and over the runs that
 /// a restarted search continues, but for the time), and is looked at at every survey, so it may be
 /// overrun by what is done between two of them.
@@ -53,7 +62,8 @@ struct Progress {
 };
 
 struct Options {
-  Goal goal = Goal::all;
+  Goal goal = Goal::all;             ///< Goal::best: of a minimising problem
+  Order order = Order::depth_first;  ///< any other: of a bounded problem
   Limits limits;
   CheckpointOptions checkpoint;
 
@@ -65,6 +75,11 @@ struct Options {
 
   /// Nodes opened between two looks at the messages; 0: as many as take 10 to 20 microseconds.
   unsigned nodes_per_step = 0;
+
+  /// How many nodes a rank keeps in the order of their bounds (but for a few). When there are more,
+  /// it dives: it searches depth first below the best of them, which adds no more than depth x
+  /// branching nodes at any time.
+  std::size_t heap_nodes = 100'000;
 
   /// Upper limit, in bytes, that the engine aims at for one message.
   std::size_t message_bytes = std::size_t{64} * 1024;

@@ -75,7 +75,7 @@ class Worker {
       : problem_(problem),
         transport_(transport),
         options_(options),
-        explorer_(problem, options.goal, [this] { poll(); }),
+        explorer_(problem, options, [this] { poll(); }),
         stride_(std::max(1U, options.nodes_per_step)),
         lifelines_(transport.rank(), transport.size()),
         started_(transport.now()),
@@ -292,12 +292,13 @@ class Worker {
 
   void give(int thief, Tag tag) {
     const auto gift = explorer_.give(options_.message_bytes);
+    const auto nodes = size_of(gift);
     auto& statistics = explorer_.statistics();
     ++statistics.gifts_sent;
-    statistics.nodes_given += gift.nodes.size();
+    statistics.nodes_given += nodes;
     ++sent_;
     record(tag == Tag::gift ? TraceEvent::Kind::gift_sent : TraceEvent::Kind::parcel_sent, thief,
-           gift.nodes.size());
+           nodes);
     send(thief, tag, pack(gift));
   }
 
@@ -343,7 +344,7 @@ class Worker {
     auto gift = unpack<Gift<Node>>(message.body);
     record(message.tag == Tag::gift ? TraceEvent::Kind::gift_arrived
                                     : TraceEvent::Kind::parcel_arrived,
-           message.from, gift.nodes.size());
+           message.from, size_of(gift));
     explorer_.take(std::move(gift));
     record_activity();
   }

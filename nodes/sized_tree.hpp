@@ -41,6 +41,11 @@ class SizedTree {
     return static_cast<double>(engine::branch_hash(random, 0) % 16);
   }
 
+  /// What a leaf's solution, if it is one, has; 0 of all other nodes.
+  [[nodiscard]] double bound(const Node& node) const {
+    return node.size == 1 ? objective(node.random) : 0;
+  }
+
   /// @param out engine::Expansion of this type
   template <class Expansion>
   void expand(Node&& node, Expansion& out) const {

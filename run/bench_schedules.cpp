@@ -18,6 +18,7 @@ namespace kusabi::run {
 namespace {
 
 using engine::Goal;
+using engine::Order;
 using engine::Weather;
 using nodes::SizedTree;
 
@@ -49,6 +50,10 @@ Draw draw(std::uint64_t seed) {
             {}};
   constexpr std::array goals{Goal::all, Goal::all, Goal::best, Goal::first};
   draw.options.goal = goals[below(goals.size())];
+  constexpr std::array orders{Order::depth_first, Order::depth_first, Order::best_first,
+                              Order::hybrid};
+  draw.options.order = orders[below(orders.size())];
+  if (below(2) == 0) draw.options.heap_nodes = 1 + below(30);
   draw.options.nodes_per_step = below(4) == 0 ? 16 : 1;
   draw.options.message_bytes = below(4) == 0 ? 1 : std::size_t{64} * 1024;
   draw.options.survey_interval = below(2) == 0 ? 0.05 : 1e-4;
@@ -58,7 +63,9 @@ Draw draw(std::uint64_t seed) {
 // What is wrong with the search of this seed; empty: nothing.
 std::string fault(std::uint64_t seed) {
   auto [tree, ranks, weather, options] = draw(seed);
-  const auto alone = engine::search(tree, options);
+  engine::Options depth_first;
+  depth_first.goal = options.goal;
+  const auto alone = engine::search(tree, depth_first);
   constexpr std::uint64_t most_steps = 10'000'000;
   const auto many = engine::simulate(tree, ranks, seed, weather, options, most_steps);
   if (many.left_behind != 0) return fmt::format("{} messages left behind", many.left_behind);

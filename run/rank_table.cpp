@@ -18,7 +18,6 @@ constexpr std::size_t most_lines = 16;
 // times are kept as nodes and seconds, which can be added, and divided when they are printed.
 constexpr std::size_t opened_column = 0;
 constexpr std::size_t share_column = 1;
-constexpr std::size_t first_own = 2;
 constexpr std::string_view after_own[] = {"requests", "gifts", "messages", "idle", "seconds"};
 
 double ratio(double part, double whole) {

@@ -44,14 +44,15 @@ class Checkpoint : public testing::Test {
   }
 
   // Lets a search of `tree` die of a limit of nodes again and again, each time on another number of
-  // ranks, and go on from what it left.
+  // ranks and in the next of `orders`, and go on from what it left.
   template <class P>
   Outcome<P> in_pieces(const P& tree, std::uint64_t piece, std::uint64_t seed, Goal goal,
-                       int* pieces) {
+                       int* pieces, const std::vector<Order>& orders = {Order::depth_first}) {
     auto choice = options();
     choice.goal = goal;
     for (*pieces = 1;; ++*pieces) {
       choice.limits.nodes = piece * static_cast<std::uint64_t>(*pieces);
+      choice.order = orders[static_cast<std::size_t>(*pieces) % orders.size()];
       const int ranks = 1 + static_cast<int>((seed + static_cast<std::uint64_t>(*pieces)) % 5);
       auto simulated = simulate(tree, ranks, seed, {}, choice);
       EXPECT_EQ(simulated.left_behind, 0U);
@@ -137,6 +138,18 @@ TEST_F(Checkpoint, TheBestSolutionSurvives) {
   ASSERT_EQ(outcome.solutions.size(), 1U);
   EXPECT_EQ(outcome.solutions[0].path, whole.solutions[0].path);
   EXPECT_EQ(outcome.bound, whole.bound);
+}
+
+TEST_F(Checkpoint, TheOrderMayChangeOnTheWay) {
+  auto knapsack = Knapsack::random(4, 12);
+  const auto whole = search(knapsack);
+  int pieces = 0;
+  const auto outcome = in_pieces(knapsack, whole.opened() / 9, 2, Goal::all, &pieces,
+                                 {Order::best_first, Order::depth_first, Order::hybrid});
+  EXPECT_GT(pieces, 6);
+  EXPECT_EQ(outcome.opened(), whole.opened());
+  EXPECT_EQ(outcome.fingerprint(), whole.fingerprint());
+  EXPECT_EQ(outcome.solutions.size(), whole.solutions.size());
 }
 
 TEST_F(Checkpoint, APeriodicOneDoesNotDisturbTheSearch) {

@@ -51,7 +51,9 @@ class Knapsack {
 
   Node root() const { return {}; }
 
-  void expand(Node&& node, engine::Expansion<Knapsack>& out) {
+  /// @param out engine::Expansion of this type, or of one that wraps it
+  template <class Expansion>
+  void expand(Node&& node, Expansion& out) {
     if (node.decided == static_cast<int>(items_.size())) {
       out.solution(std::move(node));
       return;

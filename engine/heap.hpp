@@ -1,0 +1,127 @@
+// The open nodes of one rank in the order of their bounds, the least first.
+//
+// Nodes of a heap come from all over the tree, so each needs the trail above it. The children of
+// one node share theirs, and so do all nodes that are put in together.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "engine/frontier.hpp"
+#include "engine/wire.hpp"
+
+namespace kusabi::engine {
+
+/// Guarantees: nodes are taken in the order of their bounds, and of equal ones the last put in
+/// first; so where all bounds are equal, depth first.
+template <class Node>
+class Heap {
+ public:
+  [[nodiscard]] bool empty() const { return entries_.empty(); }
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+
+  /// The node to be taken next: none has a smaller bound.
+  /// @pre not empty()
+  [[nodiscard]] const Node& best() const { return entries_.front().open.node; }
+
+  /// Puts the nodes of a bundle in.
+  /// @param bound_of its lower bound: a function of a node
+  /// @throws std::domain_error if a bound is not a number
+  template <class BoundOf>
+  void put(Bundle<Node>&& bundle, BoundOf bound_of) {
+    const auto trail = std::make_shared<const std::vector<Step>>(std::move(bundle.trail));
+    for (auto& open : bundle.nodes) {
+      const double bound = bound_of(std::as_const(open.node));
+      if (std::isnan(bound)) throw std::domain_error("a bound is not a number");
+      insert({bound, ++puts_, trail, std::move(open)});
+    }
+  }
+
+  /// Takes the best node out, with its trail.
+  /// @pre not empty()
+  Bundle<Node> take() { return bundle_of(remove_best()); }
+
+  /// Whether one node can go and one is left.
+  [[nodiscard]] bool can_give() const { return entries_.size() >= 2; }
+
+  /// Takes out the second best, the fourth, the sixth …: at most half of what there is, and no more
+  /// than fit into `limit` bytes, but at least one. So both sides go on with equally good nodes.
+  /// @pre can_give()
+  Gift<Node> give(std::size_t limit) {
+    assert(can_give());
+    Gift<Node> gift;
+    std::vector<Entry> kept;
+    std::size_t bytes = 0;
+    for (auto left = entries_.size() / 2; left > 0; --left) {
+      kept.push_back(remove_best());
+      auto bundle = bundle_of(remove_best());
+      bytes += packed_size(bundle);
+      gift.push_back(std::move(bundle));
+      if (bytes >= limit) break;
+    }
+    for (auto& entry : kept) insert(std::move(entry));
+    return gift;
+  }
+
+  /// A copy of all nodes. Those put in together are together again, in the same order.
+  [[nodiscard]] Gift<Node> all() const {
+    std::vector<const Entry*> entries;
+    entries.reserve(entries_.size());
+    for (const auto& entry : entries_) entries.push_back(&entry);
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry* a, const Entry* b) { return a->age < b->age; });
+    Gift<Node> all;
+    const std::vector<Step>* trail = nullptr;
+    for (const auto* entry : entries) {
+      if (entry->trail.get() != trail) all.push_back({*entry->trail, {}});
+      trail = entry->trail.get();
+      all.back().nodes.push_back(entry->open);
+    }
+    return all;
+  }
+
+ private:
+  struct Entry {
+    double bound;
+    std::uint64_t age;
+    std::shared_ptr<const std::vector<Step>> trail;  // down to the deepest of those that share it
+    OpenNode<Node> open;
+  };
+
+  // The order of std::push_heap, which keeps the greatest in front: here that is the best.
+  static bool worse(const Entry& a, const Entry& b) {
+    return a.bound != b.bound ? a.bound > b.bound : a.age < b.age;
+  }
+
+  void insert(Entry&& entry) {
+    entries_.push_back(std::move(entry));
+    std::push_heap(entries_.begin(), entries_.end(), worse);
+  }
+
+  Entry remove_best() {
+    std::pop_heap(entries_.begin(), entries_.end(), worse);
+    Entry best = std::move(entries_.back());
+    entries_.pop_back();
+    return best;
+  }
+
+  static Bundle<Node> bundle_of(Entry&& entry) {
+    Bundle<Node> bundle;
+    const auto above = static_cast<std::ptrdiff_t>(entry.open.depth);
+    bundle.trail.assign(entry.trail->begin(), entry.trail->begin() + above);
+    bundle.nodes.push_back(std::move(entry.open));
+    return bundle;
+  }
+
+  std::vector<Entry> entries_;
+  std::uint64_t puts_ = 0;
+};
+
+}  // namespace kusabi::engine

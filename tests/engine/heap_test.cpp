@@ -1,0 +1,147 @@
+// The pool of open nodes ordered by bounds: order, giving, and the trails that nodes share.
+#include "engine/heap.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace kusabi::engine {
+namespace {
+
+// A node that knows its own path and its bound.
+struct Witness {
+  Path path;
+  double bound = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& path& bound;
+  }
+};
+
+double bound_of(const Witness& node) {
+  return node.bound;
+}
+
+// The children of the root, of these bounds, in a bundle as a frontier has it: the first child
+// last.
+Bundle<Witness> children(const std::vector<double>& bounds) {
+  Bundle<Witness> bundle;
+  Step root;
+  root.branches = static_cast<std::uint32_t>(bounds.size());
+  bundle.trail = {root};
+  for (auto branch = root.branches; branch-- > 0;) {
+    bundle.nodes.push_back({Witness{{branch}, bounds[branch]}, 1, branch});
+  }
+  return bundle;
+}
+
+std::vector<double> drain(Heap<Witness>& heap) {
+  std::vector<double> bounds;
+  while (!heap.empty()) {
+    bounds.push_back(heap.best().bound);
+    EXPECT_EQ(heap.take().nodes.front().node.bound, bounds.back());
+  }
+  return bounds;
+}
+
+TEST(Heap, TakesTheLeastBoundFirst) {
+  Heap<Witness> heap;
+  heap.put(children({3, 1, 4}), bound_of);
+  heap.put(children({1, 5, -9, 2}), bound_of);
+  EXPECT_EQ(heap.size(), 7U);
+  EXPECT_EQ(drain(heap), (std::vector<double>{-9, 1, 1, 2, 3, 4, 5}));
+}
+
+TEST(Heap, TakesTheLastPutInFirstWhereBoundsAreEqual) {
+  Heap<Witness> heap;
+  heap.put(children({0, 0}), bound_of);
+  heap.put(children({0, 0, 0}), bound_of);
+  std::vector<Path> order;
+  while (!heap.empty()) order.push_back(heap.take().nodes.front().node.path);
+  EXPECT_EQ(order, (std::vector<Path>{{0}, {1}, {2}, {0}, {1}}));
+}
+
+TEST(Heap, GivesEveryOtherAndKeepsTheBest) {
+  Heap<Witness> heap;
+  heap.put(children({1, 2, 3, 4, 5}), bound_of);
+  const auto gift = heap.give(100'000);
+  ASSERT_EQ(size_of(gift), 2U);
+  EXPECT_EQ(gift[0].nodes[0].node.bound, 2);
+  EXPECT_EQ(gift[1].nodes[0].node.bound, 4);
+  EXPECT_EQ(drain(heap), (std::vector<double>{1, 3, 5}));
+}
+
+TEST(Heap, GivesNoMoreThanOneNodeMoreThanTheLimit) {
+  Heap<Witness> heap;
+  heap.put(children(std::vector<double>(100, 1)), bound_of);
+  const auto one = heap.give(1);
+  EXPECT_EQ(size_of(one), 1U);
+  const auto bytes = packed_size(one[0]);
+  EXPECT_EQ(size_of(heap.give(3 * bytes)), 3U);
+  EXPECT_EQ(heap.size(), 96U);
+}
+
+TEST(Heap, GivesNothingIfItHasOneNode) {
+  Heap<Witness> heap;
+  heap.put(children({1}), bound_of);
+  EXPECT_FALSE(heap.can_give());
+}
+
+TEST(Heap, RefusesABoundThatIsNotANumber) {
+  Heap<Witness> heap;
+  EXPECT_THROW(heap.put(children({1, std::nan("")}), bound_of), std::domain_error);
+}
+
+// Takes the one node of a bundle through a frontier, which checks its trail.
+Path path_by_trail(Bundle<Witness> bundle) {
+  Frontier<Witness> frontier;
+  frontier.take(std::move(bundle));
+  frontier.open();
+  return frontier.path();
+}
+
+// A heap that gets what a depth-first search leaves at random moments: whatever it is copied to,
+// each node is still on its own path.
+TEST(Heap, PathsSurvive) {
+  std::mt19937 random(5);
+  Frontier<Witness> frontier;
+  Heap<Witness> heap;
+  frontier.plant({});
+  std::size_t checked = 0;
+  for (int opened = 0; opened < 2000; ++opened) {
+    if (frontier.empty()) {
+      if (heap.empty()) break;
+      frontier.take(heap.take());
+    }
+    const auto node = frontier.open();
+    ASSERT_EQ(frontier.path(), node.path);
+    const auto count = opened < 500 ? 1 + static_cast<std::uint32_t>(random() % 3) : 0;
+    for (std::uint32_t branch = 0; branch < count; ++branch) {
+      auto path = node.path;
+      path.push_back(branch);
+      frontier.branch({std::move(path), static_cast<double>(random() % 10)});
+    }
+    frontier.close();
+    if (!frontier.empty() && random() % 4 == 0) heap.put(frontier.take_all(), bound_of);
+    if (opened % 100 != 0) continue;
+    std::size_t copied = 0;
+    for (const auto& bundle : heap.all()) {
+      ASSERT_FALSE(bundle.nodes.empty());
+      for (const auto& open : bundle.nodes) {
+        auto trail = bundle.trail;
+        trail.resize(open.depth);
+        ASSERT_EQ(path_by_trail({std::move(trail), {open}}), open.node.path);
+        ++copied;
+      }
+    }
+    EXPECT_EQ(copied, heap.size());
+    checked += copied;
+  }
+  EXPECT_TRUE(frontier.empty() && heap.empty());
+  EXPECT_GT(checked, 500U);
+}
+
+}  // namespace
+}  // namespace kusabi::engine
