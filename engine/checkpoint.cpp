@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* manifest_magic = "kusabi-checkpoint";
 constexpr const char* part_magic = "kusabi-checkpoint-part";
-constexpr int format_version = 2;
+constexpr int format_version = 3;
 constexpr const char* previous_suffix = ".previous";
 constexpr const char* beside_suffix = ".tmp";
 

@@ -244,7 +244,7 @@ class Explorer {
   // others from now on; unless the order is to go on below this node, or the heap is full.
   void rank_nodes() {
     statistics_.peak_open = std::max(statistics_.peak_open, open());
-    const bool goes_on = order_ == Order::hybrid && frontier_.current().branches > 0;
+    const bool goes_on = order_ == Order::hybrid && frontier_.branches() > 0;
     if (frontier_.empty() || goes_on || heap_.size() >= heap_nodes_) return;
     keep(frontier_.take_all());
   }
@@ -255,11 +255,10 @@ class Explorer {
       ++statistics_.pruned;
     } else {
       ++statistics_.opened;
-      statistics_.fingerprint += frontier_.current().hash;
+      statistics_.fingerprint += frontier_.mark();
       expand(std::move(node));
     }
-    if (frontier_.current().branches == 0) closed_ += frontier_.current().share;
-    frontier_.close();
+    closed_ += frontier_.close();
   }
 
   void expand(Node&& node) {

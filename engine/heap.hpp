@@ -58,6 +58,7 @@ class Heap {
     assert(can_give());
     Gift<Node> gift;
     std::vector<Entry> kept;
+    PackedSize<Bundle<Node>> packed_size;
     std::size_t bytes = 0;
     for (auto left = entries_.size() / 2; left > 0; --left) {
       kept.push_back(remove_best());

@@ -14,7 +14,7 @@ namespace kusabi::engine {
 /// What one rank did.
 struct RankStatistics {
   std::uint64_t opened = 0;          ///< nodes opened here
-  std::uint64_t fingerprint = 0;     ///< sum of the hashes of their paths, modulo 2^64
+  std::uint64_t fingerprint = 0;     ///< sum of the marks of their paths, modulo 2^64
   std::uint64_t pruned = 0;          ///< nodes not opened: they could not beat the best solution
   std::uint64_t found = 0;           ///< solutions found here (that were the best at their time)
   std::uint64_t peak_open = 0;       ///< most nodes that were waiting at one time
@@ -87,7 +87,7 @@ struct Outcome {
     return sum([](const RankStatistics& rank) { return rank.opened; });
   }
 
-  /// The sum of the path hashes of all opened nodes: equal for two searches of one tree if and only
+  /// The sum of the path marks of all opened nodes: equal for two searches of one tree if and only
   /// if (but for a chance of 2^-64) both opened the same nodes, each once.
   [[nodiscard]] std::uint64_t fingerprint() const {
     return sum([](const RankStatistics& rank) { return rank.fingerprint; });

@@ -585,6 +585,7 @@ class Worker {
 
   void send_report() {
     ReportPart part;
+    PackedSize<Found<P>> packed_size;
     std::size_t bytes = 0;
     for (auto& found : explorer_.found()) {
       bytes += packed_size(found);

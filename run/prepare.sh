@@ -10,7 +10,7 @@ give_up() { printf 'kusabi: %s\n' "$*" >&2; exit 1; }
 build_packages=(g++ cmake make libopenmpi-dev openmpi-bin libboost-serialization-dev libeigen3-dev
   libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev)
 # What the tests need besides.
-test_packages=(libgtest-dev libgmock-dev)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev)
 
 # install_missing PACKAGE...: installs those that are not there yet.
 install_missing() {

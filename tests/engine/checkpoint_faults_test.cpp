@@ -256,9 +256,9 @@ TEST_F(CheckpointFaults, AnotherFormatVersionIsRefusedByNumber) {
     const auto good = content(name);
     for (const std::string version : {"1", "0", "99"}) {
       auto bad = good;
-      bad.replace(bad.find(" 2 ") + 1, 1, version);
+      bad.replace(bad.find(" 3 ") + 1, 1, version);
       overwrite(name, bad);
-      EXPECT_EQ(refusal(), name + ": is of format version " + version + "; expected 2");
+      EXPECT_EQ(refusal(), name + ": is of format version " + version + "; expected 3");
     }
     overwrite(name, good);
   }
@@ -287,14 +287,14 @@ TEST_F(CheckpointFaults, AnyTruncationIsRefusedInOneLine) {
 // the format version must change too, so that old files are refused by number and not misread.
 TEST_F(CheckpointFaults, AStoredOneOfFormatVersionOneIsRefused) {
   copy_stored("checkpoint-version-1");
-  EXPECT_EQ(refusal(), file_ + ": is of format version 1; expected 2");
+  EXPECT_EQ(refusal(), file_ + ": is of format version 1; expected 3");
 }
 
-TEST_F(CheckpointFaults, AStoredOneOfFormatVersionTwoLeadsToTheEnd) {
+TEST_F(CheckpointFaults, AStoredOneOfTodaysFormatLeadsToTheEnd) {
   if (std::endian::native != std::endian::little || sizeof(long) != 8) {
     GTEST_SKIP() << "parts are in the machine's own format; the stored ones are of x86-64";
   }
-  copy_stored("checkpoint-version-2");
+  copy_stored("checkpoint-version-3");
   ASSERT_EQ(read_manifest(file_).ranks, 3);
   ASSERT_GE(read_manifest(file_).opened, 3000U);
   ASSERT_GT(read_manifest(file_).open, 0U);

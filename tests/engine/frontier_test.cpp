@@ -17,17 +17,17 @@ Witness child_of(const Witness& parent, std::uint32_t branch) {
   return child;
 }
 
-std::uint64_t hash_of(const Path& path) {
-  std::uint64_t hash = root_hash;
-  for (const auto branch : path) hash = branch_hash(hash, branch);
-  return hash;
+std::uint64_t mark_of(const Path& path) {
+  std::uint64_t mark = root_mark;
+  for (const auto branch : path) mark = branch_mark(hash_of_mark(mark), branch);
+  return mark;
 }
 
 // Opens one node, checks its path, and gives it `children` children.
 Witness open_and_branch(Frontier<Witness>& frontier, std::uint32_t children) {
   Witness node = frontier.open();
   EXPECT_EQ(frontier.path(), node);
-  EXPECT_EQ(frontier.current().hash, hash_of(node));
+  EXPECT_EQ(frontier.mark(), mark_of(node));
   for (std::uint32_t branch = 0; branch < children; ++branch) {
     frontier.branch(child_of(node, branch));
   }
@@ -96,8 +96,11 @@ TEST(Frontier, TellsTheShareOfTheTreeOfEachNode) {
   frontier.plant({});
   open_and_branch(frontier, 4);
   open_and_branch(frontier, 2);
-  open_and_branch(frontier, 0);
-  EXPECT_DOUBLE_EQ(frontier.current().share, 1.0 / 8);
+  frontier.open();
+  EXPECT_DOUBLE_EQ(frontier.close(), 1.0 / 8);
+  frontier.open();
+  frontier.branch({0, 1, 0});
+  EXPECT_DOUBLE_EQ(frontier.close(), 0);
 }
 
 // Several frontiers play a random game of opening and giving; every node must be opened once, with
@@ -117,8 +120,8 @@ TEST(Frontier, PathsSurviveAnyNumberOfGifts) {
       if (!one.empty()) {
         const auto children = opened < 300 ? static_cast<std::uint32_t>(random() % 4) : 0;
         const auto node = open_and_branch(one, children);
-        fingerprint += one.current().hash;
-        expected += hash_of(node);
+        fingerprint += one.mark();
+        expected += mark_of(node);
         open += children;
         --open;
         ++opened;

@@ -22,23 +22,36 @@ TEST(Path, ALongOneIsCutInTheMiddle) {
   EXPECT_EQ(text.back(), '7');
 }
 
-TEST(Path, HashesOfAWholeTreeDiffer) {
-  std::set<std::uint64_t> seen{root_hash};
-  std::vector<std::uint64_t> level{root_hash};
+TEST(Path, MarksAndHashesOfAWholeTreeDiffer) {
+  std::set<std::uint64_t> marks{root_mark};
+  std::set<std::uint64_t> hashes{hash_of_mark(root_mark)};
+  std::vector<std::uint64_t> level(hashes.begin(), hashes.end());
   for (int depth = 0; depth < 6; ++depth) {
     std::vector<std::uint64_t> next;
     for (const auto parent : level) {
       for (std::uint32_t branch = 0; branch < 5; ++branch) {
-        next.push_back(branch_hash(parent, branch));
-        EXPECT_TRUE(seen.insert(next.back()).second);
+        const auto mark = branch_mark(parent, branch);
+        EXPECT_TRUE(marks.insert(mark).second);
+        EXPECT_TRUE(hashes.insert(hash_of_mark(mark)).second);
+        next.push_back(hash_of_mark(mark));
       }
     }
     level = std::move(next);
   }
 }
 
+// A sum that is linear in the branch number would not notice that one of three sisters was opened
+// twice and the two others never.
+TEST(Path, SumsOfMarksTellSistersApart) {
+  std::uint64_t parent = 1;
+  for (int trial = 0; trial < 10'000; ++trial) {
+    parent = branch_hash(parent, 0);
+    EXPECT_NE(branch_mark(parent, 0) + branch_mark(parent, 2), 2 * branch_mark(parent, 1));
+  }
+}
+
 TEST(Path, HashOfAPathDependsOnTheOrderOfItsBranches) {
-  EXPECT_NE(branch_hash(branch_hash(root_hash, 0), 1), branch_hash(branch_hash(root_hash, 1), 0));
+  EXPECT_NE(branch_hash(branch_hash(root_mark, 0), 1), branch_hash(branch_hash(root_mark, 1), 0));
 }
 
 }  // namespace

@@ -41,9 +41,9 @@ struct Recount {
   std::uint64_t fingerprint = 0;
   std::vector<Path> solutions;
 
-  void queens(int size, std::vector<int>& columns, Path& path, std::uint64_t hash) {
+  void queens(int size, std::vector<int>& columns, Path& path, std::uint64_t mark) {
     ++nodes;
-    fingerprint += hash;
+    fingerprint += mark;
     const int row = static_cast<int>(columns.size());
     if (row == size) {
       solutions.push_back(path);
@@ -59,7 +59,7 @@ struct Recount {
       if (!free) continue;
       columns.push_back(column);
       path.push_back(branch);
-      queens(size, columns, path, branch_hash(hash, branch));
+      queens(size, columns, path, branch_mark(hash_of_mark(mark), branch));
       columns.pop_back();
       path.pop_back();
       ++branch;
@@ -73,7 +73,7 @@ TEST(Search, OpensEveryNodeOnceAsARecursionDoes) {
   Recount recount;
   std::vector<int> columns;
   Path path;
-  recount.queens(8, columns, path, root_hash);
+  recount.queens(8, columns, path, root_mark);
   EXPECT_EQ(outcome.opened(), recount.nodes);
   EXPECT_EQ(outcome.fingerprint(), recount.fingerprint);
   std::vector<Path> paths;

@@ -34,11 +34,11 @@ TEST(Wire, RefusesBytesThatEndTooEarly) {
 }
 
 TEST(Wire, CarriesAGift) {
-  const Gift<int> gift{{{Step{0, root_hash, 1, 2}}, {{42, 1, 0}, {43, 1, 1}}}, {{}, {{44, 0, 0}}}};
+  const Gift<int> gift{{{Step{0, 2, 7, 0.5}}, {{42, 1, 0}, {43, 1, 1}}}, {{}, {{44, 0, 0}}}};
   const auto copy = unpack<Gift<int>>(pack(gift));
   ASSERT_EQ(copy.size(), 2U);
   ASSERT_EQ(copy[0].trail.size(), 1U);
-  EXPECT_EQ(copy[0].trail[0].hash, root_hash);
+  EXPECT_EQ(copy[0].trail[0].hash, 7U);
   ASSERT_EQ(copy[0].nodes.size(), 2U);
   EXPECT_EQ(copy[0].nodes[1].node, 43);
   EXPECT_EQ(copy[0].nodes[1].branch, 1U);

@@ -1,0 +1,194 @@
+// What the engine itself costs, apart from the nodes: one figure for each thing it does.
+//
+// Nanoseconds of CPU time; items are nodes. Over MPI on one rank, so no message is on its way: what
+// is measured is the price of being ready for one.
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "engine/heap.hpp"
+#include "engine/search.hpp"
+#include "engine/transport/mpi.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+// A node as the sign-pattern tree has them: a sign for each of 40 contact nodes.
+struct Signs {
+  std::vector<std::int8_t> signs = std::vector<std::int8_t>(40);
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& signs;
+  }
+};
+
+// A node as cheap as can be.
+struct Depth {
+  std::uint32_t left = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& left;
+  }
+};
+
+// The complete binary tree, whose nodes cost nothing.
+struct EmptyTree {
+  using Node = Depth;
+  struct Solution {
+    template <class Archive>
+    void serialize(Archive& /*archive*/, unsigned /*version*/) {}
+  };
+
+  std::uint32_t depth = 0;
+
+  Node root() const { return {depth}; }
+  void expand(Node&& node, Expansion<EmptyTree>& out) const {
+    if (node.left == 0) return;
+    out.branch({node.left - 1});
+    out.branch({node.left - 1});
+  }
+};
+
+constexpr std::uint32_t depth = 18;
+constexpr std::int64_t nodes = (std::int64_t{1} << (depth + 1)) - 1;
+
+// ---- the pools
+// ------------------------------------------------------------------------------------
+
+// One way through the tree, without an explorer.
+void frontier_push_pop(benchmark::State& state) {
+  for (auto _ : state) {
+    Frontier<Depth> frontier;
+    frontier.plant({depth});
+    double closed = 0;
+    while (!frontier.empty()) {
+      const auto node = frontier.open();
+      if (node.left > 0) {
+        frontier.branch({node.left - 1});
+        frontier.branch({node.left - 1});
+      }
+      closed += frontier.close();
+    }
+    benchmark::DoNotOptimize(closed);
+  }
+  state.SetItemsProcessed(state.iterations() * nodes);
+}
+
+// One node out, one in, with so many waiting.
+void heap_push_pop(benchmark::State& state) {
+  std::uint64_t random = 1;
+  const auto bound = [&](const Depth&) {
+    random = branch_hash(random, 0);
+    return static_cast<double>(random % 1000);
+  };
+  const auto bundle = [] { return Bundle<Depth>{{Step{0, 1, 1, 1}}, {{Depth{}, 1, 0}}}; };
+  Heap<Depth> heap;
+  for (std::int64_t i = 0; i < state.range(0); ++i) heap.put(bundle(), bound);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(heap.take());
+    heap.put(bundle(), bound);
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+// ---- sharing
+// --------------------------------------------------------------------------------------
+
+Frontier<Signs> frontier_of(std::int64_t size) {
+  Frontier<Signs> frontier;
+  frontier.plant({});
+  frontier.open();
+  for (std::int64_t i = 0; i < size; ++i) frontier.branch({});
+  frontier.close();
+  return frontier;
+}
+
+// All that the giver and the taker of so many nodes do, but for the message.
+void steal(benchmark::State& state) {
+  const auto full = frontier_of(2 * state.range(0));
+  for (auto _ : state) {
+    state.PauseTiming();
+    auto giver = full;
+    Frontier<Signs> taker;
+    state.ResumeTiming();
+    const auto body = pack(Gift<Signs>{giver.give(std::size_t{1} << 30U)});
+    auto gift = unpack<Gift<Signs>>(body);
+    taker.take(std::move(gift.front()));
+    benchmark::DoNotOptimize(taker);
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void serialise(benchmark::State& state) {
+  const Gift<Signs> gift{frontier_of(state.range(0)).all()};
+  for (auto _ : state) benchmark::DoNotOptimize(pack(gift));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void deserialise(benchmark::State& state) {
+  const auto body = pack(Gift<Signs>{frontier_of(state.range(0)).all()});
+  for (auto _ : state) benchmark::DoNotOptimize(unpack<Gift<Signs>>(body));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+// ---- the search
+// -----------------------------------------------------------------------------------
+
+// @param nodes_per_step between two looks at the messages; 0: adapted to what a node costs
+template <class AnyTransport>
+void search_empty_tree(benchmark::State& state) {
+  EmptyTree tree{depth};
+  Options options;
+  options.nodes_per_step = static_cast<unsigned>(state.range(0));
+  AnyTransport transport;
+  for (auto _ : state) benchmark::DoNotOptimize(search(tree, transport, options));
+  state.SetItemsProcessed(state.iterations() * nodes);
+}
+
+template <class AnyTransport>
+void look_for_messages(benchmark::State& state) {
+  AnyTransport transport;
+  for (auto _ : state) benchmark::DoNotOptimize(transport.receive());
+}
+
+template <class AnyTransport>
+void look_at_the_clock(benchmark::State& state) {
+  AnyTransport transport;
+  for (auto _ : state) benchmark::DoNotOptimize(transport.now());
+}
+
+BENCHMARK(frontier_push_pop)->Unit(benchmark::kMillisecond);
+BENCHMARK(heap_push_pop)->Arg(100)->Arg(100'000);
+BENCHMARK(steal)->Arg(1)->Arg(16)->Arg(256);
+BENCHMARK(serialise)->Arg(1)->Arg(16)->Arg(256);
+BENCHMARK(deserialise)->Arg(1)->Arg(16)->Arg(256);
+BENCHMARK_TEMPLATE(search_empty_tree, SingleProcess)
+    ->ArgName("step")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(search_empty_tree, MpiTransport)
+    ->ArgName("step")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(look_for_messages, SingleProcess);
+BENCHMARK_TEMPLATE(look_for_messages, MpiTransport);
+BENCHMARK_TEMPLATE(look_at_the_clock, SingleProcess);
+BENCHMARK_TEMPLATE(look_at_the_clock, MpiTransport);
+
+}  // namespace
+}  // namespace kusabi::engine
+
+int main(int argc, char** argv) {
+  const kusabi::engine::MpiEnvironment mpi(argc, argv);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
