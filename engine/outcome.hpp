@@ -64,6 +64,9 @@ struct Outcome {
   /// Nodes that were left open, on all ranks; 0 if solved.
   std::uint64_t open = 0;
 
+  /// Whether all that is needed to go on is in the checkpoint of Options::checkpoint; on rank 0.
+  bool saved = false;
+
   /// For Goal::best: no solution is below this. The objective of the best one if solved, the least
   /// bound of what was left open (or the objective, if smaller) otherwise.
   double bound = -std::numeric_limits<double>::infinity();

@@ -152,6 +152,7 @@ class Worker {
     Outcome<P> outcome;
     outcome.status = status_;
     outcome.open = last_wave_.open;
+    outcome.saved = saved_ && status_ != Status::solved;
     outcome.bound = std::min(last_wave_.bound, last_wave_.objective);
     outcome.solutions = std::move(explorer_.found());
     std::stable_sort(outcome.solutions.begin(), outcome.solutions.end(),
@@ -522,6 +523,7 @@ class Worker {
   // The wave after the parts were written: it counts if no rank failed.
   void finish_checkpoint(const Survey& wave) {
     last_checkpoint_ = now_;
+    saved_ = false;
     if (transport_.rank() != 0) return;
     if ((wave.wishes & wish_failed) != 0) {
       warn("a part of checkpoint " + std::to_string(epoch_) + " could not be written; " +
@@ -532,6 +534,7 @@ class Worker {
     try {
       commit(options_.checkpoint.file, manifest(wave), good_epoch_);
       good_epoch_ = epoch_;
+      saved_ = true;
     } catch (const CheckpointError& error) {
       warn(error.what());
     }
@@ -716,7 +719,8 @@ class Worker {
 
   std::uint64_t epoch_ = 0;       // of the last checkpoint written, good or not
   std::uint64_t good_epoch_ = 0;  // the last that counts, as far as rank 0 knows
-  bool failed_ = false;
+  bool failed_ = false;           // to write the own part
+  bool saved_ = false;            // the last one counts
 
   std::optional<TraceRecorder> trace_;
   std::vector<RankTrace> traces_;  // of all ranks, on rank 0

@@ -89,8 +89,14 @@ void tell_what_is_left(const PatternsOptions& options, const std::string& checkp
   fmt::print(stderr, "stopped early ({}): {} open nodes are left, the list is not complete\n",
              status_name(outcome.status), outcome.open);
   if (checkpoint.empty()) return;
-  fmt::print(stderr, "go on with: kusabi patterns {} --mu {} --restart {}\n", options.file,
-             options.friction, checkpoint);
+  if (!outcome.saved && !engine::checkpoint_exists(checkpoint)) {
+    fmt::print(stderr, "nothing is saved: no checkpoint could be written\n");
+    return;
+  }
+  if (!outcome.saved) fmt::print(stderr, "the last checkpoint could not be written\n");
+  fmt::print(stderr, "go on{} with: kusabi patterns {} --mu {} --restart {}\n",
+             outcome.saved ? "" : " from the one before it", options.file, options.friction,
+             checkpoint);
 }
 
 }  // namespace

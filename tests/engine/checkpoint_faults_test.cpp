@@ -213,6 +213,7 @@ TEST_F(CheckpointFaults, AFullDiskIsAWarningAndTheOneBeforeCounts) {
     const auto outcome = go_on(options(), 3, 3000);
     ASSERT_TRUE(allow(RLIM_INFINITY));
     EXPECT_EQ(outcome.status, Status::node_limit);  // it went on until then
+    EXPECT_FALSE(outcome.saved);
     EXPECT_GT(warnings_.size(), 2U);
     EXPECT_THAT(warnings_, testing::Contains(HasSubstr("the one before still counts")));
     EXPECT_EQ(read_manifest(file_).epoch, before);
@@ -221,7 +222,7 @@ TEST_F(CheckpointFaults, AFullDiskIsAWarningAndTheOneBeforeCounts) {
   }
   std::signal(SIGXFSZ, handler);
   // There is room again.
-  go_on(options(), 2, 500);
+  EXPECT_TRUE(go_on(options(), 2, 500).saved);
   EXPECT_GT(read_manifest(file_).epoch, before);
   expect_a_good_one();
 }

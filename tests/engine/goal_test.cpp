@@ -170,23 +170,30 @@ TEST(Limits, OfTimeStopsInVirtualTime) {
   EXPECT_EQ(simulated.left_behind, 0U);
 }
 
-TEST(Limits, OfGapStopsWithAValidBound) {
+// A survey does not see nodes that are on their way, and one of them may have the least bound: with
+// slow messages and few nodes on each rank that is so now and then.
+TEST(Limits, OfGapStopsWithAValidBoundThatKeepsIt) {
+  constexpr double gap = 0.005;
   int stopped = 0;
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    auto knapsack = Knapsack::random(seed, 30);
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    auto knapsack = Knapsack::random(static_cast<unsigned>(seed % 60), 20);
     const double best = search(knapsack, with_goal(Goal::best)).bound;
     Options options = with_goal(Goal::best);
-    options.limits.gap = 0.02;
+    options.order = seed % 2 == 0 ? Order::depth_first : Order::best_first;
+    options.limits.gap = gap;
     options.survey_interval = 5e-6;
-    const auto outcome = simulate(knapsack, 3, seed, {}, options).outcome;
+    const Weather weather{.latency = seed % 3 == 0 ? 2e-6 : 100e-6};
+    const int ranks = 2 + static_cast<int>(seed % 7);
+    const auto outcome = simulate(knapsack, ranks, seed, weather, options).outcome;
+    SCOPED_TRACE("seed " + std::to_string(seed));
     ASSERT_EQ(outcome.solutions.size(), 1U);
     const double objective = knapsack.objective(outcome.solutions[0].solution);
     EXPECT_LE(outcome.bound, best);
     EXPECT_GE(objective, best);
-    EXPECT_LE(objective - outcome.bound, 0.02 * std::abs(objective));
+    EXPECT_LE(objective - outcome.bound, gap * std::abs(objective));
     if (outcome.status == Status::gap_limit) ++stopped;
   }
-  EXPECT_GT(stopped, 0);
+  EXPECT_GT(stopped, 30);
 }
 
 TEST(Limits, AnInterruptOnOneRankStopsAll) {
