@@ -32,7 +32,7 @@ Bundle<Witness> children(const std::vector<double>& bounds) {
   root.branches = static_cast<std::uint32_t>(bounds.size());
   bundle.trail = {root};
   for (auto branch = root.branches; branch-- > 0;) {
-    bundle.nodes.push_back({Witness{{branch}, bounds[branch]}, 1, branch});
+    bundle.nodes.emplace_back(Witness{{branch}, bounds[branch]}, 1, branch);
   }
   return bundle;
 }

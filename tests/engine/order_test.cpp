@@ -35,10 +35,10 @@ class Watched {
   Knapsack knapsack_;
 };
 
-constexpr int items = 16;
+constexpr std::size_t items = 16;
 
 Watched watched(unsigned seed) {
-  return Watched(Knapsack::random(seed, items));
+  return Watched(Knapsack::random(seed, static_cast<int>(items)));
 }
 
 Options with(Order order, Goal goal = Goal::best) {
@@ -80,9 +80,9 @@ TEST(Order, BestFirstOpensOnlyWhatMustBeOpened) {
 TEST(Order, HybridGoesDownToALeafAndThenToTheLeastBound) {
   auto problem = watched(8);
   search(problem, with(Order::hybrid));
-  ASSERT_GT(problem.opened.size(), static_cast<std::size_t>(items) + 2);
-  for (int depth = 0; depth <= items; ++depth) {
-    EXPECT_EQ(problem.opened[static_cast<std::size_t>(depth)].decided, depth);
+  ASSERT_GT(problem.opened.size(), items + 2);
+  for (std::size_t depth = 0; depth <= items; ++depth) {
+    EXPECT_EQ(problem.opened[depth].decided, static_cast<int>(depth));
   }
   // Of the second children left on the way down, the one with the least bound comes next.
   double least = std::numeric_limits<double>::infinity();
