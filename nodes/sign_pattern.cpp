@@ -25,6 +25,20 @@ double mean_normal_compliance(const problems::WedgedProblem& problem) {
   return sum / static_cast<double>(m);
 }
 
+// 1 / c of Branching::relative. (The unit of F, alike for all, makes no difference.)
+std::vector<double> branching_weights(const problems::WedgedProblem& problem,
+                                      std::span<const double> friction, Branching branching) {
+  std::vector<double> weights(friction.size(), 1);
+  if (branching == Branching::product) return weights;
+  const Eigen::Index d = problem.dimension;
+  for (std::size_t i = 0; i < friction.size(); ++i) {
+    const Eigen::Index normal = d * static_cast<Eigen::Index>(i);
+    const auto own = problem.compliance.row(normal).segment(normal, d);
+    weights[i] = 1 / (own[0] + friction[i] * own.tail(d - 1).norm());
+  }
+  return weights;
+}
+
 }  // namespace
 
 SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
@@ -39,11 +53,13 @@ SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
 }
 
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
-                                 std::span<const double> friction, conic::Tolerances tolerances)
+                                 std::span<const double> friction, conic::Tolerances tolerances,
+                                 Branching branching)
     : dimension_(problem.dimension),
       candidates_(first_bits(problem.contact_names.size())),
       unit_(mean_normal_compliance(problem)),
       tolerances_(tolerances),
+      weight_(branching_weights(problem, friction, branching)),
       solver_([&]() -> Solver {
         const Eigen::MatrixXd scaled = problem.compliance / unit_;
         if (problem.dimension == 2) return conic::NodeSolver<2>(scaled, friction, tolerances);
@@ -87,8 +103,8 @@ conic::Answer SignPatternTree::solve(const Node& node) {
                     solver_);
 }
 
-// Remark 5.5: the candidate that violates complementarity most, the largest u_n r_n. Of equal ones
-// the first, so that the tree is the same everywhere.
+// The candidate that violates complementarity most. Of equal ones the first, so that the tree is
+// the same everywhere.
 int SignPatternTree::branching_candidate(const Node& node) const {
   return std::visit(
       [&](const auto& solver) {
@@ -98,7 +114,8 @@ int SignPatternTree::branching_candidate(const Node& node) const {
         for (auto rest = open; rest != 0; rest &= rest - 1) {
           const int i = std::countr_zero(rest);
           const Eigen::Index normal = dimension_ * i;
-          const double product = solver.displacement()(normal) * solver.reaction()(normal);
+          const double product = solver.displacement()(normal) * solver.reaction()(normal) *
+                                 weight_[static_cast<std::size_t>(i)];
           if (product > largest) {
             largest = product;
             best = i;

@@ -16,6 +16,7 @@
 #include "run/bench_scaling.hpp"
 #include "run/bench_schedules.hpp"
 #include "run/bench_uts.hpp"
+#include "run/example.hpp"
 #include "run/exit_code.hpp"
 #include "run/patterns.hpp"
 #include "run/session.hpp"
@@ -63,6 +64,17 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
                   "a margin t* up to this size is neither positive nor negative")
       ->check(positive)
       ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--branching",
+          [options](const std::string& rule) {
+            using kusabi::nodes::Branching;
+            options->branching = rule == "paper" ? Branching::product : Branching::relative;
+          },
+          "split nodes by the largest u_n r_n as the paper does, or by its size relative to the "
+          "candidate's compliance: the same patterns from fewer nodes")
+      ->check(CLI::IsMember({"paper", "relative"}))
+      ->default_str("relative");
   command.add_option("--output", options->output, "write the result to this JSON file");
   command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
       ->check(positive);
@@ -86,6 +98,24 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
   add_serial(command, serial);
   command.callback(
       [&action, options] { action = [options](Session& s) { return patterns(s, *options); }; });
+}
+
+void add_example(CLI::App& app, Action& action) {
+  auto& command = *app.add_subcommand("example", "writes a problem file of a family of structures");
+  command.require_subcommand(1);
+  auto& truss = *command.add_subcommand(
+      "space-truss", "a space truss against an inclined wall; the candidates are rows x depth");
+  const auto options = std::make_shared<ExampleSpaceTrussOptions>();
+  const auto count = [&](const char* name, int& value, const char* what) {
+    truss.add_option(name, value, what)->check(CLI::PositiveNumber)->capture_default_str();
+  };
+  count("--rows", options->size.rows, "rows of nodes along y");
+  count("--depth", options->size.depth, "planes of nodes along z");
+  count("--bays", options->size.bays, "bays between the wall and the obstacle");
+  truss.add_option("--output", options->output, "write to this file instead of standard output");
+  truss.callback([&action, options] {
+    action = [options](Session& s) { return example_space_truss(s, *options); };
+  });
 }
 
 void add_scaling(CLI::App& bench, Action& action) {
@@ -152,6 +182,7 @@ int run(Session& session, int argc, char** argv) {
   Action action;
   bool serial = false;
   add_patterns(app, action, serial);
+  add_example(app, action);
   auto& bench = *app.add_subcommand("bench", "measures and tries the search engine");
   bench.require_subcommand(1);
   add_scaling(bench, action);

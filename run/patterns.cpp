@@ -48,6 +48,7 @@ std::uint64_t tree_fingerprint(const problems::WedgedProblem& problem,
   fingerprint.add(problem.fingerprint);
   fingerprint.add(options.friction);
   fingerprint.add(options.tolerance);
+  fingerprint.add(std::uint64_t{options.branching == nodes::Branching::product});
   return fingerprint.value();
 }
 
@@ -94,9 +95,13 @@ void tell_what_is_left(const PatternsOptions& options, const std::string& checkp
     return;
   }
   if (!outcome.saved) fmt::print(stderr, "the last checkpoint could not be written\n");
-  fmt::print(stderr, "go on{} with: kusabi patterns {} --mu {} --restart {}\n",
-             outcome.saved ? "" : " from the one before it", options.file, options.friction,
-             checkpoint);
+  std::string call = fmt::format("kusabi patterns {} --mu {}", options.file, options.friction);
+  const PatternsOptions usual;
+  if (options.tolerance != usual.tolerance)
+    call += fmt::format(" --tolerance {}", options.tolerance);
+  if (options.branching != usual.branching) call += " --branching paper";
+  fmt::print(stderr, "go on{} with: {} --restart {}\n",
+             outcome.saved ? "" : " from the one before it", call, checkpoint);
 }
 
 }  // namespace
@@ -113,7 +118,7 @@ int patterns(Session& session, const PatternsOptions& options) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   const auto problem = problems::wedged_problem(problems::read_structure(text, options.file));
   const std::vector<double> friction(problem.contact_names.size(), options.friction);
-  nodes::SignPatternTree tree(problem, friction, {.sign = options.tolerance});
+  nodes::SignPatternTree tree(problem, friction, {.sign = options.tolerance}, options.branching);
 
   engine::Options search_options;
   search_options.limits = options.limits;

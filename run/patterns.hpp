@@ -5,21 +5,23 @@
 
 #include "engine/options.hpp"
 #include "nodes/conic/node_solver.hpp"
+#include "nodes/sign_pattern.hpp"
 #include "run/session.hpp"
 
 namespace kusabi::run {
 
 struct PatternsOptions {
-  std::string file;                             ///< the problem
-  double friction = 0;                          ///< mu
-  double tolerance = conic::Tolerances{}.sign;  ///< |t*| up to this is marginal
-  std::string output;                           ///< the result file; empty: none
-  engine::Limits limits;                        ///< where to stop early
-  std::string checkpoint;                       ///< keep the state here; empty: nowhere
-  double checkpoint_interval = 600;             ///< seconds
-  std::string restart;                          ///< go on from here; empty: start anew
-  std::string trace;                            ///< the timeline goes here; empty: nowhere
-  bool quiet = false;                           ///< no progress, no table
+  std::string file;                                         ///< the problem
+  double friction = 0;                                      ///< mu
+  double tolerance = conic::Tolerances{}.sign;              ///< |t*| up to this is marginal
+  nodes::Branching branching = nodes::Branching::relative;  ///< how nodes are split
+  std::string output;                                       ///< the result file; empty: none
+  engine::Limits limits;                                    ///< where to stop early
+  std::string checkpoint;                                   ///< keep the state here; empty: nowhere
+  double checkpoint_interval = 600;                         ///< seconds
+  std::string restart;                                      ///< go on from here; empty: start anew
+  std::string trace;   ///< the timeline goes here; empty: nowhere
+  bool quiet = false;  ///< no progress, no table
 };
 
 /// Runs the command on all ranks. @return the exit code

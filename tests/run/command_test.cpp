@@ -261,6 +261,19 @@ TEST_F(Command, SaysWhatItCouldNotDecide) {
   EXPECT_GT(nlohmann::json::parse(content(file))["result"]["undecided"], 0);
 }
 
+TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
+  const auto opened = [&](const std::string& rule) {
+    const auto file = in_folder(rule + ".json");
+    const auto run = shell(command + " patterns " + truss + " --mu 0.65 --branching " + rule +
+                           " --output " + quoted(file));
+    EXPECT_THAT(run.output, HasSubstr("27 sign patterns"));
+    const auto result = nlohmann::json::parse(content(file));
+    EXPECT_EQ(result["options"]["branching"], rule);
+    return result["result"]["tree"]["opened"].get<int>();
+  };
+  EXPECT_LT(opened("relative"), opened("paper"));
+}
+
 TEST_F(Command, StopsAtALimitAndGoesOnFromItsCheckpoint) {
   const std::string call = command + " patterns " + truss + " --mu 1.0 --output ";
   const auto whole = in_folder("whole.json");
@@ -378,6 +391,24 @@ TEST_F(Command, WritesATraceOfAllRanksAndTheSameResult) {
     for (const double end : work_ends) EXPECT_GT(end, 0);
   }
   EXPECT_EQ(files(), (std::vector<std::string>{"plain.json", "result.json", "trace.json"}));
+}
+
+TEST_F(Command, WritesExamplesThatItCanSolve) {
+  const auto file = in_folder("truss.toml");
+  const auto call = command + " example space-truss ";
+  EXPECT_EQ(shell(call + "--output " + quoted(file)).exit_code, 0);
+  EXPECT_EQ(shell(call).output, content(file));
+  const auto solved = shell(command + " patterns " + quoted(file) + " --mu 0.65");
+  EXPECT_THAT(solved.output, HasSubstr("27 sign patterns"));
+
+  const auto small = shell(call + "--rows 3 --depth 2 --bays 1 --output " + quoted(file));
+  EXPECT_EQ(small.exit_code, 0) << small.output;
+  EXPECT_THAT(shell(command + " patterns " + quoted(file) + " --mu 1").output,
+              HasSubstr("6 contact candidates"));
+
+  const auto wrong = shell(ranks(2) + call + "--rows 3 --bays 4");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("expected no more bays than rows"));
 }
 
 TEST_F(Command, HelpsAndTellsItsVersion) {

@@ -1,0 +1,175 @@
+// How many nodes the sign-pattern tree needs for a pattern, under one rule of branching or another:
+// those that the program has, and those that were tried and did not pay (docs/theory.md).
+//
+// Nodes and cone programs are the same on any machine; CPU seconds are not.
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "nodes/conic/node_solver.hpp"
+#include "problems/space_truss.hpp"
+#include "problems/wedged_problem.hpp"
+
+namespace {
+
+using namespace kusabi;
+using conic::Sign;
+
+// What a candidate is like at a node.
+struct Candidate {
+  double displacement;  // u_n >= 0
+  double reaction;      // r_n >= 0
+  double compliance;    // F_nn of its own
+  double reach;         // F_nn + mu |F_nt| of its own
+};
+
+struct Strategy {
+  std::string name;
+  std::function<double(const Candidate&)> score;  // the largest is branched on
+  int tried = 0;  // of so many with the largest scores both children are solved first
+};
+
+const std::vector<Strategy>& strategies() {
+  const auto product = [](const Candidate& c) { return c.displacement * c.reaction; };
+  const auto compliance = [=](const Candidate& c) { return product(c) / c.compliance; };
+  const auto relative = [=](const Candidate& c) { return product(c) / c.reach; };
+  static const std::vector<Strategy> all{
+      {"u r (paper)", product},
+      {"u r / F_nn", compliance},
+      {"u r / (F_nn + mu F_nt)", relative},
+      {"largest r", [](const Candidate& c) { return c.reaction; }},
+      {"largest u", [](const Candidate& c) { return c.displacement; }},
+      {"the third, 2 tried", relative, 2},
+      {"the third, 4 tried", relative, 4},
+  };
+  return all;
+}
+
+// The tree, searched depth first in this process.
+class Search {
+ public:
+  Search(const problems::WedgedProblem& problem, double friction, const Strategy& strategy)
+      : strategy_(strategy), friction_(friction), compliance_(scaled(problem)) {
+    const std::vector<double> all(problem.contact_names.size(), friction);
+    solver_.emplace(compliance_, all);
+    candidates_ = (std::uint64_t{1} << all.size()) - 1;
+  }
+
+  void open(std::uint64_t contact, std::uint64_t separated) {
+    ++nodes;
+    const auto answer = solve(contact, separated);
+    if (answer.sign == Sign::dead) return;
+    const auto rest = candidates_ & ~(contact | separated);
+    if (rest == 0) {
+      found += answer.sign == Sign::alive ? 1 : 0;
+      return;
+    }
+    const auto ranked = rank(rest);
+    auto best = ranked.front();
+    double least = 1e300;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(strategy_.tried) && i < ranked.size();
+         ++i) {
+      const auto split = ranked[i];
+      const auto touching = solve(contact | split, separated);
+      if (touching.sign == Sign::dead) return close_and_open(contact, separated | split);
+      const auto apart = solve(contact, separated | split);
+      if (apart.sign == Sign::dead) return close_and_open(contact | split, separated);
+      if (touching.upper + apart.upper < least) {
+        least = touching.upper + apart.upper;
+        best = split;
+      }
+    }
+    open(contact | best, separated);
+    open(contact, separated | best);
+  }
+
+  std::uint64_t nodes = 0;
+  std::uint64_t programs = 0;
+  std::uint64_t found = 0;
+
+ private:
+  static Eigen::MatrixXd scaled(const problems::WedgedProblem& problem) {
+    double sum = 0;
+    const auto m = static_cast<Eigen::Index>(problem.contact_names.size());
+    for (Eigen::Index i = 0; i < m; ++i) sum += problem.compliance(3 * i, 3 * i);
+    return problem.compliance / (sum / static_cast<double>(m));
+  }
+
+  conic::Answer solve(std::uint64_t contact, std::uint64_t separated) {
+    ++programs;
+    return solver_->solve(contact, separated);
+  }
+
+  // One child is dead and was just solved; the other is all that is left of the node.
+  void close_and_open(std::uint64_t contact, std::uint64_t separated) {
+    ++nodes;
+    open(contact, separated);
+  }
+
+  // The bits of the free candidates, best score first.
+  [[nodiscard]] std::vector<std::uint64_t> rank(std::uint64_t rest) const {
+    std::vector<std::pair<double, std::uint64_t>> scores;
+    for (; rest != 0; rest &= rest - 1) {
+      const Eigen::Index normal = 3 * std::countr_zero(rest);
+      const auto own = compliance_.row(normal).segment(normal, 3);
+      const Candidate candidate{std::max(0.0, solver_->displacement()[normal]),
+                                std::max(0.0, solver_->reaction()[normal]), own[0],
+                                own[0] + friction_ * own.tail(2).norm()};
+      scores.emplace_back(-strategy_.score(candidate), rest & ~(rest - 1));
+    }
+    std::sort(scores.begin(), scores.end());
+    std::vector<std::uint64_t> bits;
+    for (const auto& [score, bit] : scores) bits.push_back(bit);
+    return bits;
+  }
+
+  const Strategy& strategy_;
+  double friction_;
+  Eigen::MatrixXd compliance_;
+  std::optional<conic::NodeSolver<3>> solver_;
+  std::uint64_t candidates_ = 0;
+};
+
+struct Instance {
+  problems::SpaceTrussSize size;
+  double friction;
+};
+
+void measure(const Instance& instance) {
+  const auto problem = problems::wedged_problem(problems::space_truss(instance.size));
+  const auto& [rows, depth, bays] = instance.size;
+  fmt::print("\n{} x {} candidates, {} bays, mu = {}\n", rows, depth, bays, instance.friction);
+  fmt::print("{:<24} {:>9} {:>13} {:>9} {:>18} {:>12}\n", "rule", "nodes", "cone programs",
+             "patterns", "nodes a pattern", "CPU seconds");
+  for (const auto& strategy : strategies()) {
+    Search search(problem, instance.friction, strategy);
+    const auto start = std::clock();
+    search.open(0, 0);
+    const auto seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const auto share = search.found == 0
+                           ? std::string("-")
+                           : fmt::format("{:.1f}", static_cast<double>(search.nodes) /
+                                                       static_cast<double>(search.found));
+    fmt::print("{:<24} {:>9} {:>13} {:>9} {:>18} {:>12.2f}\n", strategy.name, search.nodes,
+               search.programs, search.found, share, seconds);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main() {
+  for (const auto& instance :
+       {Instance{{5, 2, 3}, 0.65}, Instance{{10, 2, 3}, 0.6}, Instance{{5, 4, 3}, 0.6},
+        Instance{{6, 5, 3}, 0.5}, Instance{{15, 2, 3}, 0.5}}) {
+    measure(instance);
+  }
+}

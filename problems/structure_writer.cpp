@@ -1,0 +1,139 @@
+// The sections of a problem file, one after another (docs/problem-files.md).
+#include "problems/structure_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+namespace kusabi::problems {
+namespace {
+
+std::string quoted(const std::string& text) {
+  const toml::value<std::string> value(text);
+  std::ostringstream out;
+  out << toml::toml_formatter(value, toml::format_flags::none);
+  return out.str();
+}
+
+std::string key(const std::string& name) {
+  const bool bare = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return c < 128 && (std::isalnum(c) != 0 || c == '-' || c == '_');
+  });
+  return bare && !name.empty() ? name : quoted(name);
+}
+
+std::string vector_text(const Eigen::VectorXd& numbers) {
+  return fmt::format("[{}]", fmt::join(numbers.begin(), numbers.end(), ", "));
+}
+
+// `entries` between brackets, on lines of a readable length.
+std::string list(const std::vector<std::string>& entries) {
+  constexpr std::size_t longest = 96;
+  std::string text = "[";
+  std::string line;
+  for (const auto& entry : entries) {
+    if (line.size() + entry.size() > longest) {
+      text += fmt::format("\n {}", line);
+      line.clear();
+    }
+    line += fmt::format(" {},", entry);
+  }
+  if (text.size() == 1) return fmt::format("[{}]", line.substr(1, line.size() - 2));
+  return fmt::format("{}\n {}\n]", text, line);
+}
+
+// Calls `write(first, last)` for each run of entries that are `alike`, as a section has them.
+template <class Alike, class Write>
+void by_runs(std::size_t count, Alike alike, Write write) {
+  for (std::size_t first = 0; first < count;) {
+    std::size_t last = first + 1;
+    while (last < count && alike(first, last)) ++last;
+    write(first, last);
+    first = last;
+  }
+}
+
+void write_members(const Structure& structure, std::string& text) {
+  const auto& members = structure.members;
+  const auto name = [&](int node) {
+    return quoted(structure.node_names[static_cast<std::size_t>(node)]);
+  };
+  by_runs(
+      members.size(),
+      [&](auto a, auto b) { return members[a].axial_stiffness == members[b].axial_stiffness; },
+      [&](auto first, auto last) {
+        std::vector<std::string> pairs;
+        for (auto i = first; i < last; ++i) {
+          pairs.push_back(fmt::format("[{}, {}]", name(members[i].first), name(members[i].second)));
+        }
+        text += fmt::format("\n[[members]]\nEA = {}\nbetween = {}\n",
+                            members[first].axial_stiffness, list(pairs));
+      });
+}
+
+void write_supports(const Structure& structure, std::string& text) {
+  const auto d = static_cast<std::size_t>(structure.dimension);
+  std::vector<std::array<bool, 3>> kinds;  // in the order in which they occur
+  for (const auto& fixed : structure.fixed) {
+    const bool any = std::any_of(fixed.begin(), fixed.begin() + structure.dimension,
+                                 [](bool axis) { return axis; });
+    if (any && std::find(kinds.begin(), kinds.end(), fixed) == kinds.end()) kinds.push_back(fixed);
+  }
+  for (const auto& kind : kinds) {
+    std::vector<std::string> names;
+    for (std::size_t node = 0; node < structure.fixed.size(); ++node) {
+      if (structure.fixed[node] == kind) names.push_back(quoted(structure.node_names[node]));
+    }
+    text += fmt::format("\n[[supports]]\nnodes = {}\n", list(names));
+    std::vector<std::string> axes;
+    constexpr std::array axis_names{"\"x\"", "\"y\"", "\"z\""};
+    for (std::size_t axis = 0; axis < d; ++axis) {
+      if (kind[axis]) axes.emplace_back(axis_names[axis]);
+    }
+    if (axes.size() < d) text += fmt::format("fixed = {}\n", list(axes));
+  }
+}
+
+void write_contact(const Structure& structure, std::string& text) {
+  const auto& contact = structure.contact;
+  by_runs(
+      contact.size(),
+      [&](auto a, auto b) {
+        return contact[a].normal == contact[b].normal && contact[a].tangent == contact[b].tangent;
+      },
+      [&](auto first, auto last) {
+        std::vector<std::string> names;
+        for (auto i = first; i < last; ++i) {
+          names.push_back(quoted(structure.node_names[static_cast<std::size_t>(contact[i].node)]));
+        }
+        text += fmt::format("\n[[contact]]\nnodes = {}\nnormal = {}\n", list(names),
+                            vector_text(contact[first].normal));
+        if (contact[first].tangent) {
+          text += fmt::format("tangent = {}\n", vector_text(*contact[first].tangent));
+        }
+      });
+}
+
+}  // namespace
+
+std::string structure_text(const Structure& structure) {
+  std::string text =
+      fmt::format("name = {}\ndimension = {}\nunits = {{ length = {}, force = {} }}\n\n[nodes]\n",
+                  quoted(structure.name), structure.dimension, quoted(structure.units.length),
+                  quoted(structure.units.force));
+  for (std::size_t node = 0; node < structure.node_names.size(); ++node) {
+    text += fmt::format("{} = {}\n", key(structure.node_names[node]),
+                        vector_text(structure.coordinates.col(static_cast<Eigen::Index>(node))));
+  }
+  write_members(structure, text);
+  write_supports(structure, text);
+  write_contact(structure, text);
+  return text;
+}
+
+}  // namespace kusabi::problems

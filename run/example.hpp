@@ -1,0 +1,20 @@
+// `kusabi example`: problem files of the families that the searches are measured on.
+#pragma once
+
+#include <string>
+
+#include "problems/space_truss.hpp"
+#include "run/session.hpp"
+
+namespace kusabi::run {
+
+struct ExampleSpaceTrussOptions {
+  problems::SpaceTrussSize size;
+  std::string output;  ///< a file; empty: standard output
+};
+
+/// Writes a space truss. @return the exit code
+/// @throws WrongInput if the size is out of range or the file cannot be written
+int example_space_truss(Session& session, const ExampleSpaceTrussOptions& options);
+
+}  // namespace kusabi::run
