@@ -34,6 +34,7 @@ struct ContactCandidate {
   int node;
   Eigen::VectorXd normal;  ///< d, unit, outward normal of the obstacle: u_n >= 0 is separation
   std::optional<Eigen::VectorXd> tangent;  ///< d, wish for the first tangent, any length
+  double friction = 1;  ///< mu_i, relative to the coefficient that a search is asked for
 };
 
 /// Where in the file each entry stands, so that an error found late still names its line. A
@@ -46,6 +47,7 @@ struct Sources {
   std::vector<SourcePosition> contact;            ///< one a candidate: its name in the list
   std::vector<SourcePosition> normals;            ///< one a candidate: the normal of its group
   std::vector<SourcePosition> tangents;           ///< one a candidate: the tangent of its group
+  std::vector<SourcePosition> frictions;          ///< one a candidate: the friction of its group
 };
 
 struct Structure {

@@ -168,7 +168,14 @@ void StructureCheck::contact_nodes() const {
 
 void StructureCheck::contact_directions() const {
   for (int index = 0; index < static_cast<int>(structure_.contact.size()); ++index) {
-    const auto& [node, normal, tangent] = structure_.contact[static_cast<std::size_t>(index)];
+    const auto& [node, normal, tangent, friction] =
+        structure_.contact[static_cast<std::size_t>(index)];
+    // Written so that NaN fails too.
+    if (!(friction >= smallest_friction && friction <= largest_friction)) {
+      fail(position_of(structure_.sources.frictions, index),
+           fmt::format("friction is {:g}; expected a factor between {:g} and {:g}", friction,
+                       smallest_friction, largest_friction));
+    }
     if (normal.size() != structure_.dimension ||
         !(std::abs(normal.norm() - 1.0) <= unit_length_tolerance)) {
       fail(position_of(structure_.sources.normals, index),

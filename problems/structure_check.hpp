@@ -12,6 +12,10 @@ namespace kusabi::problems {
 inline constexpr double smallest_magnitude = 1e-50;
 inline constexpr double largest_magnitude = 1e50;
 
+/// Smallest and largest friction of a contact candidate relative to the coefficient of a search.
+inline constexpr double smallest_friction = 1e-3;
+inline constexpr double largest_friction = 1e3;
+
 /// A member shorter than this times the largest coordinate of its ends counts as of zero length:
 /// the coordinates carry rounding of 1e-16, so its direction would have less than six digits.
 inline constexpr double zero_length = 1e-10;

@@ -180,7 +180,7 @@ void StructureFile::contact() {
 }
 
 void StructureFile::contact_group(const TomlTable& group) {
-  reader_.allow_only(group, {"nodes", "normal", "tangent"});
+  reader_.allow_only(group, {"nodes", "normal", "tangent", "friction"});
   const auto& names = reader_.require(group, "nodes", "nodes = [\"a\", ...]");
   const auto& normal_entry =
       reader_.require(group, "normal", "normal = [...], the outward normal of the obstacle");
@@ -197,11 +197,18 @@ void StructureFile::contact_group(const TomlTable& group) {
     tangent = reader_.vector(*tangent_entry, "the tangent", structure_.dimension);
     tangent_position = reader_.position(*tangent_entry);
   }
+  double friction = 1;
+  SourcePosition friction_position;
+  if (const toml::node* entry = group.table->get("friction"); entry != nullptr) {
+    friction = reader_.number(*entry, "friction");
+    friction_position = reader_.position(*entry);
+  }
   for (const TomlText& name : reader_.texts(names, "nodes")) {
-    structure_.contact.push_back({node(name), normal, tangent});
+    structure_.contact.push_back({node(name), normal, tangent, friction});
     structure_.sources.contact.push_back(name.position);
     structure_.sources.normals.push_back(reader_.position(normal_entry));
     structure_.sources.tangents.push_back(tangent_position);
+    structure_.sources.frictions.push_back(friction_position);
   }
 }
 

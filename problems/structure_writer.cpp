@@ -104,7 +104,8 @@ void write_contact(const Structure& structure, std::string& text) {
   by_runs(
       contact.size(),
       [&](auto a, auto b) {
-        return contact[a].normal == contact[b].normal && contact[a].tangent == contact[b].tangent;
+        return contact[a].normal == contact[b].normal && contact[a].tangent == contact[b].tangent &&
+               contact[a].friction == contact[b].friction;
       },
       [&](auto first, auto last) {
         std::vector<std::string> names;
@@ -115,6 +116,9 @@ void write_contact(const Structure& structure, std::string& text) {
                             vector_text(contact[first].normal));
         if (contact[first].tangent) {
           text += fmt::format("tangent = {}\n", vector_text(*contact[first].tangent));
+        }
+        if (contact[first].friction != 1) {
+          text += fmt::format("friction = {}\n", contact[first].friction);
         }
       });
 }

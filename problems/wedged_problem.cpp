@@ -125,12 +125,20 @@ std::uint64_t fingerprint(const Structure& structure, const std::vector<Eigen::M
     }
   }
   result.add(static_cast<int>(structure.contact.size()));
-  for (const ContactCandidate& candidate : structure.contact) result.add(candidate.node);
+  for (const ContactCandidate& candidate : structure.contact) {
+    result.add(candidate.node);
+    result.add(candidate.friction);
+  }
   for (const Eigen::MatrixXd& frame : frames) add(result, frame);
   return result.value();
 }
 
 }  // namespace
+
+bool uniform_friction(const WedgedProblem& problem) {
+  return std::all_of(problem.friction.begin(), problem.friction.end(),
+                     [](double friction) { return friction == 1; });
+}
 
 WedgedProblem wedged_problem(const Structure& structure) {
   check_structure(structure);
@@ -143,6 +151,7 @@ WedgedProblem wedged_problem(const Structure& structure) {
   for (const ContactCandidate& candidate : structure.contact) {
     problem.contact_names.push_back(structure.node_names[static_cast<std::size_t>(candidate.node)]);
     problem.frames.push_back(contact_frame(candidate));
+    problem.friction.push_back(candidate.friction);
   }
   CondensedMatrices matrices = condensed(structure, degrees, problem.frames);
   problem.stiffness = std::move(matrices.stiffness);

@@ -34,15 +34,20 @@ struct WedgedProblem {
   Units units;
   std::vector<std::string> contact_names;  ///< m names, in the order of the file
   std::vector<Eigen::MatrixXd> frames;     ///< m, each d x d: columns n, t1 and, in space, t2
+  /// m, of the candidates relative to each other: the coefficient of a search times these is mu_i
+  std::vector<double> friction;
   /// K of (6), dm x dm, force/length: candidate by candidate, each (n, t1[, t2]); exactly symmetric
   Eigen::MatrixXd stiffness;
   Eigen::MatrixXd compliance;  ///< F = K^-1, length/force, ordered as K; exactly symmetric
   int nodes = 0;               ///< of the structure, supported ones included
   int members = 0;             ///< of the structure
-  /// Hash of dimension, units, coordinates, members, EA, supports, contact and frames, in the order
-  /// of the file. Names are not in it.
+  /// Hash of dimension, units, coordinates, members, EA, supports, contact, friction and frames, in
+  /// the order of the file. Names are not in it.
   std::uint64_t fingerprint = 0;
 };
+
+/// Whether all candidates have the same friction as the coefficient of a search.
+bool uniform_friction(const WedgedProblem& problem);
 
 /// Condenses a structure onto its contact candidates.
 /// @throws InputError if `check_structure` does; if the structure is a mechanism (with the nodes

@@ -30,10 +30,11 @@ namespace {
 void announce(const PatternsOptions& options, const problems::WedgedProblem& problem, int ranks) {
   fmt::print(stderr,
              "kusabi {} · patterns · {}\n"
-             "{}: {}, {} nodes, {} members, {} contact candidates; friction coefficient {}; {}\n",
+             "{}: {}, {} nodes, {} members, {} contact candidates; friction coefficient {}{}; {}\n",
              KUSABI_VERSION, options.file, problem.name,
              problem.dimension == 2 ? "in the plane" : "in space", problem.nodes, problem.members,
              problem.contact_names.size(), options.friction,
+             uniform_friction(problem) ? "" : " times that of each candidate",
              ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
@@ -117,7 +118,8 @@ int patterns(Session& session, const PatternsOptions& options) {
   });
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   const auto problem = problems::wedged_problem(problems::read_structure(text, options.file));
-  const std::vector<double> friction(problem.contact_names.size(), options.friction);
+  std::vector<double> friction = problem.friction;
+  for (double& mu : friction) mu *= options.friction;
   nodes::SignPatternTree tree(problem, friction, {.sign = options.tolerance}, options.branching);
 
   engine::Options search_options;

@@ -50,6 +50,7 @@ ordered_json contact_frames(const problems::WedgedProblem& problem) {
       const Eigen::VectorXd direction = problem.frames[i].col(axis);
       frame[axes[axis]] = std::vector<double>(direction.begin(), direction.end());
     }
+    frame["friction"] = problem.friction[i];
     list.push_back(std::move(frame));
   }
   return list;
@@ -160,10 +161,11 @@ std::string PatternsReport::table() const {
                    listed(names(each->pattern.separated)));
   }
   fmt::format_to(out,
-                 "\n{} sign pattern{} of wedged configurations at friction coefficient {}; "
+                 "\n{} sign pattern{} of wedged configurations at friction coefficient {}{}; "
                  "{} marginal (|t*| <= {})\n",
-                 tally.found, tally.found == 1 ? "" : "s", options.friction, tally.marginal,
-                 options.tolerance);
+                 tally.found, tally.found == 1 ? "" : "s", options.friction,
+                 problems::uniform_friction(problem) ? "" : " times that of each candidate",
+                 tally.marginal, options.tolerance);
   if (tally.undecided != 0) {
     fmt::format_to(out, "{} undecided: double precision did not suffice to bracket t*\n",
                    tally.undecided);

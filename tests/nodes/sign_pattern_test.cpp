@@ -5,6 +5,7 @@
 #include <bit>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <set>
 #include <string>
 
@@ -141,6 +142,28 @@ TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) 
     const auto many = engine::search(product);
     EXPECT_EQ(contact_sets(few), contact_sets(many));
     EXPECT_LT(3 * few.opened(), 2 * many.opened() + 100) << mu;
+  }
+}
+
+// Against all leaves one by one, with another friction at every candidate.
+TEST(SignPatternTree, TakesFrictionCandidateByCandidate) {
+  const auto problem = example("space-truss.toml");
+  double unit = 0;
+  for (int i = 0; i < 10; ++i) unit += problem.compliance(3 * i, 3 * i) / 10;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::mt19937 random(seed);
+    std::vector<double> friction(10);
+    for (double& mu : friction) mu = std::uniform_real_distribution(0.4, 1.1)(random);
+    SignPatternTree tree(problem, friction);
+    const auto found = contact_sets(engine::search(tree));
+    EXPECT_GT(found.size(), 0U);
+    conic::NodeSolver<3> solver(problem.compliance / unit, friction);
+    std::set<ContactSet> alive;
+    for (std::uint64_t contact = 0; contact < 1024; ++contact) {
+      const auto answer = solver.solve(contact, 1023 & ~contact);
+      if (answer.sign == conic::Sign::alive) alive.insert(positions(contact));
+    }
+    EXPECT_EQ(found, alive) << "seed " << seed;
   }
 }
 

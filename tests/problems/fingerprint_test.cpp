@@ -63,8 +63,9 @@ TEST(Fingerprint, ChangesWithEveryIngredient) {
       [](Structure& s) { s.contact[0].node = 5; },
       [](Structure& s) { s.contact[0].normal *= -1; },
       [](Structure& s) { s.contact[0].tangent = Eigen::Vector2d(-1, 0); },
+      [](Structure& s) { s.contact[0].friction = 2; },
       [](Structure& s) {
-        s.contact.push_back({5, Eigen::Vector2d(0, -1), std::nullopt});
+        s.contact.push_back({5, Eigen::Vector2d(0, -1), std::nullopt, 1});
       },
       [](Structure& s) {
         test::add_node(s, Eigen::Vector2d(9, 9));

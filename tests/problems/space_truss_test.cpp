@@ -26,6 +26,7 @@ void expect_alike(const Structure& a, const Structure& b) {
   ASSERT_EQ(a.contact.size(), b.contact.size());
   for (std::size_t i = 0; i < a.contact.size(); ++i) {
     EXPECT_EQ(a.contact[i].node, b.contact[i].node);
+    EXPECT_EQ(a.contact[i].friction, b.contact[i].friction);
     EXPECT_LT((a.contact[i].normal - b.contact[i].normal).norm(), 1e-15);
     ASSERT_EQ(a.contact[i].tangent.has_value(), b.contact[i].tangent.has_value());
     if (a.contact[i].tangent) {
@@ -97,6 +98,7 @@ normal = [-1, 2]
 nodes = ["tip"]
 normal = [0, 1]
 tangent = [1, 0.5]
+friction = 0.1
 )",
                                         "original");
   const auto copy = read_structure(structure_text(structure), "copy");

@@ -411,6 +411,19 @@ TEST_F(Command, WritesExamplesThatItCanSolve) {
   EXPECT_THAT(wrong.output, HasSubstr("expected no more bays than rows"));
 }
 
+// By hand (docs/problem-files.md): these two bars wedge if and only if mu is at least 2.
+TEST_F(Command, MultipliesTheFrictionOfEachCandidate) {
+  const auto file = in_folder("bars.toml");
+  std::ofstream(file) << content(std::string(KUSABI_SOURCE_DIR) + "/examples/two-bars.toml")
+                      << "friction = 4\n";
+  const auto patterns = [&](const std::string& mu) {
+    return shell(command + " patterns " + quoted(file) + " --mu " + mu).output;
+  };
+  EXPECT_THAT(patterns("0.49"), HasSubstr("\n0 sign patterns"));
+  EXPECT_THAT(patterns("0.51"), HasSubstr("\n1 sign pattern of wedged configurations at friction "
+                                          "coefficient 0.51 times that of each candidate"));
+}
+
 TEST_F(Command, HelpsAndTellsItsVersion) {
   const auto help = shell(command + " patterns --help");
   EXPECT_EQ(help.exit_code, 0);
