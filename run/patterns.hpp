@@ -19,6 +19,7 @@ struct PatternsOptions {
   double checkpoint_interval = 600;             ///< seconds
   std::string restart;                          ///< go on from here; empty: start anew
   std::string trace;                            ///< the timeline goes here; empty: nowhere
+  std::string certificate;                      ///< the evidence goes here; empty: nowhere
   bool quiet = false;                           ///< no progress, no table
 };
 
