@@ -15,6 +15,7 @@ namespace kusabi::verify {
 namespace {
 
 constexpr std::size_t most_candidates = 64;
+constexpr std::string_view first_line = "kusabi certificate 1";
 
 // What to show of a line that is not as it should be: not all of a long one, and nothing that a
 // terminal would obey.
@@ -136,7 +137,7 @@ std::string_view without_digest(std::string_view text, const std::string& file) 
 }
 
 void read_header(Lines& lines, Certificate& certificate) {
-  lines.expect("kusabi certificate 1");
+  lines.expect(first_line);
   lines.next();
   const std::string dimension = "'dimension 2' or 'dimension 3'";
   lines.expect_word("dimension", dimension);
@@ -267,8 +268,10 @@ std::string Certificate::names_of(std::uint64_t set) const {
 }
 
 Certificate read_certificate(std::string_view text, const std::string& file) {
-  Certificate certificate;
+  // Something else altogether is not called damaged.
+  Lines(text, file).expect(first_line);
   Lines lines(without_digest(text, file), file);
+  Certificate certificate;
   read_header(lines, certificate);
   read_stiffness(lines, certificate);
   read_records(lines, certificate);

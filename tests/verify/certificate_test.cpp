@@ -65,7 +65,8 @@ TEST(Certificate, EveryAlteredByteIsNoticed) {
     auto altered = text;
     altered[generator() % text.size()] ^= static_cast<char>(1 + generator() % 255);
     EXPECT_THAT(complaint(altered), testing::AnyOf(HasSubstr("cert: was altered: digest '"),
-                                                   HasSubstr("cert: is not complete")));
+                                                   HasSubstr("cert: is not complete"),
+                                                   HasSubstr("expected 'kusabi certificate 1'")));
   }
 }
 
@@ -124,8 +125,9 @@ TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
     EXPECT_THAT(complained, HasSubstr(said)) << with;
     EXPECT_EQ(complained.find('\n'), std::string::npos);
   }
-  EXPECT_THAT(complaint(""), HasSubstr("cert: is not complete"));
-  EXPECT_THAT(complaint("\n"), HasSubstr("cert: is not complete"));
+  EXPECT_EQ(complaint(""), "cert:1: the file ends here, expected 'kusabi certificate 1'");
+  EXPECT_EQ(complaint("name = 1\n"), "cert:1: 'name = 1', expected 'kusabi certificate 1'");
+  EXPECT_THAT(complaint("kusabi certificate 1\n"), HasSubstr("cert: is not complete"));
   EXPECT_THAT(complaint(text + "\n"), HasSubstr("cert: is not complete"));
   EXPECT_THAT(complaint(sealed("")), HasSubstr("cert"));
 }
