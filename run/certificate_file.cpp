@@ -155,12 +155,12 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on) {
   const auto refuse = [&](const std::string& why) {
     throw WrongInput(fmt::format("--certificate {}: {}", name_, why));
   };
-  whole_.emplace("--certificate", name_, input);
   std::error_code error;
   const auto kind = fs::status(name_, error).type();
   if (kind != fs::file_type::not_found && kind != fs::file_type::regular) {
     refuse("is a device or a pipe, expected a file name");
   }
+  whole_.emplace("--certificate", name_, input);
   const auto parts = parts_of(name_);
   if (!goes_on && !parts.empty()) {
     refuse(

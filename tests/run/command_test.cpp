@@ -516,7 +516,7 @@ TEST_F(Command, ACertificateOutlivesAKilledSearch) {
   const auto state = argument("state");
   shell(
       fmt::format("{{ {} --checkpoint {} --checkpoint-interval 0.02 >{} 2>&1 & p=$!;"
-                  "   while [ ! -e {} ] && kill -0 $p; do sleep 0.01; done; sleep 0.2;"
+                  "   while [ ! -e {} ] && kill -0 $p; do sleep 0.01; done; sleep 0.05;"
                   "   kill -KILL $p; wait $p; }}",
                   call, state, argument("log"), state));
   const auto resumed = shell(ranks(2) + call + " --quiet --restart " + state);
