@@ -151,7 +151,7 @@ void SignPatternTree::report_leaf(const Configuration& leaf) const {
   std::vector<double> tangential;
   for (auto touching = leaf.pattern.contact; touching != 0; touching &= touching - 1) {
     const auto* const normal =
-        leaf.displacement.data() + std::ptrdiff_t{dimension_} * std::countr_zero(touching);
+        leaf.reaction.data() + std::ptrdiff_t{dimension_} * std::countr_zero(touching);
     tangential.insert(tangential.end(), normal + 1, normal + dimension_);
   }
   witness_({.kind = Evidence::Kind::alive, .node = leaf.pattern, .numbers = tangential});

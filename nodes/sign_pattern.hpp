@@ -70,7 +70,7 @@ struct Configuration {
 struct Evidence {
   enum class Kind {
     dead,      ///< numbers: the m multipliers that prove it
-    alive,     ///< a leaf; numbers: the tangential displacements of the candidates in U
+    alive,     ///< a leaf; numbers: the tangential reactions of the candidates in U
     marginal,  ///< a leaf that is marginal or undecided; no numbers
   };
   Kind kind = Kind::marginal;

@@ -196,8 +196,7 @@ Record read_record(Lines& lines, Claim claim, const Certificate& certificate) {
       lines.numbers(certificate.candidates(), record.numbers, "multipliers");
       break;
     case Claim::alive:
-      lines.numbers((certificate.dimension - 1) * touching, record.numbers,
-                    "tangential displacements");
+      lines.numbers((certificate.dimension - 1) * touching, record.numbers, "tangential reactions");
       break;
     case Claim::marginal:
       lines.numbers(0, record.numbers, "numbers");

@@ -28,7 +28,7 @@ struct Record {
   Claim claim = Claim::marginal;
   std::uint64_t contact = 0;    ///< U, bit i for candidate i: u_n = 0
   std::uint64_t separated = 0;  ///< R: r = 0
-  /// dead: m multipliers of the normal displacements. alive: the tangential displacements of the
+  /// dead: m multipliers of the normal displacements. alive: the tangential reactions of the
   /// candidates in U, in their order, d - 1 each.
   std::vector<double> numbers;
 };

@@ -97,6 +97,16 @@ DyadicList::DyadicList(std::span<const double> values, int kept_bits) {
   }
 }
 
+DyadicList& DyadicList::operator+=(DyadicList other) {
+  if (exponent < other.exponent) std::swap(*this, other);
+  for (std::size_t i = 0; i < size(); ++i) {
+    shift_up(mantissas[i], exponent - other.exponent);
+    mantissas[i] += other.mantissas[i];
+  }
+  exponent = other.exponent;
+  return *this;
+}
+
 DyadicList DyadicMatrix::operator*(const DyadicList& x) const {
   DyadicList product;
   product.exponent = entries.exponent + x.exponent;

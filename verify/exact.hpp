@@ -54,6 +54,12 @@ struct DyadicList {
   explicit DyadicList(std::span<const double> values,
                       int kept_bits = std::numeric_limits<int>::max());
 
+  /// `count` zeros.
+  explicit DyadicList(std::size_t count) : mantissas(count) {}
+
+  /// Adds another list of the same size, entry by entry.
+  DyadicList& operator+=(DyadicList other);
+
   [[nodiscard]] std::size_t size() const { return mantissas.size(); }
   [[nodiscard]] Dyadic operator[](std::size_t i) const { return {mantissas[i], exponent}; }
 };

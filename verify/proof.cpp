@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace kusabi::verify {
 namespace {
 
-// A guess loses nothing by being cut off so far below its largest number, and what is not there
-// need not be multiplied.
+// A step of a guess loses nothing by being cut off so far below its largest number, and what is not
+// there need not be multiplied.
 constexpr int guessed_bits = 64;
 
 bool finite(std::span<const double> values) {
@@ -104,20 +105,50 @@ Dyadic Proof::tangential_square(const DyadicList& vector, std::size_t candidate)
   return sum;
 }
 
+// Solves for the unknowns, the others being zero: K x = right in their rows. Solved again for what
+// is left, x has more digits than a double, as many as a badly scaled K needs.
+std::optional<std::string> Proof::guess(const Cholesky& factor,
+                                        std::span<const std::size_t> unknowns,
+                                        const DyadicList& right, const Check& check) const {
+  constexpr int most_rounds = 5;
+  DyadicList x(stiffness_.size);
+  DyadicList kx(stiffness_.size);
+  std::optional<std::string> refusal;
+  std::vector<double> step(unknowns.size());
+  std::vector<double> everywhere(stiffness_.size, 0);
+  for (int round = 0; round < most_rounds; ++round) {
+    for (std::size_t k = 0; k < unknowns.size(); ++k) {
+      step[k] = (right[unknowns[k]] - kx[unknowns[k]]).nearest();
+    }
+    factor.solve(step);
+    if (!finite(step)) return "its numbers are too large to compute with";
+    for (std::size_t k = 0; k < unknowns.size(); ++k) everywhere[unknowns[k]] = step[k];
+    x += DyadicList(everywhere, guessed_bits);
+    kx = stiffness_ * x;
+    refusal = check(x, kx);
+    if (!refusal) break;
+  }
+  return refusal;
+}
+
 std::optional<std::string> Proof::refusal_of_dead(const Record& record) const {
   if (record.separated == certificate_.all_candidates()) return {};  // r = 0, nothing else
-  const auto d = certificate_.dimension;
-  const auto m = certificate_.candidates();
-  std::vector<double> guess(stiffness_.size, 0);
-  for (std::size_t i = 0; i < m; ++i) guess[d * i] = record.numbers[i];
-  factor_->solve(guess);
-  if (!finite(guess)) return "its multipliers are too large to compute with";
-  const DyadicList w(guess, guessed_bits);
-  const auto nu = stiffness_ * w;
+  std::vector<std::size_t> all(stiffness_.size);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<double> lambda(stiffness_.size, 0);
+  for (std::size_t i = 0; i < certificate_.candidates(); ++i) {
+    lambda[certificate_.dimension * i] = record.numbers[i];
+  }
+  return guess(*factor_, all, DyadicList(lambda),
+               [&](const auto& w, const auto& nu) { return check_dead(record, w, nu); });
+}
 
+std::optional<std::string> Proof::check_dead(const Record& record, const DyadicList& w,
+                                             const DyadicList& nu) const {
+  const auto d = certificate_.dimension;
   std::optional<Dyadic> delta;
   Dyadic epsilon_squared;
-  for (std::size_t i = 0; i < m; ++i) {
+  for (std::size_t i = 0; i < certificate_.candidates(); ++i) {
     epsilon_squared = epsilon_squared + tangential_square(nu, i);
     const auto normal = nu[d * i];
     if (!holds(record.contact, i) && normal.sign() < 0) {
@@ -135,53 +166,44 @@ std::optional<std::string> Proof::refusal_of_dead(const Record& record) const {
   return "its multipliers rule out too little, or ask for what u_n >= 0 does not give";
 }
 
-// u for the tangential displacements on record: zero normal ones on U, and on R those that make r
-// vanish there.
-std::optional<std::vector<double>> Proof::guessed_displacement(const Record& record) const {
+std::optional<std::string> Proof::refusal_of_alive(const Record& record) const {
+  if (record.contact == 0) return "no candidate is in contact";
   const auto d = certificate_.dimension;
   const auto size = stiffness_.size;
-  std::vector<double> u(size, 0);
-  std::vector<std::size_t> loose;  // displacements of the candidates in R
+  std::vector<double> right(size, 0);
+  std::vector<std::size_t> loose;  // all displacements but the normal ones of U
   auto number = record.numbers.begin();
   for (std::size_t i = 0; i < certificate_.candidates(); ++i) {
-    for (std::size_t k = 0; k < d; ++k) {
-      if (holds(record.separated, i)) loose.push_back(d * i + k);
-      if (holds(record.contact, i) && k > 0) u[d * i + k] = *number++;
+    const bool touches = holds(record.contact, i);
+    for (std::size_t k = touches ? 1 : 0; k < d; ++k) {
+      loose.push_back(d * i + k);
+      if (touches) right[d * i + k] = *number++;
     }
   }
-  std::vector<double> right;
   std::vector<double> block;
   for (const auto row : loose) {
-    double sum = 0;
-    for (std::size_t j = 0; j < size; ++j) sum -= certificate_.stiffness[size * row + j] * u[j];
-    right.push_back(sum);
     for (const auto column : loose) block.push_back(certificate_.stiffness[size * row + column]);
   }
   const auto factor = Cholesky::of(block, loose.size());
-  if (!factor) return {};
-  factor->solve(right);
-  for (std::size_t place = 0; place < loose.size(); ++place) u[loose[place]] = right[place];
-  if (!finite(u)) return {};
-  return u;
+  if (!factor) return "K is too badly conditioned to compute its displacements";
+  const DyadicList reaction(right);
+  return guess(*factor, loose, reaction,
+               [&](const auto& u, const auto& r) { return check_alive(record, reaction, u, r); });
 }
 
-std::optional<std::string> Proof::refusal_of_alive(const Record& record) const {
-  if (record.contact == 0) return "no candidate is in contact";
-  const auto guess = guessed_displacement(record);
-  if (!guess) return "its displacements are too large to compute with";
+std::optional<std::string> Proof::check_alive(const Record& record, const DyadicList& right,
+                                              const DyadicList& u, const DyadicList& r) const {
   const auto d = certificate_.dimension;
   const auto m = certificate_.candidates();
-  const DyadicList u(*guess, guessed_bits);
-  const auto r = stiffness_ * u;
   const auto& s = *least_;
-
   Dyadic rest_squared;
   for (std::size_t i = 0; i < m; ++i) {
-    if (!holds(record.separated, i)) continue;
-    rest_squared = rest_squared + square(r[d * i]) + tangential_square(r, i);
+    for (std::size_t k = holds(record.contact, i) ? 1 : 0; k < d; ++k) {
+      rest_squared = rest_squared + square(r[d * i + k] - right[d * i + k]);
+    }
   }
   const auto rest = sqrt_above(rest_squared);    // s times the error of u
-  const auto error = size_of_stiffness_ * rest;  // s times that of r
+  const auto error = size_of_stiffness_ * rest;  // s times that of r_n
   for (std::size_t i = 0; i < m; ++i) {
     const auto& name = certificate_.names[i];
     if (holds(record.separated, i)) {
@@ -190,7 +212,7 @@ std::optional<std::string> Proof::refusal_of_alive(const Record& record) const {
     }
     const auto pressure = s * r[d * i] - error;
     if (pressure.sign() <= 0) return name + " is not pressed against the obstacle";
-    const auto shear = s * sqrt_above(tangential_square(r, i)) + error;
+    const auto shear = s * sqrt_above(tangential_square(right, i));
     if (!(friction_[i] * pressure > shear)) return name + " slips, or is about to";
   }
   return {};

@@ -3,7 +3,10 @@
 // believed.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,10 +31,21 @@ class Proof {
   [[nodiscard]] std::optional<std::string> refusal(const Record& record) const;
 
  private:
+  // What is wrong with a guess x, given K x as well; nothing if it proves what it is to prove.
+  using Check =
+      std::function<std::optional<std::string>(const DyadicList& x, const DyadicList& kx)>;
+
   [[nodiscard]] std::optional<std::string> refusal_of_dead(const Record& record) const;
   [[nodiscard]] std::optional<std::string> refusal_of_alive(const Record& record) const;
+  [[nodiscard]] std::optional<std::string> check_dead(const Record& record, const DyadicList& w,
+                                                      const DyadicList& nu) const;
+  [[nodiscard]] std::optional<std::string> check_alive(const Record& record,
+                                                       const DyadicList& right, const DyadicList& u,
+                                                       const DyadicList& r) const;
+  [[nodiscard]] std::optional<std::string> guess(const Cholesky& factor,
+                                                 std::span<const std::size_t> unknowns,
+                                                 const DyadicList& right, const Check& check) const;
   [[nodiscard]] std::optional<Dyadic> bound_of_eigenvalues() const;
-  [[nodiscard]] std::optional<std::vector<double>> guessed_displacement(const Record& record) const;
   [[nodiscard]] Dyadic tangential_square(const DyadicList& vector, std::size_t candidate) const;
 
   const Certificate& certificate_;

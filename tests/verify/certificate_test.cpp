@@ -112,7 +112,7 @@ TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
       {"nodes\n", "nodes\nalive 1 2 0x1p+0\n", "expected a leaf"},
       {"nodes\n", "nodes\nmarginal 1 2\n", "expected a leaf"},
       {"nodes\n", "nodes\nmarginal f 0 \n", "expected 0 numbers"},
-      {"nodes\n", "nodes\nalive f 0 0x1p+0\n", "expected 4 tangential displacements"},
+      {"nodes\n", "nodes\nalive f 0 0x1p+0\n", "expected 4 tangential reactions"},
       {"nodes\n", "nodes\nmarginal f 0\n", "the number of nodes above"},
       {"end ", "end 1", "the number of nodes above"},
       {"end ", "end -", "the number of nodes above"},

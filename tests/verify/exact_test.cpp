@@ -68,6 +68,22 @@ TEST(DyadicList, CutsOffWhatIsTooFarBelow) {
   EXPECT_TRUE(same(list[3], Dyadic(-3.0)));
 }
 
+TEST(DyadicList, AddsExactly) {
+  const std::vector<double> large{1e200, 3, 0};
+  const std::vector<double> small{1e-200, 0.1, -1e-300};
+  auto sum = DyadicList(large);
+  sum += DyadicList(small);
+  auto other = DyadicList(small);
+  other += DyadicList(large);
+  DyadicList from_nothing(3);
+  from_nothing += DyadicList(small);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(same(sum[i], Dyadic(large[i]) + Dyadic(small[i])));
+    EXPECT_TRUE(same(other[i], sum[i]));
+    EXPECT_TRUE(same(from_nothing[i], Dyadic(small[i])));
+  }
+}
+
 TEST(DyadicMatrix, MultipliesExactly) {
   const std::vector<double> entries{1, 1e200, -1e-200, 3};
   const std::vector<double> x{1e-200, 0.1};

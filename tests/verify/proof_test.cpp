@@ -2,11 +2,13 @@
 #include "verify/proof.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -92,6 +94,33 @@ TEST(Proof, DoesNotHangOnTheUnits) {
     problem.compliance /= factor;
     EXPECT_THAT(verdict(searched(problem, 0.65).text()).refusals, IsEmpty()) << factor;
   }
+}
+
+// Displacements that differ ten thousandfold in stiffness: the guesses need more than a double.
+TEST(Proof, HoldsForBadlyScaledProblems) {
+  std::size_t alive = 0;
+  std::size_t dead = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    auto problem = random_problem(seed % 2 == 0 ? 2 : 3, 5, seed);
+    std::mt19937_64 generator(seed);
+    std::uniform_real_distribution<double> exponent(-2, 2);
+    for (Eigen::Index i = 0; i < problem.stiffness.rows(); ++i) {
+      const double factor = std::pow(10.0, exponent(generator));
+      problem.stiffness.row(i) *= factor;
+      problem.stiffness.col(i) *= factor;
+      problem.compliance.row(i) /= factor;
+      problem.compliance.col(i) /= factor;
+    }
+    const Eigen::MatrixXd lower = problem.stiffness.triangularView<Eigen::StrictlyLower>();
+    const Eigen::MatrixXd diagonal = problem.stiffness.diagonal().asDiagonal();
+    problem.stiffness = lower + diagonal + lower.transpose();
+    const auto said = verdict(searched(problem, 2.0).text());
+    EXPECT_THAT(said.refusals, IsEmpty()) << "seed " << seed;
+    alive += said.alive.size();
+    dead += said.dead;
+  }
+  EXPECT_GT(alive, 20U);
+  EXPECT_GT(dead, 20U);
 }
 
 TEST(Proof, SaysWhatIsMarginal) {
@@ -203,7 +232,7 @@ TEST(Proof, RefusesMultipliersOfTheWrongSign) {
   EXPECT_THAT(verdict(draft.text()).refusals, testing::ElementsAre(HasSubstr("ask for")));
 }
 
-TEST(Proof, RefusesOtherDisplacements) {
+TEST(Proof, RefusesOtherReactions) {
   auto draft = truss();
   for (auto& node : draft.nodes) {
     auto parts = words(node);
@@ -221,7 +250,7 @@ TEST(Proof, RefusesOtherDisplacements) {
   }
 }
 
-// No displacement at all makes a dead leaf alive; random ones are tried.
+// No reaction whatever makes a dead leaf alive; random ones are tried.
 TEST(Proof, RefusesADeadLeafTurnedAlive) {
   std::mt19937_64 generator(3);
   std::normal_distribution<double> normal;
