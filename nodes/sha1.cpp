@@ -64,6 +64,17 @@ inline void compress(Sha1Digest& chain, const Block& block) {
   for (std::size_t i = 0; i < chain.size(); ++i) chain[i] += words[i];
 }
 
+constexpr std::size_t block_bytes = 64;
+
+// The first 64 bytes of a text.
+Block block_of(std::string_view text) {
+  Block block{};
+  for (std::size_t i = 0; i < block_bytes; ++i) {
+    block[i / 4] = (block[i / 4] << 8U) | static_cast<unsigned char>(text[i]);
+  }
+  return block;
+}
+
 }  // namespace
 
 Sha1Digest detail::sha1_of_block(const Block& block) {
@@ -73,26 +84,51 @@ Sha1Digest detail::sha1_of_block(const Block& block) {
 }
 
 Sha1Digest sha1(std::string_view message) {
-  constexpr std::size_t block_bytes = 64;
+  Sha1Stream stream;
+  stream.add(message);
+  return stream.digest();
+}
+
+void Sha1Stream::add(std::string_view piece) {
+  bytes_ += piece.size();
+  if (!rest_.empty()) {
+    const auto missing = piece.substr(0, block_bytes - rest_.size());
+    rest_ += missing;
+    piece.remove_prefix(missing.size());
+    if (rest_.size() < block_bytes) return;
+    compress(chain_, block_of(rest_));
+    rest_.clear();
+  }
+  for (; piece.size() >= block_bytes; piece.remove_prefix(block_bytes)) {
+    compress(chain_, block_of(piece));
+  }
+  rest_ = piece;
+}
+
+Sha1Digest Sha1Stream::digest() const {
   constexpr std::size_t length_bytes = 8;
   // A one bit, then zeros until the length in bits ends a block.
-  std::string padded(message);
-  padded += '\x80';
+  std::string padded = rest_ + '\x80';
   while (padded.size() % block_bytes != block_bytes - length_bytes) padded += '\0';
-  const auto bits = 8 * std::uint64_t{message.size()};
+  const auto bits = 8 * bytes_;
   for (unsigned shift = 64; shift > 0; shift -= 8) {
     padded += static_cast<char>((bits >> (shift - 8)) & 0xFFU);
   }
-
-  auto digest = initial;
-  for (std::size_t start = 0; start < padded.size(); start += block_bytes) {
-    Block block{};
-    for (std::size_t i = 0; i < block_bytes; ++i) {
-      block[i / 4] = (block[i / 4] << 8U) | static_cast<unsigned char>(padded[start + i]);
-    }
-    compress(digest, block);
+  auto digest = chain_;
+  for (std::string_view left = padded; !left.empty(); left.remove_prefix(block_bytes)) {
+    compress(digest, block_of(left));
   }
   return digest;
+}
+
+std::string hexadecimal(const Sha1Digest& digest) {
+  std::string text;
+  for (const auto word : digest) {
+    for (unsigned shift = 32; shift > 0; shift -= 4) {
+      text += "0123456789abcdef"[(word >> (shift - 4)) & 0xFU];
+    }
+  }
+  return text;
 }
 
 }  // namespace kusabi::nodes

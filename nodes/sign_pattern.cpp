@@ -2,6 +2,7 @@
 #include "nodes/sign_pattern.hpp"
 
 #include <bit>
+#include <cstddef>
 
 namespace kusabi::nodes {
 namespace {
@@ -71,6 +72,7 @@ void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& ou
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
   if (answer.sign == conic::Sign::dead) {
     ++tally_.dead;
+    if (witness_) report_dead(node);
     return;
   }
   if (free_candidates(node) == 0) {
@@ -86,6 +88,7 @@ void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& ou
         ++tally_.undecided;
         break;
     }
+    if (witness_) report_leaf(leaf);
     out.solution(std::move(leaf));
     return;
   }
@@ -145,6 +148,30 @@ Configuration SignPatternTree::configuration(const Node& node, const conic::Answ
                              .displacement = {u.begin(), u.end()}};
       },
       solver_);
+}
+
+void SignPatternTree::report_dead(const Node& node) const {
+  std::visit(
+      [&](const auto& solver) {
+        const Eigen::VectorXd& y = solver.multipliers();
+        const std::span<const double> numbers(y.data(), static_cast<std::size_t>(y.size()));
+        witness_({.kind = Evidence::Kind::dead, .node = node, .numbers = numbers});
+      },
+      solver_);
+}
+
+void SignPatternTree::report_leaf(const Configuration& leaf) const {
+  if (leaf.state != LeafState::alive) {
+    witness_({.kind = Evidence::Kind::marginal, .node = leaf.pattern, .numbers = {}});
+    return;
+  }
+  std::vector<double> tangential;
+  for (auto touching = leaf.pattern.contact; touching != 0; touching &= touching - 1) {
+    const auto* const normal =
+        leaf.reaction.data() + std::ptrdiff_t{dimension_} * std::countr_zero(touching);
+    tangential.insert(tangential.end(), normal + 1, normal + dimension_);
+  }
+  witness_({.kind = Evidence::Kind::alive, .node = leaf.pattern, .numbers = tangential});
 }
 
 }  // namespace kusabi::nodes

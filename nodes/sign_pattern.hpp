@@ -17,7 +17,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -63,6 +65,21 @@ struct Configuration {
     archive& pattern& state& lower& upper& reaction& displacement;
   }
 };
+
+/// Why a node was closed: what a certificate says of it (docs/certificates.md).
+struct Evidence {
+  enum class Kind {
+    dead,      ///< numbers: the m multipliers that prove it
+    alive,     ///< a leaf; numbers: the tangential reactions of the candidates in U
+    marginal,  ///< a leaf that is marginal or undecided; no numbers
+  };
+  Kind kind = Kind::marginal;
+  SignPattern node;
+  std::span<const double> numbers;  ///< valid during the call
+};
+
+/// Told of every node that is closed.
+using Witness = std::function<void(const Evidence&)>;
 
 /// What became of the nodes that were opened, and what it cost.
 struct SignPatternTally {
@@ -112,6 +129,9 @@ class SignPatternTree {
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
   Tally tally() const { return tally_; }
 
+  /// From now on `witness` is told why nodes are closed. A branched node is not closed.
+  void report_to(Witness witness) { witness_ = std::move(witness); }
+
  private:
   using Solver = std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>>;
 
@@ -122,6 +142,8 @@ class SignPatternTree {
   [[nodiscard]] int branching_candidate(const Node& node) const;
   [[nodiscard]] LeafState leaf_state(const conic::Answer& answer) const;
   [[nodiscard]] Configuration configuration(const Node& node, const conic::Answer& answer) const;
+  void report_dead(const Node& node) const;
+  void report_leaf(const Configuration& leaf) const;
 
   int dimension_;
   std::uint64_t candidates_;  // a bit for each
@@ -130,6 +152,7 @@ class SignPatternTree {
   std::vector<double> weight_;  // of u_n r_n when a node is split, by candidate
   Solver solver_;
   Tally tally_;
+  Witness witness_;
 };
 
 }  // namespace kusabi::nodes

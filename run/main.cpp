@@ -20,6 +20,7 @@
 #include "run/exit_code.hpp"
 #include "run/patterns.hpp"
 #include "run/session.hpp"
+#include "run/verify.hpp"
 
 namespace {
 
@@ -94,10 +95,25 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
                      "go on from this checkpoint, on any number of ranks");
   command.add_option("--trace", options->trace,
                      "write what each rank did when to this file, for ui.perfetto.dev");
+  command.add_option("--certificate", options->certificate,
+                     "write the evidence to this file, for kusabi verify");
   command.add_flag("--quiet", options->quiet, "print errors only");
   add_serial(command, serial);
   command.callback(
       [&action, options] { action = [options](Session& s) { return patterns(s, *options); }; });
+}
+
+void add_verify(CLI::App& app, Action& action, bool& serial) {
+  auto& command =
+      *app.add_subcommand("verify", "proves the list of patterns from its certificate, exactly");
+  const auto options = std::make_shared<VerifyOptions>();
+  command
+      .add_option("certificate", options->certificate, "what patterns --certificate has written")
+      ->required();
+  command.add_flag("--quiet", options->quiet, "print errors and what is refused only");
+  add_serial(command, serial);
+  command.callback(
+      [&action, options] { action = [options](Session& s) { return verify(s, *options); }; });
 }
 
 void add_example(CLI::App& app, Action& action) {
@@ -182,6 +198,7 @@ int run(Session& session, int argc, char** argv) {
   Action action;
   bool serial = false;
   add_patterns(app, action, serial);
+  add_verify(app, action, serial);
   add_example(app, action);
   auto& bench = *app.add_subcommand("bench", "measures and tries the search engine");
   bench.require_subcommand(1);

@@ -16,6 +16,7 @@
 #include "nodes/sign_pattern.hpp"
 #include "problems/fingerprint.hpp"
 #include "problems/structure_file.hpp"
+#include "run/certificate_file.hpp"
 #include "run/exit_code.hpp"
 #include "run/output_file.hpp"
 #include "run/patterns_report.hpp"
@@ -101,8 +102,26 @@ void tell_what_is_left(const PatternsOptions& options, const std::string& checkp
   if (options.tolerance != usual.tolerance)
     call += fmt::format(" --tolerance {}", options.tolerance);
   if (options.branching != usual.branching) call += " --branching paper";
+  if (!options.certificate.empty()) call += fmt::format(" --certificate {}", options.certificate);
   fmt::print(stderr, "go on{} with: {} --restart {}\n",
              outcome.saved ? "" : " from the one before it", call, checkpoint);
+}
+
+// Of a search that stopped early the parts stay, if anything can go on from them.
+void end_certificate(Session& session, CertificateFile& certificate, const std::string& header,
+                     const PatternsOptions& options, bool whole, bool goes_on) {
+  if (!certificate.wanted()) return;
+  certificate.close();
+  if (!session.speaks()) return;
+  if (whole) {
+    certificate.put_in_place(header);
+    if (!options.quiet) fmt::print(stderr, "wrote {}\n", options.certificate);
+  } else if (goes_on) {
+    fmt::print(stderr, "what is proved so far is in {}.part.*\n", options.certificate);
+  } else {
+    certificate.drop();
+    fmt::print(stderr, "no certificate: nothing could go on with an incomplete one\n");
+  }
 }
 
 }  // namespace
@@ -129,6 +148,10 @@ int patterns(Session& session, const PatternsOptions& options) {
   checkpoint.interval = options.checkpoint_interval;
   checkpoint.problem = tree_fingerprint(problem, options);
   checkpoint.resume_from = restart_from(session, options, checkpoint.problem);
+  CertificateFile certificate(session, options.certificate, options.file, checkpoint.problem,
+                              !options.restart.empty());
+  if (certificate.wanted())
+    tree.report_to([&](const auto& evidence) { certificate.add(evidence); });
   search_options.interrupt = asked_by_signal;
   if (!options.trace.empty()) search_options.trace_events = trace_events_a_rank(session.ranks());
   search_options.warn = warn;
@@ -157,6 +180,9 @@ int patterns(Session& session, const PatternsOptions& options) {
     }
     if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
   }
+  const bool goes_on = !checkpoint.file.empty() && engine::checkpoint_exists(checkpoint.file);
+  end_certificate(session, certificate, certificate_header(problem, friction), options, whole,
+                  goes_on);
   return whole ? solved : stopped_early;
 }
 

@@ -20,8 +20,9 @@ struct PatternsOptions {
   std::string checkpoint;                                   ///< keep the state here; empty: nowhere
   double checkpoint_interval = 600;                         ///< seconds
   std::string restart;                                      ///< go on from here; empty: start anew
-  std::string trace;   ///< the timeline goes here; empty: nowhere
-  bool quiet = false;  ///< no progress, no table
+  std::string trace;                                        ///< the timeline goes here
+  std::string certificate;  ///< the evidence goes here; empty: nowhere
+  bool quiet = false;       ///< no progress, no table
 };
 
 /// Runs the command on all ranks. @return the exit code

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,21 @@ TEST(Sha1, GivesTheDigestsOfTheStandard) {
             (Sha1Digest{0x84983E44, 0x1C3BD26E, 0xBAAE4AA1, 0xF95129E5, 0xE54670F1}));
   EXPECT_EQ(sha1(std::string(1'000'000, 'a')),
             (Sha1Digest{0x34AA973C, 0xD4C4DAA4, 0xF61EEB2B, 0xDBAD2731, 0x6534016F}));
+}
+
+TEST(Sha1, PiecesAreAsGoodAsTheWhole) {
+  std::string message;
+  for (int i = 0; i < 300; ++i) message += static_cast<char>('a' + i % 23);
+  for (std::size_t first = 0; first <= 130; ++first) {
+    for (const std::size_t second : {0, 1, 63, 64, 65, 129}) {
+      Sha1Stream stream;
+      stream.add(std::string_view(message).substr(0, first));
+      stream.add(std::string_view(message).substr(first, second));
+      stream.add(std::string_view(message).substr(first + second));
+      EXPECT_EQ(stream.digest(), sha1(message)) << first << " " << second;
+    }
+  }
+  EXPECT_EQ(hexadecimal(sha1("abc")), "a9993e364706816aba3e25717850c26c9cd0d89d");
 }
 
 TEST(Sha1, WordsAreTheirBytesWithTheUpperOneFirst) {

@@ -1,0 +1,248 @@
+// Parts by plain writes, a whole line at a time; and how they are found again.
+#include "run/certificate_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "nodes/sha1.hpp"
+
+namespace kusabi::run {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A name of one line, whatever it holds.
+std::string one_line(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
+    text += control ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c)) : std::string(1, c);
+  }
+  return text;
+}
+
+template <class Numbers>
+void append(std::string& text, const Numbers& numbers) {
+  for (const double number : numbers) fmt::format_to(std::back_inserter(text), " {:a}", number);
+}
+
+struct Part {
+  unsigned run = 0;
+  unsigned rank = 0;
+  std::string file;
+};
+
+std::string part_name(const std::string& name, std::string_view run, int rank) {
+  return fmt::format("{}.part.{}.{}", name, run, rank);
+}
+
+// All parts of a certificate, in the order of their runs and ranks.
+std::vector<Part> parts_of(const std::string& name) {
+  std::vector<Part> parts;
+  const auto place = fs::absolute(name);
+  const auto prefix = place.filename().string() + ".part.";
+  for (const auto& entry : fs::directory_iterator(place.parent_path())) {
+    const auto file = entry.path().filename().string();
+    if (!file.starts_with(prefix)) continue;
+    Part part;
+    const char* const last = file.data() + file.size();
+    const auto run = std::from_chars(file.data() + prefix.size(), last, part.run);
+    if (run.ec != std::errc{} || run.ptr == last || *run.ptr != '.') continue;
+    const auto rank = std::from_chars(run.ptr + 1, last, part.rank);
+    if (rank.ec != std::errc{} || rank.ptr != last) continue;
+    part.file = name + file.substr(prefix.size() - std::string_view(".part.").size());
+    parts.push_back(std::move(part));
+  }
+  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return a.run != b.run ? a.run < b.run : a.rank < b.rank;
+  });
+  return parts;
+}
+
+// The next line without its end. A line without an end, of a run that was killed, is none.
+bool next_line(std::istream& file, std::string& line) {
+  return static_cast<bool>(std::getline(file, line)) && !file.eof();
+}
+
+std::string first_line(const std::string& name) {
+  std::ifstream file(name, std::ios::binary);
+  std::string line;
+  return next_line(file, line) ? line : std::string{};
+}
+
+// Writes the text and takes it into the digest.
+class Writer {
+ public:
+  explicit Writer(std::ostream& out) : out_(out) {}
+
+  void add(std::string_view text) {
+    out_ << text;
+    digest_.add(text);
+  }
+
+  void end() { out_ << "digest " << nodes::hexadecimal(digest_.digest()) << '\n'; }
+
+ private:
+  std::ostream& out_;
+  nodes::Sha1Stream digest_;
+};
+
+}  // namespace
+
+std::string certificate_header(const problems::WedgedProblem& problem,
+                               std::span<const double> friction) {
+  auto text = fmt::format("kusabi certificate 1\ndimension {}\ncandidates {}\n", problem.dimension,
+                          problem.contact_names.size());
+  for (const auto& name : problem.contact_names) text += fmt::format("name {}\n", one_line(name));
+  text += "friction";
+  append(text, friction);
+  text += "\nstiffness\n";
+  const auto& stiffness = problem.stiffness;
+  for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      text += fmt::format("{}{:a}", j == 0 ? "" : " ", stiffness(i, j));
+    }
+    text += '\n';
+  }
+  return text + "nodes\n";
+}
+
+std::string certificate_line(const nodes::Evidence& evidence) {
+  const auto* const kind = evidence.kind == nodes::Evidence::Kind::dead    ? "dead"
+                           : evidence.kind == nodes::Evidence::Kind::alive ? "alive"
+                                                                           : "marginal";
+  auto line = fmt::format("{} {:x} {:x}", kind, evidence.node.contact, evidence.node.separated);
+  append(line, evidence.numbers);
+  return line + '\n';
+}
+
+CertificateFile::CertificateFile(Session& session, const std::string& name,
+                                 const std::string& input, std::uint64_t tree, bool goes_on)
+    : session_(session), name_(name), tree_(fmt::format("part of the tree {:016x}", tree)) {
+  if (!wanted()) return;
+  run_ = session.on_first_rank([&] { return prepare(input, goes_on); });
+  const auto file = part_name(name_, run_, session.transport().rank());
+  constexpr mode_t for_all = 0666;
+  part_ = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, for_all);
+  if (part_ < 0) {
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", file, std::strerror(errno)));
+  }
+  const auto line = tree_ + '\n';
+  failed_ = write(part_, line.data(), line.size()) != static_cast<ssize_t>(line.size());
+}
+
+CertificateFile::~CertificateFile() {
+  if (part_ >= 0) ::close(part_);
+}
+
+// @return a number for this run's parts that is still free
+std::string CertificateFile::prepare(const std::string& input, bool goes_on) {
+  const auto refuse = [&](const std::string& why) {
+    throw WrongInput(fmt::format("--certificate {}: {}", name_, why));
+  };
+  std::error_code error;
+  const auto kind = fs::status(name_, error).type();
+  if (kind != fs::file_type::not_found && kind != fs::file_type::regular) {
+    refuse("is a device or a pipe, expected a file name");
+  }
+  whole_.emplace("--certificate", name_, input);
+  const auto parts = parts_of(name_);
+  if (!goes_on && !parts.empty()) {
+    refuse(
+        fmt::format("{} is in the way, a part of a search that did not end; expected --restart "
+                    "to go on with it, or a new name",
+                    parts.front().file));
+  }
+  if (goes_on && parts.empty()) {
+    refuse(
+        fmt::format("there is no {}.part.*, so what the search has proved so far is not known; "
+                    "expected the name that it began with",
+                    name_));
+  }
+  for (const auto& part : parts) {
+    const auto line = first_line(part.file);
+    // A part without a whole line was killed before it had begun.
+    if (!line.empty() && line != tree_) {
+      refuse(fmt::format("{} belongs to another problem, friction or tolerance", part.file));
+    }
+  }
+  return std::to_string(parts.empty() ? 1 : parts.back().run + 1);
+}
+
+void CertificateFile::add(const nodes::Evidence& evidence) {
+  const auto line = certificate_line(evidence);
+  for (std::string_view left = line; !left.empty() && !failed_;) {
+    const auto written = write(part_, left.data(), left.size());
+    if (written >= 0) left.remove_prefix(static_cast<std::size_t>(written));
+    if (written < 0 && errno != EINTR) failed_ = true;
+  }
+}
+
+void CertificateFile::close() {
+  if (::close(part_) != 0) failed_ = true;
+  part_ = -1;
+  auto& transport = session_.transport();
+  engine::Survey own{.ranks = 1};
+  if (failed_) own.wishes = engine::wish_failed;
+  transport.join_survey(own);
+  for (;;) {
+    if (const auto all = transport.survey()) {
+      if ((all->wishes & engine::wish_failed) == 0) return;
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
+  throw std::runtime_error(
+      fmt::format("{}: a part could not be written in full; is the disk full?", name_));
+}
+
+void CertificateFile::put_in_place(const std::string& header) {
+  const auto parts = parts_of(name_);
+  const auto own = std::count_if(parts.begin(), parts.end(), [&](const Part& part) {
+    return std::to_string(part.run) == run_;
+  });
+  if (own != session_.ranks()) {
+    throw std::runtime_error(
+        fmt::format("{}: {} parts expected, {} found; do all ranks write to the same folder?",
+                    name_, session_.ranks(), own));
+  }
+  Writer writer(whole_->stream());
+  writer.add(header);
+  std::uint64_t count = 0;
+  std::string line;
+  for (const auto& part : parts) {
+    std::ifstream file(part.file, std::ios::binary);
+    if (!file) throw std::runtime_error(part.file + ": cannot be read");
+    next_line(file, line);  // of which tree
+    while (next_line(file, line)) {
+      writer.add(line + '\n');
+      ++count;
+    }
+  }
+  writer.add(fmt::format("end {}\n", count));
+  writer.end();
+  whole_->put_in_place();
+  drop();
+}
+
+void CertificateFile::drop() {
+  std::error_code nothing_to_be_done;
+  for (const auto& part : parts_of(name_)) fs::remove(part.file, nothing_to_be_done);
+}
+
+}  // namespace kusabi::run

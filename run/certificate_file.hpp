@@ -1,0 +1,74 @@
+// The certificate that `kusabi patterns --certificate` writes (docs/certificates.md): what each
+// rank saw proved is written at once to a part of its own, and when the search is over rank 0 puts
+// the parts together. So it takes no memory, and what is killed loses nothing that a checkpoint
+// has.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "nodes/sign_pattern.hpp"
+#include "problems/wedged_problem.hpp"
+#include "run/output_file.hpp"
+#include "run/session.hpp"
+
+namespace kusabi::run {
+
+/// All of a certificate before its nodes.
+std::string certificate_header(const problems::WedgedProblem& problem,
+                               std::span<const double> friction);
+
+/// A node of a certificate: its line, with the end of the line.
+std::string certificate_line(const nodes::Evidence& evidence);
+
+/// A certificate that is being written, by all ranks together. Part `rank` of a run lies in
+/// NAME.part.RUN.RANK until the certificate is in its place.
+class CertificateFile {
+ public:
+  /// Opens the files. An empty name: nothing will be written.
+  /// @param input the problem file, which must not be the same
+  /// @param tree fingerprint of the tree that is searched
+  /// @param goes_on whether the search goes on from a checkpoint: then there must be parts of the
+  ///        same tree already, otherwise there must be none
+  /// @throws WrongInput on every rank alike; std::runtime_error if a rank cannot open its part
+  CertificateFile(Session& session, const std::string& name, const std::string& input,
+                  std::uint64_t tree, bool goes_on);
+  CertificateFile(const CertificateFile&) = delete;
+  CertificateFile& operator=(const CertificateFile&) = delete;
+  ~CertificateFile();
+
+  [[nodiscard]] bool wanted() const { return !name_.empty(); }
+
+  /// Writes a node down. A disk that is full is remembered until close().
+  /// @pre wanted()
+  void add(const nodes::Evidence& evidence);
+
+  /// Ends this rank's part; every rank calls it, and it returns when all have.
+  /// @throws std::runtime_error if a part could not be written in full
+  /// @pre wanted()
+  void close();
+
+  /// Puts the parts of this run and of those that it continues together, and removes them.
+  /// @throws std::runtime_error if a part is missing or the disk is full
+  /// @pre wanted(), rank 0, closed
+  void put_in_place(const std::string& header);
+
+  /// Removes all parts: nothing will go on from them.
+  /// @pre wanted(), rank 0, closed
+  void drop();
+
+ private:
+  std::string prepare(const std::string& input, bool goes_on);
+
+  Session& session_;
+  std::string name_;
+  std::string tree_;  // the first line of each part
+  std::optional<OutputFile> whole_;
+  std::string run_;
+  int part_ = -1;  // a file descriptor
+  bool failed_ = false;
+};
+
+}  // namespace kusabi::run

@@ -1,0 +1,44 @@
+// One range of records.
+#include "run/verification.hpp"
+
+#include <utility>
+
+namespace kusabi::run {
+
+Verification::Tally& Verification::Tally::operator+=(const Tally& other) {
+  dead += other.dead;
+  alive += other.alive;
+  marginal += other.marginal;
+  return *this;
+}
+
+void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
+  constexpr std::uint64_t few = 16;
+  if (node.last - node.first > few) {
+    const auto middle = node.first + (node.last - node.first) / 2;
+    out.branch({node.first, middle});
+    out.branch({middle, node.last});
+    return;
+  }
+  for (auto number = node.first; number < node.last; ++number) {
+    const auto& record = certificate_.records[number];
+    if (auto reason = proof_.refusal(record)) {
+      out.solution({number, std::move(*reason)});
+      continue;
+    }
+    switch (record.claim) {
+      case verify::Claim::dead:
+        ++tally_.dead;
+        break;
+      case verify::Claim::alive:
+        ++tally_.alive;
+        break;
+      case verify::Claim::marginal:
+        ++tally_.marginal;
+        break;
+    }
+    out.poll();
+  }
+}
+
+}  // namespace kusabi::run

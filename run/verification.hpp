@@ -1,0 +1,67 @@
+// The proofs of a certificate as a tree for the engine to share among the ranks: a node is a range
+// of records, halved until it is small, and the solutions are the records that are refused.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/search.hpp"
+#include "verify/certificate.hpp"
+#include "verify/proof.hpp"
+
+namespace kusabi::run {
+
+/// The problem type that engine::search searches.
+class Verification {
+ public:
+  /// Records `first` to `last` - 1.
+  struct Node {
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& first& last;
+    }
+  };
+
+  /// A record that does not prove what it claims.
+  struct Solution {
+    std::uint64_t record = 0;
+    std::string reason;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& record& reason;
+    }
+  };
+
+  /// How many nodes were proved to be what they claim to be.
+  struct Tally {
+    std::uint64_t dead = 0;
+    std::uint64_t alive = 0;
+    std::uint64_t marginal = 0;  ///< nothing is claimed of them
+
+    Tally& operator+=(const Tally& other);
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& dead& alive& marginal;
+    }
+  };
+
+  /// Both must outlive this.
+  Verification(const verify::Certificate& certificate, const verify::Proof& proof)
+      : certificate_(certificate), proof_(proof) {}
+
+  Node root() const { return {0, certificate_.records.size()}; }
+  void expand(Node&& node, engine::Expansion<Verification>& out);
+  Tally tally() const { return tally_; }
+
+ private:
+  const verify::Certificate& certificate_;
+  const verify::Proof& proof_;
+  Tally tally_;
+};
+
+}  // namespace kusabi::run

@@ -1,0 +1,136 @@
+// From the file to the verdict, on all ranks.
+#include "run/verify.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "run/exit_code.hpp"
+#include "run/progress_line.hpp"
+#include "run/verification.hpp"
+#include "verify/certificate.hpp"
+#include "verify/cover.hpp"
+#include "verify/proof.hpp"
+
+namespace kusabi::run {
+namespace {
+
+// Every rank gets the text in one message, and a message has no more bytes than this.
+constexpr std::uintmax_t largest_file = std::numeric_limits<int>::max() - 1;
+
+std::string content(const std::string& file) {
+  const auto refuse = [&](const std::string& why) { throw WrongInput(file + ": " + why); };
+  std::error_code failure;
+  const auto size = std::filesystem::file_size(file, failure);
+  std::ifstream stream(file, std::ios::binary);
+  if (failure || !stream) refuse("the file cannot be read; expected a certificate");
+  if (size > largest_file) {
+    refuse(fmt::format("the file has {} bytes; expected at most {}", size, largest_file));
+  }
+  std::string text(size, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(size));
+  if (!stream) refuse("the file cannot be read in full");
+  return text;
+}
+
+verify::Certificate certificate_in(const std::string& text, const std::string& file) {
+  try {
+    return verify::read_certificate(text, file);
+  } catch (const verify::CertificateError& error) {
+    throw WrongInput(error.what());
+  }
+}
+
+// Of `count` things.
+std::string counted(std::uint64_t count, const std::string& what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string all_patterns(std::size_t candidates) {
+  constexpr std::size_t easily_read = 20;
+  if (candidates > easily_read) return fmt::format("2^{}", candidates);
+  return std::to_string(std::uint64_t{1} << candidates);
+}
+
+void print_refusal(const VerifyOptions& options, const verify::Certificate& certificate,
+                   const Verification::Solution& refusal) {
+  const auto& record = certificate.records[refusal.record];
+  fmt::print("{}:{}: refused: {} contact {} separated {}: {}\n", options.certificate, record.line,
+             verify::claim_name(record.claim), certificate.names_of(record.contact),
+             certificate.names_of(record.separated), refusal.reason);
+}
+
+// What was proved, in the order in which the proof needs it.
+void print_summary(const verify::Certificate& certificate, const verify::Proof& proof, bool covered,
+                   const Verification::Tally& proved) {
+  fmt::print("K is positive definite: its eigenvalues are above {:.3g}\n",
+             proof.least_eigenvalue()->nearest());
+  if (covered) {
+    fmt::print("{} cover all {} sign patterns, each once\n",
+               counted(certificate.records.size(), "node"), all_patterns(certificate.candidates()));
+  }
+  fmt::print("dead: {} proved\nalive: {} proved\n", proved.dead, proved.alive);
+  if (proved.marginal > 0) fmt::print("marginal: {} not proved\n", proved.marginal);
+}
+
+void print_verdict(bool refused, const Verification::Tally& proved) {
+  if (refused) {
+    fmt::print("NOT PROVED\n");
+  } else if (proved.marginal > 0) {
+    fmt::print("PROVED but for {}: the list of {} is complete but for these\n",
+               counted(proved.marginal, "marginal node"), counted(proved.alive, "pattern"));
+  } else {
+    fmt::print("PROVED: the list of {} is complete\n", counted(proved.alive, "pattern"));
+  }
+}
+
+}  // namespace
+
+int verify(Session& session, const VerifyOptions& options) {
+  const auto text = session.on_first_rank([&] { return content(options.certificate); });
+  // Every rank reads it, and proves for itself what the proof of each node rests on.
+  const auto certificate = certificate_in(text, options.certificate);
+  const verify::Proof proof(certificate);
+  if (!proof.least_eigenvalue()) {
+    if (session.speaks()) {
+      fmt::print("{}: refused: K was not shown to be positive definite\n", options.certificate);
+      if (!options.quiet) print_verdict(true, {});
+    }
+    return failed;
+  }
+
+  Verification verification(certificate, proof);
+  engine::Options search_options;
+  std::optional<ProgressLine> progress;
+  if (session.speaks() && !options.quiet) {
+    progress.emplace(search_options.goal);
+    search_options.progress = [&](const auto& state) { progress->show(state); };
+  }
+  const auto outcome = engine::search(verification, session.transport(), search_options);
+  progress.reset();
+
+  // Every rank knows whether the nodes cover all patterns, but rank 0 alone what was refused; the
+  // exit code of the job is the worst of all.
+  const auto flaw = verify::flaw_of_cover(certificate);
+  const bool refused = flaw.has_value() || !outcome.solutions.empty();
+  if (!session.speaks()) return refused ? failed : solved;
+  for (const auto& found : outcome.solutions) print_refusal(options, certificate, found.solution);
+  if (flaw) fmt::print("{}: refused: {}\n", options.certificate, *flaw);
+  if (!options.quiet) {
+    Verification::Tally proved;
+    for (const auto& rank : outcome.ranks) proved += rank.tally;
+    print_summary(certificate, proof, !flaw, proved);
+    print_verdict(refused, proved);
+  }
+  if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+  return refused ? failed : solved;
+}
+
+}  // namespace kusabi::run

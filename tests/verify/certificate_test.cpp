@@ -1,0 +1,203 @@
+// The reader: what it says of files that are not as they should be, and that none of them harms.
+#include "verify/certificate.hpp"
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "searched.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+// A small problem with dead nodes and living ones.
+const Draft& small() {
+  static const Draft draft = searched(random_problem(2, 4, 5), 4.0);
+  return draft;
+}
+
+// What is said of a text; empty if it is a certificate.
+std::string complaint(const std::string& text) {
+  try {
+    read_certificate(text, "cert");
+    return {};
+  } catch (const CertificateError& error) {
+    return error.what();
+  }
+}
+
+TEST(Certificate, IsReadAsItWasWritten) {
+  const auto certificate = read_certificate(small().text(), "cert");
+  const auto problem = random_problem(2, 4, 5);
+  EXPECT_EQ(certificate.dimension, 2U);
+  EXPECT_EQ(certificate.names, problem.contact_names);
+  EXPECT_EQ(certificate.friction, std::vector<double>(4, 4.0));
+  for (int i = 0; i < 8; ++i) {
+    for (int j = 0; j < 8; ++j) {
+      EXPECT_EQ(certificate.stiffness[static_cast<std::size_t>(8 * i + j)],
+                problem.stiffness(i, j));
+    }
+  }
+  EXPECT_EQ(certificate.records.size(), small().nodes.size());
+  EXPECT_EQ(certificate.records.front().line, small().header.size() + 1);
+  EXPECT_EQ(certificate.names_of(0b1010), "{c1 c3}");
+  EXPECT_EQ(certificate.names_of(0), "{}");
+}
+
+TEST(Certificate, ANameMayHoldAnything) {
+  auto problem = random_problem(2, 2, 1);
+  problem.contact_names = {"a b  c", "line\nbreak"};
+  const auto certificate = read_certificate(searched(problem, 1.0).text(), "cert");
+  EXPECT_EQ(certificate.names, (std::vector<std::string>{"a b  c", "line\\x0abreak"}));
+}
+
+TEST(Certificate, EveryAlteredByteIsNoticed) {
+  const auto text = searched(example("space-truss.toml"), 0.65).text();
+  std::mt19937_64 generator(1);
+  for (int trial = 0; trial < 300; ++trial) {
+    auto altered = text;
+    altered[generator() % text.size()] ^= static_cast<char>(1 + generator() % 255);
+    EXPECT_THAT(complaint(altered), testing::AnyOf(HasSubstr("cert: was altered: digest '"),
+                                                   HasSubstr("cert: is not complete"),
+                                                   HasSubstr("expected 'kusabi certificate 1'")));
+  }
+}
+
+TEST(Certificate, EveryTruncationIsNoticed) {
+  const auto text = small().text();
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    EXPECT_NE(complaint(text.substr(0, length)), "") << length;
+    // And as if it had been meant so.
+    EXPECT_THAT(complaint(sealed(text.substr(0, std::min(length, text.rfind("digest") - 1)))),
+                AllOf(HasSubstr("cert"), HasSubstr("expected")));
+  }
+}
+
+struct Wrong {
+  const char* what;  // in the file
+  const char* with;  // instead
+  const char* said;
+};
+
+TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
+  const auto text = small().text();
+  const Wrong table[] = {
+      {"kusabi certificate 1", "kusabi certificate 2", "cert:1: 'kusabi certificate 2', expected"},
+      {"dimension 2", "dimension 4", "cert:2: 'dimension 4', expected 'dimension 2' or"},
+      {"dimension 2", "dimension", "cert:2: 'dimension', expected"},
+      {"candidates 4", "candidates 0", "cert:3: 'candidates 0', expected"},
+      {"candidates 4", "candidates 65", "cert:3: 'candidates 65', expected"},
+      {"candidates 4", "candidates 5", "cert:8: 'friction 0x1p+2"},
+      {"candidates 4", "candidates 3", "cert:7: 'name c3', expected 'friction'"},
+      {"friction 0x1p+2", "friction -0x1p+1", "expected friction coefficients above 0"},
+      {"friction 0x1p+2", "friction 2", "expected 4 friction coefficients, each like 0x1.8p+3"},
+      {"friction 0x1p+2", "friction 0xinf", "expected 4 friction coefficients"},
+      {"friction 0x1p+2", "friction 0x1p+9999", "expected 4 friction coefficients"},
+      {"friction 0x1p+2", "friction  0x1p+1", "expected 4 friction coefficients"},
+      {"friction 0x1p+2", "friction 0x1p+2 0x1p+1", "expected 4 friction coefficients"},
+      {"stiffness\n", "stiffness\n\n", "cert:10: '', expected 1 entries of row 1"},
+      {"nodes\n", "nodes\nundead 0 0\n", "expected 'dead', 'alive', 'marginal' or 'end'"},
+      {"nodes\n", "nodes\ndead 1 1 0x0p+0\n", "expected two disjoint sets"},
+      {"nodes\n", "nodes\ndead 10 1 0x0p+0\n", "expected two disjoint sets"},
+      {"nodes\n", "nodes\ndead -1 1 0x0p+0\n", "expected two disjoint sets"},
+      {"nodes\n", "nodes\ndead 1\n", "expected two disjoint sets"},
+      {"nodes\n", "nodes\ndead 1 2\n", "expected 4 multipliers"},
+      {"nodes\n", "nodes\nalive 1 2 0x1p+0\n", "expected a leaf"},
+      {"nodes\n", "nodes\nmarginal 1 2\n", "expected a leaf"},
+      {"nodes\n", "nodes\nmarginal f 0 \n", "expected 0 numbers"},
+      {"nodes\n", "nodes\nalive f 0 0x1p+0\n", "expected 4 tangential reactions"},
+      {"nodes\n", "nodes\nmarginal f 0\n", "the number of nodes above"},
+      {"end ", "end 1", "the number of nodes above"},
+      {"end ", "end -", "the number of nodes above"},
+      {"digest ", "more\ndigest ", "expected the line 'digest …', the last one"},
+  };
+  for (const auto& [what, with, said] : table) {
+    auto wrong = text;
+    wrong.replace(wrong.find(what), std::string(what).size(), with);
+    const auto complained = complaint(sealed(wrong));
+    EXPECT_THAT(complained, HasSubstr(said)) << with;
+    EXPECT_EQ(complained.find('\n'), std::string::npos);
+  }
+  EXPECT_EQ(complaint(""), "cert:1: the file ends here, expected 'kusabi certificate 1'");
+  EXPECT_EQ(complaint("name = 1\n"), "cert:1: 'name = 1', expected 'kusabi certificate 1'");
+  EXPECT_THAT(complaint("kusabi certificate 1\n"), HasSubstr("cert: is not complete"));
+  EXPECT_THAT(complaint(text + "\n"), HasSubstr("cert: is not complete"));
+  EXPECT_THAT(complaint(sealed("")), HasSubstr("cert"));
+}
+
+// Whatever the file says, there is one line or a verdict; and a list that is proved is the right
+// one, since the problem is not touched.
+TEST(Certificate, NoChangeOfTheNodesProvesAnotherList) {
+  const auto text = small().text();
+  const auto nodes = text.find("nodes\n") + 6;
+  const auto end = text.rfind("digest ");
+  const auto truth = verdict(text);
+  ASSERT_TRUE(truth.proved());
+  ASSERT_FALSE(truth.alive.empty());
+  ASSERT_GT(truth.dead, 0U);
+  std::mt19937_64 generator(2);
+  const std::string likely = "0123456789abcdef-+xp \n";
+  int read = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    auto altered = text;
+    for (auto changes = 1 + generator() % 3; changes > 0; --changes) {
+      altered[nodes + generator() % (end - nodes)] =
+          trial % 4 == 0 ? static_cast<char>(generator()) : likely[generator() % likely.size()];
+    }
+    altered = sealed(altered);
+    try {
+      const auto said = verdict(altered);
+      ++read;
+      if (said.proved()) {
+        auto known = said.alive;
+        EXPECT_TRUE(
+            std::includes(truth.alive.begin(), truth.alive.end(), known.begin(), known.end()));
+        EXPECT_EQ(known.size() + said.marginal >= truth.alive.size(), true);
+      }
+    } catch (const CertificateError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    }
+  }
+  EXPECT_GT(read, 1000);
+}
+
+TEST(Certificate, NoChangeAnywhereDoesHarm) {
+  const auto text = small().text();
+  std::mt19937_64 generator(3);
+  const std::string likely = "0123456789abcdef-+xp \n";
+  for (int trial = 0; trial < 20000; ++trial) {
+    auto altered = text;
+    for (auto changes = 1 + generator() % 5; changes > 0; --changes) {
+      const auto place = generator() % altered.size();
+      switch (generator() % 4) {
+        case 0:
+          altered.erase(place, generator() % 20);
+          break;
+        case 1:
+          altered.insert(place, 1, likely[generator() % likely.size()]);
+          break;
+        case 2:
+          altered[place] = static_cast<char>(generator());
+          break;
+        default:
+          altered[place] = likely[generator() % likely.size()];
+          break;
+      }
+    }
+    try {
+      verdict(sealed(altered));
+    } catch (const CertificateError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("cert"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::verify

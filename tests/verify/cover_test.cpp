@@ -1,0 +1,117 @@
+// Trees and what is not one, without any mechanics.
+#include "verify/cover.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kusabi::verify {
+namespace {
+
+using testing::HasSubstr;
+
+Certificate of(std::size_t candidates) {
+  Certificate certificate;
+  for (std::size_t i = 0; i < candidates; ++i) {
+    certificate.names.push_back(std::string(1, static_cast<char>('a' + i)));
+  }
+  return certificate;
+}
+
+void add(Certificate& certificate, std::uint64_t contact, std::uint64_t separated,
+         Claim claim = Claim::dead) {
+  Record record;
+  record.line = certificate.records.size() + 1;
+  record.claim = claim;
+  record.contact = contact;
+  record.separated = separated;
+  certificate.records.push_back(record);
+}
+
+std::string flaw(const Certificate& certificate) {
+  return flaw_of_cover(certificate).value_or("");
+}
+
+TEST(Cover, TheRootAloneCoversEverything) {
+  auto certificate = of(3);
+  EXPECT_THAT(flaw(certificate), HasSubstr("no node covers contact {} separated {}"));
+  add(certificate, 0, 0);
+  EXPECT_EQ(flaw(certificate), "");
+}
+
+TEST(Cover, NamesWhatIsMissing) {
+  auto certificate = of(3);
+  add(certificate, 0b001, 0b000);
+  add(certificate, 0b010, 0b001);
+  EXPECT_THAT(flaw(certificate), HasSubstr("no node covers contact {} separated {a b}"));
+  add(certificate, 0b000, 0b011);
+  EXPECT_EQ(flaw(certificate), "");
+}
+
+TEST(Cover, NamesWhatIsThereTwice) {
+  auto certificate = of(2);
+  add(certificate, 0b01, 0);
+  add(certificate, 0, 0b01);
+  add(certificate, 0b11, 0);
+  EXPECT_THAT(flaw(certificate), HasSubstr("line 1 and line 3: both cover patterns below"));
+}
+
+TEST(Cover, NamesAContradiction) {
+  auto certificate = of(1);
+  add(certificate, 1, 0);
+  add(certificate, 0, 1);
+  add(certificate, 0, 1, Claim::alive);
+  EXPECT_THAT(flaw(certificate), HasSubstr("one says dead, the other alive"));
+}
+
+// Three nodes that cover six of eight patterns, two by two, and nothing that a tree could begin
+// with.
+TEST(Cover, RefusesWhatNoTreeHas) {
+  auto certificate = of(3);
+  add(certificate, 0b001, 0b010);
+  add(certificate, 0b010, 0b100);
+  add(certificate, 0b100, 0b001);
+  EXPECT_THAT(flaw(certificate), HasSubstr("do not come from a tree"));
+}
+
+// Random trees over 64 candidates, whole and with a node left out, doubled or turned round.
+TEST(Cover, HoldsForRandomTreesAndForNothingElse) {
+  std::mt19937_64 generator(7);
+  for (int round = 0; round < 200; ++round) {
+    auto certificate = of(64);
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> open{{0, 0}};
+    while (!open.empty()) {
+      const auto [contact, separated] = open.back();
+      open.pop_back();
+      const auto split = std::uint64_t{1} << (generator() % 64);
+      if (((contact | separated) & split) != 0 || generator() % 100 < 49) {
+        add(certificate, contact, separated);
+        continue;
+      }
+      open.emplace_back(contact | split, separated);
+      open.emplace_back(contact, separated | split);
+    }
+    std::shuffle(certificate.records.begin(), certificate.records.end(), generator);
+    ASSERT_EQ(flaw(certificate), "");
+    const auto which = generator() % certificate.records.size();
+    auto spoilt = certificate;
+    spoilt.records.push_back(spoilt.records[which]);
+    EXPECT_NE(flaw(spoilt), "");
+    spoilt = certificate;
+    spoilt.records.erase(spoilt.records.begin() + static_cast<std::ptrdiff_t>(which));
+    EXPECT_NE(flaw(spoilt), "");
+    if (certificate.records.size() == 1) continue;
+    spoilt = certificate;
+    std::swap(spoilt.records[which].contact, spoilt.records[which].separated);
+    EXPECT_NE(flaw(spoilt), "");
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::verify

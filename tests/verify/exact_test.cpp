@@ -1,0 +1,97 @@
+// The arithmetic: nothing may be lost, however far apart two numbers are.
+#include "verify/exact.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace kusabi::verify {
+namespace {
+
+using Limits = std::numeric_limits<double>;
+
+bool same(const Dyadic& a, const Dyadic& b) {
+  return (a - b).sign() == 0;
+}
+
+TEST(Dyadic, KeepsEveryDouble) {
+  for (const double x : {0.0, -0.0, 1.0, -1.5, 0.1, 1e300, -1e-300, Limits::max(), Limits::min(),
+                         Limits::denorm_min(), -Limits::denorm_min()}) {
+    EXPECT_EQ(Dyadic(x).nearest(), x);
+    EXPECT_EQ(Dyadic(x).sign(), (x > 0) - (x < 0));
+  }
+}
+
+TEST(Dyadic, LosesNothing) {
+  const Dyadic huge(1e300);
+  const Dyadic tiny(1e-300);
+  EXPECT_TRUE(same(huge + tiny - huge, tiny));
+  EXPECT_TRUE(same(tiny + huge - huge, tiny));
+  EXPECT_TRUE(same((huge + tiny) * (huge - tiny), huge * huge - tiny * tiny));
+  EXPECT_TRUE(huge < huge + tiny);
+  EXPECT_FALSE(huge + tiny < huge);
+  EXPECT_TRUE(Dyadic(-1.0) < Dyadic{});
+  EXPECT_FALSE(same(Dyadic(0.1) + Dyadic(0.2), Dyadic(0.3)));
+}
+
+TEST(Dyadic, ARootIsNotBelowAndHardlyAbove) {
+  std::mt19937_64 generator(1);
+  std::uniform_real_distribution<double> exponent(-1000, 1000);
+  const Dyadic a_little_more(1 + 0x1p-50);
+  for (int i = 0; i < 2000; ++i) {
+    const Dyadic x(std::exp2(exponent(generator)));
+    const auto root = sqrt_above(x);
+    EXPECT_FALSE(root * root < x);
+    EXPECT_TRUE(root * root < x * a_little_more);
+  }
+  EXPECT_TRUE(same(sqrt_above(Dyadic(9.0)), Dyadic(3.0)));
+  EXPECT_TRUE(same(sqrt_above(Dyadic(0.25)), Dyadic(0.5)));
+  EXPECT_EQ(sqrt_above(Dyadic{}).sign(), 0);
+}
+
+TEST(DyadicList, HoldsWhatItWasGiven) {
+  const std::vector<double> values{0, 1e-300, -3, 1e300, Limits::denorm_min()};
+  const DyadicList list(values);
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_TRUE(same(list[i], Dyadic(values[i])));
+  EXPECT_EQ(DyadicList(std::vector<double>(3, 0.0))[2].sign(), 0);
+}
+
+TEST(DyadicList, CutsOffWhatIsTooFarBelow) {
+  const std::vector<double> values{1, 1e-300, -1e-300, -3};
+  const DyadicList list(values, 64);
+  EXPECT_TRUE(same(list[0], Dyadic(1.0)));
+  EXPECT_EQ(list[1].sign(), 0);
+  EXPECT_EQ(list[2].sign(), 0);
+  EXPECT_TRUE(same(list[3], Dyadic(-3.0)));
+}
+
+TEST(DyadicList, AddsExactly) {
+  const std::vector<double> large{1e200, 3, 0};
+  const std::vector<double> small{1e-200, 0.1, -1e-300};
+  auto sum = DyadicList(large);
+  sum += DyadicList(small);
+  auto other = DyadicList(small);
+  other += DyadicList(large);
+  DyadicList from_nothing(3);
+  from_nothing += DyadicList(small);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(same(sum[i], Dyadic(large[i]) + Dyadic(small[i])));
+    EXPECT_TRUE(same(other[i], sum[i]));
+    EXPECT_TRUE(same(from_nothing[i], Dyadic(small[i])));
+  }
+}
+
+TEST(DyadicMatrix, MultipliesExactly) {
+  const std::vector<double> entries{1, 1e200, -1e-200, 3};
+  const std::vector<double> x{1e-200, 0.1};
+  const DyadicMatrix matrix{2, DyadicList(entries)};
+  const auto product = matrix * DyadicList(x);
+  EXPECT_TRUE(same(product[0], Dyadic(1e-200) + Dyadic(1e200) * Dyadic(0.1)));
+  EXPECT_TRUE(same(product[1], Dyadic(3.0) * Dyadic(0.1) - Dyadic(1e-200) * Dyadic(1e-200)));
+}
+
+}  // namespace
+}  // namespace kusabi::verify

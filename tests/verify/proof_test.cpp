@@ -1,0 +1,335 @@
+// What a search records is proved; what is spoilt is refused, and for what is wrong with it.
+#include "verify/proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "searched.hpp"
+#include "verify/certificate.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+using testing::AnyOf;
+using testing::Contains;
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const Draft& truss() {
+  static const Draft draft = searched(example("space-truss.toml"), 0.65);
+  return draft;
+}
+
+std::size_t first_of(const Draft& draft, const std::string& start) {
+  const auto found = std::find_if(draft.nodes.begin(), draft.nodes.end(),
+                                  [&](const auto& line) { return line.starts_with(start); });
+  EXPECT_NE(found, draft.nodes.end()) << start;
+  return static_cast<std::size_t>(found - draft.nodes.begin());
+}
+
+// The words of a line, without its end.
+std::vector<std::string> words(const std::string& line) {
+  std::vector<std::string> list;
+  std::size_t start = 0;
+  for (std::size_t end = 0; end != std::string::npos; start = end + 1) {
+    end = line.find_first_of(" \n", start);
+    if (end != std::string::npos) list.push_back(line.substr(start, end - start));
+  }
+  return list;
+}
+
+std::string line(const std::vector<std::string>& words) {
+  return fmt::format("{}\n", fmt::join(words, " "));
+}
+
+std::string turned(const std::string& number) {
+  return number.starts_with('-') ? number.substr(1) : "-" + number;
+}
+
+TEST(Proof, HoldsForTheSpaceTruss) {
+  for (const auto& [mu, patterns] : {std::pair(0.55, 1U), {0.65, 27U}, {1.0, 251U}}) {
+    const auto said = verdict(searched(example("space-truss.toml"), mu).text());
+    EXPECT_THAT(said.refusals, IsEmpty());
+    EXPECT_EQ(said.alive.size(), patterns);
+    EXPECT_EQ(said.marginal, 0U);
+  }
+}
+
+TEST(Proof, HoldsForThePlaneTrussAndTheTwoBars) {
+  for (const double mu : {0.2, 0.5, 1.0, 1.999, 2.001, 3.0}) {
+    for (const auto* name : {"plane-truss.toml", "two-bars.toml"}) {
+      EXPECT_THAT(verdict(searched(example(name), mu).text()).refusals, IsEmpty()) << name << mu;
+    }
+  }
+}
+
+TEST(Proof, HoldsForRandomProblems) {
+  std::size_t alive = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const int dimension = seed % 2 == 0 ? 2 : 3;
+    const int candidates = 1 + static_cast<int>(seed % 7);
+    const double mu = seed % 3 == 0 ? 0.3 : seed % 3 == 1 ? 1.0 : 4.0;
+    const auto said = verdict(searched(random_problem(dimension, candidates, seed), mu).text());
+    EXPECT_THAT(said.refusals, IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(said.marginal, 0U);
+    alive += said.alive.size();
+  }
+  EXPECT_GT(alive, 100U);
+}
+
+TEST(Proof, DoesNotHangOnTheUnits) {
+  for (const double factor : {1e-150, 1e-9, 1e9, 1e150}) {
+    auto problem = example("space-truss.toml");
+    problem.stiffness *= factor;
+    problem.compliance /= factor;
+    EXPECT_THAT(verdict(searched(problem, 0.65).text()).refusals, IsEmpty()) << factor;
+  }
+}
+
+// Displacements that differ ten thousandfold in stiffness: the guesses need more than a double.
+TEST(Proof, HoldsForBadlyScaledProblems) {
+  std::size_t alive = 0;
+  std::size_t dead = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    auto problem = random_problem(seed % 2 == 0 ? 2 : 3, 5, seed);
+    std::mt19937_64 generator(seed);
+    std::uniform_real_distribution<double> exponent(-2, 2);
+    for (Eigen::Index i = 0; i < problem.stiffness.rows(); ++i) {
+      const double factor = std::pow(10.0, exponent(generator));
+      problem.stiffness.row(i) *= factor;
+      problem.stiffness.col(i) *= factor;
+      problem.compliance.row(i) /= factor;
+      problem.compliance.col(i) /= factor;
+    }
+    const Eigen::MatrixXd lower = problem.stiffness.triangularView<Eigen::StrictlyLower>();
+    const Eigen::MatrixXd diagonal = problem.stiffness.diagonal().asDiagonal();
+    problem.stiffness = lower + diagonal + lower.transpose();
+    const auto said = verdict(searched(problem, 2.0).text());
+    EXPECT_THAT(said.refusals, IsEmpty()) << "seed " << seed;
+    alive += said.alive.size();
+    dead += said.dead;
+  }
+  EXPECT_GT(alive, 20U);
+  EXPECT_GT(dead, 20U);
+}
+
+TEST(Proof, SaysWhatIsMarginal) {
+  // Far beyond any friction there is, double precision runs out.
+  const auto said = verdict(searched(example("space-truss.toml"), 1e6).text());
+  EXPECT_GT(said.marginal, 0U);
+}
+
+TEST(Proof, CountsARepeatedNodeOnce) {
+  auto draft = truss();
+  const auto expected = verdict(draft.text());
+  const std::vector<std::string> again(draft.nodes.begin(), draft.nodes.begin() + 50);
+  draft.nodes.insert(draft.nodes.end(), again.begin(), again.end());
+  const auto said = verdict(draft.text());
+  EXPECT_TRUE(said.proved());
+  EXPECT_EQ(said.dead, expected.dead);
+  std::reverse(draft.nodes.begin(), draft.nodes.end());
+  EXPECT_TRUE(verdict(draft.text()).proved());
+}
+
+TEST(Proof, RefusesAMissingNode) {
+  for (std::size_t i = 0; i < truss().nodes.size(); ++i) {
+    auto draft = truss();
+    draft.nodes.erase(draft.nodes.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_THAT(verdict(draft.text()).refusals, Contains(HasSubstr("no node covers")));
+  }
+}
+
+TEST(Proof, RefusesANodeWithItsSetsExchanged) {
+  auto draft = truss();
+  for (auto& node : draft.nodes) {
+    const auto original = node;
+    auto parts = words(node);
+    if (parts[0] != "dead") continue;
+    std::swap(parts[1], parts[2]);
+    node = line(parts);
+    EXPECT_FALSE(verdict(draft.text()).proved()) << original;
+    node = original;
+  }
+}
+
+TEST(Proof, RefusesAStiffnessThatIsNotDefinite) {
+  auto draft = truss();
+  const auto rows = std::find(draft.header.begin(), draft.header.end(), "stiffness\n") + 1;
+  *rows = "-0x1p+0\n";
+  EXPECT_THAT(verdict(draft.text()).refusals, testing::ElementsAre("K"));
+  *rows = "0x0p+0\n";
+  EXPECT_THAT(verdict(draft.text()).refusals, testing::ElementsAre("K"));
+  // [1 1; 1 1] and [1 2; 2 1] in its corner.
+  for (const auto* row : {"0x1p+0 0x1p+0\n", "0x1p+1 0x1p+0\n"}) {
+    rows[0] = "0x1p+0\n";
+    rows[1] = row;
+    EXPECT_THAT(verdict(draft.text()).refusals, testing::ElementsAre("K"));
+  }
+}
+
+TEST(Proof, RefusesTheEvidenceOfAnotherStiffness) {
+  auto draft = truss();
+  const auto rows = std::find(draft.header.begin(), draft.header.end(), "stiffness\n") + 1;
+  auto entries = words(rows[3]);
+  entries[3] = fmt::format("{:a}", 4 * std::strtod(entries[3].c_str(), nullptr));
+  rows[3] = line(entries);
+  const auto said = verdict(draft.text());
+  EXPECT_THAT(said.refusals, Contains(AnyOf(HasSubstr("rule"), HasSubstr("separate"),
+                                            HasSubstr("slips"), HasSubstr("pressed"))));
+}
+
+TEST(Proof, RefusesTheEvidenceOfAnotherFriction) {
+  auto draft = truss();
+  auto& friction = *std::find_if(draft.header.begin(), draft.header.end(),
+                                 [](const auto& text) { return text.starts_with("friction"); });
+  const auto with = [&](double mu) {
+    friction = "friction";
+    for (int i = 0; i < 10; ++i) friction += fmt::format(" {:a}", mu);
+    friction += "\n";
+    return verdict(draft.text()).refusals;
+  };
+  EXPECT_THAT(with(0.65), IsEmpty());
+  const auto larger = with(1.5 * 0.65);
+  EXPECT_FALSE(larger.empty());
+  EXPECT_THAT(larger, Each(HasSubstr("do not rule out a reaction at")));
+  const auto smaller = with(0.65 / 1.5);
+  EXPECT_FALSE(smaller.empty());
+  EXPECT_THAT(smaller, Each(HasSubstr("slips")));
+}
+
+TEST(Proof, RefusesOtherMultipliers) {
+  auto draft = truss();
+  for (auto& node : draft.nodes) {
+    auto parts = words(node);
+    if (parts[0] != "dead" || parts[2] == "3ff") continue;
+    const auto original = node;
+    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = turned(parts[i]);
+    node = line(parts);
+    EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(1)) << original;
+    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = "0x0p+0";
+    node = line(parts);
+    EXPECT_THAT(verdict(draft.text()).refusals,
+                testing::ElementsAre(HasSubstr("do not rule out a reaction at")));
+    node = original;
+  }
+}
+
+// One of them, where the displacement must not be negative, asks for what u_n >= 0 does not give.
+TEST(Proof, RefusesMultipliersOfTheWrongSign) {
+  auto draft = searched(example("two-bars.toml"), 1.0);
+  // K = [2 1; 1 2], and without contact u_n >= 0 alone: no multiplier above zero can help.
+  draft.nodes = {"dead 0 0 -0x1p+0\n"};
+  EXPECT_THAT(verdict(draft.text()).refusals, testing::ElementsAre(HasSubstr("ask for")));
+}
+
+TEST(Proof, RefusesOtherReactions) {
+  auto draft = truss();
+  for (auto& node : draft.nodes) {
+    auto parts = words(node);
+    if (parts[0] != "alive") continue;
+    const auto original = node;
+    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = turned(parts[i]);
+    node = line(parts);
+    EXPECT_THAT(verdict(draft.text()).refusals,
+                testing::ElementsAre(AnyOf(HasSubstr("is not pressed"), HasSubstr("separate"))));
+    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = "0x0p+0";
+    node = line(parts);
+    EXPECT_THAT(verdict(draft.text()).refusals,
+                testing::ElementsAre(AnyOf(HasSubstr("is not pressed"), HasSubstr("separate"))));
+    node = original;
+  }
+}
+
+// No reaction whatever makes a dead leaf alive; random ones are tried.
+TEST(Proof, RefusesADeadLeafTurnedAlive) {
+  std::mt19937_64 generator(3);
+  std::normal_distribution<double> normal;
+  auto draft = truss();
+  int leaves = 0;
+  for (auto& node : draft.nodes) {
+    const auto parts = words(node);
+    const auto contact = std::stoull(parts[1], nullptr, 16);
+    const auto separated = std::stoull(parts[2], nullptr, 16);
+    if (parts[0] != "dead" || (contact | separated) != 1023) continue;
+    ++leaves;
+    const auto original = node;
+    for (int trial = 0; trial < 3; ++trial) {
+      node = fmt::format("alive {} {}", parts[1], parts[2]);
+      for (auto rest = contact; rest != 0; rest &= rest - 1) {
+        node += fmt::format(" {:a} {:a}", normal(generator), normal(generator));
+      }
+      node += "\n";
+      EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(1)) << original;
+    }
+    node = original;
+  }
+  EXPECT_GT(leaves, 10);
+}
+
+TEST(Proof, RefusesALivingLeafTurnedDead) {
+  std::mt19937_64 generator(4);
+  std::normal_distribution<double> normal;
+  auto draft = truss();
+  for (auto& node : draft.nodes) {
+    const auto parts = words(node);
+    if (parts[0] != "alive") continue;
+    const auto original = node;
+    for (int trial = 0; trial < 3; ++trial) {
+      node = fmt::format("dead {} {}", parts[1], parts[2]);
+      for (int i = 0; i < 10; ++i) node += fmt::format(" {:a}", normal(generator));
+      node += "\n";
+      EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(1)) << original;
+    }
+    node = original;
+  }
+}
+
+TEST(Proof, RefusesTwoClaimsOfOneNode) {
+  auto draft = truss();
+  const auto parts = words(draft.nodes[first_of(draft, "alive")]);
+  draft.nodes.push_back(fmt::format("marginal {} {}\n", parts[1], parts[2]));
+  EXPECT_THAT(verdict(draft.text()).refusals,
+              testing::ElementsAre(HasSubstr("the other marginal")));
+}
+
+TEST(Proof, TakesAMarginalNodeForWhatItIs) {
+  auto draft = truss();
+  auto& node = draft.nodes[first_of(draft, "alive")];
+  const auto parts = words(node);
+  node = fmt::format("marginal {} {}\n", parts[1], parts[2]);
+  const auto said = verdict(draft.text());
+  EXPECT_TRUE(said.proved());
+  EXPECT_EQ(said.marginal, 1U);
+  EXPECT_EQ(said.alive.size(), 26U);
+}
+
+TEST(Proof, NeverTakesNumbersOutOfRange) {
+  auto draft = truss();
+  const auto spoil = [&](const std::string& claim, const std::string& number) {
+    auto& node = draft.nodes[first_of(draft, claim)];
+    const auto original = node;
+    auto parts = words(node);
+    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = number;
+    node = line(parts);
+    EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(1)) << claim << number;
+    node = original;
+  };
+  for (const auto* number : {"0x1.fffffffffffffp+1023", "-0x1.fffffffffffffp+1023",
+                             "0x0.0000000000001p-1022", "-0x0.0000000000001p-1022"}) {
+    spoil("alive", number);
+    spoil("dead", number);
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::verify

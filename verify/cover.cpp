@@ -1,0 +1,76 @@
+// The tree, built again from its closed nodes.
+#include "verify/cover.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+#include <vector>
+
+namespace kusabi::verify {
+namespace {
+
+class Cover {
+ public:
+  explicit Cover(const Certificate& certificate) : certificate_(certificate) {}
+
+  // Whether `records` cover all patterns below a node (contact, separated) that all of them lie
+  // below. A candidate that all of them decide splits the patterns and the records alike, so it
+  // does not matter which one is taken. No deeper than there are candidates.
+  std::optional<std::string> flaw(std::span<const Record*> records, std::uint64_t contact,
+                                  std::uint64_t separated) {
+    if (records.empty()) {
+      return "no node covers " + node_name(contact, separated) + "; expected one dead or one alive";
+    }
+    auto common = ~(contact | separated);
+    for (const auto* record : records) common &= record->contact | record->separated;
+    if (common == 0) return flaw_of_one(records, contact, separated);
+    const auto candidate = std::uint64_t{1} << static_cast<unsigned>(std::countr_zero(common));
+    const auto middle = std::partition(
+        records.begin(), records.end(),
+        [candidate](const Record* record) { return (record->contact & candidate) != 0; });
+    const auto touching = static_cast<std::size_t>(middle - records.begin());
+    auto found = flaw(records.first(touching), contact | candidate, separated);
+    if (!found) found = flaw(records.subspan(touching), contact, separated | candidate);
+    return found;
+  }
+
+ private:
+  // They have no candidate in common but those decided already.
+  [[nodiscard]] std::optional<std::string> flaw_of_one(std::span<const Record*> records,
+                                                       std::uint64_t contact,
+                                                       std::uint64_t separated) const {
+    const auto whole = [&](const Record* record) {
+      return (record->contact | record->separated) == (contact | separated);
+    };
+    const auto first = std::find_if(records.begin(), records.end(), whole);
+    if (first == records.end()) {
+      return "the nodes below " + node_name(contact, separated) +
+             " do not come from a tree: no candidate is decided in all of them";
+    }
+    if (records.size() == 1) return {};
+    const auto* const other = records[first == records.begin() ? 1 : 0];
+    const bool same = whole(other);
+    return "line " + std::to_string((*first)->line) + " and line " + std::to_string(other->line) +
+           (same ? ": one says " + std::string(claim_name((*first)->claim)) + ", the other " +
+                       claim_name(other->claim) + ", of "
+                 : ": both cover patterns below ") +
+           node_name(contact, separated);
+  }
+
+  [[nodiscard]] std::string node_name(std::uint64_t contact, std::uint64_t separated) const {
+    return "contact " + certificate_.names_of(contact) + " separated " +
+           certificate_.names_of(separated);
+  }
+
+  const Certificate& certificate_;
+};
+
+}  // namespace
+
+std::optional<std::string> flaw_of_cover(const Certificate& certificate) {
+  std::vector<const Record*> records;
+  for (const auto& record : certificate.records) records.push_back(&record);
+  return Cover(certificate).flaw(records, 0, 0);
+}
+
+}  // namespace kusabi::verify

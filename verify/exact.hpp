@@ -1,0 +1,76 @@
+// Exact arithmetic on dyadic numbers, mantissa * 2^exponent: what doubles are, and what their sums
+// and products stay. Nothing is ever rounded but where a name says so (sqrt_above, kept_bits).
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gmpxx.h>
+
+namespace kusabi::verify {
+
+/// A number, exactly.
+class Dyadic {
+ public:
+  Dyadic() = default;
+  /// @pre finite
+  explicit Dyadic(double value);
+  Dyadic(mpz_class mantissa, long exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
+
+  [[nodiscard]] int sign() const { return sgn(mantissa_); }
+  [[nodiscard]] double nearest() const;  ///< a double close to it, for messages
+
+  friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
+  friend Dyadic operator-(const Dyadic& a, const Dyadic& b) {
+    return a + Dyadic(-b.mantissa_, b.exponent_);
+  }
+  friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+    return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
+  }
+  friend bool operator<(const Dyadic& a, const Dyadic& b) { return (a - b).sign() < 0; }
+  friend bool operator>(const Dyadic& a, const Dyadic& b) { return b < a; }
+
+  /// A number not below the square root of `value`, and above it by less than 2^-60 of it.
+  /// @pre value >= 0
+  friend Dyadic sqrt_above(const Dyadic& value);
+
+ private:
+  mpz_class mantissa_ = 0;
+  long exponent_ = 0;
+};
+
+/// Numbers with one exponent for all: entry i is mantissas[i] * 2^exponent.
+struct DyadicList {
+  std::vector<mpz_class> mantissas;
+  long exponent = 0;
+
+  DyadicList() = default;
+  /// @param kept_bits digits further than this below the largest number are cut off; all are kept
+  ///        unless said otherwise
+  /// @pre all finite
+  explicit DyadicList(std::span<const double> values,
+                      int kept_bits = std::numeric_limits<int>::max());
+
+  /// `count` zeros.
+  explicit DyadicList(std::size_t count) : mantissas(count) {}
+
+  /// Adds another list of the same size, entry by entry.
+  DyadicList& operator+=(DyadicList other);
+
+  [[nodiscard]] std::size_t size() const { return mantissas.size(); }
+  [[nodiscard]] Dyadic operator[](std::size_t i) const { return {mantissas[i], exponent}; }
+};
+
+/// A square matrix, row by row.
+struct DyadicMatrix {
+  std::size_t size = 0;
+  DyadicList entries;
+
+  /// The matrix times a vector. @pre x.size() == size
+  [[nodiscard]] DyadicList operator*(const DyadicList& x) const;
+};
+
+}  // namespace kusabi::verify
