@@ -127,6 +127,7 @@ class Search {
     }
     std::sort(scores.begin(), scores.end());
     std::vector<std::uint64_t> bits;
+    bits.reserve(scores.size());
     for (const auto& [score, bit] : scores) bits.push_back(bit);
     return bits;
   }
