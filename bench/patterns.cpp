@@ -57,7 +57,9 @@ const std::vector<Strategy>& strategies() {
 class Search {
  public:
   Search(const problems::WedgedProblem& problem, double friction, const Strategy& strategy)
-      : strategy_(strategy), friction_(friction), compliance_(scaled(problem)) {
+      : strategy_(strategy),
+        friction_(friction),
+        compliance_(problem.compliance / problems::mean_normal_compliance(problem)) {
     const std::vector<double> all(problem.contact_names.size(), friction);
     solver_.emplace(compliance_, all);
     candidates_ = (std::uint64_t{1} << all.size()) - 1;
@@ -96,13 +98,6 @@ class Search {
   std::uint64_t found = 0;
 
  private:
-  static Eigen::MatrixXd scaled(const problems::WedgedProblem& problem) {
-    double sum = 0;
-    const auto m = static_cast<Eigen::Index>(problem.contact_names.size());
-    for (Eigen::Index i = 0; i < m; ++i) sum += problem.compliance(3 * i, 3 * i);
-    return problem.compliance / (sum / static_cast<double>(m));
-  }
-
   conic::Answer solve(std::uint64_t contact, std::uint64_t separated) {
     ++programs;
     return solver_->solve(contact, separated);

@@ -15,17 +15,6 @@ std::uint64_t first_bits(std::size_t count) {
   return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
-// The mean diagonal of F_nn: every d-th entry of the diagonal.
-double mean_normal_compliance(const problems::WedgedProblem& problem) {
-  const auto m = static_cast<Eigen::Index>(problem.contact_names.size());
-  double sum = 0;
-  for (Eigen::Index i = 0; i < m; ++i) {
-    const Eigen::Index normal = problem.dimension * i;
-    sum += problem.compliance(normal, normal);
-  }
-  return sum / static_cast<double>(m);
-}
-
 // 1 / c of Branching::relative. (The unit of F, alike for all, makes no difference.)
 std::vector<double> branching_weights(const problems::WedgedProblem& problem,
                                       std::span<const double> friction, Branching branching) {
@@ -58,7 +47,7 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
                                  Branching branching)
     : dimension_(problem.dimension),
       candidates_(first_bits(problem.contact_names.size())),
-      unit_(mean_normal_compliance(problem)),
+      unit_(problems::mean_normal_compliance(problem)),
       tolerances_(tolerances),
       weight_(branching_weights(problem, friction, branching)),
       solver_([&]() -> Solver {

@@ -140,6 +140,16 @@ bool uniform_friction(const WedgedProblem& problem) {
                      [](double friction) { return friction == 1; });
 }
 
+double mean_normal_compliance(const WedgedProblem& problem) {
+  const auto m = static_cast<Eigen::Index>(problem.contact_names.size());
+  double sum = 0;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const Eigen::Index normal = problem.dimension * i;
+    sum += problem.compliance(normal, normal);
+  }
+  return sum / static_cast<double>(m);
+}
+
 WedgedProblem wedged_problem(const Structure& structure) {
   check_structure(structure);
   const FreeDegrees degrees = free_degrees(structure);

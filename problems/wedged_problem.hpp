@@ -49,6 +49,10 @@ struct WedgedProblem {
 /// Whether all candidates have the same friction as the coefficient of a search.
 bool uniform_friction(const WedgedProblem& problem);
 
+/// The mean of the diagonal of F_nn, the normal block of the compliance: by it F is divided, so
+/// that reactions and displacements can be compared (docs/theory.md, section 2). Length/force.
+double mean_normal_compliance(const WedgedProblem& problem);
+
 /// Condenses a structure onto its contact candidates.
 /// @throws InputError if `check_structure` does; if the structure is a mechanism (with the nodes
 ///         that move); if the stiffness is so ill-conditioned that K and F fail the bounds above

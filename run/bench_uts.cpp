@@ -76,16 +76,9 @@ class TimedTree : public UnbalancedTree {
   double start_ = 0;
 };
 
-// Returns when all ranks have come here.
-void meet(engine::Transport& transport) {
-  transport.join_survey({});
-  while (!transport.survey()) {
-  }
-}
-
 // The search alone: the ranks begin it together, and the recursion is behind all of them.
 engine::Outcome<TimedTree> search(Session& session, TimedTree& tree) {
-  meet(session.transport());
+  session.meet({});
   tree.start();
   return engine::search(tree, session.transport());
 }

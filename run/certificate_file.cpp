@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include <fcntl.h>
@@ -142,8 +140,7 @@ CertificateFile::CertificateFile(Session& session, const std::string& name,
   if (part_ < 0) {
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", file, std::strerror(errno)));
   }
-  const auto line = tree_ + '\n';
-  failed_ = write(part_, line.data(), line.size()) != static_cast<ssize_t>(line.size());
+  put(tree_ + '\n');
 }
 
 CertificateFile::~CertificateFile() {
@@ -185,10 +182,13 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on) {
 }
 
 void CertificateFile::add(const nodes::Evidence& evidence) {
-  const auto line = certificate_line(evidence);
-  for (std::string_view left = line; !left.empty() && !failed_;) {
-    const auto written = write(part_, left.data(), left.size());
-    if (written >= 0) left.remove_prefix(static_cast<std::size_t>(written));
+  put(certificate_line(evidence));
+}
+
+void CertificateFile::put(std::string_view text) {
+  while (!text.empty() && !failed_) {
+    const auto written = write(part_, text.data(), text.size());
+    if (written >= 0) text.remove_prefix(static_cast<std::size_t>(written));
     if (written < 0 && errno != EINTR) failed_ = true;
   }
 }
@@ -196,19 +196,12 @@ void CertificateFile::add(const nodes::Evidence& evidence) {
 void CertificateFile::close() {
   if (::close(part_) != 0) failed_ = true;
   part_ = -1;
-  auto& transport = session_.transport();
   engine::Survey own{.ranks = 1};
   if (failed_) own.wishes = engine::wish_failed;
-  transport.join_survey(own);
-  for (;;) {
-    if (const auto all = transport.survey()) {
-      if ((all->wishes & engine::wish_failed) == 0) return;
-      break;
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  if ((session_.meet(own).wishes & engine::wish_failed) != 0) {
+    throw std::runtime_error(
+        fmt::format("{}: a part could not be written in full; is the disk full?", name_));
   }
-  throw std::runtime_error(
-      fmt::format("{}: a part could not be written in full; is the disk full?", name_));
 }
 
 void CertificateFile::put_in_place(const std::string& header) {

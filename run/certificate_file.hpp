@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "nodes/sign_pattern.hpp"
 #include "problems/wedged_problem.hpp"
@@ -61,6 +62,7 @@ class CertificateFile {
 
  private:
   std::string prepare(const std::string& input, bool goes_on);
+  void put(std::string_view text);  // into the part, as a whole unless the disk is full
 
   Session& session_;
   std::string name_;

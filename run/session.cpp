@@ -2,9 +2,11 @@
 #include "run/session.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <span>
 #include <string_view>
+#include <thread>
 
 #include "engine/transport/mpi.hpp"
 #include "engine/transport/single_process.hpp"
@@ -70,6 +72,14 @@ std::string Session::on_first_rank(const std::function<std::string()>& prepare) 
   std::string text(message.begin() + 1, message.end());
   if (message.front() == wrong) throw WrongInput(text);
   return text;
+}
+
+engine::Survey Session::meet(const engine::Survey& own) {
+  transport().join_survey(own);
+  for (;;) {
+    if (const auto all = transport().survey()) return *all;
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
 }
 
 }  // namespace kusabi::run

@@ -43,6 +43,10 @@ class Session {
   /// every rank throws a WrongInput that says the same.
   std::string on_first_rank(const std::function<std::string()>& prepare);
 
+  /// Returns when all ranks have come here, with what they brought, merged. Not for use during a
+  /// search.
+  engine::Survey meet(const engine::Survey& own);
+
  private:
   struct Mpi;  // keeps mpi.h out of the command
   std::unique_ptr<Mpi> mpi_;
