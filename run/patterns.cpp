@@ -167,7 +167,7 @@ int patterns(Session& session, const PatternsOptions& options) {
 
   const bool whole = outcome.status == engine::Status::solved;
   if (session.speaks()) {
-    const PatternsReport report(options, problem, outcome);
+    const PatternsReport report(options, problem, friction, outcome);
     if (!options.quiet) fmt::print("{}", report.table());
     if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
     result_file->write(report.json());

@@ -66,16 +66,22 @@ ordered_json tally_json(const nodes::SignPatternTally& tally) {
           {"iterations", tally.iterations}};
 }
 
-std::string state_name(nodes::LeafState state) {
-  switch (state) {
+// The place of an entry's kind in the list.
+int kind(const PatternsReport::Entry& entry) {
+  switch (entry.leaf->state) {
     case nodes::LeafState::alive:
-      return "alive";
+      return 0;
     case nodes::LeafState::marginal:
-      return "marginal";
+      return entry.face ? 1 : 2;
     case nodes::LeafState::undecided:
       break;
   }
-  return "undecided";
+  return 3;
+}
+
+std::string state_name(const PatternsReport::Entry& entry) {
+  static constexpr const char* names[] = {"alive", "degenerate", "marginal", "undecided"};
+  return names[kind(entry)];
 }
 
 ordered_json rank_reports(const std::vector<engine::RankReport<nodes::SignPatternTree>>& reports) {
@@ -115,12 +121,25 @@ const char* status_name(engine::Status status) {
 
 PatternsReport::PatternsReport(const PatternsOptions& options_,
                                const problems::WedgedProblem& problem_,
+                               std::span<const double> friction,
                                const engine::Outcome<nodes::SignPatternTree>& outcome_)
     : options(options_), problem(problem_), outcome(outcome_) {
-  for (const auto& found : outcome.solutions) sorted.push_back(&found.solution);
-  std::sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) {
-    if (a->state != b->state) return a->state < b->state;
-    return before(a->pattern.contact, b->pattern.contact);
+  std::vector<std::uint64_t> living;
+  for (const auto& found : outcome.solutions) {
+    sorted.push_back({&found.solution, std::nullopt});
+    if (found.solution.state == nodes::LeafState::alive)
+      living.push_back(found.solution.pattern.contact);
+  }
+  std::sort(living.begin(), living.end(), before);
+  nodes::FaceFinder faces(problem, friction);
+  for (auto& [leaf, face] : sorted) {
+    if (leaf->state != nodes::LeafState::marginal) continue;
+    face = faces.find(leaf->pattern, living);
+    degenerate += face ? 1 : 0;
+  }
+  std::sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) {
+    if (kind(a) != kind(b)) return kind(a) < kind(b);
+    return before(a.leaf->pattern.contact, b.leaf->pattern.contact);
   });
 }
 
@@ -139,33 +158,47 @@ std::vector<std::string> PatternsReport::names(std::uint64_t candidates) const {
   return list;
 }
 
+// The number in the table of the living pattern with this contact set.
+std::size_t PatternsReport::place_of(std::uint64_t contact) const {
+  const auto found = std::find_if(sorted.begin(), sorted.end(), [&](const Entry& entry) {
+    return entry.leaf->pattern.contact == contact;
+  });
+  return static_cast<std::size_t>(found - sorted.begin()) + 1;
+}
+
 std::string PatternsReport::table() const {
   std::string text;
   auto out = std::back_inserter(text);
   const auto tally = total();
 
   std::size_t contact_width = std::string_view("in contact (U)").size();
-  for (const auto* each : sorted) {
-    contact_width = std::max(contact_width, listed(names(each->pattern.contact)).size());
+  for (const auto& [leaf, face] : sorted) {
+    contact_width = std::max(contact_width, listed(names(leaf->pattern.contact)).size());
   }
   if (!sorted.empty()) {
     fmt::format_to(out, "\n{:>5}  {:>10}  {:<{}}  {}\n", "", "margin t*", "in contact (U)",
                    contact_width, "separated (R)");
   }
   std::size_t number = 0;
-  for (const auto* each : sorted) {
-    fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}\n", ++number,
-                   each->state == nodes::LeafState::alive ? fmt::format("{:.3e}", each->lower)
-                                                          : state_name(each->state),
-                   listed(names(each->pattern.contact)), contact_width,
-                   listed(names(each->pattern.separated)));
+  for (const auto& entry : sorted) {
+    const auto& [leaf, face] = entry;
+    fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}{}\n", ++number,
+                   leaf->state == nodes::LeafState::alive ? fmt::format("{:.3e}", leaf->lower)
+                                                          : state_name(entry),
+                   listed(names(leaf->pattern.contact)), contact_width,
+                   listed(names(leaf->pattern.separated)),
+                   face ? fmt::format("  (within {})", place_of(face->within)) : "");
   }
   fmt::format_to(out,
                  "\n{} sign pattern{} of wedged configurations at friction coefficient {}{}; "
                  "{} marginal (|t*| <= {})\n",
                  tally.found, tally.found == 1 ? "" : "s", options.friction,
                  problems::uniform_friction(problem) ? "" : " times that of each candidate",
-                 tally.marginal, options.tolerance);
+                 tally.marginal - degenerate, options.tolerance);
+  if (degenerate != 0) {
+    fmt::format_to(out, "{} degenerate: t* = 0, all their configurations are of a pattern listed\n",
+                   degenerate);
+  }
   if (tally.undecided != 0) {
     fmt::format_to(out, "{} undecided: double precision did not suffice to bracket t*\n",
                    tally.undecided);
@@ -185,14 +218,21 @@ std::string PatternsReport::table() const {
 ordered_json PatternsReport::json() const {
   const auto tally = total();
   ordered_json patterns = ordered_json::array();
-  for (const auto* each : sorted) {
-    patterns.push_back({{"contact", names(each->pattern.contact)},
-                        {"separated", names(each->pattern.separated)},
-                        {"state", state_name(each->state)},
-                        {"margin", each->lower},
-                        {"margin_upper", each->upper},
-                        {"reaction", rows(each->reaction, problem.dimension)},
-                        {"displacement", rows(each->displacement, problem.dimension)}});
+  for (const auto& entry : sorted) {
+    const auto& [leaf, face] = entry;
+    ordered_json pattern = {{"contact", names(leaf->pattern.contact)},
+                            {"separated", names(leaf->pattern.separated)},
+                            {"state", state_name(entry)},
+                            {"margin", leaf->lower},
+                            {"margin_upper", leaf->upper},
+                            {"reaction", rows(leaf->reaction, problem.dimension)},
+                            {"displacement", rows(leaf->displacement, problem.dimension)}};
+    if (face) {
+      pattern["within"] = names(face->within);
+      pattern["unloaded"] = names(face->unloaded);
+      pattern["unmoved"] = names(face->unmoved);
+    }
+    patterns.push_back(std::move(pattern));
   }
   ordered_json tree = tally_json(tally);
   tree["opened"] = outcome.opened();
@@ -221,7 +261,8 @@ ordered_json PatternsReport::json() const {
        {{"friction", options.friction},
         {"tolerance", options.tolerance},
         {"count", tally.found},
-        {"marginal", tally.marginal},
+        {"degenerate", degenerate},
+        {"marginal", tally.marginal - degenerate},
         {"undecided", tally.undecided},
         {"tree", std::move(tree)},
         {"patterns", std::move(patterns)}}},

@@ -1,12 +1,16 @@
 // What `kusabi patterns` says: the table for a person and the JSON for a program.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "engine/outcome.hpp"
+#include "nodes/faces.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/patterns.hpp"
@@ -22,11 +26,19 @@ struct PatternsReport {
   const problems::WedgedProblem& problem;
   const engine::Outcome<nodes::SignPatternTree>& outcome;
 
-  /// Living patterns first, then marginal, then undecided ones; each in the lexicographic order of
-  /// their contact sets, whatever the tree looked like.
-  std::vector<const nodes::Configuration*> sorted;
+  /// A leaf that is listed, and, if it is degenerate, the living pattern that contains it.
+  struct Entry {
+    const nodes::Configuration* leaf;
+    std::optional<nodes::Face> face;
+  };
+
+  /// Living patterns first, then degenerate, marginal and undecided ones; each in the lexicographic
+  /// order of their contact sets, whatever the tree looked like.
+  std::vector<Entry> sorted;
+  std::size_t degenerate = 0;  ///< of the marginal leaves
 
   PatternsReport(const PatternsOptions& options_, const problems::WedgedProblem& problem_,
+                 std::span<const double> friction,
                  const engine::Outcome<nodes::SignPatternTree>& outcome_);
 
   [[nodiscard]] nodes::SignPatternTally total() const;
@@ -38,6 +50,7 @@ struct PatternsReport {
   [[nodiscard]] nlohmann::ordered_json json() const;
 
  private:
+  [[nodiscard]] std::size_t place_of(std::uint64_t contact) const;
   [[nodiscard]] std::vector<std::string> names(std::uint64_t candidates) const;
 };
 

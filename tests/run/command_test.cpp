@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -259,6 +260,27 @@ TEST_F(Command, SaysWhatItCouldNotDecide) {
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("undecided"));
   EXPECT_GT(nlohmann::json::parse(content(file))["result"]["undecided"], 0);
+}
+
+TEST_F(Command, ListsDegeneratePatternsWithTheOneThatContainsThem) {
+  shell(command + " example space-truss --rows 3 --depth 2 --bays 1 --output " +
+        argument("one-bay.toml"));
+  const auto run = shell(command + " patterns " + argument("one-bay.toml") + " --mu 1.0 --output " +
+                         argument("result.json"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("(within "));
+  const auto result = nlohmann::json::parse(content(in_folder("result.json")))["result"];
+  std::set<nlohmann::json> living;
+  int degenerate = 0;
+  for (const auto& pattern : result["patterns"]) {
+    if (pattern["state"] == "alive") living.insert(pattern["contact"]);
+    if (pattern["state"] != "degenerate") continue;
+    ++degenerate;
+    EXPECT_TRUE(living.contains(pattern["within"])) << pattern;
+  }
+  EXPECT_GT(degenerate, 0);
+  EXPECT_EQ(result["degenerate"], degenerate);
+  EXPECT_EQ(result["count"], living.size());
 }
 
 TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
