@@ -1,5 +1,6 @@
 // How many nodes the sign-pattern tree needs for a pattern, under one rule of branching or another:
-// those that the program has, and those that were tried and did not pay (docs/theory.md).
+// those that the program has, and those that were tried and did not pay (docs/theory.md). Then
+// what polyhedral friction makes of it (Algorithm 5.8), and how well the time left is guessed.
 //
 // Nodes and cone programs are the same on any machine; CPU seconds are not.
 #include <algorithm>
@@ -14,9 +15,12 @@
 
 #include <fmt/format.h>
 
+#include "engine/search.hpp"
 #include "nodes/conic/node_solver.hpp"
+#include "nodes/sign_pattern.hpp"
 #include "problems/space_truss.hpp"
 #include "problems/wedged_problem.hpp"
+#include "run/remaining_time.hpp"
 
 namespace {
 
@@ -160,6 +164,60 @@ void measure(const Instance& instance) {
   }
 }
 
+problems::WedgedProblem announced(const Instance& instance, const char* what) {
+  const auto& [rows, depth, bays] = instance.size;
+  fmt::print("\n{}: {} x {} candidates, {} bays, mu = {}\n", what, rows, depth, bays,
+             instance.friction);
+  return problems::wedged_problem(problems::space_truss(instance.size));
+}
+
+void measure_facets(const Instance& instance) {
+  const auto problem = announced(instance, "polyhedral friction");
+  const std::vector<double> friction(problem.contact_names.size(), instance.friction);
+  fmt::print("{:<10} {:>9} {:>13} {:>9} {:>12}\n", "facets", "nodes", "candidates", "patterns",
+             "CPU seconds");
+  for (const int facets : {4, 8, 16, 32, 0}) {
+    nodes::SignPatternTree tree(problem, friction, {.tolerances = {}, .facets = facets});
+    const auto start = std::clock();
+    const auto outcome = engine::search(tree);
+    const auto seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const auto tally = tree.tally();
+    fmt::print("{:<10} {:>9} {:>13} {:>9} {:>12.2f}\n",
+               facets == 0 ? "(cones)" : std::to_string(facets), outcome.opened(),
+               facets == 0 ? "-" : std::to_string(tally.candidates), tally.found, seconds);
+    std::fflush(stdout);
+  }
+}
+
+// What the progress line would have said at each tenth of the run, against what was still to come.
+void measure_estimates(const Instance& instance) {
+  const auto problem = announced(instance, "time left");
+  const std::vector<double> friction(problem.contact_names.size(), instance.friction);
+  nodes::SignPatternTree tree(problem, friction);
+  struct Guess {
+    double at, closed;
+    std::optional<double> left;
+  };
+  std::vector<Guess> guesses;
+  run::RemainingTime remaining;
+  engine::Options options;
+  options.progress = [&](const auto& state) {
+    remaining.observe(state.seconds, state.closed);
+    guesses.push_back({state.seconds, state.closed, remaining.seconds()});
+  };
+  const auto outcome = engine::search(tree, options);
+  const double whole = guesses.empty() ? 0 : guesses.back().at;
+  fmt::print("{:>9} {:>9} {:>14} {:>14}   ({} nodes, {:.1f} s)\n", "of time", "of tree",
+             "guess: s left", "truth: s left", outcome.opened(), whole);
+  int tenth = 1;
+  for (const auto& [at, closed, left] : guesses) {
+    if (at < 0.1 * tenth * whole || tenth == 10) continue;
+    fmt::print("{:>7} % {:>7.1f} % {:>14} {:>14.1f}\n", 10 * tenth, 100 * closed,
+               left ? fmt::format("{:.1f}", *left) : "-", whole - at);
+    ++tenth;
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -168,4 +226,10 @@ int main() {
         Instance{{6, 5, 3}, 0.5}, Instance{{15, 2, 3}, 0.5}}) {
     measure(instance);
   }
+  for (const auto& instance : {Instance{{5, 2, 3}, 0.65}, Instance{{5, 2, 3}, 1.0},
+                               Instance{{5, 4, 3}, 0.6}, Instance{{15, 2, 3}, 0.5}}) {
+    measure_facets(instance);
+  }
+  for (const auto& instance : {Instance{{15, 2, 3}, 0.55}, Instance{{10, 4, 3}, 0.55}})
+    measure_estimates(instance);
 }

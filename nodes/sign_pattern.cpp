@@ -39,34 +39,44 @@ SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
   undecided += other.undecided;
   doubtful += other.doubtful;
   iterations += other.iterations;
+  candidates += other.candidates;
   return *this;
 }
 
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
-                                 std::span<const double> friction, conic::Tolerances tolerances,
-                                 Branching branching)
+                                 std::span<const double> friction, SignPatternOptions options)
     : dimension_(problem.dimension),
       candidates_(first_bits(problem.contact_names.size())),
       unit_(problems::mean_normal_compliance(problem)),
-      tolerances_(tolerances),
-      weight_(branching_weights(problem, friction, branching)),
+      tolerances_(options.tolerances),
+      weight_(branching_weights(problem, friction, options.branching)),
       solver_([&]() -> Solver {
         const Eigen::MatrixXd scaled = problem.compliance / unit_;
-        if (problem.dimension == 2) return conic::NodeSolver<2>(scaled, friction, tolerances);
-        return conic::NodeSolver<3>(scaled, friction, tolerances);
-      }()) {}
+        if (problem.dimension == 2) return conic::NodeSolver<2>(scaled, friction, tolerances_);
+        return conic::NodeSolver<3>(scaled, friction, tolerances_);
+      }()) {
+  if (options.facets != 0)
+    outer_.emplace(problem.compliance / unit_, friction, options.facets, tolerances_);
+}
 
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
-  const auto answer = solve(node);
-  tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-  if (answer.sign == conic::Sign::dead) {
-    ++tally_.dead;
-    if (witness_) report_dead(node);
-    return;
+  const bool leaf = free_candidates(node) == 0;
+  conic::Answer answer;
+  if (outer_) {
+    answer = outer_->solve(node.contact, node.separated, {});
+    tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+    if (answer.sign == conic::Sign::dead) return prune(node, outer_->multipliers());
+    if (leaf) ++tally_.candidates;
   }
-  if (free_candidates(node) == 0) {
-    auto leaf = configuration(node, answer);
-    switch (leaf.state) {
+  if (!outer_ || leaf) {
+    // A leaf that lives is worth its full accuracy: its margin is part of the answer.
+    answer = solve(node, {.when_dead = true, .when_alive = !leaf});
+    tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+    if (answer.sign == conic::Sign::dead) return prune(node, multipliers());
+  }
+  if (leaf) {
+    auto found = configuration(node, answer);
+    switch (found.state) {
       case LeafState::alive:
         ++tally_.found;
         break;
@@ -77,8 +87,8 @@ void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& ou
         ++tally_.undecided;
         break;
     }
-    if (witness_) report_leaf(leaf);
-    out.solution(std::move(leaf));
+    if (witness_) report_leaf(found);
+    out.solution(std::move(found));
     return;
   }
   ++tally_.branched;
@@ -88,34 +98,49 @@ void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& ou
   out.branch({node.contact, node.separated | split});
 }
 
-// A leaf that lives is worth its full accuracy: its margin is part of the answer.
-conic::Answer SignPatternTree::solve(const Node& node) {
-  const conic::StopEarly stop{.when_dead = true, .when_alive = free_candidates(node) != 0};
+conic::Answer SignPatternTree::solve(const Node& node, conic::StopEarly stop) {
   return std::visit([&](auto& solver) { return solver.solve(node.contact, node.separated, stop); },
                     solver_);
+}
+
+const Eigen::VectorXd& SignPatternTree::multipliers() const {
+  return std::visit(
+      [](const auto& solver) -> const Eigen::VectorXd& { return solver.multipliers(); }, solver_);
+}
+
+void SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {
+  ++tally_.dead;
+  if (!witness_) return;
+  const std::span<const double> numbers(multipliers.data(),
+                                        static_cast<std::size_t>(multipliers.size()));
+  witness_({.kind = Evidence::Kind::dead, .node = node, .numbers = numbers});
+}
+
+double SignPatternTree::violation(int candidate) const {
+  if (outer_) return outer_->normal_displacement(candidate) * outer_->normal_reaction(candidate);
+  return std::visit(
+      [&](const auto& solver) {
+        const Eigen::Index normal = Eigen::Index{dimension_} * candidate;
+        return solver.displacement()(normal) * solver.reaction()(normal);
+      },
+      solver_);
 }
 
 // The candidate that violates complementarity most. Of equal ones the first, so that the tree is
 // the same everywhere.
 int SignPatternTree::branching_candidate(const Node& node) const {
-  return std::visit(
-      [&](const auto& solver) {
-        const auto open = free_candidates(node);
-        int best = std::countr_zero(open);
-        double largest = -1;
-        for (auto rest = open; rest != 0; rest &= rest - 1) {
-          const int i = std::countr_zero(rest);
-          const Eigen::Index normal = dimension_ * i;
-          const double product = solver.displacement()(normal) * solver.reaction()(normal) *
-                                 weight_[static_cast<std::size_t>(i)];
-          if (product > largest) {
-            largest = product;
-            best = i;
-          }
-        }
-        return best;
-      },
-      solver_);
+  const auto open = free_candidates(node);
+  int best = std::countr_zero(open);
+  double largest = -1;
+  for (auto rest = open; rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    const double product = violation(i) * weight_[static_cast<std::size_t>(i)];
+    if (product > largest) {
+      largest = product;
+      best = i;
+    }
+  }
+  return best;
 }
 
 LeafState SignPatternTree::leaf_state(const conic::Answer& answer) const {
@@ -135,16 +160,6 @@ Configuration SignPatternTree::configuration(const Node& node, const conic::Answ
                              .upper = answer.upper,
                              .reaction = {r.begin(), r.end()},
                              .displacement = {u.begin(), u.end()}};
-      },
-      solver_);
-}
-
-void SignPatternTree::report_dead(const Node& node) const {
-  std::visit(
-      [&](const auto& solver) {
-        const Eigen::VectorXd& y = solver.multipliers();
-        const std::span<const double> numbers(y.data(), static_cast<std::size_t>(y.size()));
-        witness_({.kind = Evidence::Kind::dead, .node = node, .numbers = numbers});
       },
       solver_);
 }

@@ -1,4 +1,4 @@
-// The tree of sign patterns: Algorithm 5.1 of the wedged paper.
+// The tree of sign patterns: Algorithm 5.1 of the wedged paper, or 5.8.
 //
 // A node is a pair (U, R) of disjoint sets of contact candidates: those held in contact, u_n = 0,
 // and those held separated, r = 0. Its bound is the cone program of nodes/conic, whose optimal
@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -27,6 +28,7 @@
 
 #include "engine/search.hpp"
 #include "nodes/conic/node_solver.hpp"
+#include "nodes/facets.hpp"
 #include "problems/wedged_problem.hpp"
 
 namespace kusabi::nodes {
@@ -90,12 +92,13 @@ struct SignPatternTally {
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
+  std::uint64_t candidates = 0;  ///< leaves of Algorithm 5.8 that polyhedral friction lets live
 
   SignPatternTally& operator+=(const SignPatternTally& other);
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& branched& dead& found& marginal& undecided& doubtful& iterations;
+    archive& branched& dead& found& marginal& undecided& doubtful& iterations& candidates;
   }
 };
 
@@ -104,10 +107,19 @@ enum class Branching {
   /// The largest u_n r_n: Remark 5.5 of the paper.
   product,
   /// The largest u_n r_n / c, where c = F_nn + mu |F_nt| is the largest normal displacement that
-  /// the
-  /// candidate's own reaction can bring for each unit of r_n. No unit is left in this product, and
-  /// stiff candidates have as much say as soft ones: up to ten times fewer nodes.
+  /// the candidate's own reaction can bring for each unit of r_n. No unit is left in this product,
+  /// and stiff candidates have as much say as soft ones: up to ten times fewer nodes.
   relative,
+};
+
+/// How the tree is searched. Whatever is chosen, the patterns are the same.
+struct SignPatternOptions {
+  conic::Tolerances tolerances;
+  Branching branching = Branching::relative;
+  /// 0: a node is bounded with the friction cones themselves (Algorithm 5.1). Otherwise, in space,
+  /// with polyhedral cones of so many facets around them, and each leaf that these let live is put
+  /// to the test of the cones (Algorithm 5.8).
+  int facets = 0;
 };
 
 /// The problem type that engine::search searches.
@@ -123,7 +135,7 @@ class SignPatternTree {
   /// @param friction mu of each contact candidate, m numbers > 0
   /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
   SignPatternTree(const problems::WedgedProblem& problem, std::span<const double> friction,
-                  conic::Tolerances tolerances = {}, Branching branching = Branching::relative);
+                  SignPatternOptions options = {});
 
   Node root() const { return {}; }
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
@@ -135,14 +147,17 @@ class SignPatternTree {
  private:
   using Solver = std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>>;
 
-  conic::Answer solve(const Node& node);
+  conic::Answer solve(const Node& node, conic::StopEarly stop);
+  void prune(const Node& node, const Eigen::VectorXd& multipliers);
   [[nodiscard]] std::uint64_t free_candidates(const Node& node) const {
     return candidates_ & ~(node.contact | node.separated);
   }
+  [[nodiscard]] const Eigen::VectorXd& multipliers() const;
+  /// u_n r_n of a candidate at the node that was solved last.
+  [[nodiscard]] double violation(int candidate) const;
   [[nodiscard]] int branching_candidate(const Node& node) const;
   [[nodiscard]] LeafState leaf_state(const conic::Answer& answer) const;
   [[nodiscard]] Configuration configuration(const Node& node, const conic::Answer& answer) const;
-  void report_dead(const Node& node) const;
   void report_leaf(const Configuration& leaf) const;
 
   int dimension_;
@@ -151,6 +166,7 @@ class SignPatternTree {
   conic::Tolerances tolerances_;
   std::vector<double> weight_;  // of u_n r_n when a node is split, by candidate
   Solver solver_;
+  std::optional<FacetBound> outer_;  // of Algorithm 5.8
   Tally tally_;
   Witness witness_;
 };

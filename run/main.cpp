@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "nodes/facets.hpp"
 #include "nodes/standard_trees.hpp"
 #include "problems/input_error.hpp"
 #include "run/bench_scaling.hpp"
@@ -34,6 +35,19 @@ const CLI::Validator positive(
       return "'" + text + "', expected a number above 0";
     },
     "> 0");
+
+// How many facets a polyhedral friction cone may have.
+const CLI::Validator facet_count(
+    [](std::string& text) -> std::string {
+      using kusabi::nodes::FacetBound;
+      int value = 0;
+      if (CLI::detail::lexical_cast(text, value) && value % 2 == 0 && value >= FacetBound::fewest &&
+          value <= FacetBound::most)
+        return {};
+      return fmt::format("'{}', expected an even number from {} to {}", text, FacetBound::fewest,
+                         FacetBound::most);
+    },
+    "EVEN");
 
 int complain(Session& session, const std::string& message) {
   if (session.speaks()) {
@@ -76,6 +90,18 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
           "candidate's compliance: the same patterns from fewer nodes")
       ->check(CLI::IsMember({"paper", "relative"}))
       ->default_str("relative");
+  const auto method = std::make_shared<std::string>("cones");
+  command
+      .add_option("--method", *method,
+                  "bound nodes with the friction cones themselves, or with polyhedral ones around "
+                  "them, and put each pattern that these let live to the test of the cones")
+      ->check(CLI::IsMember({"cones", "polyhedral"}))
+      ->capture_default_str();
+  const auto facets = std::make_shared<int>(16);
+  const auto* const facets_option =
+      command.add_option("--facets", *facets, "of each polyhedral cone")
+          ->check(facet_count)
+          ->capture_default_str();
   command.add_option("--output", options->output, "write the result to this JSON file");
   command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
       ->check(positive);
@@ -99,8 +125,13 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
                      "write the evidence to this file, for kusabi verify");
   command.add_flag("--quiet", options->quiet, "print errors only");
   add_serial(command, serial);
-  command.callback(
-      [&action, options] { action = [options](Session& s) { return patterns(s, *options); }; });
+  command.callback([&action, options, method, facets, facets_option] {
+    if (*method == "polyhedral")
+      options->facets = *facets;
+    else if (facets_option->count() != 0)
+      throw CLI::RequiresError("--facets", "--method polyhedral");
+    action = [options](Session& s) { return patterns(s, *options); };
+  });
 }
 
 void add_verify(CLI::App& app, Action& action, bool& serial) {

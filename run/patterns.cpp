@@ -51,6 +51,7 @@ std::uint64_t tree_fingerprint(const problems::WedgedProblem& problem,
   fingerprint.add(options.friction);
   fingerprint.add(options.tolerance);
   fingerprint.add(std::uint64_t{options.branching == nodes::Branching::product});
+  fingerprint.add(static_cast<std::uint64_t>(options.facets));
   return fingerprint.value();
 }
 
@@ -102,6 +103,7 @@ void tell_what_is_left(const PatternsOptions& options, const std::string& checkp
   if (options.tolerance != usual.tolerance)
     call += fmt::format(" --tolerance {}", options.tolerance);
   if (options.branching != usual.branching) call += " --branching paper";
+  if (options.facets != 0) call += fmt::format(" --method polyhedral --facets {}", options.facets);
   if (!options.certificate.empty()) call += fmt::format(" --certificate {}", options.certificate);
   fmt::print(stderr, "go on{} with: {} --restart {}\n",
              outcome.saved ? "" : " from the one before it", call, checkpoint);
@@ -139,7 +141,16 @@ int patterns(Session& session, const PatternsOptions& options) {
   const auto problem = problems::wedged_problem(problems::read_structure(text, options.file));
   std::vector<double> friction = problem.friction;
   for (double& mu : friction) mu *= options.friction;
-  nodes::SignPatternTree tree(problem, friction, {.sign = options.tolerance}, options.branching);
+  if (options.facets != 0 && problem.dimension == 2) {
+    throw WrongInput(fmt::format(
+        "--method polyhedral: {} is in the plane, where the friction cone is a polyhedron already; "
+        "expected --method cones",
+        options.file));
+  }
+  nodes::SignPatternTree tree(problem, friction,
+                              {.tolerances = {.sign = options.tolerance},
+                               .branching = options.branching,
+                               .facets = options.facets});
 
   engine::Options search_options;
   search_options.limits = options.limits;

@@ -1,4 +1,4 @@
-// `kusabi patterns FILE --mu MU`: all sign patterns of wedged configurations (Algorithm 5.1).
+// `kusabi patterns FILE --mu MU`: all sign patterns of wedged configurations (Algorithms 5.1, 5.8).
 #pragma once
 
 #include <string>
@@ -15,14 +15,15 @@ struct PatternsOptions {
   double friction = 0;                                      ///< mu
   double tolerance = conic::Tolerances{}.sign;              ///< |t*| up to this is marginal
   nodes::Branching branching = nodes::Branching::relative;  ///< how nodes are split
-  std::string output;                                       ///< the result file; empty: none
-  engine::Limits limits;                                    ///< where to stop early
-  std::string checkpoint;                                   ///< keep the state here; empty: nowhere
-  double checkpoint_interval = 600;                         ///< seconds
-  std::string restart;                                      ///< go on from here; empty: start anew
-  std::string trace;                                        ///< the timeline goes here
-  std::string certificate;  ///< the evidence goes here; empty: nowhere
-  bool quiet = false;       ///< no progress, no table
+  int facets = 0;          ///< of the polyhedral friction cones of Algorithm 5.8; 0: Algorithm 5.1
+  std::string output;      ///< the result file; empty: none
+  engine::Limits limits;   ///< where to stop early
+  std::string checkpoint;  ///< keep the state here; empty: nowhere
+  double checkpoint_interval = 600;  ///< seconds
+  std::string restart;               ///< go on from here; empty: start anew
+  std::string trace;                 ///< the timeline goes here
+  std::string certificate;           ///< the evidence goes here; empty: nowhere
+  bool quiet = false;                ///< no progress, no table
 };
 
 /// Runs the command on all ranks. @return the exit code

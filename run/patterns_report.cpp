@@ -63,7 +63,8 @@ ordered_json tally_json(const nodes::SignPatternTally& tally) {
           {"marginal_leaves", tally.marginal},
           {"undecided_leaves", tally.undecided},
           {"doubtful_branched", tally.doubtful},
-          {"iterations", tally.iterations}};
+          {"iterations", tally.iterations},
+          {"candidates", tally.candidates}};
 }
 
 // The place of an entry's kind in the list.
@@ -195,6 +196,10 @@ std::string PatternsReport::table() const {
                  tally.found, tally.found == 1 ? "" : "s", options.friction,
                  problems::uniform_friction(problem) ? "" : " times that of each candidate",
                  tally.marginal - degenerate, options.tolerance);
+  if (options.facets != 0) {
+    fmt::format_to(out, "{} candidates under polyhedral friction cones of {} facets\n",
+                   tally.candidates, options.facets);
+  }
   if (degenerate != 0) {
     fmt::format_to(out, "{} degenerate: t* = 0, all their configurations are of a pattern listed\n",
                    degenerate);
@@ -255,6 +260,8 @@ ordered_json PatternsReport::json() const {
       {"options",
        {{"mu", options.friction},
         {"tolerance", options.tolerance},
+        {"method", options.facets == 0 ? "cones" : "polyhedral"},
+        {"facets", options.facets},
         {"branching", options.branching == nodes::Branching::product ? "paper" : "relative"}}},
       {"status", status_name(outcome.status)},
       {"result",

@@ -39,14 +39,15 @@ constexpr int most_halvings = 8;
 }  // namespace
 
 template <int D>
-InteriorPoint<D>::InteriorPoint(int candidates) {
+InteriorPoint<D>::InteriorPoint(int candidates, int most_cones) {
   const Eigen::Index m = candidates;
-  for (Points* points : {&x_, &z_, &projected_, &step_x_, &step_z_}) points->setZero(D, m);
+  const Eigen::Index cones = most_cones;
+  for (Points* points : {&x_, &z_, &projected_, &step_x_, &step_z_}) points->setZero(D, cones);
   for (Eigen::VectorXd* rows : {&v_, &y_, &slack_scale_, &slack_point_, &predictor_, &correction_,
                                 &dy_, &trial_, &step_v_, &step_y_})
     rows->setZero(m);
-  scaling_.resize(static_cast<std::size_t>(candidates));
-  scaled_matrix_.setZero(m, D * m);
+  scaling_.resize(static_cast<std::size_t>(most_cones));
+  scaled_matrix_.setZero(m, D * cones);
   normal_matrix_.setZero(m, m);
   factor_ = Eigen::LLT<Eigen::MatrixXd>(m);
 }

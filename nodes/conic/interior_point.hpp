@@ -19,7 +19,7 @@
 
 namespace kusabi::conic {
 
-/// One run of the iteration at a time, on storage that is allocated once for `candidates` rows.
+/// One run of the iteration at a time, on storage that is allocated once for the largest node.
 /// Per iteration call dual_value(), factorise(), project() where wanted, advance().
 template <int D>
 class InteriorPoint {
@@ -27,7 +27,7 @@ class InteriorPoint {
   /// Points of the cones, one cone a column; only the first |C| columns are in use.
   using Points = Eigen::Matrix<double, D, Eigen::Dynamic>;
 
-  explicit InteriorPoint(int candidates);
+  InteriorPoint(int candidates, int most_cones);
 
   /// Takes the start: x and v from the identity, y on the rows with a slack so small that z is
   /// well inside the cones. It depends on the node only.

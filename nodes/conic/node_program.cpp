@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace kusabi::conic {
 
@@ -18,12 +20,26 @@ constexpr std::size_t most_candidates = 64;
 // comes with rounding, a forgotten row does not hide below this.
 constexpr double symmetry_tolerance = 1e-8;
 
-void check(const Eigen::MatrixXd& compliance, std::span<const double> friction, int d) {
-  const std::size_t m = friction.size();
+std::vector<int> one_each(std::size_t candidates) {
+  std::vector<int> owners(candidates);
+  std::iota(owners.begin(), owners.end(), 0);
+  return owners;
+}
+
+void check(const Eigen::MatrixXd& compliance, std::span<const double> friction,
+           const std::vector<int>& owners, int d) {
+  if (owners.size() != friction.size())
+    throw std::invalid_argument("every cone needs a candidate and a friction coefficient");
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    const int before = k == 0 ? -1 : owners[k - 1];
+    if ((k == 0 || owners[k] != before) && owners[k] != before + 1)
+      throw std::invalid_argument("cones must be ordered by their candidates, none left out");
+  }
+  const std::size_t m = owners.empty() ? 0 : static_cast<std::size_t>(owners.back()) + 1;
   if (m < 1 || m > most_candidates)
     throw std::invalid_argument("a node program takes 1 to 64 contact candidates, not " +
                                 std::to_string(m));
-  const auto size = static_cast<Eigen::Index>(m) * d;
+  const auto size = static_cast<Eigen::Index>(owners.size()) * d;
   if (compliance.rows() != size || compliance.cols() != size)
     throw std::invalid_argument(
         "the compliance must be " + std::to_string(size) + " x " + std::to_string(size) + ", not " +
@@ -43,23 +59,29 @@ void check(const Eigen::MatrixXd& compliance, std::span<const double> friction, 
 
 template <int D>
 NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction)
-    : friction_(friction.begin(), friction.end()) {
-  check(compliance, friction, D);
-  const auto m = static_cast<Eigen::Index>(friction.size());
+    : NodeProgram(compliance, friction, one_each(friction.size())) {}
+
+template <int D>
+NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
+                            std::vector<int> owners)
+    : friction_(friction.begin(), friction.end()), owners_(std::move(owners)) {
+  check(compliance, friction, owners_, D);
+  const Eigen::Index m = owners_.back() + 1;
   compliance_ = compliance;
-  normal_compliance_.resize(m, D * m);
-  for (Eigen::Index i = 0; i < m; ++i) normal_compliance_.row(i) = compliance.row(D * i);
-  matrix_.resize(m, D * m);
+  normal_compliance_.resize(m, compliance.cols());
+  for (std::size_t k = 0; k < owners_.size(); ++k)
+    normal_compliance_.row(owners_[k]) = compliance.row(D * static_cast<Eigen::Index>(k));
+  matrix_.resize(m, compliance.cols());
   right_side_.resize(m);
   gap_.resize(m);
   cones_.reserve(friction.size());
-  gap_rows_.reserve(friction.size());
-  contact_rows_.reserve(friction.size());
+  gap_rows_.reserve(static_cast<std::size_t>(m));
+  contact_rows_.reserve(static_cast<std::size_t>(m));
 }
 
 template <int D>
 void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated) {
-  const std::size_t m = friction_.size();
+  const auto m = static_cast<std::size_t>(candidates());
   const std::uint64_t all = m == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << m) - 1;
   if ((contact & separated) != 0)
     throw std::invalid_argument("a candidate is both in contact and separated");
@@ -70,14 +92,13 @@ void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated) {
   gap_rows_.clear();
   contact_rows_.clear();
   weight_ = 0;
-  for (std::size_t i = 0; i < m; ++i) {
-    const int candidate = static_cast<int>(i);
-    if ((separated >> i & 1) == 0) {
-      cones_.push_back(candidate);
-      weight_ += 1 / friction_[i];
-    }
-    (contact >> i & 1 ? contact_rows_ : gap_rows_).push_back(candidate);
+  for (std::size_t k = 0; k < friction_.size(); ++k) {
+    if ((separated >> static_cast<unsigned>(owners_[k]) & 1) != 0) continue;
+    cones_.push_back(static_cast<int>(k));
+    weight_ += 1 / friction_[k];
   }
+  for (std::size_t i = 0; i < m; ++i)
+    (contact >> i & 1 ? contact_rows_ : gap_rows_).push_back(static_cast<int>(i));
   if (cones_.empty()) return;  // no standard form: nothing can sum to one
 
   // Row i of the node program, with r_n = x_0 + t / mu and r_t = mu x_1, and t eliminated:

@@ -14,6 +14,9 @@
 //   cone.
 //
 // There is exactly one row for each candidate, so the normal equations are m x m.
+//
+// A candidate may have several cones, whose reactions add up to its own and which share its row: so
+// polyhedral friction cones are solved, as sums of plane ones (nodes/facets.hpp).
 // docs/theory.md, section 3, has the derivation.
 #pragma once
 
@@ -38,15 +41,22 @@ class NodeProgram {
   /// @throws std::invalid_argument when the sizes disagree or a number is out of range
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction);
 
+  /// The same with several cones for a candidate: all sizes above but m count cones.
+  /// @param owners the candidate of each cone: 0, ..., 0, 1, ..., 1, ..., m - 1
+  NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
+              std::vector<int> owners);
+
   /// Builds the standard form of the node with the candidates of `contact` in U and those of
   /// `separated` in R (bit i = candidate i).
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
   void select(std::uint64_t contact, std::uint64_t separated);
 
-  int candidates() const { return static_cast<int>(friction_.size()); }
+  int candidates() const { return static_cast<int>(normal_compliance_.rows()); }
+  /// Those of all candidates: m unless a candidate has several.
+  int most_cones() const { return static_cast<int>(friction_.size()); }
 
-  /// C, the candidates that may carry a reaction; cone c of the standard form is candidate
-  /// cones()[c].
+  /// C, the cones of the candidates that may carry a reaction; cone c of the standard form is the
+  /// cone cones()[c] of the problem.
   const std::vector<int>& cones() const { return cones_; }
   /// The candidates not in U: the rows with a slack.
   const std::vector<int>& gap_rows() const { return gap_rows_; }
@@ -85,7 +95,8 @@ class NodeProgram {
  private:
   Eigen::MatrixXd compliance_;         // F
   Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, m x Dm
-  std::vector<double> friction_;
+  std::vector<double> friction_;       // by cone, like the next
+  std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;
   Eigen::MatrixXd matrix_;      // A, room for m x Dm
   Eigen::VectorXd right_side_;  // b

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace kusabi::conic {
 
@@ -27,10 +28,19 @@ constexpr int most_projections = 4;
 template <int D>
 NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
                           Tolerances tolerances)
-    : program_(compliance, friction),
-      iteration_(program_.candidates()),
+    : NodeSolver(NodeProgram<D>(compliance, friction), tolerances) {}
+
+template <int D>
+NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
+                          std::vector<int> owners, Tolerances tolerances)
+    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners)), tolerances) {}
+
+template <int D>
+NodeSolver<D>::NodeSolver(NodeProgram<D> program, Tolerances tolerances)
+    : program_(std::move(program)),
+      iteration_(program_.candidates(), program_.most_cones()),
       tolerances_(tolerances),
-      reaction_(Eigen::VectorXd::Zero(compliance.rows())),
+      reaction_(Eigen::VectorXd::Zero(D * program_.most_cones())),
       displacement_(reaction_),
       multipliers_(Eigen::VectorXd::Zero(program_.candidates())),
       trial_(reaction_) {}

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -56,6 +57,11 @@ class NodeSolver {
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
              Tolerances tolerances = {});
 
+  /// The same with several cones for a candidate (NodeProgram): reactions and displacements are
+  /// then those of the cones.
+  NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
+             std::vector<int> owners, Tolerances tolerances = {});
+
   /// Bounds the node with the candidates `contact` in U and `separated` in R (bit i = candidate i).
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
   Answer solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop = {});
@@ -70,6 +76,7 @@ class NodeSolver {
   const Eigen::VectorXd& multipliers() const { return multipliers_; }
 
  private:
+  NodeSolver(NodeProgram<D> program, Tolerances tolerances);
   void iterate(Answer& answer, StopEarly stop);
   bool settled(const Answer& answer, StopEarly stop) const;
   void raise_lower(Answer& answer);

@@ -3,8 +3,10 @@
 #include "nodes/sign_pattern.hpp"
 
 #include <bit>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <random>
 #include <set>
 #include <string>
@@ -17,6 +19,7 @@
 #include "nodes/faces.hpp"
 #include "problems/space_truss.hpp"
 #include "problems/structure_file.hpp"
+#include "random_problem.hpp"
 
 namespace kusabi::nodes {
 namespace {
@@ -138,8 +141,9 @@ TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) 
   const auto problem = example("space-truss.toml");
   for (const double mu : {0.5, 0.65, 0.8}) {
     const std::vector<double> friction(10, mu);
-    SignPatternTree relative(problem, friction, {}, Branching::relative);
-    SignPatternTree product(problem, friction, {}, Branching::product);
+    SignPatternTree relative(problem, friction,
+                             {.tolerances = {}, .branching = Branching::relative});
+    SignPatternTree product(problem, friction, {.tolerances = {}, .branching = Branching::product});
     const auto few = engine::search(relative);
     const auto many = engine::search(product);
     EXPECT_EQ(contact_sets(few), contact_sets(many));
@@ -235,6 +239,83 @@ TEST(SignPatternTree, ReportsTiesAsMarginalAndDoesNotCountThem) {
     EXPECT_EQ(found.solution.pattern.contact & 0b01U, 0b01U);
     EXPECT_LE(found.solution.lower, 1e-7);
     EXPECT_GE(found.solution.upper, -1e-7);
+  }
+}
+
+// Algorithm 5.8 against Algorithm 5.1: the same patterns out of more or fewer candidates, which
+// more facets cannot make more of when each polygon contains the next.
+TEST(Polyhedral, FindsThePatternsOfTheConesFromFewerCandidatesWithMoreFacets) {
+  const auto problem = example("space-truss.toml");
+  for (const double mu : {0.6, 0.65, 1.0}) {
+    auto cones = tree_of(problem, mu);
+    const auto patterns = contact_sets(engine::search(cones));
+    std::uint64_t fewer = std::uint64_t{1} << 10U;
+    for (const int facets : {4, 8, 16, 32}) {
+      SignPatternTree tree(problem, std::vector<double>(10, mu),
+                           {.tolerances = {}, .facets = facets});
+      EXPECT_EQ(contact_sets(engine::search(tree)), patterns) << facets;
+      const auto tally = tree.tally();
+      EXPECT_GE(tally.candidates, patterns.size());
+      EXPECT_LE(tally.candidates, fewer);
+      EXPECT_EQ(tally.marginal + tally.undecided, 0U);
+      fewer = tally.candidates;
+    }
+  }
+}
+
+// Pruning and branching against all leaves one by one, in the plane and in space.
+TEST(RandomProblem, HasThePatternsOfAllLeavesOneByOne) {
+  std::size_t patterns = 0;
+  for (std::uint64_t seed = 1; seed <= 48; ++seed) {
+    const int m = 1 + static_cast<int>(seed % 8);
+    const bool plane = seed % 2 == 0;
+    const auto problem = random_problem(plane ? 2 : 3, m, seed);
+    const std::vector<double> friction(static_cast<std::size_t>(m),
+                                       0.8 + static_cast<double>(seed % 4));
+    std::set<ContactSet> alive;
+    const auto decide_all = [&](auto solver) {
+      const std::uint64_t all = (std::uint64_t{1} << static_cast<unsigned>(m)) - 1;
+      for (std::uint64_t contact = 0; contact <= all; ++contact) {
+        const auto answer = solver.solve(contact, all & ~contact);
+        ASSERT_NE(answer.sign, conic::Sign::marginal);
+        if (answer.sign == conic::Sign::alive) alive.insert(positions(contact));
+      }
+    };
+    if (plane)
+      decide_all(conic::NodeSolver<2>(problem.compliance, friction));
+    else
+      decide_all(conic::NodeSolver<3>(problem.compliance, friction));
+    patterns += alive.size();
+    SignPatternTree cones(problem, friction);
+    EXPECT_EQ(contact_sets(engine::search(cones)), alive) << seed;
+    if (plane) continue;
+    SignPatternTree polyhedral(problem, friction, {.tolerances = {}, .facets = 8});
+    EXPECT_EQ(contact_sets(engine::search(polyhedral)), alive) << seed;
+  }
+  EXPECT_GT(patterns, 100U);
+}
+
+// One candidate, in contact: the pull of the tangents wants r_t along a direction between two
+// edges, where the polygon is mu wide, or along an edge, where it is mu / cos(pi / F).
+TEST(Polyhedral, ConeTouchesTheFrictionConeInTheMiddleOfAFacet) {
+  const double mu = 0.5;
+  const int facets = 8;
+  const double edge = mu / std::cos(std::numbers::pi / facets);
+  for (const bool along_an_edge : {true, false}) {
+    const double angle = along_an_edge ? std::numbers::pi / facets : 0;
+    for (const double factor : {0.999, 1.001}) {
+      // u_n = r_n - c (cos, sin) r_t vanishes if |r_t| = r_n / c in that direction.
+      const double c = factor / (along_an_edge ? edge : mu);
+      Eigen::MatrixXd compliance = 10 * Eigen::MatrixXd::Identity(3, 3);
+      compliance(0, 0) = 1;
+      compliance(0, 1) = compliance(1, 0) = -c * std::cos(angle);
+      compliance(0, 2) = compliance(2, 0) = -c * std::sin(angle);
+      FacetBound bound(compliance, std::vector<double>{mu}, facets, {});
+      const auto answer = bound.solve(1, 0, {});
+      EXPECT_EQ(answer.sign, factor < 1 ? conic::Sign::dead : conic::Sign::alive)
+          << along_an_edge << ' ' << factor;
+      EXPECT_NEAR(bound.normal_reaction(0), 1, 1e-9);
+    }
   }
 }
 

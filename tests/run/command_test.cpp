@@ -197,6 +197,11 @@ TEST_F(Command, RefusesWrongCalls) {
       good + " --output " + quoted(folder_.string()),
       good + " --serial=false",
       good + " --node-limit 0",
+      good + " --method simplex",
+      good + " --facets 8",
+      good + " --method polyhedral --facets 7",
+      "patterns " + quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml") +
+          " --mu 0.5 --method polyhedral",
       good + " --time-limit -1",
       good + " --checkpoint /nowhere/at/all",
       good + " --restart " + argument("none"),
@@ -294,6 +299,21 @@ TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
     return result["result"]["tree"]["opened"].get<int>();
   };
   EXPECT_LT(opened("relative"), opened("paper"));
+}
+
+TEST_F(Command, FindsTheSamePatternsByPolyhedralFriction) {
+  const auto patterns = [&](const std::string& method) {
+    const auto file = in_folder("result.json");
+    const auto run = shell(command + " patterns " + truss + " --mu 0.65 " + method + " --output " +
+                           quoted(file));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    const auto result = nlohmann::json::parse(content(file))["result"];
+    std::set<nlohmann::json> contact;
+    for (const auto& pattern : result["patterns"]) contact.insert(pattern["contact"]);
+    EXPECT_GE(result["tree"]["candidates"], method.empty() ? 0 : 27);
+    return contact;
+  };
+  EXPECT_EQ(patterns("--method polyhedral --facets 8"), patterns(""));
 }
 
 TEST_F(Command, StopsAtALimitAndGoesOnFromItsCheckpoint) {

@@ -9,11 +9,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "../nodes/random_problem.hpp"
 #include "searched.hpp"
 
 namespace kusabi::verify {
 namespace {
 
+using nodes::random_problem;
 using testing::AllOf;
 using testing::HasSubstr;
 

@@ -13,12 +13,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "../nodes/random_problem.hpp"
 #include "searched.hpp"
 #include "verify/certificate.hpp"
 
 namespace kusabi::verify {
 namespace {
 
+using nodes::random_problem;
 using testing::AnyOf;
 using testing::Contains;
 using testing::Each;

@@ -1,9 +1,7 @@
 #include "searched.hpp"
 
-#include <random>
 #include <sstream>
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "nodes/sha1.hpp"
@@ -31,23 +29,6 @@ std::string Draft::text() const {
 problems::WedgedProblem example(const std::string& name) {
   return problems::wedged_problem(
       problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name));
-}
-
-problems::WedgedProblem random_problem(int dimension, int candidates, std::uint64_t seed) {
-  std::mt19937_64 generator(seed);
-  std::normal_distribution<double> normal;
-  const int size = dimension * candidates;
-  Eigen::MatrixXd factor(size, size);
-  for (auto& entry : factor.reshaped()) entry = normal(generator);
-  problems::WedgedProblem problem;
-  problem.dimension = dimension;
-  for (int i = 0; i < candidates; ++i) problem.contact_names.push_back(fmt::format("c{}", i));
-  const Eigen::MatrixXd product =
-      factor * factor.transpose() + 0.1 * size * Eigen::MatrixXd::Identity(size, size);
-  problem.stiffness = (product + product.transpose()) / 2;
-  const Eigen::MatrixXd inverse = problem.stiffness.inverse();
-  problem.compliance = (inverse + inverse.transpose()) / 2;
-  return problem;
 }
 
 Draft searched(const problems::WedgedProblem& problem, double friction) {

@@ -25,9 +25,6 @@ std::string sealed(const std::string& text);
 /// A file of examples/.
 problems::WedgedProblem example(const std::string& name);
 
-/// A random positive definite stiffness.
-problems::WedgedProblem random_problem(int dimension, int candidates, std::uint64_t seed);
-
 /// What a search finds, on one rank.
 Draft searched(const problems::WedgedProblem& problem, double friction);
 

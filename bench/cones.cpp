@@ -1,0 +1,183 @@
+// How long one node of the wedged problem takes: microseconds and iterations of the cone solver per
+// node program, for a certified sign and for the full accuracy of the value.
+//
+//   bench_cones INSTANCE...           a table, a row an instance
+//   bench_cones --json INSTANCE...    the same and the data, for bench/cones.py, which sets a peer
+//                                     beside it
+//   bench_cones --walk ROWS DEPTH BAYS MU    writes an instance
+//
+// An instance is a space truss (problems/space_truss) and 200 nodes of its tree, those of random
+// walks from the root. Run it on a quiet machine; the best of several rounds counts.
+#include <bit>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "nodes/conic/node_solver.hpp"
+#include "problems/space_truss.hpp"
+#include "problems/wedged_problem.hpp"
+
+namespace {
+
+using namespace kusabi;
+using conic::Sign;
+using nlohmann::json;
+
+constexpr int dimension = 3;
+constexpr int node_count = 200;
+constexpr int rounds = 15;
+
+struct Node {
+  std::uint64_t contact, separated;
+};
+
+struct Instance {
+  problems::SpaceTrussSize size;
+  double friction;
+  std::vector<Node> nodes;
+};
+
+Instance read(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) throw std::runtime_error(file + ": cannot be read");
+  const auto data = json::parse(stream);
+  Instance instance{{data.at("rows"), data.at("depth"), data.at("bays")}, data.at("friction"), {}};
+  for (const auto& node : data.at("nodes")) instance.nodes.push_back({node.at(0), node.at(1)});
+  return instance;
+}
+
+// F of the truss, scaled as the tree scales it.
+Eigen::MatrixXd scaled_compliance(const problems::SpaceTrussSize& size) {
+  const auto problem = problems::wedged_problem(problems::space_truss(size));
+  return problem.compliance / problems::mean_normal_compliance(problem);
+}
+
+conic::NodeSolver<dimension> solver_of(const Eigen::MatrixXd& compliance, double friction) {
+  const auto m = static_cast<std::size_t>(compliance.rows()) / dimension;
+  return {compliance, std::vector<double>(m, friction)};
+}
+
+// Nodes of random walks from the root: a walk ends at a node that is proved dead, or at a leaf. It
+// branches where u_n r_n is largest (the wedged paper, Remark 5.5) and takes a random child.
+std::vector<Node> walked_nodes(conic::NodeSolver<dimension>& solver, int m) {
+  std::mt19937_64 generator(static_cast<std::uint64_t>(m));
+  const std::uint64_t all = (std::uint64_t{1} << static_cast<unsigned>(m)) - 1;
+  std::vector<Node> nodes;
+  Node node{0, 0};
+  while (nodes.size() < node_count) {
+    nodes.push_back(node);
+    auto open = all & ~(node.contact | node.separated);
+    if (solver.solve(node.contact, node.separated).sign == Sign::dead || open == 0) {
+      node = {0, 0};
+      continue;
+    }
+    std::uint64_t split = 0;
+    double most = -1;
+    for (; open != 0; open &= open - 1) {
+      const Eigen::Index normal = dimension * std::countr_zero(open);
+      const double product = solver.displacement()[normal] * solver.reaction()[normal];
+      if (product <= most) continue;
+      most = product;
+      split = open & ~(open - 1);
+    }
+    (generator() % 2 == 0 ? node.contact : node.separated) |= split;
+  }
+  return nodes;
+}
+
+struct Figures {
+  double microseconds = 1e300, iterations = 0;
+  int alive = 0, dead = 0, marginal = 0;
+};
+
+Figures measure(conic::NodeSolver<dimension>& solver, const std::vector<Node>& nodes,
+                conic::StopEarly stop) {
+  Figures best;
+  for (int round = 0; round < rounds; ++round) {
+    Figures figures;
+    const auto start = std::chrono::steady_clock::now();
+    for (const Node& node : nodes) {
+      const auto answer = solver.solve(node.contact, node.separated, stop);
+      figures.iterations += answer.iterations;
+      ++(answer.sign == Sign::alive  ? figures.alive
+         : answer.sign == Sign::dead ? figures.dead
+                                     : figures.marginal);
+    }
+    const std::chrono::duration<double, std::micro> elapsed =
+        std::chrono::steady_clock::now() - start;
+    figures.microseconds = elapsed.count() / static_cast<double>(nodes.size());
+    figures.iterations /= static_cast<double>(nodes.size());
+    if (figures.microseconds < best.microseconds) best = figures;
+  }
+  return best;
+}
+
+constexpr conic::StopEarly never{.when_dead = false, .when_alive = false};
+
+void show(const Instance& instance) {
+  auto solver = solver_of(scaled_compliance(instance.size), instance.friction);
+  const auto full = measure(solver, instance.nodes, never);
+  const auto sign = measure(solver, instance.nodes, {});
+  fmt::print("{:>3} | {:>8.1f} {:>11.1f} | {:>8.1f} {:>11.1f} | {:>5} {:>4} {:>8}\n",
+             instance.size.rows * instance.size.depth, full.microseconds, full.iterations,
+             sign.microseconds, sign.iterations, sign.alive, sign.dead, sign.marginal);
+}
+
+json data_of(const Instance& instance) {
+  const auto compliance = scaled_compliance(instance.size);
+  auto solver = solver_of(compliance, instance.friction);
+  json data{{"friction", instance.friction}};
+  for (const auto& row : compliance.rowwise())
+    data["compliance"].push_back(std::vector<double>(row.begin(), row.end()));
+  for (const auto& [contact, separated] : instance.nodes) {
+    data["nodes"].push_back({contact, separated});
+    const auto answer = solver.solve(contact, separated, never);
+    data["brackets"].push_back({answer.lower, answer.upper});
+  }
+  const auto full = measure(solver, instance.nodes, never);
+  const auto sign = measure(solver, instance.nodes, {});
+  data["full"] = {full.microseconds, full.iterations};
+  data["sign"] = {sign.microseconds, sign.iterations};
+  return data;
+}
+
+void walk(const problems::SpaceTrussSize& size, double friction) {
+  auto solver = solver_of(scaled_compliance(size), friction);
+  auto nodes = json::array();
+  for (const auto& node : walked_nodes(solver, size.rows * size.depth))
+    nodes.push_back({node.contact, node.separated});
+  fmt::print(R"({{"rows": {}, "depth": {}, "bays": {}, "friction": {}, "nodes": {}}})"
+             "\n",
+             size.rows, size.depth, size.bays, friction, nodes.dump());
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const std::vector<std::string> call(words + 1, words + count);
+  if (call.size() == 5 && call[0] == "--walk") {
+    walk({std::stoi(call[1]), std::stoi(call[2]), std::stoi(call[3])}, std::stod(call[4]));
+    return EXIT_SUCCESS;
+  }
+  if (call.empty()) {
+    fmt::print(stderr, "bench_cones [--json] INSTANCE...; expected files of bench/instances\n");
+    return EXIT_FAILURE;
+  }
+  const bool as_json = call[0] == "--json";
+  if (!as_json)
+    fmt::print("  m | full: us  iterations | sign: us  iterations | alive dead marginal\n");
+  for (std::size_t i = as_json ? 1 : 0; i < call.size(); ++i) {
+    if (as_json)
+      fmt::print("{}\n", data_of(read(call[i])).dump());
+    else
+      show(read(call[i]));
+  }
+}

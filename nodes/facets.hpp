@@ -1,0 +1,49 @@
+// Algorithm 5.8 of the wedged paper, the outer half: friction cones approximated by polyhedral ones
+// that contain them, (19), and the bound of a node under these.
+//
+// The polyhedral cone has F facets, F even, which touch the friction cone at the angles 2 pi k / F,
+// so that twice as many facets make a cone within it. Its edges lie between them, at mu / cos(pi /
+// F) from the normal. Two opposite edges span a friction cone of the plane, |s| <= mu rho / cos(pi
+// / F), and all of these together sum up to the polyhedral cone. So the linear program of a node is
+// a cone program of dimension 2 with F / 2 cones a candidate, and the same solver brackets its
+// value.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <Eigen/Core>
+
+#include "nodes/conic/node_solver.hpp"
+
+namespace kusabi::nodes {
+
+/// Bounds the nodes of a contact problem in space with polyhedral friction.
+class FacetBound {
+ public:
+  static constexpr int fewest = 4;
+  static constexpr int most = 64;
+
+  /// @param compliance F, 3m x 3m, scaled like that of conic::NodeSolver
+  /// @param friction mu, m numbers > 0
+  /// @param facets F of each cone: even, `fewest` to `most`
+  /// @throws std::invalid_argument when the sizes disagree or a number is out of range
+  FacetBound(const Eigen::MatrixXd& compliance, std::span<const double> friction, int facets,
+             conic::Tolerances tolerances);
+
+  /// The sign of t* under polyhedral friction: what is dead is dead with the friction cones
+  /// themselves, since those are contained, and by the same multipliers().
+  conic::Answer solve(std::uint64_t contact, std::uint64_t separated, conic::StopEarly stop);
+
+  /// r_n and u_n of a candidate at the node that was solved last.
+  [[nodiscard]] double normal_reaction(int candidate) const;
+  [[nodiscard]] double normal_displacement(int candidate) const;
+  /// y, m: normal forces that prove the upper bound.
+  [[nodiscard]] const Eigen::VectorXd& multipliers() const { return solver_.multipliers(); }
+
+ private:
+  int cones_each_;
+  conic::NodeSolver<2> solver_;
+};
+
+}  // namespace kusabi::nodes
