@@ -143,10 +143,15 @@ struct Instance {
   double friction;
 };
 
-void measure(const Instance& instance) {
-  const auto problem = problems::wedged_problem(problems::space_truss(instance.size));
+problems::WedgedProblem announced(const Instance& instance, const char* what) {
   const auto& [rows, depth, bays] = instance.size;
-  fmt::print("\n{} x {} candidates, {} bays, mu = {}\n", rows, depth, bays, instance.friction);
+  fmt::print("\n{}: {} x {} candidates, {} bays, mu = {}\n", what, rows, depth, bays,
+             instance.friction);
+  return problems::wedged_problem(problems::space_truss(instance.size));
+}
+
+void measure_branching(const Instance& instance) {
+  const auto problem = announced(instance, "branching");
   fmt::print("{:<24} {:>9} {:>13} {:>9} {:>18} {:>12}\n", "rule", "nodes", "cone programs",
              "patterns", "nodes a pattern", "CPU seconds");
   for (const auto& strategy : strategies()) {
@@ -162,13 +167,6 @@ void measure(const Instance& instance) {
                search.programs, search.found, share, seconds);
     std::fflush(stdout);
   }
-}
-
-problems::WedgedProblem announced(const Instance& instance, const char* what) {
-  const auto& [rows, depth, bays] = instance.size;
-  fmt::print("\n{}: {} x {} candidates, {} bays, mu = {}\n", what, rows, depth, bays,
-             instance.friction);
-  return problems::wedged_problem(problems::space_truss(instance.size));
 }
 
 void measure_facets(const Instance& instance) {
@@ -220,16 +218,24 @@ void measure_estimates(const Instance& instance) {
 
 }  // namespace
 
-int main() {
-  for (const auto& instance :
-       {Instance{{5, 2, 3}, 0.65}, Instance{{10, 2, 3}, 0.6}, Instance{{5, 4, 3}, 0.6},
-        Instance{{6, 5, 3}, 0.5}, Instance{{15, 2, 3}, 0.5}}) {
-    measure(instance);
+// bench_patterns [branching | facets | time-left]: all three unless told
+int main(int count, char** words) {
+  const std::string part = count > 1 ? words[1] : "";
+  const auto wanted = [&](const char* name) { return part.empty() || part == name; };
+  if (wanted("branching")) {
+    for (const auto& instance :
+         {Instance{{5, 2, 3}, 0.65}, Instance{{10, 2, 3}, 0.6}, Instance{{5, 4, 3}, 0.6},
+          Instance{{6, 5, 3}, 0.5}, Instance{{15, 2, 3}, 0.5}})
+      measure_branching(instance);
   }
-  for (const auto& instance : {Instance{{5, 2, 3}, 0.65}, Instance{{5, 2, 3}, 1.0},
-                               Instance{{5, 4, 3}, 0.6}, Instance{{15, 2, 3}, 0.5}}) {
-    measure_facets(instance);
+  if (wanted("facets")) {
+    for (const auto& instance : {Instance{{5, 2, 3}, 0.65}, Instance{{5, 2, 3}, 1.0},
+                                 Instance{{5, 4, 3}, 0.6}, Instance{{15, 2, 3}, 0.5}})
+      measure_facets(instance);
   }
-  for (const auto& instance : {Instance{{15, 2, 3}, 0.55}, Instance{{10, 4, 3}, 0.55}})
-    measure_estimates(instance);
+  if (wanted("time-left")) {
+    for (const auto& instance : {Instance{{15, 2, 3}, 0.55}, Instance{{6, 5, 3}, 0.5},
+                                 Instance{{10, 4, 3}, 0.55}, Instance{{8, 5, 3}, 0.5}})
+      measure_estimates(instance);
+  }
 }

@@ -194,6 +194,15 @@ class Explorer {
  private:
   friend class Expansion<P>;
 
+  struct Work {
+    static constexpr double of_first_child = [] {
+      if constexpr (Uneven<P>)
+        return double{P::work_of_first_child};
+      else
+        return 1.0;
+    }();
+  };
+
   [[nodiscard]] double objective(const Solution& solution) const {
     if constexpr (Minimising<P>) {
       if (goal_ == Goal::best) return std::as_const(problem_).objective(solution);
@@ -277,7 +286,7 @@ class Explorer {
   Goal goal_;
   Order order_;
   std::size_t heap_nodes_;
-  Frontier<Node> frontier_;            // what is searched depth first
+  Frontier<Node, Work> frontier_;      // what is searched depth first
   std::vector<Bundle<Node>> bundles_;  // what comes after it; only if the order is depth first,
   Heap<Node> heap_;                    // and only if it is not
   Expansion<P> expansion_;

@@ -23,12 +23,17 @@
 
 namespace kusabi::engine {
 
+/// All children of a node are guessed to have as much below them.
+struct EqualWork {
+  static constexpr double of_first_child = 1;
+};
+
 /// One node of the trail. What follows from its children is of no meaning before all are branched.
 struct Step {
   std::uint32_t branch = 0;    ///< which child of the step above; of no meaning at the root
   std::uint32_t branches = 0;  ///< how many children this node has
   std::uint64_t hash = 0;      ///< of the path that ends here; its children's marks need it
-  double share_of_each = 0;    ///< of its children, of the whole tree: all alike
+  double share_of_each = 0;    ///< of its children, of the whole tree; the first has Work times it
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -114,7 +119,9 @@ std::vector<OpenNode<Node>> take_every_other(std::vector<OpenNode<Node>>& nodes,
 /// Requires: `branch` is called only between `open` and the next `open`.
 /// Guarantees: nodes are opened in depth-first order, the children of a node in the order in which
 /// they were branched; at most depth x branching nodes are open at any time.
-template <class Node>
+///
+/// @tparam Work says how much is guessed to be below a first child (problem.hpp)
+template <class Node, class Work = EqualWork>
 class Frontier {
  public:
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
@@ -142,6 +149,7 @@ class Frontier {
       const Step& parent = trail_[depth_ - 1];
       mark_ = branch_mark(parent.hash, next.branch);
       share_ = parent.share_of_each;
+      if (next.branch == 0) share_ *= Work::of_first_child;
     }
     trail_[depth_].branch = next.branch;
     Node node = std::move(next.node);
@@ -160,7 +168,7 @@ class Frontier {
     Step& step = trail_[depth_];
     step.branches = branches_;
     step.hash = hash_of_mark(mark_);
-    step.share_of_each = share_ / branches_;
+    step.share_of_each = share_ / (branches_ - 1 + Work::of_first_child);
     // The trail never shrinks: most nodes find their place in it made.
     if (trail_.size() < depth_ + std::size_t{2}) trail_.resize(depth_ + std::size_t{2});
     std::reverse(nodes_.begin() + static_cast<std::ptrdiff_t>(first_child_), nodes_.end());

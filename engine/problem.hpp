@@ -49,6 +49,13 @@ struct NoTally {
   void serialize(Archive& /*archive*/, unsigned /*version*/) {}
 };
 
+/// A problem that knows how much is usually below a node's first child, if below each of the others
+/// is 1. Only what a person is told of the progress hangs on it.
+template <class P>
+concept Uneven = Problem<P> && requires {
+  { P::work_of_first_child } -> std::convertible_to<double>;
+};
+
 namespace detail {
 template <class P>
 struct TallyOf {

@@ -103,6 +103,28 @@ TEST(Frontier, TellsTheShareOfTheTreeOfEachNode) {
   EXPECT_DOUBLE_EQ(frontier.close(), 0);
 }
 
+struct ThirdOfEach {
+  static constexpr double of_first_child = 1.0 / 3;
+};
+
+// A first child of a third of the others' share: 1 + 3 + 3 parts. The shares of all leaves add up.
+TEST(Frontier, AFirstChildMayHaveASmallerShare) {
+  Frontier<Witness, ThirdOfEach> frontier;
+  frontier.plant({});
+  frontier.open();
+  for (std::uint32_t branch = 0; branch < 3; ++branch) frontier.branch({branch});
+  EXPECT_DOUBLE_EQ(frontier.close(), 0);
+  frontier.open();
+  EXPECT_DOUBLE_EQ(frontier.close(), 1.0 / 7);
+  frontier.open();
+  frontier.branch({1, 0});
+  EXPECT_DOUBLE_EQ(frontier.close(), 0);
+  frontier.open();
+  EXPECT_DOUBLE_EQ(frontier.close(), 3.0 / 7);
+  frontier.open();
+  EXPECT_DOUBLE_EQ(frontier.close(), 3.0 / 7);
+}
+
 // Several frontiers play a random game of opening and giving; every node must be opened once, with
 // the right path, whatever hands it went through.
 TEST(Frontier, PathsSurviveAnyNumberOfGifts) {
