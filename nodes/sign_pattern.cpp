@@ -57,12 +57,18 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
       }()) {}
 
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
+  auto fate = decide(node);
+  if (fate.leaf) out.solution(std::move(*fate.leaf));
+  for (const Node& child : fate.children) out.branch(child);
+}
+
+SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   const auto answer = solve(node);
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
   if (answer.sign == conic::Sign::dead) {
     ++tally_.dead;
     if (witness_) report_dead(node);
-    return;
+    return {};
   }
   if (free_candidates(node) == 0) {
     auto leaf = configuration(node, answer);
@@ -78,14 +84,14 @@ void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& ou
         break;
     }
     if (witness_) report_leaf(leaf);
-    out.solution(std::move(leaf));
-    return;
+    return {.children = {}, .leaf = std::move(leaf)};
   }
   ++tally_.branched;
   if (answer.sign == conic::Sign::marginal) ++tally_.doubtful;
   const auto split = bit(branching_candidate(node));
-  out.branch({node.contact | split, node.separated});
-  out.branch({node.contact, node.separated | split});
+  return {
+      .children = {{node.contact | split, node.separated}, {node.contact, node.separated | split}},
+      .leaf = {}};
 }
 
 // A leaf that lives is worth its full accuracy: its margin is part of the answer.
