@@ -79,7 +79,7 @@ Structure plane_truss(const PlaneTrussSize& size) {
     for (int column = 0; column <= size.bays; ++column, ++node) {
       truss.coordinates.col(node) << length * column / size.bays, row;
       truss.node_names.push_back(fmt::format("r{}c{}", row + 1, column));
-      truss.fixed.push_back(column == 0 ? std::array{true, true, true} : std::array<bool, 3>{});
+      truss.fixed.push_back(column == 0 ? std::array{true, true, false} : std::array<bool, 3>{});
     }
     truss.contact.push_back({node - 1, normal, up});
   }

@@ -64,7 +64,7 @@ void StructureCheck::sizes() const {
   }
   if (node_count() == 0) fail({}, "no nodes; expected at least two");
   if (structure_.members.empty() && structure_.elements.empty()) {
-    fail({}, "no members; expected at least one, or an element");
+    fail({}, "no members; expected at least one");
   }
   if (structure_.contact.empty()) fail({}, "no contact candidates; expected at least one");
   if (structure_.coordinates.rows() != structure_.dimension ||

@@ -122,8 +122,8 @@ void StructureFile::add_node(const std::string& name, const Eigen::VectorXd& pla
 int StructureFile::node(const TomlText& name) const {
   const auto found = node_numbers_.find(name.text);
   if (found != node_numbers_.end()) return found->second;
-  const std::vector<std::string_view> names(structure_.node_names.begin(),
-                                            structure_.node_names.end());
+  std::vector<std::string_view> names(structure_.node_names.begin(), structure_.node_names.end());
+  for (const auto& [edge, nodes] : edges_) names.push_back(edge);
   std::string message =
       fmt::format("node {} does not exist; expected a name from [nodes]", in_quotes(name.text));
   const std::string_view meant = nearest(name.text, names);
@@ -145,6 +145,9 @@ void StructureFile::meshes() {
 }
 
 void StructureFile::mesh(const TomlTable& group) {
+  if (structure_.dimension != 2) {
+    reader_.fail(*group.table, "a mesh in space; expected dimension = 2, or members only");
+  }
   reader_.allow_only(group, {"name", "corners", "divisions", "E", "nu", "thickness", "plane"});
   const auto& name_entry = reader_.require(group, "name", "name = \"...\", for its nodes");
   const TomlText name = reader_.text(name_entry, "the name of a mesh");

@@ -39,8 +39,12 @@ PreciseVector ReactionCone::null_vector(const std::vector<int>& rows,
   const Eigen::Index rank = unknowns - 1;
   if (rank == 0 || static_cast<Eigen::Index>(rows.size()) < rank) return x;
   PreciseMatrix equalities = gaps_(rows, columns);
-  // Rows of one size, so that full pivoting compares like with like.
-  for (auto row : equalities.rowwise()) row /= row.lpNorm<Eigen::Infinity>();
+  // Rows of one unit, by the size of all their entries: what is left in these columns may be no
+  // more than the rounding of zeros, and full pivoting must see that.
+  for (std::size_t place = 0; place < rows.size(); ++place) {
+    equalities.row(static_cast<Eigen::Index>(place)) /=
+        gaps_.row(rows[place]).lpNorm<Eigen::Infinity>();
+  }
   const Eigen::FullPivLU<PreciseMatrix> factorised(equalities);
   const auto& lu = factorised.matrixLU();
   PreciseVector permuted(unknowns);
