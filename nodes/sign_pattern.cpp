@@ -60,19 +60,31 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
 }
 
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
+  auto fate = decide(node);
+  if (fate.leaf) out.solution(std::move(*fate.leaf));
+  for (const Node& child : fate.children) out.branch(child);
+}
+
+SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   const bool leaf = free_candidates(node) == 0;
   conic::Answer answer;
   if (outer_) {
     answer = outer_->solve(node.contact, node.separated, {});
     tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-    if (answer.sign == conic::Sign::dead) return prune(node, outer_->multipliers());
+    if (answer.sign == conic::Sign::dead) {
+      prune(node, outer_->multipliers());
+      return {};
+    }
     if (leaf) ++tally_.candidates;
   }
   if (!outer_ || leaf) {
     // A leaf that lives is worth its full accuracy: its margin is part of the answer.
     answer = solve(node, {.when_dead = true, .when_alive = !leaf});
     tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-    if (answer.sign == conic::Sign::dead) return prune(node, multipliers());
+    if (answer.sign == conic::Sign::dead) {
+      prune(node, multipliers());
+      return {};
+    }
   }
   if (leaf) {
     auto found = configuration(node, answer);
@@ -88,14 +100,14 @@ void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& ou
         break;
     }
     if (witness_) report_leaf(found);
-    out.solution(std::move(found));
-    return;
+    return {.children = {}, .leaf = std::move(found)};
   }
   ++tally_.branched;
   if (answer.sign == conic::Sign::marginal) ++tally_.doubtful;
   const auto split = bit(branching_candidate(node));
-  out.branch({node.contact | split, node.separated});
-  out.branch({node.contact, node.separated | split});
+  return {
+      .children = {{node.contact | split, node.separated}, {node.contact, node.separated | split}},
+      .leaf = {}};
 }
 
 conic::Answer SignPatternTree::solve(const Node& node, conic::StopEarly stop) {

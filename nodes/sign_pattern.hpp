@@ -145,6 +145,15 @@ class SignPatternTree {
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
   Tally tally() const { return tally_; }
 
+  /// What becomes of a node: it is dead (neither), branched, or a leaf that is not dead.
+  struct Fate {
+    std::vector<Node> children;
+    std::optional<Configuration> leaf;
+  };
+
+  /// Opens a node, for `expand` and for trees that make something else of the leaves.
+  Fate decide(const Node& node);
+
   /// From now on `witness` is told why nodes are closed. A branched node is not closed.
   void report_to(Witness witness) { witness_ = std::move(witness); }
 

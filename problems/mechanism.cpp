@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include <Eigen/SparseCholesky>
+
+#include "problems/quadrilateral.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -32,12 +35,46 @@ Eigen::VectorXd arbitrary_motion(Eigen::Index size) {
   return motion.normalized();
 }
 
+using Shapes = std::vector<StrainVector<double>>;
+
+/// The vectors b of all elements, as if of unit material.
+Shapes element_shapes(const Structure& structure, const FreeDegrees& degrees) {
+  Shapes all;
+  for (const Quadrilateral& element : structure.elements) {
+    for (auto& vector : shape_vectors(structure, degrees, element))
+      all.push_back(std::move(vector));
+  }
+  return all;
+}
+
+/// Sum of b b^T.
+Eigen::SparseMatrix<double> squares(const Shapes& shapes, int size) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const auto& vector : shapes) add_square(vector, 1.0, entries);
+  Eigen::SparseMatrix<double> sum(size, size);
+  sum.setFromTriplets(entries.begin(), entries.end());
+  return sum;
+}
+
+/// Sum of (b^T v)^2.
+double energy(const Shapes& shapes, const Eigen::VectorXd& motion) {
+  double sum = 0;
+  for (const auto& vector : shapes) {
+    double strain = 0;
+    for (const auto& entry : vector) strain += entry.value * motion(entry.number);
+    sum += strain * strain;
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& degrees) {
   const auto members = static_cast<Eigen::Index>(structure.members.size());
   Eigen::SparseMatrix<double> shifted =
       truss_stiffness(structure, degrees, Eigen::VectorXd::Ones(members));
+  const auto shapes = element_shapes(structure, degrees);
+  shifted += squares(shapes, degrees.size());
   Eigen::SparseMatrix<double> identity(degrees.size(), degrees.size());
   identity.setIdentity();
   shifted += shift * identity;
@@ -50,7 +87,9 @@ std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& deg
     motion = Eigen::VectorXd(factorised.solve(motion)).normalized();
   }
   // The elongations, not v^T G v: squares of small numbers keep their digits.
-  if (elongations(structure, degrees, motion).squaredNorm() > strainless) return {};
+  if (elongations(structure, degrees, motion).squaredNorm() + energy(shapes, motion) > strainless) {
+    return {};
+  }
   const double least = visible * motion.cwiseAbs().maxCoeff();
   std::vector<int> nodes;
   for (int number = 0; number < degrees.size(); ++number) {

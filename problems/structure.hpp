@@ -1,5 +1,5 @@
-// A structure as its file describes it: a truss in its own units, its supports, and the nodes that
-// may touch the obstacle (Gamma_D, Gamma_N and Gamma_C of the paper's section 2).
+// A structure as its file describes it: bars and plane elements in its own units, its supports, and
+// the nodes that may touch the obstacle (Gamma_D, Gamma_N and Gamma_C of the paper's section 2).
 //
 // Plain data. `read_structure` fills it from a file, a program may fill it by hand;
 // `check_structure` says whether it can be computed with.
@@ -29,6 +29,21 @@ struct Member {
   double axial_stiffness;  ///< E A, force
 };
 
+/// How a plane element is held across the plane.
+enum class PlaneState {
+  stress,  ///< thin: free to become thinner, no stress across
+  strain,  ///< long: no strain across
+};
+
+/// A four-node element of an isotropic body in the plane (Q4).
+struct Quadrilateral {
+  std::array<int, 4> nodes;  ///< going round, either way
+  double modulus;            ///< E, force/length^2
+  double ratio;              ///< nu, Poisson's ratio
+  double thickness;          ///< length
+  PlaneState state;
+};
+
 /// A node that lies on the surface of the rigid obstacle, without a gap.
 struct ContactCandidate {
   int node;
@@ -44,6 +59,8 @@ struct Sources {
   std::vector<SourcePosition> nodes;              ///< one a node: its name
   std::vector<SourcePosition> members;            ///< one a member: its pair of nodes
   std::vector<SourcePosition> axial_stiffnesses;  ///< one a member: the EA of its group
+  std::vector<SourcePosition> elements;           ///< one an element: its nodes, or its mesh
+  std::vector<SourcePosition> materials;          ///< one an element: the head of its group
   std::vector<SourcePosition> contact;            ///< one a candidate: its name in the list
   std::vector<SourcePosition> normals;            ///< one a candidate: the normal of its group
   std::vector<SourcePosition> tangents;           ///< one a candidate: the tangent of its group
@@ -57,6 +74,7 @@ struct Structure {
   std::vector<std::string> node_names;
   Eigen::MatrixXd coordinates;  ///< d x nodes, length
   std::vector<Member> members;
+  std::vector<Quadrilateral> elements;     ///< only if d = 2; members and elements may be mixed
   std::vector<std::array<bool, 3>> fixed;  ///< per node, per axis; the third is unused if d = 2
   std::vector<ContactCandidate> contact;   ///< in the order of every answer
   Sources sources;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "problems/contact_frame.hpp"
+#include "problems/quadrilateral.hpp"
 #include "problems/wedged_problem.hpp"
 
 namespace kusabi::problems {
@@ -25,7 +26,8 @@ class StructureCheck {
   void sizes() const;
   void coordinates() const;
   void members() const;
-  void every_node_hangs_on_a_member() const;
+  void elements() const;
+  void every_node_hangs_on_something() const;
   void contact_count() const;
   void contact_nodes() const;
   void contact_directions() const;
@@ -41,6 +43,8 @@ class StructureCheck {
   }
   int fixed_axes(int node) const;
   void member(int index) const;
+  void material(int index) const;
+  void shape(int index) const;
   [[noreturn]] void fail(SourcePosition position, std::string_view message) const {
     throw structure_error(structure_, position, message);
   }
@@ -59,7 +63,9 @@ void StructureCheck::sizes() const {
     fail({}, fmt::format("dimension is {}; expected 2 or 3", structure_.dimension));
   }
   if (node_count() == 0) fail({}, "no nodes; expected at least two");
-  if (structure_.members.empty()) fail({}, "no members; expected at least one");
+  if (structure_.members.empty() && structure_.elements.empty()) {
+    fail({}, "no members; expected at least one");
+  }
   if (structure_.contact.empty()) fail({}, "no contact candidates; expected at least one");
   if (structure_.coordinates.rows() != structure_.dimension ||
       structure_.coordinates.cols() != node_count()) {
@@ -124,11 +130,72 @@ void StructureCheck::members() const {
   }
 }
 
-void StructureCheck::every_node_hangs_on_a_member() const {
+void StructureCheck::material(int index) const {
+  const Quadrilateral& element = structure_.elements[static_cast<std::size_t>(index)];
+  const SourcePosition position = position_of(structure_.sources.materials, index);
+  const auto in_range = [](double value) {
+    return value >= smallest_magnitude && value <= largest_magnitude;
+  };
+  // Written so that NaN fails too.
+  if (!in_range(element.modulus)) {
+    fail(position, fmt::format("E is {:g}; expected a positive modulus between {:g} and {:g}",
+                               element.modulus, smallest_magnitude, largest_magnitude));
+  }
+  if (!in_range(element.thickness)) {
+    fail(position, fmt::format("thickness is {:g}; expected a length between {:g} and {:g}",
+                               element.thickness, smallest_magnitude, largest_magnitude));
+  }
+  const bool incompressible = element.state == PlaneState::stress && element.ratio == 0.5;
+  if (!((element.ratio > -1 && element.ratio < 0.5) || incompressible)) {
+    fail(position, fmt::format("nu is {:g}; expected a number above -1 and below 0.5 (in plane "
+                               "stress up to 0.5)",
+                               element.ratio));
+  }
+}
+
+void StructureCheck::shape(int index) const {
+  const Quadrilateral& element = structure_.elements[static_cast<std::size_t>(index)];
+  const SourcePosition position = position_of(structure_.sources.elements, index);
+  double size = 0;
+  for (const int node : element.nodes) {
+    if (!is_node(node)) {
+      fail(position, fmt::format("element {} names a node that does not exist", index));
+    }
+    if (std::ranges::count(element.nodes, node) > 1) {
+      fail(position,
+           fmt::format("element with node {} twice; expected four different nodes", name(node)));
+    }
+    size = std::max(size, structure_.coordinates.col(node).cwiseAbs().maxCoeff());
+  }
+  const Eigen::Vector4d areas = corner_areas(structure_, element);
+  const double least = zero_length * size * size;
+  if (!((areas.array() > least).all() || (areas.array() < -least).all())) {
+    fail(position, fmt::format("the element at {}, {}, {}, {} is no convex quadrilateral; expected "
+                               "corners that go round",
+                               name(element.nodes[0]), name(element.nodes[1]),
+                               name(element.nodes[2]), name(element.nodes[3])));
+  }
+}
+
+void StructureCheck::elements() const {
+  if (!structure_.elements.empty() && structure_.dimension != 2) {
+    fail(position_of(structure_.sources.elements, 0),
+         "elements in space; expected dimension = 2, or members only");
+  }
+  for (int index = 0; index < static_cast<int>(structure_.elements.size()); ++index) {
+    material(index);
+    shape(index);
+  }
+}
+
+void StructureCheck::every_node_hangs_on_something() const {
   std::vector<bool> held(structure_.node_names.size(), false);
   for (const Member& bar : structure_.members) {
     held[static_cast<std::size_t>(bar.first)] = true;
     held[static_cast<std::size_t>(bar.second)] = true;
+  }
+  for (const Quadrilateral& element : structure_.elements) {
+    for (const int node : element.nodes) held[static_cast<std::size_t>(node)] = true;
   }
   for (int node = 0; node < node_count(); ++node) {
     if (!held[static_cast<std::size_t>(node)] && fixed_axes(node) < structure_.dimension) {
@@ -204,7 +271,8 @@ void check_structure(const Structure& structure) {
   check.sizes();
   check.coordinates();
   check.members();
-  check.every_node_hangs_on_a_member();
+  check.elements();
+  check.every_node_hangs_on_something();
   check.contact_count();
   check.contact_nodes();
   check.contact_directions();

@@ -24,8 +24,9 @@ inline constexpr double zero_length = 1e-10;
 /// is left after projection would have lost six of its sixteen digits.
 inline constexpr double smallest_tangent_sine = 1e-6;
 
-/// Checks sizes, finiteness, members (ends, length, EA, no two alike), that every node that can
-/// move has a member, and the contact candidates (count, supports, normals, tangents).
+/// Checks sizes, finiteness, members (ends, length, EA, no two alike), elements (material, convex
+/// shape), that every node that can move has a member or an element, and the contact candidates
+/// (count, supports, normals, tangents).
 /// @throws InputError at the first fault, in the order of the list above.
 void check_structure(const Structure& structure);
 

@@ -1,6 +1,7 @@
 // The problem file, section by section: which keys there are and what they mean.
 #include "problems/structure_file.hpp"
 
+#include <array>
 #include <cstddef>
 #include <fstream>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "problems/structure_check.hpp"
+#include "problems/structured_mesh.hpp"
 #include "problems/toml_reader.hpp"
 
 namespace kusabi::problems {
@@ -30,30 +32,47 @@ class StructureFile {
  private:
   void header();
   void nodes();
+  void meshes();
   void members();
+  void elements();
   void supports();
   void contact();
 
+  void add_node(const std::string& name, const Eigen::VectorXd& place, SourcePosition position);
+  void mesh(const TomlTable& group);
+  Quadrilateral material(const TomlTable& group) const;
+  void add_element(Quadrilateral element, const std::array<int, 4>& nodes, SourcePosition position,
+                   SourcePosition material);
   void member_group(const TomlTable& group);
+  void element_group(const TomlTable& group);
   void support_group(const TomlTable& group);
   void contact_group(const TomlTable& group);
   int node(const TomlText& name) const;
+  /// The nodes that an entry of a list names: one, or those of an edge of a mesh.
+  std::vector<int> nodes_named(const TomlText& name) const;
   std::array<bool, 3> fixed_axes(const TomlTable& group) const;
+
+  bool has(std::string_view section) const { return reader_.root().table->get(section) != nullptr; }
 
   TomlReader reader_;
   Structure structure_;
   std::map<std::string, int, std::less<>> node_numbers_;
+  std::map<std::string, std::vector<int>, std::less<>> edges_;  // of the meshes
   std::map<int, SourcePosition> supported_;
 };
 
 Structure StructureFile::read() && {
-  reader_.allow_only(reader_.root(),
-                     {"name", "dimension", "units", "nodes", "members", "supports", "contact"});
+  reader_.allow_only(reader_.root(), {"name", "dimension", "units", "nodes", "mesh", "members",
+                                      "elements", "supports", "contact"});
   header();
   nodes();
+  meshes();
   members();
+  elements();
   supports();
   contact();
+  structure_.coordinates.conservativeResize(
+      Eigen::NoChange, static_cast<Eigen::Index>(structure_.node_names.size()));
   check_structure(structure_);
   return std::move(structure_);
 }
@@ -73,27 +92,38 @@ void StructureFile::header() {
 }
 
 void StructureFile::nodes() {
+  structure_.coordinates.resize(structure_.dimension, 0);
+  if (!has("nodes") && has("mesh")) return;
   const auto entries = reader_.entries(
       reader_.require(reader_.root(), "nodes", "a table [nodes] of name = position"), "[nodes]");
-  structure_.coordinates.resize(structure_.dimension, static_cast<Eigen::Index>(entries.size()));
-  structure_.fixed.resize(entries.size(), {false, false, false});
-  int number = 0;
   for (const TomlEntry& entry : entries) {
     reader_.check_text(entry.key, "a node name", entry.key_position);
-    structure_.coordinates.col(number) =
+    add_node(
+        entry.key,
         reader_.vector(*entry.value, fmt::format("the position of node {}", in_quotes(entry.key)),
-                       structure_.dimension);
-    structure_.node_names.push_back(entry.key);
-    structure_.sources.nodes.push_back(entry.key_position);
-    node_numbers_.emplace(entry.key, number++);
+                       structure_.dimension),
+        entry.key_position);
   }
+}
+
+void StructureFile::add_node(const std::string& name, const Eigen::VectorXd& place,
+                             SourcePosition position) {
+  const auto number = static_cast<int>(structure_.node_names.size());
+  if (structure_.coordinates.cols() == number) {  // room for twice as many, cut off at the end
+    structure_.coordinates.conservativeResize(Eigen::NoChange, 2 * number + 16);
+  }
+  structure_.coordinates.col(number) = place;
+  structure_.fixed.push_back({false, false, false});
+  structure_.node_names.push_back(name);
+  structure_.sources.nodes.push_back(position);
+  node_numbers_.emplace(name, number);
 }
 
 int StructureFile::node(const TomlText& name) const {
   const auto found = node_numbers_.find(name.text);
   if (found != node_numbers_.end()) return found->second;
-  const std::vector<std::string_view> names(structure_.node_names.begin(),
-                                            structure_.node_names.end());
+  std::vector<std::string_view> names(structure_.node_names.begin(), structure_.node_names.end());
+  for (const auto& [edge, nodes] : edges_) names.push_back(edge);
   std::string message =
       fmt::format("node {} does not exist; expected a name from [nodes]", in_quotes(name.text));
   const std::string_view meant = nearest(name.text, names);
@@ -101,7 +131,146 @@ int StructureFile::node(const TomlText& name) const {
   reader_.fail(name.position, message);
 }
 
+std::vector<int> StructureFile::nodes_named(const TomlText& name) const {
+  const auto edge = edges_.find(name.text);
+  if (edge != edges_.end()) return edge->second;
+  return {node(name)};
+}
+
+void StructureFile::meshes() {
+  if (!has("mesh")) return;
+  for (const TomlTable& group : reader_.groups(*reader_.root().table->get("mesh"), "mesh")) {
+    mesh(group);
+  }
+}
+
+void StructureFile::mesh(const TomlTable& group) {
+  if (structure_.dimension != 2) {
+    reader_.fail(*group.table, "a mesh in space; expected dimension = 2, or members only");
+  }
+  reader_.allow_only(group, {"name", "corners", "divisions", "E", "nu", "thickness", "plane"});
+  const auto& name_entry = reader_.require(group, "name", "name = \"...\", for its nodes");
+  const TomlText name = reader_.text(name_entry, "the name of a mesh");
+  const auto& corner_entry =
+      reader_.require(group, "corners", "corners = [[x, y], ...], four of them, going round");
+  const auto places = reader_.elements(corner_entry, "corners");
+  if (places.size() != 4) {
+    reader_.fail(
+        corner_entry,
+        fmt::format("a mesh has {} corners; expected four positions, going round", places.size()));
+  }
+  StructuredMesh mesh;
+  for (int corner = 0; corner < 4; ++corner) {
+    mesh.corners.col(corner) =
+        reader_.vector(*places[static_cast<std::size_t>(corner)], "a corner", 2);
+  }
+  const auto& division_entry =
+      reader_.require(group, "divisions",
+                      "divisions = [11, 11], elements from left to right and "
+                      "from bottom to top");
+  const auto counts = reader_.elements(division_entry, "divisions");
+  if (counts.size() != 2) {
+    reader_.fail(division_entry,
+                 fmt::format("divisions has {} entries; expected two", counts.size()));
+  }
+  mesh.columns = reader_.count(*counts[0], "a division", most_divisions);
+  mesh.rows = reader_.count(*counts[1], "a division", most_divisions);
+  if (!mesh.is_convex()) {
+    reader_.fail(corner_entry,
+                 "the corners of a mesh do not go round a convex quadrilateral; "
+                 "expected lower left, lower right, upper right, upper left, or any "
+                 "four like them");
+  }
+  const Quadrilateral material_of_all = material(group);
+
+  std::vector<int> numbers;
+  const auto old_nodes = static_cast<Eigen::Index>(structure_.node_names.size());
+  for (int j = 0; j <= mesh.rows; ++j) {
+    for (int i = 0; i <= mesh.columns; ++i) {
+      const std::string node_name = mesh_node(name.text, i, j);
+      const Eigen::Vector2d place = mesh.place(i, j);
+      if (node_numbers_.contains(node_name) || edges_.contains(node_name)) {
+        reader_.fail(name.position, fmt::format("the mesh makes a node {}, which exists already; "
+                                                "expected another name for the mesh",
+                                                in_quotes(node_name)));
+      }
+      const int same = mesh.node_at(structure_.coordinates.leftCols(old_nodes), place);
+      if (same >= 0) {  // the meshes hang together there, and the node has two names
+        node_numbers_.emplace(node_name, same);
+        numbers.push_back(same);
+      } else {
+        numbers.push_back(static_cast<int>(structure_.node_names.size()));
+        add_node(node_name, place, name.position);
+      }
+    }
+  }
+  for (const auto& [edge, nodes] : mesh.edges(numbers)) {
+    const std::string edge_name = fmt::format("{}.{}", name.text, edge);
+    if (node_numbers_.contains(edge_name)) {
+      reader_.fail(name.position,
+                   fmt::format("the mesh has an edge {}, which is the name of a node; "
+                               "expected another name for the mesh",
+                               in_quotes(edge_name)));
+    }
+    edges_.emplace(edge_name, nodes);
+  }
+  for (const auto& nodes : mesh.elements(numbers)) {
+    add_element(material_of_all, nodes, name.position, reader_.position(division_entry));
+  }
+}
+
+Quadrilateral StructureFile::material(const TomlTable& group) const {
+  Quadrilateral element{};
+  element.modulus =
+      reader_.number(reader_.require(group, "E", "E = Young's modulus, a force per area"), "E");
+  element.ratio = reader_.number(reader_.require(group, "nu", "nu = Poisson's ratio"), "nu");
+  element.thickness =
+      reader_.number(reader_.require(group, "thickness", "thickness = a length"), "thickness");
+  const auto& plane = reader_.require(group, "plane", "plane = \"stress\" or \"strain\"");
+  const TomlText state = reader_.text(plane, "plane");
+  if (state.text != "stress" && state.text != "strain") {
+    reader_.fail(state.position, fmt::format("plane is {}; expected \"stress\" or \"strain\"",
+                                             in_quotes(state.text)));
+  }
+  element.state = state.text == "stress" ? PlaneState::stress : PlaneState::strain;
+  return element;
+}
+
+void StructureFile::add_element(Quadrilateral element, const std::array<int, 4>& nodes,
+                                SourcePosition position, SourcePosition material) {
+  element.nodes = nodes;
+  structure_.elements.push_back(element);
+  structure_.sources.elements.push_back(position);
+  structure_.sources.materials.push_back(material);
+}
+
+void StructureFile::elements() {
+  if (!has("elements")) return;
+  for (const TomlTable& group :
+       reader_.groups(*reader_.root().table->get("elements"), "elements")) {
+    element_group(group);
+  }
+}
+
+void StructureFile::element_group(const TomlTable& group) {
+  reader_.allow_only(group, {"E", "nu", "thickness", "plane", "between"});
+  const Quadrilateral material_of_all = material(group);
+  const auto& between =
+      reader_.require(group, "between", "between = [[\"a\", \"b\", \"c\", \"d\"], ...]");
+  for (const toml::node* corners : reader_.elements(between, "between")) {
+    const auto names = reader_.texts(*corners, "an element");
+    if (names.size() != 4) {
+      reader_.fail(*corners, fmt::format("an element has {} corners; expected four node names, "
+                                         "going round",
+                                         names.size()));
+    }
+    add_element(material_of_all, {node(names[0]), node(names[1]), node(names[2]), node(names[3])},
+                reader_.position(*corners), reader_.position(*group.table->get("E")));
+  }
+}
+
 void StructureFile::members() {
+  if (!has("members") && (has("elements") || has("mesh"))) return;
   const auto& section =
       reader_.require(reader_.root(), "members", "at least one [[members]] group");
   for (const TomlTable& group : reader_.groups(section, "members")) member_group(group);
@@ -162,14 +331,16 @@ void StructureFile::support_group(const TomlTable& group) {
   const auto& names = reader_.require(group, "nodes", "nodes = [\"a\", ...]");
   const std::array<bool, 3> fixed = fixed_axes(group);
   for (const TomlText& name : reader_.texts(names, "nodes")) {
-    const int number = node(name);
-    const auto [before, is_new] = supported_.emplace(number, name.position);
-    if (!is_new) {
-      reader_.fail(name.position,
-                   fmt::format("node {} is supported twice, first on line {}; expected once",
-                               in_quotes(name.text), before->second.line));
+    for (const int number : nodes_named(name)) {
+      const auto [before, is_new] = supported_.emplace(number, name.position);
+      if (!is_new) {
+        reader_.fail(name.position,
+                     fmt::format("node {} is supported twice, first on line {}; expected once",
+                                 in_quotes(structure_.node_names[static_cast<std::size_t>(number)]),
+                                 before->second.line));
+      }
+      structure_.fixed[static_cast<std::size_t>(number)] = fixed;
     }
-    structure_.fixed[static_cast<std::size_t>(number)] = fixed;
   }
 }
 
@@ -204,11 +375,13 @@ void StructureFile::contact_group(const TomlTable& group) {
     friction_position = reader_.position(*entry);
   }
   for (const TomlText& name : reader_.texts(names, "nodes")) {
-    structure_.contact.push_back({node(name), normal, tangent, friction});
-    structure_.sources.contact.push_back(name.position);
-    structure_.sources.normals.push_back(reader_.position(normal_entry));
-    structure_.sources.tangents.push_back(tangent_position);
-    structure_.sources.frictions.push_back(friction_position);
+    for (const int number : nodes_named(name)) {
+      structure_.contact.push_back({number, normal, tangent, friction});
+      structure_.sources.contact.push_back(name.position);
+      structure_.sources.normals.push_back(reader_.position(normal_entry));
+      structure_.sources.tangents.push_back(tangent_position);
+      structure_.sources.frictions.push_back(friction_position);
+    }
   }
 }
 

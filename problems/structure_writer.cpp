@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <sstream>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -76,6 +77,31 @@ void write_members(const Structure& structure, std::string& text) {
       });
 }
 
+void write_elements(const Structure& structure, std::string& text) {
+  const auto& elements = structure.elements;
+  const auto name = [&](int node) {
+    return quoted(structure.node_names[static_cast<std::size_t>(node)]);
+  };
+  const auto material = [&](auto i) {
+    return std::tuple(elements[i].modulus, elements[i].ratio, elements[i].thickness,
+                      elements[i].state);
+  };
+  by_runs(
+      elements.size(), [&](auto a, auto b) { return material(a) == material(b); },
+      [&](auto first, auto last) {
+        std::vector<std::string> corners;
+        for (auto i = first; i < last; ++i) {
+          const auto& nodes = elements[i].nodes;
+          corners.push_back(fmt::format("[{}, {}, {}, {}]", name(nodes[0]), name(nodes[1]),
+                                        name(nodes[2]), name(nodes[3])));
+        }
+        text += fmt::format(
+            "\n[[elements]]\nE = {}\nnu = {}\nthickness = {}\nplane = \"{}\"\nbetween = {}\n",
+            elements[first].modulus, elements[first].ratio, elements[first].thickness,
+            elements[first].state == PlaneState::stress ? "stress" : "strain", list(corners));
+      });
+}
+
 void write_supports(const Structure& structure, std::string& text) {
   const auto d = static_cast<std::size_t>(structure.dimension);
   std::vector<std::array<bool, 3>> kinds;  // in the order in which they occur
@@ -135,6 +161,7 @@ std::string structure_text(const Structure& structure) {
                         vector_text(structure.coordinates.col(static_cast<Eigen::Index>(node))));
   }
   write_members(structure, text);
+  write_elements(structure, text);
   write_supports(structure, text);
   write_contact(structure, text);
   return text;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -179,6 +180,15 @@ int TomlReader::one_of(const toml::node& node, std::string_view called,
                      fmt::join(allowed, " or ")));
   }
   return *value;
+}
+
+int TomlReader::count(const toml::node& node, std::string_view called, int most) const {
+  const auto value = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
+  if (!value || *value < 1 || *value > most) {
+    fail(node, fmt::format("{} is {}; expected a whole number from 1 to {}", called,
+                           value ? fmt::to_string(*value) : kind(node), most));
+  }
+  return static_cast<int>(*value);
 }
 
 Eigen::VectorXd TomlReader::vector(const toml::node& node, std::string_view called,

@@ -64,6 +64,8 @@ class TomlReader {
   /// An integer that is one of `allowed`.
   int one_of(const toml::node& node, std::string_view called,
              std::initializer_list<int> allowed) const;
+  /// An integer from 1 to `most`.
+  int count(const toml::node& node, std::string_view called, int most) const;
   /// `size` finite numbers.
   Eigen::VectorXd vector(const toml::node& node, std::string_view called, int size) const;
   /// A string fit for a table of results: not empty, short, without control characters.

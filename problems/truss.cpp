@@ -3,34 +3,13 @@
 
 #include <cstddef>
 
+#include "problems/elongation.hpp"
+
 namespace kusabi::problems {
 namespace {
 
 double length(const Structure& structure, const Member& member) {
-  return (structure.coordinates.col(member.second) - structure.coordinates.col(member.first))
-      .stableNorm();
-}
-
-/// One entry of b_e: elongation of a member by a unit displacement of one of its ends.
-struct Elongation {
-  int number;
-  double value;
-};
-
-/// The nonzero part of b_e: minus and plus the member's direction, at its free displacements.
-std::vector<Elongation> elongation_vector(const Structure& structure, const FreeDegrees& degrees,
-                                          const Member& member) {
-  const Eigen::VectorXd direction =
-      (structure.coordinates.col(member.second) - structure.coordinates.col(member.first)) /
-      length(structure, member);
-  std::vector<Elongation> entries;
-  for (int axis = 0; axis < structure.dimension; ++axis) {
-    const int first = degrees.number(axis, member.first);
-    const int second = degrees.number(axis, member.second);
-    if (first >= 0) entries.push_back({first, -direction(axis)});
-    if (second >= 0) entries.push_back({second, direction(axis)});
-  }
-  return entries;
+  return extent<double>(structure, member).stableNorm();
 }
 
 }  // namespace
@@ -61,15 +40,9 @@ Eigen::SparseMatrix<double> truss_stiffness(const Structure& structure, const Fr
                                             const Eigen::VectorXd& member_stiffness) {
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index index = 0; index < member_stiffness.size(); ++index) {
-    const auto vector =
-        elongation_vector(structure, degrees, structure.members[static_cast<std::size_t>(index)]);
-    for (const Elongation& row : vector) {
-      for (const Elongation& column : vector) {
-        // The product of the two entries first: so (i, j) and (j, i) round alike.
-        entries.emplace_back(row.number, column.number,
-                             member_stiffness(index) * (row.value * column.value));
-      }
-    }
+    const Member& member = structure.members[static_cast<std::size_t>(index)];
+    add_square(elongation_vector<double>(structure, degrees, member), member_stiffness(index),
+               entries);
   }
   Eigen::SparseMatrix<double> stiffness(degrees.size(), degrees.size());
   stiffness.setFromTriplets(entries.begin(), entries.end());
@@ -82,7 +55,7 @@ Eigen::VectorXd elongations(const Structure& structure, const FreeDegrees& degre
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(structure.members.size()));
   for (Eigen::Index index = 0; index < result.size(); ++index) {
     const Member& member = structure.members[static_cast<std::size_t>(index)];
-    for (const Elongation& entry : elongation_vector(structure, degrees, member)) {
+    for (const auto& entry : elongation_vector<double>(structure, degrees, member)) {
       result(index) += entry.value * displacement(entry.number);
     }
   }

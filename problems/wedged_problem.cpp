@@ -11,6 +11,7 @@
 #include "problems/contact_frame.hpp"
 #include "problems/fingerprint.hpp"
 #include "problems/mechanism.hpp"
+#include "problems/quadrilateral.hpp"
 #include "problems/structure_check.hpp"
 #include "problems/truss.hpp"
 
@@ -92,12 +93,20 @@ bool is_sound(const CondensedMatrices& matrices) {
          solver.eigenvalues().minCoeff() > definite_tolerance * solver.eigenvalues().maxCoeff();
 }
 
+Eigen::SparseMatrix<double> whole_stiffness(const Structure& structure,
+                                            const FreeDegrees& degrees) {
+  Eigen::SparseMatrix<double> members =
+      truss_stiffness(structure, degrees, member_stiffnesses(structure));
+  if (structure.elements.empty()) return members;
+  return members + element_stiffness(structure, degrees);
+}
+
 /// K and F, checked, then made symmetric to the last bit.
 CondensedMatrices condensed(const Structure& structure, const FreeDegrees& degrees,
                             const std::vector<Eigen::MatrixXd>& frames) {
   const auto matrices =
-      condense(truss_stiffness(structure, degrees, member_stiffnesses(structure)),
-               contact_places(structure, degrees), block_diagonal(frames, structure.dimension));
+      condense(whole_stiffness(structure, degrees), contact_places(structure, degrees),
+               block_diagonal(frames, structure.dimension));
   if (!matrices || !is_sound(*matrices)) refuse_condition(structure);
   return {symmetric_part(matrices->stiffness), symmetric_part(matrices->compliance)};
 }
@@ -130,6 +139,13 @@ std::uint64_t fingerprint(const Structure& structure, const std::vector<Eigen::M
     result.add(candidate.friction);
   }
   for (const Eigen::MatrixXd& frame : frames) add(result, frame);
+  for (const Quadrilateral& element : structure.elements) {  // none: the number of a truss stays
+    for (const int node : element.nodes) result.add(node);
+    result.add(element.modulus);
+    result.add(element.ratio);
+    result.add(element.thickness);
+    result.add(static_cast<int>(element.state));
+  }
   return result.value();
 }
 
@@ -168,6 +184,7 @@ WedgedProblem wedged_problem(const Structure& structure) {
   problem.compliance = std::move(matrices.compliance);
   problem.nodes = static_cast<int>(structure.node_names.size());
   problem.members = static_cast<int>(structure.members.size());
+  problem.elements = static_cast<int>(structure.elements.size());
   problem.fingerprint = fingerprint(structure, problem.frames);
   return problem;
 }

@@ -41,8 +41,9 @@ struct WedgedProblem {
   Eigen::MatrixXd compliance;  ///< F = K^-1, length/force, ordered as K; exactly symmetric
   int nodes = 0;               ///< of the structure, supported ones included
   int members = 0;             ///< of the structure
-  /// Hash of dimension, units, coordinates, members, EA, supports, contact, friction and frames, in
-  /// the order of the file. Names are not in it.
+  int elements = 0;            ///< of the structure
+  /// Hash of dimension, units, coordinates, members, EA, elements, supports, contact, friction and
+  /// frames, in the order of the file. Names are not in it.
   std::uint64_t fingerprint = 0;
 };
 

@@ -13,20 +13,18 @@
 namespace kusabi::run {
 namespace {
 
-std::string text_of(const problems::SpaceTrussSize& size) {
-  try {
-    return problems::structure_text(problems::space_truss(size));
-  } catch (const std::invalid_argument& error) {
-    throw WrongInput(fmt::format("kusabi example space-truss: {}", error.what()));
-  }
-}
-
-}  // namespace
-
-int example_space_truss(Session& session, const ExampleSpaceTrussOptions& options) {
+// Writes what `structure` makes, which throws std::invalid_argument if the size is impossible.
+template <class MakeStructure>
+int write_example(Session& session, const char* name, const std::string& output,
+                  MakeStructure structure) {
   session.on_first_rank([&]() -> std::string {
-    const auto text = text_of(options.size);
-    OutputFile file("--output", options.output, {});
+    std::string text;
+    try {
+      text = problems::structure_text(structure());
+    } catch (const std::invalid_argument& error) {
+      throw WrongInput(fmt::format("kusabi example {}: {}", name, error.what()));
+    }
+    OutputFile file("--output", output, {});
     if (file.wanted()) {
       file.stream() << text;
       file.put_in_place();
@@ -36,6 +34,18 @@ int example_space_truss(Session& session, const ExampleSpaceTrussOptions& option
     return {};
   });
   return solved;
+}
+
+}  // namespace
+
+int example_space_truss(Session& session, const ExampleSpaceTrussOptions& options) {
+  return write_example(session, "space-truss", options.output,
+                       [&] { return problems::space_truss(options.size); });
+}
+
+int example_plane_truss(Session& session, const ExamplePlaneTrussOptions& options) {
+  return write_example(session, "plane-truss", options.output,
+                       [&] { return problems::plane_truss(options.size); });
 }
 
 }  // namespace kusabi::run

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "problems/plane_truss.hpp"
 #include "problems/space_truss.hpp"
 #include "run/session.hpp"
 
@@ -12,6 +13,15 @@ struct ExampleSpaceTrussOptions {
   problems::SpaceTrussSize size;
   std::string output;  ///< a file; empty: standard output
 };
+
+struct ExamplePlaneTrussOptions {
+  problems::PlaneTrussSize size;
+  std::string output;  ///< a file; empty: standard output
+};
+
+/// Writes a plane truss. @return the exit code
+/// @throws WrongInput if the size is out of range or the file cannot be written
+int example_plane_truss(Session& session, const ExamplePlaneTrussOptions& options);
 
 /// Writes a space truss. @return the exit code
 /// @throws WrongInput if the size is out of range or the file cannot be written

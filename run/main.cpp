@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "run/example.hpp"
 #include "run/exit_code.hpp"
 #include "run/patterns.hpp"
+#include "run/rays.hpp"
 #include "run/session.hpp"
 #include "run/verify.hpp"
 
@@ -134,6 +136,41 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
   });
 }
 
+void add_rays(CLI::App& app, Action& action, bool& serial) {
+  auto& command = *app.add_subcommand(
+      "rays", "every extremal ray of wedged configurations in the plane, and every maximal cone");
+  const auto options = std::make_shared<RaysOptions>();
+  command.add_option("file", options->file, "the problem, a TOML file")->required();
+  command.add_option("--mu", options->friction, "friction coefficient")
+      ->required()
+      ->check(positive);
+  const std::map<std::string, RayMethod> methods{
+      {"auto", RayMethod::automatic},
+      {"double-description", RayMethod::double_description},
+      {"tree", RayMethod::tree}};
+  command
+      .add_option_function<std::string>(
+          "--method", [options, methods](const auto& name) { options->method = methods.at(name); },
+          "Algorithm 4.2 on one rank, pattern by pattern on all ranks, or whichever suits the "
+          "size; "
+          "both give the same rays")
+      ->check(CLI::IsMember(methods))
+      ->default_str("auto");
+  command.add_option("--output", options->output, "write the result to this JSON file");
+  command.add_option("--csv", options->csv, "write the rays to this file, a line each");
+  command.add_option("--dot", options->dot,
+                     "write the cross-complementarity graph to this file, for Graphviz");
+  command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
+      ->check(positive);
+  command
+      .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--quiet", options->quiet, "print errors only");
+  add_serial(command, serial);
+  command.callback(
+      [&action, options] { action = [options](Session& s) { return rays(s, *options); }; });
+}
+
 void add_verify(CLI::App& app, Action& action, bool& serial) {
   auto& command =
       *app.add_subcommand("verify", "proves the list of patterns from its certificate, exactly");
@@ -147,10 +184,8 @@ void add_verify(CLI::App& app, Action& action, bool& serial) {
       [&action, options] { action = [options](Session& s) { return verify(s, *options); }; });
 }
 
-void add_example(CLI::App& app, Action& action) {
-  auto& command = *app.add_subcommand("example", "writes a problem file of a family of structures");
-  command.require_subcommand(1);
-  auto& truss = *command.add_subcommand(
+void add_space_truss(CLI::App& example, Action& action) {
+  auto& truss = *example.add_subcommand(
       "space-truss", "a space truss against an inclined wall; the candidates are rows x depth");
   const auto options = std::make_shared<ExampleSpaceTrussOptions>();
   const auto count = [&](const char* name, int& value, const char* what) {
@@ -162,6 +197,40 @@ void add_example(CLI::App& app, Action& action) {
   truss.add_option("--output", options->output, "write to this file instead of standard output");
   truss.callback([&action, options] {
     action = [options](Session& s) { return example_space_truss(s, *options); };
+  });
+}
+
+void add_plane_truss(CLI::App& example, Action& action) {
+  using kusabi::problems::Verticals;
+  auto& truss = *example.add_subcommand(
+      "plane-truss", "a plane truss against an inclined wall; the candidates are the rows");
+  const auto options = std::make_shared<ExamplePlaneTrussOptions>();
+  auto& size = options->size;
+  truss.add_option("--rows", size.rows, "rows of nodes along y, 1 m apart")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  truss.add_option("--bays", size.bays, "bays between the wall and the obstacle")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  truss.add_option("--width", size.width, "of the lowest row, m")
+      ->check(positive)
+      ->capture_default_str();
+  truss.add_option("--lean", size.lean, "of the obstacle, degrees from the vertical")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  const std::map<std::string, Verticals> braces{
+      {"none", Verticals::none}, {"inner", Verticals::inner}, {"all", Verticals::all}};
+  truss
+      .add_option_function<std::string>(
+          "--brace",
+          [options, braces](const auto& name) { options->size.verticals = braces.at(name); },
+          "bars from row to row besides the diagonals: none, in the inner columns, or on the "
+          "obstacle, too")
+      ->check(CLI::IsMember(braces))
+      ->default_str("inner");
+  truss.add_option("--output", options->output, "write to this file instead of standard output");
+  truss.callback([&action, options] {
+    action = [options](Session& s) { return example_plane_truss(s, *options); };
   });
 }
 
@@ -229,8 +298,12 @@ int run(Session& session, int argc, char** argv) {
   Action action;
   bool serial = false;
   add_patterns(app, action, serial);
+  add_rays(app, action, serial);
   add_verify(app, action, serial);
-  add_example(app, action);
+  auto& example = *app.add_subcommand("example", "writes a problem file of a family of structures");
+  example.require_subcommand(1);
+  add_space_truss(example, action);
+  add_plane_truss(example, action);
   auto& bench = *app.add_subcommand("bench", "measures and tries the search engine");
   bench.require_subcommand(1);
   add_scaling(bench, action);

@@ -20,6 +20,7 @@
 #include "run/exit_code.hpp"
 #include "run/output_file.hpp"
 #include "run/patterns_report.hpp"
+#include "run/problem_summary.hpp"
 #include "run/progress_line.hpp"
 #include "run/result_file.hpp"
 #include "run/signals.hpp"
@@ -31,10 +32,8 @@ namespace {
 void announce(const PatternsOptions& options, const problems::WedgedProblem& problem, int ranks) {
   fmt::print(stderr,
              "kusabi {} · patterns · {}\n"
-             "{}: {}, {} nodes, {} members, {} contact candidates; friction coefficient {}{}; {}\n",
-             KUSABI_VERSION, options.file, problem.name,
-             problem.dimension == 2 ? "in the plane" : "in space", problem.nodes, problem.members,
-             problem.contact_names.size(), options.friction,
+             "{}; friction coefficient {}{}; {}\n",
+             KUSABI_VERSION, options.file, problem_line(problem), options.friction,
              uniform_friction(problem) ? "" : " times that of each candidate",
              ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }

@@ -5,11 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
-#include <span>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/problem_summary.hpp"
 #include "run/rank_table.hpp"
 
 namespace kusabi::run {
@@ -27,44 +27,6 @@ bool before(std::uint64_t a, std::uint64_t b) {
     b &= b - 1;
   }
   return a == 0 && b != 0;
-}
-
-// A dm-vector as m rows of d, in the frame (n, t1[, t2]) of each candidate.
-ordered_json rows(std::span<const double> values, int dimension) {
-  auto list = ordered_json::array();
-  const auto d = static_cast<std::size_t>(dimension);
-  for (std::size_t at = 0; at < values.size(); at += d) {
-    list.push_back(std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(at),
-                                       values.begin() + static_cast<std::ptrdiff_t>(at + d)));
-  }
-  return list;
-}
-
-ordered_json contact_frames(const problems::WedgedProblem& problem) {
-  auto list = ordered_json::array();
-  for (std::size_t i = 0; i < problem.contact_names.size(); ++i) {
-    ordered_json frame;
-    frame["node"] = problem.contact_names[i];
-    const char* const axes[] = {"n", "t1", "t2"};
-    for (int axis = 0; axis < problem.dimension; ++axis) {
-      const Eigen::VectorXd direction = problem.frames[i].col(axis);
-      frame[axes[axis]] = std::vector<double>(direction.begin(), direction.end());
-    }
-    frame["friction"] = problem.friction[i];
-    list.push_back(std::move(frame));
-  }
-  return list;
-}
-
-ordered_json tally_json(const nodes::SignPatternTally& tally) {
-  return {{"branched", tally.branched},
-          {"dead", tally.dead},
-          {"found", tally.found},
-          {"marginal_leaves", tally.marginal},
-          {"undecided_leaves", tally.undecided},
-          {"doubtful_branched", tally.doubtful},
-          {"iterations", tally.iterations},
-          {"candidates", tally.candidates}};
 }
 
 // The place of an entry's kind in the list.
@@ -101,6 +63,17 @@ std::string listed(const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+ordered_json tally_json(const nodes::SignPatternTally& tally) {
+  return {{"branched", tally.branched},
+          {"dead", tally.dead},
+          {"found", tally.found},
+          {"marginal_leaves", tally.marginal},
+          {"undecided_leaves", tally.undecided},
+          {"doubtful_branched", tally.doubtful},
+          {"iterations", tally.iterations},
+          {"candidates", tally.candidates}};
+}
 
 const char* status_name(engine::Status status) {
   switch (status) {
@@ -225,13 +198,14 @@ ordered_json PatternsReport::json() const {
   ordered_json patterns = ordered_json::array();
   for (const auto& entry : sorted) {
     const auto& [leaf, face] = entry;
-    ordered_json pattern = {{"contact", names(leaf->pattern.contact)},
-                            {"separated", names(leaf->pattern.separated)},
-                            {"state", state_name(entry)},
-                            {"margin", leaf->lower},
-                            {"margin_upper", leaf->upper},
-                            {"reaction", rows(leaf->reaction, problem.dimension)},
-                            {"displacement", rows(leaf->displacement, problem.dimension)}};
+    ordered_json pattern = {
+        {"contact", names(leaf->pattern.contact)},
+        {"separated", names(leaf->pattern.separated)},
+        {"state", state_name(entry)},
+        {"margin", leaf->lower},
+        {"margin_upper", leaf->upper},
+        {"reaction", candidate_rows(leaf->reaction, problem.dimension)},
+        {"displacement", candidate_rows(leaf->displacement, problem.dimension)}};
     if (face) {
       pattern["within"] = names(face->within);
       pattern["unloaded"] = names(face->unloaded);
@@ -247,16 +221,7 @@ ordered_json PatternsReport::json() const {
   return {
       {"command", "patterns"},
       {"version", KUSABI_VERSION},
-      {"problem",
-       {{"file", options.file},
-        {"name", problem.name},
-        {"d", problem.dimension},
-        {"m", problem.contact_names.size()},
-        {"nodes", problem.nodes},
-        {"members", problem.members},
-        {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-        {"contact", contact_frames(problem)},
-        {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}}},
+      {"problem", problem_json(problem, options.file)},
       {"options",
        {{"mu", options.friction},
         {"tolerance", options.tolerance},

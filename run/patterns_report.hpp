@@ -20,6 +20,9 @@ namespace kusabi::run {
 /// As the result file calls it: "solved", "time-limit", ...
 const char* status_name(engine::Status status);
 
+/// What became of the nodes of a tree of sign patterns.
+nlohmann::ordered_json tally_json(const nodes::SignPatternTally& tally);
+
 /// Everything that the command has to tell.
 struct PatternsReport {
   const PatternsOptions& options;

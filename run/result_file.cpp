@@ -2,7 +2,10 @@
 #include "run/result_file.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
 
 namespace kusabi::run {
 namespace {
@@ -46,8 +49,37 @@ ResultFile::ResultFile(const std::string& name, const std::string& input)
 
 void ResultFile::write(const ordered_json& result) {
   if (!file_.wanted()) return;
-  lay_out(file_.stream(), result, "");
-  file_.stream() << '\n';
+  write([&] { return result; }, {});
+}
+
+void ResultFile::write(const std::function<ordered_json()>& result,
+                       std::span<const LongList> lists) {
+  if (!file_.wanted()) return;
+  const auto laid_out = [&] {
+    std::ostringstream text;
+    lay_out(text, result(), "");
+    return text.str();
+  };
+  auto& out = file_.stream();
+  std::size_t written = 0;  // of the text: up to the last mark it does not change
+  for (const auto& [mark, next] : lists) {
+    const std::string text = laid_out();
+    const std::size_t at = text.find('"' + mark + '"', written);
+    if (at == std::string::npos) throw std::logic_error("a result without the mark " + mark);
+    const auto start = text.rfind('\n', at) + 1;
+    const std::string indent(text.find_first_not_of(' ', start) - start, ' ');
+    out << text.substr(written, at - written);
+    ordered_json element;
+    const char* separator = "[\n";
+    bool any = false;
+    for (; next(element); any = true, separator = ",\n") {
+      out << separator << indent << "  ";
+      lay_out(out, element, indent + "  ");
+    }
+    out << (any ? "\n" + indent + "]" : "[]");
+    written = at + mark.size() + 2;
+  }
+  out << laid_out().substr(written) << '\n';
   file_.put_in_place();
 }
 

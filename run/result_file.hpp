@@ -1,6 +1,8 @@
 // The JSON result file.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -8,6 +10,13 @@
 #include "run/output_file.hpp"
 
 namespace kusabi::run {
+
+/// A list that is too long to be held: `result` has `mark` in its place, and `next` yields one
+/// element after another until it returns false.
+struct LongList {
+  std::string mark;
+  std::function<bool(nlohmann::ordered_json& element)> next;
+};
 
 class ResultFile {
  public:
@@ -18,6 +27,11 @@ class ResultFile {
   /// Writes `result` and puts the file into its place.
   /// @throws std::runtime_error if the disk is full, or the like.
   void write(const nlohmann::ordered_json& result);
+
+  /// The same for a result with `lists`, in the order in which they stand in it. `result` is called
+  /// anew after each, so that what follows a list may hang on it.
+  void write(const std::function<nlohmann::ordered_json()>& result,
+             std::span<const LongList> lists);
 
  private:
   OutputFile file_;

@@ -1,0 +1,149 @@
+// How long the rays of plane trusses take: by double description and pattern by pattern on one
+// rank, and, where they are installed, by lrs and cddexec, which enumerate all rays of C_r,
+// complementary or not.
+//
+//   bench_rays [MU [FIRST_ROWS [LAST_ROWS [SECONDS]]]]
+//
+// A column ends when a size took longer than a quarter of SECONDS (the next one may take four times
+// as long); lrs and cddexec are stopped after SECONDS. Rays, peaks and pairs are the same on any
+// machine.
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "engine/search.hpp"
+#include "nodes/ray_tree.hpp"
+#include "problems/plane_truss.hpp"
+#include "problems/precise_compliance.hpp"
+#include "problems/wedged_problem.hpp"
+
+namespace {
+
+using namespace kusabi;
+
+double seconds_of(const auto& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Measured {
+  double seconds = 0;
+  std::size_t rays = 0;
+  rays::Effort effort;
+  rays::Health health;
+};
+
+Measured double_description(const rays::ReactionCone& cone) {
+  rays::Enumeration found;
+  const double time = seconds_of([&] { found = rays::complementary_rays(cone); });
+  return {time, found.rays.size(), found.effort, found.health};
+}
+
+Measured tree(const problems::Structure& truss, const std::vector<double>& friction,
+              const rays::ReactionCone& cone) {
+  Measured result;
+  result.seconds = seconds_of([&] {
+    nodes::RayTree rays({problems::wedged_problem(truss), friction}, cone);
+    const auto outcome = engine::search(rays);
+    for (const auto& leaf : outcome.solutions) result.rays += leaf.solution.rays.size();
+    result.effort = rays.tally().effort;
+    result.health = rays.tally().health;
+  });
+  return result;
+}
+
+// C_r in the format of lrs and cddlib.
+void write_inequalities(const rays::ReactionCone& cone, const std::string& file) {
+  const auto& gaps = cone.gaps();
+  std::ofstream out(file);
+  out << fmt::format("cone\nH-representation\nbegin\n{} {} rational\n", gaps.rows() + gaps.cols(),
+                     gaps.cols() + 1);
+  for (Eigen::Index k = 0; k < gaps.cols(); ++k) {
+    out << '0';
+    for (Eigen::Index j = 0; j < gaps.cols(); ++j) out << (j == k ? " 1" : " 0");
+    out << '\n';
+  }
+  for (Eigen::Index i = 0; i < gaps.rows(); ++i) {
+    const long double size = gaps.row(i).cwiseAbs().maxCoeff();
+    out << '0';
+    for (Eigen::Index j = 0; j < gaps.cols(); ++j) {
+      out << fmt::format(" {}/1000000", std::llround(1e6L * gaps(i, j) / size));
+    }
+    out << '\n';
+  }
+  out << "end\n";
+}
+
+// The time of another program on the same cone, as a cell.
+std::string other(const std::string& program, const std::string& file, double limit) {
+  if (std::system(
+          fmt::format("command -v {} > /dev/null", program.substr(0, program.find(' '))).c_str()) !=
+      0)
+    return "-";
+  int code = 0;
+  const double time = seconds_of([&] {
+    code =
+        std::system(fmt::format("timeout {} {} {} > /dev/null 2>&1", limit, program, file).c_str());
+  });
+  if (time >= limit) return fmt::format("> {:.0f}", limit);
+  return code == 0 ? fmt::format("{:.3f}", time) : "fails";
+}
+
+std::string cells(const std::optional<Measured>& measured) {
+  if (!measured) return fmt::format("{:>9} {:>9} {:>11}", "-", "-", "-");
+  return fmt::format("{:>9.4f} {:>9} {:>11}", measured->seconds, measured->effort.peak_rays,
+                     measured->effort.pairs);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto number = [&](int place, double otherwise) {
+    return argc > place ? std::atof(argv[place]) : otherwise;
+  };
+  const double mu = number(1, 0.65);
+  const int last = static_cast<int>(number(3, 19));
+  const double limit = number(4, 100);
+  const std::string file =
+      (std::filesystem::temp_directory_path() / fmt::format("bench_rays.{}.ine", getpid()))
+          .string();
+  fmt::print("mu = {}\n{:>4} {:>8}  {:<31}  {:<31}  {:>8} {:>8}  {}\n", mu, "N", "rays",
+             "double description: s, peak, pairs", "tree: s, peak, pairs", "lrs", "cddexec",
+             "largest zero, least other");
+  std::string lrs;
+  std::string cddexec;
+  bool first_ends = false;
+  bool second_ends = false;
+  for (int rows = static_cast<int>(number(2, 5)); rows <= last && !(first_ends && second_ends);
+       ++rows) {
+    const auto truss = problems::plane_truss({.rows = rows});
+    const std::vector<double> friction(static_cast<std::size_t>(rows), mu);
+    const rays::ReactionCone cone(problems::precise_compliance(truss), friction);
+    std::optional<Measured> whole;
+    std::optional<Measured> by_pattern;
+    if (!first_ends) whole = double_description(cone);
+    if (!second_ends) by_pattern = tree(truss, friction, cone);
+    first_ends = first_ends || whole->seconds > limit / 4;
+    second_ends = second_ends || by_pattern->seconds > limit / 4;
+    write_inequalities(cone, file);
+    if (!lrs.starts_with('>')) lrs = other("lrs", file, limit);
+    if (!cddexec.starts_with('>')) cddexec = other("cddexec --rep <", file, limit);
+    const auto& known = whole ? *whole : *by_pattern;
+    fmt::print("{:>4} {:>8}  {}  {}  {:>8} {:>8}  {:.0e} {:.0e}{}\n", rows, known.rays,
+               cells(whole), cells(by_pattern), lrs, cddexec, known.health.largest_zero,
+               known.health.smallest_nonzero,
+               whole && by_pattern && whole->rays != by_pattern->rays ? "  DIFFERENT" : "");
+    std::fflush(stdout);
+  }
+  std::filesystem::remove(file);
+}

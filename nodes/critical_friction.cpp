@@ -1,0 +1,262 @@
+// Newton's method and bisection for the critical friction coefficient of one node.
+#include "nodes/critical_friction.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace kusabi::nodes {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// As far as double precision goes: t* near the critical coefficient is its distance from it times a
+// slope of the order of a reaction, and a bracket of 1e-8 asks for t* to better than 1e-10.
+constexpr conic::Tolerances sharp{.sign = 1e-13, .value = 1e-14, .iterations = 100};
+
+// A proof for another coefficient is taken to hold only this far from its very end, relatively:
+// several times the rounding of the products in it.
+constexpr double rounding = 1e-13;
+
+// A step of Newton's method is wrong by a few times its square. When that is less than the width, the
+// two points of the grid beside its end are asked: for steps of this times the root of the width.
+constexpr double settled = 0.1;
+
+// Newton's method has 4 to 5 steps; if it takes more, it alternates with bisection, and after
+// `most_steps` bisection goes on alone.
+constexpr int trusted_steps = 6;
+constexpr int most_steps = 30;
+
+// For a bound two or three digits do: the children have bounds of their own.
+constexpr int bound_steps = 4;
+constexpr double bound_digits = 1e-3;
+
+// The last point on either side of the root, for the method of the secant in the variant of
+// Illinois: a side that stays twice counts half.
+class Sides {
+ public:
+  void take(double factor, double level) {
+    const bool alive = level > 0;
+    Side& own = alive ? alive_ : dead_;
+    Side& other = alive ? dead_ : alive_;
+    if (own.last) other.level /= 2;
+    own = {factor, level, true};
+    other.last = false;
+  }
+
+  [[nodiscard]] double dead() const { return dead_.level < 0 ? dead_.factor : 0; }
+
+  // Not a number before there are two sides.
+  [[nodiscard]] double secant() const {
+    return (dead_.factor * alive_.level - alive_.factor * dead_.level) /
+           (alive_.level - dead_.level);
+  }
+
+ private:
+  struct Side {
+    double factor = std::numeric_limits<double>::quiet_NaN();
+    double level = 0;
+    bool last = false;
+  };
+  Side dead_, alive_;
+};
+
+}  // namespace
+
+CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, double width)
+    : dimension_(problem.dimension),
+      unit_(problems::mean_normal_compliance(problem)),
+      width_(width),
+      own_(problem.friction.empty() ? std::vector<double>(problem.contact_names.size(), 1)
+                                    : problem.friction),
+      friction_(own_),
+      solver_([&]() -> decltype(solver_) {
+        const Eigen::MatrixXd scaled = problem.compliance / unit_;
+        if (problem.dimension == 2) return conic::NodeSolver<2>(scaled, own_, sharp);
+        return conic::NodeSolver<3>(scaled, own_, sharp);
+      }()) {
+  if (!(width > 0)) throw std::invalid_argument("the width of a bracket must be positive");
+  const auto m = static_cast<Eigen::Index>(own_.size());
+  normal_compliance_.resize(m, problem.compliance.cols());
+  for (Eigen::Index i = 0; i < m; ++i)
+    normal_compliance_.row(i) = problem.compliance.row(dimension_ * i) / unit_;
+}
+
+const Eigen::VectorXd& CriticalFriction::reaction() const {
+  return std::visit([](const auto& solver) -> const Eigen::VectorXd& { return solver.reaction(); },
+                    solver_);
+}
+
+const Eigen::VectorXd& CriticalFriction::displacement() const {
+  return std::visit(
+      [](const auto& solver) -> const Eigen::VectorXd& { return solver.displacement(); }, solver_);
+}
+
+FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
+                                      conic::StopEarly stop) {
+  ++programs_;
+  for (std::size_t i = 0; i < own_.size(); ++i) friction_[i] = factor * own_[i];
+  const auto answer = std::visit(
+      [&](auto& solver) {
+        solver.set_friction(friction_);
+        const auto result = solver.solve(node.contact, node.separated, stop);
+        pull_.noalias() = normal_compliance_.transpose() * solver.multipliers();
+        return result;
+      },
+      solver_);
+  FrictionProbe probe{.sign = answer.sign,
+                      .dead_below = infinity,
+                      .alive_from = 0,
+                      .newton = infinity,
+                      .level = 0.5 * (answer.lower + answer.upper)};
+
+  // The multipliers are normal forces y, and w their displacements. For every configuration of the
+  // node y'u_n >= 0, while y'u_n = sum w_i'r_i <= sum (w_ni + mu_i |w_ti|) r_ni: dead as long as
+  // all of these factors are negative. The slope of t* is sum (sigma t* - w_ni) r_ni / (sigma
+  // factor).
+  double sigma = 0;
+  double weighted = 0;
+  bool carries = answer.has_point;
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    if ((node.separated >> i & 1U) != 0) continue;
+    const auto at = dimension_ * static_cast<Eigen::Index>(i);
+    const auto tangents = dimension_ - 1;
+    const double normal = reaction()[at];
+    const double pull = pull_.segment(at + 1, tangents).norm();
+    const double down = -pull_[at];
+    const double reach = down <= 0 ? 0 : (pull * own_[i] > 0 ? down / (pull * own_[i]) : infinity);
+    probe.dead_below = std::min(probe.dead_below, reach);
+    sigma += 1 / friction_[i];
+    weighted += down * normal;
+    carries = carries && normal > 0;
+    probe.alive_from =
+        std::max(probe.alive_from,
+                 (reaction().segment(at + 1, tangents).norm() + sharp.sign) / (own_[i] * normal));
+  }
+  for (std::size_t i = 0; i < own_.size() && carries; ++i) {
+    if ((node.contact >> i & 1U) == 0)
+      carries = displacement()[dimension_ * static_cast<Eigen::Index>(i)] > sharp.sign;
+  }
+  if (!carries) probe.alive_from = infinity;
+  probe.dead_below = std::max(0.0, probe.dead_below * (1 - rounding));
+  if (answer.has_point && std::isfinite(answer.upper)) {
+    const double slope = (sigma * probe.level + weighted) / (sigma * factor);
+    if (slope > 0) probe.newton = factor - probe.level / slope;
+  }
+  // What was asked is said by the sign itself.
+  if (probe.sign == conic::Sign::dead) probe.dead_below = std::max(probe.dead_below, factor);
+  if (probe.sign == conic::Sign::alive) probe.alive_from = std::min(probe.alive_from, factor);
+  return probe;
+}
+
+// The ends of the grid that the proofs of a probe reach.
+void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe) const {
+  const double dead = std::min(probe.dead_below, at(cell.alive));
+  cell.dead = std::max(cell.dead, static_cast<std::int64_t>(std::floor(dead / width_)));
+  if (probe.alive_from < at(cell.alive))
+    cell.alive = static_cast<std::int64_t>(std::ceil(probe.alive_from / width_));
+  cell.alive = std::max(cell.alive, cell.dead + 1);
+}
+
+bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point) {
+  switch (probe(pattern, at(point), {}).sign) {
+    case conic::Sign::dead:
+      cell.dead = point;
+      return true;
+    case conic::Sign::alive:
+      cell.alive = point;
+      return true;
+    case conic::Sign::marginal:
+      break;
+  }
+  return false;
+}
+
+CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell cell) {
+  const auto middle = std::midpoint(cell.dead, cell.alive);
+  if (cell.alive - cell.dead < 2 || at(middle) < least) return cell;
+  if (decide(pattern, cell, middle)) return cell;
+  surround(pattern, cell, middle);
+  return cell;
+}
+
+// The nearest decided points on both sides of a marginal one, found at growing distances.
+void CriticalFriction::surround(const SignPattern& pattern, CriticalCell& cell,
+                                std::int64_t marginal) {
+  for (std::int64_t step = 1; cell.dead < marginal - step; step *= 2) {
+    if (at(marginal - step) < least || decide(pattern, cell, marginal - step)) break;
+  }
+  for (std::int64_t step = 1; marginal + step < cell.alive; step *= 2) {
+    if (decide(pattern, cell, marginal + step)) break;
+  }
+}
+
+CriticalCell CriticalFriction::bisect(const SignPattern& pattern, CriticalCell cell) {
+  for (;;) {
+    const auto half = halve(pattern, cell);
+    if (half == cell) return cell;
+    cell = half;
+  }
+}
+
+CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell cell,
+                                        std::int64_t most) {
+  Sides sides;
+  double factor =
+      cell.alive == CriticalCell::nowhere ? std::max(at(cell.dead), least) : at(cell.alive);
+  for (int step = 1; cell.alive - cell.dead > 1 && step <= most_steps; ++step) {
+    const auto said = probe(pattern, factor);
+    narrow(cell, said);
+    sides.take(factor, said.level);
+    const bool open = cell.alive == CriticalCell::nowhere;
+    if (open && factor >= at(most)) return cell;  // dead or marginal all the way
+    const double floor = std::max(at(cell.dead), least);
+    const auto inside = [&](double point) { return point >= floor && point < at(cell.alive); };
+    double next = said.newton;
+    // On the side of the living t* is often flat and the tangent leads too far; where the dead end
+    // was proved from afar, t* is steep and the tangent is better.
+    if (next <= floor && floor > sides.dead()) next = floor + 0 * width_;
+    else if (!inside(next)) next = sides.secant();
+    if (!inside(next) || (step > trusted_steps && step % 3 == 0))
+      next = open ? 2 * factor : std::midpoint(floor, at(cell.alive));
+    next = std::min(next, at(most));
+    if (std::abs(next - factor) < settled * std::sqrt(width_)) {
+      // Newton's method has arrived: the points of the grid on both sides of it.
+      const auto below = static_cast<std::int64_t>(std::floor(next / width_));
+      for (const auto point : {below + 1, below}) {
+        if (point > cell.dead && point < cell.alive) narrow(cell, probe(pattern, at(point)));
+      }
+      if (!open && below > cell.dead && below < cell.alive) surround(pattern, cell, below);
+      break;
+    }
+    factor = next;
+  }
+  return locate(pattern, cell, CriticalMethod::bisection, most);
+}
+
+CriticalCell CriticalFriction::locate(const SignPattern& pattern, CriticalCell cell,
+                                      CriticalMethod method, std::int64_t most) {
+  if (method == CriticalMethod::newton) return approach(pattern, cell, most);
+  if (cell.alive == CriticalCell::nowhere && !decide(pattern, cell, most)) return cell;
+  return cell.alive == CriticalCell::nowhere ? cell : bisect(pattern, cell);
+}
+
+double CriticalFriction::bound(const SignPattern& node, double from, double cutoff) {
+  double known = from;
+  double factor = std::max(from, least);
+  for (int step = 0; step < bound_steps; ++step) {
+    const auto said = probe(node, factor, {.when_dead = false, .when_alive = true});
+    known = std::max(known, said.dead_below);
+    if (said.sign != conic::Sign::dead || known > cutoff) break;
+    // Short of where the tangent vanishes, so as to stay on the side of the dead.
+    const double next = known + (1 - bound_digits) * (said.newton - known);
+    if (!(next > known * (1 + bound_digits)) || !(next < infinity)) break;
+    factor = next;
+  }
+  return known;
+}
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,108 @@
+// The friction coefficient at which a node (U, R) of the tree of sign patterns begins to live.
+//
+// t* of the node program (23) does not fall when friction grows, since the cones grow. What the
+// cone solver leaves behind at one coefficient says something of all others: its multipliers prove
+// the node dead below a certain coefficient, its configuration proves it alive from a certain one
+// on, and both together give the slope of t*, hence Newton's method. docs/theory.md, section 6.
+//
+// All coefficients here are factors of the candidates' own: mu_i = factor x phi_i.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "nodes/conic/node_solver.hpp"
+#include "nodes/sign_pattern.hpp"
+#include "problems/wedged_problem.hpp"
+
+namespace kusabi::nodes {
+
+/// What one cone program says.
+struct FrictionProbe {
+  conic::Sign sign = conic::Sign::marginal;  ///< at the coefficient asked for
+  double dead_below = 0;  ///< dead for every coefficient below, by the multipliers; 0: none
+  double alive_from = 0;  ///< alive from here on, by the configuration; infinity: nowhere
+  double newton = 0;      ///< where the tangent of t* vanishes; infinity where there is none
+  double level = 0;       ///< the middle of the bracket of t*
+};
+
+/// A bracket of a critical coefficient on the grid of multiples of a width: dead at the lower end
+/// and alive at the upper one, both decided.
+struct CriticalCell {
+  static constexpr std::int64_t nowhere = INT64_MAX;
+
+  std::int64_t dead = 0;         ///< x width
+  std::int64_t alive = nowhere;  ///< x width; `nowhere` if nothing is known to be alive
+
+  friend bool operator==(const CriticalCell&, const CriticalCell&) = default;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& dead& alive;
+  }
+};
+
+/// How a cell is found.
+enum class CriticalMethod { bisection, newton };
+
+/// Finds critical coefficients, one node after another. Owns its workspace; each rank has one.
+/// Results depend on the arguments only.
+class CriticalFriction {
+ public:
+  /// The least coefficient at which a cone program is solved: for less the cones are needles.
+  static constexpr double least = 1e-3;
+
+  /// @param width of the grid, > 0
+  /// @throws std::invalid_argument if a number is out of range
+  CriticalFriction(const problems::WedgedProblem& problem, double width);
+
+  /// Solves the node's program at one coefficient. @param factor > 0
+  FrictionProbe probe(const SignPattern& node, double factor, conic::StopEarly stop = full);
+
+  /// The cell of a pattern. The grid makes it the same whatever the method and the ends. It is
+  /// wider than the width only where signs on the grid are marginal.
+  /// @param cell what is known: dead at its lower end, alive at its upper one unless `nowhere`
+  /// @param most if nothing is known to be alive, the search goes up to here (x width)
+  CriticalCell locate(const SignPattern& pattern, CriticalCell cell, CriticalMethod method,
+                      std::int64_t most);
+
+  /// One step of the bisection (Algorithm 6.1, step 2b): the half of the cell that holds the
+  /// change, or the cell as it is if it cannot be halved.
+  CriticalCell halve(const SignPattern& pattern, CriticalCell cell);
+
+  /// Below this the node is dead, up to a few digits: a lower bound for all nodes below it.
+  /// @param from what is known already  @param cutoff further than this nobody asks
+  double bound(const SignPattern& node, double from, double cutoff);
+
+  /// r and u = F r of the node and coefficient solved last; F is scaled by unit().
+  [[nodiscard]] const Eigen::VectorXd& reaction() const;
+  [[nodiscard]] const Eigen::VectorXd& displacement() const;
+  [[nodiscard]] double unit() const { return unit_; }
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double at(std::int64_t multiple) const {
+    return width_ * static_cast<double>(multiple);
+  }
+
+  [[nodiscard]] std::uint64_t programs() const { return programs_; }
+
+ private:
+  static constexpr conic::StopEarly full{.when_dead = false, .when_alive = false};
+
+  CriticalCell approach(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
+  CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);
+  // Moves the end of the cell to a point within it, if its sign is decided there.
+  bool decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point);
+  void surround(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);
+  void narrow(CriticalCell& cell, const FrictionProbe& probe) const;
+
+  int dimension_;
+  double unit_, width_;
+  std::vector<double> own_, friction_;  // phi_i; mu_i of the last probe
+  Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, m x dm
+  std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>> solver_;
+  Eigen::VectorXd pull_;  // w of the multipliers, dm
+  std::uint64_t programs_ = 0;
+};
+
+}  // namespace kusabi::nodes

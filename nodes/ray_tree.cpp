@@ -1,0 +1,39 @@
+// What a leaf of the tree of sign patterns is worth here.
+#include "nodes/ray_tree.hpp"
+
+#include <utility>
+
+namespace kusabi::nodes {
+
+RayTally& RayTally::operator+=(const RayTally& other) {
+  patterns += other.patterns;
+  effort += other.effort;
+  health += other.health;
+  return *this;
+}
+
+RayTree::RayTree(SignPatternTree tree, rays::ReactionCone cone)
+    : tree_(std::move(tree)), cone_(std::move(cone)) {}
+
+RayTally RayTree::tally() const {
+  RayTally all = tally_;
+  all.patterns = tree_.tally();
+  return all;
+}
+
+void RayTree::expand(Node&& node, engine::Expansion<RayTree>& out) {
+  const auto fate = tree_.decide(node);
+  for (const Node& child : fate.children) out.branch(child);
+  if (!fate.leaf) return;
+  out.poll();
+  const auto found = rays::rays_of_pattern(cone_, node.contact);
+  tally_.effort += found.effort;
+  tally_.health += found.health;
+  PatternRays own;
+  for (const rays::ZeroSet& zero : found.rays) {
+    if (rays::Supports(zero, cone_.all()).reaction() == node.contact) own.rays.push_back(zero);
+  }
+  if (!own.rays.empty()) out.solution(std::move(own));
+}
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,68 @@
+// Pattern first: the extremal rays of the plane wedged problem, by the tree of sign patterns.
+//
+// Every complementary ray lies in the cone D(Y) of some sign pattern Y, and D(Y) is a face of C_r;
+// so the rays of the living patterns' own small cones, of dimension |U| or so, are the rays of
+// Algorithm 4.2. The tree is that of Algorithm 5.1, each leaf of which is a job for one rank: no
+// rank ever holds more than the rays of one pattern.
+//
+// A ray that neither touches with a reaction nor separates at some candidates lies in the cones of
+// several leaves, living and marginal ones. It is reported by one of them, the one whose U is where
+// the ray has a reaction. docs/theory.md, section 5, shows that this misses none.
+#pragma once
+
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "nodes/sign_pattern.hpp"
+#include "problems/rays/double_description.hpp"
+#include "problems/rays/reaction_cone.hpp"
+
+namespace kusabi::nodes {
+
+/// The rays that one leaf reports.
+struct PatternRays {
+  std::vector<rays::ZeroSet> rays;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& rays;
+  }
+};
+
+/// What a rank did.
+struct RayTally {
+  SignPatternTally patterns;
+  rays::Effort effort;  ///< over all small cones; the peak is that of the largest
+  rays::Health health;
+
+  RayTally& operator+=(const RayTally& other);
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& patterns& effort& health;
+  }
+};
+
+/// The problem type that engine::search searches.
+class RayTree {
+ public:
+  using Node = SignPattern;
+  using Solution = PatternRays;
+  using Tally = RayTally;
+
+  /// @param tree  of a plane problem
+  /// @param cone  of the same problem and friction
+  RayTree(SignPatternTree tree, rays::ReactionCone cone);
+
+  Node root() const { return tree_.root(); }
+  void expand(Node&& node, engine::Expansion<RayTree>& out);
+  Tally tally() const;
+
+ private:
+  SignPatternTree tree_;
+  rays::ReactionCone cone_;
+  RayTally tally_;
+};
+
+}  // namespace kusabi::nodes

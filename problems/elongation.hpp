@@ -1,0 +1,58 @@
+// How much a member is stretched by the displacements of its ends: the vectors b_e of which the
+// stiffness of a truss, sum_e k_e b_e b_e^T, is made. In any precision.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "problems/structure.hpp"
+#include "problems/truss.hpp"
+
+namespace kusabi::problems {
+
+/// One entry of b_e, or of another linear measure of strain: its change by a unit displacement.
+template <class Scalar>
+struct Elongation {
+  int number;  ///< of the free displacement
+  Scalar value;
+};
+
+template <class Scalar>
+using StrainVector = std::vector<Elongation<Scalar>>;
+
+/// From the first to the second end, length. Coordinates are taken as exact.
+template <class Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, 1> extent(const Structure& structure, const Member& member) {
+  return structure.coordinates.col(member.second).template cast<Scalar>() -
+         structure.coordinates.col(member.first).template cast<Scalar>();
+}
+
+/// The nonzero part of b_e: minus and plus the member's direction, at its free displacements.
+template <class Scalar>
+StrainVector<Scalar> elongation_vector(const Structure& structure, const FreeDegrees& degrees,
+                                       const Member& member) {
+  const auto along = extent<Scalar>(structure, member);
+  const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> direction = along / along.stableNorm();
+  StrainVector<Scalar> entries;
+  for (int axis = 0; axis < structure.dimension; ++axis) {
+    const int first = degrees.number(axis, member.first);
+    const int second = degrees.number(axis, member.second);
+    if (first >= 0) entries.push_back({first, -direction(axis)});
+    if (second >= 0) entries.push_back({second, direction(axis)});
+  }
+  return entries;
+}
+
+/// Adds `weight` b b^T to the entries of a matrix.
+template <class Scalar>
+void add_square(const StrainVector<Scalar>& vector, Scalar weight,
+                std::vector<Eigen::Triplet<Scalar>>& entries) {
+  for (const auto& row : vector) {
+    for (const auto& column : vector) {
+      // The product of the two entries first: so (i, j) and (j, i) round alike.
+      entries.emplace_back(row.number, column.number, weight * (row.value * column.value));
+    }
+  }
+}
+
+}  // namespace kusabi::problems

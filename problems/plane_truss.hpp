@@ -1,0 +1,36 @@
+// A family of plane trusses of the wedged paper's kind (its section 7.2), of any size: what the
+// enumeration of rays is measured on. examples/plane-truss.toml is the member with the sizes below.
+#pragma once
+
+#include "problems/structure.hpp"
+
+namespace kusabi::problems {
+
+/// Which columns of nodes have bars from row to row. All cells have both diagonals anyway.
+enum class Verticals {
+  none,   ///< none
+  inner,  ///< those between the wall and the obstacle
+  all,    ///< the one on the obstacle, too
+};
+
+/// How many of what, and where. Columns of nodes, one more than bays, run from the wall to the
+/// obstacle.
+struct PlaneTrussSize {
+  int rows = 5;      ///< along y, 1 m apart: as many contact candidates
+  int bays = 2;      ///< along x
+  double width = 5;  ///< of the lowest row, m
+  double lean = 30;  ///< of the obstacle's surface, degrees from the vertical, away from the wall
+  Verticals verticals = Verticals::inner;
+};
+
+/// The truss: EA = 1 kN everywhere, the first column fixed, the last one against the surface. Its
+/// candidates come from below. Node r<i>c<j> is in row i = 1, ... and column j = 0, ...
+/// @throws std::invalid_argument if there are fewer than 2 rows or 1 bay, more than 64 candidates,
+///         more than `most_bays` bays, a width that is not positive, or a lean that is not from 0
+///         to 80 degrees
+Structure plane_truss(const PlaneTrussSize& size);
+
+/// A truss of more bays has as many nodes as one would draw by hand no more.
+inline constexpr int most_bays = 1000;
+
+}  // namespace kusabi::problems

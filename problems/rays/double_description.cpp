@@ -1,0 +1,254 @@
+// One cut after another, cheapest first, with bit patterns in place of linear algebra.
+#include "problems/rays/double_description.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "problems/rays/bit_pattern_tree.hpp"
+
+namespace kusabi::rays {
+namespace {
+
+/// What a cut by u_ni leaves.
+enum class Keep {
+  zero,           ///< u_ni = 0
+  nonnegative,    ///< u_ni >= 0
+  complementary,  ///< u_ni >= 0, and u_ni = 0 where r_ni > 0
+};
+
+/// Rays whose displacements are computed at one time: their coordinates stay in the cache.
+constexpr Eigen::Index block_size = 256;
+
+/// A ray between two is a sum weighted by their displacements, with as many digits as these have.
+/// If one is smaller than this, relative to what cancels in it, the ray is computed from its zero
+/// set instead: errors would add up from cut to cut, and eat the gap between zero and not zero.
+constexpr double exact_enough = 1e-2;
+
+class DoubleDescription {
+ public:
+  /// Starts with the cone x >= 0 of the candidates `active`; all others have no reaction.
+  DoubleDescription(const ReactionCone& cone, Candidates active);
+
+  /// Cuts by all rows of `rows`, in the order that makes the fewest pairs.
+  void cut_by(Candidates rows, Keep keep);
+
+  Enumeration result() &&;
+
+ private:
+  using Signs = std::vector<signed char>;
+  struct Sides {
+    std::uint64_t plus = 0;
+    std::uint64_t minus = 0;
+  };
+
+  Eigen::Index count() const { return static_cast<Eigen::Index>(zeros_.size()); }
+  int cheapest(const std::vector<int>& rows);
+  /// u of every ray at one row; relative ones go to `relative_`.
+  void displacements(int row);
+  void cut(int row, Keep keep);
+  void add_between(int row, const std::vector<int>& plus, const std::vector<int>& minus);
+  void match(const BitPatternTree& plus, const BitPatternTree::Node& a, const BitPatternTree& minus,
+             const BitPatternTree::Node& b, const BitPatternTree& all, Candidates row);
+  bool may_be_adjacent(const Pattern& common) const {
+    return (processed_ & ~(common.zero.u | common.r)) == 0 && size(common.zero) >= enough_;
+  }
+  void combine(int plus, int minus, const ZeroSet& zero);
+
+  const ReactionCone& cone_;
+  std::vector<int> columns_;    // of the active candidates
+  Eigen::MatrixXd gaps_;        // A, its columns those of the active candidates
+  Eigen::MatrixXd magnitudes_;  // |A|
+  int enough_;                  // equalities that two adjacent rays share at least: 2m - 2
+  Candidates processed_ = 0;    // rows cut by
+  std::vector<ZeroSet> zeros_;  // of the rays, and their coordinates, one ray after another
+  std::vector<double> coordinates_;
+  Eigen::VectorXd values_;    // of the row looked at, a ray
+  Eigen::VectorXd relative_;  // the same without unit
+  std::vector<ZeroSet> next_zeros_;
+  std::vector<double> next_coordinates_;
+  Effort effort_;
+  Health health_;
+};
+
+DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active)
+    : cone_(cone), enough_(2 * cone.candidates() - 2) {
+  for (Candidates rest = active; rest != 0; rest &= rest - 1) {
+    const int k = std::countr_zero(rest);
+    columns_.push_back(2 * k);
+    columns_.push_back(2 * k + 1);
+    zeros_.push_back({cone.all() & ~bit(k), cone.all(), 0});
+    zeros_.push_back({cone.all(), cone.all() & ~bit(k), 0});
+  }
+  gaps_ = cone.gaps()(Eigen::all, columns_).cast<double>();
+  magnitudes_ = gaps_.cwiseAbs();
+  const auto size = static_cast<std::size_t>(gaps_.cols());
+  coordinates_.assign(size * size, 0);
+  for (std::size_t ray = 0; ray < size; ++ray) coordinates_[ray * size + ray] = 1;
+}
+
+void DoubleDescription::cut_by(Candidates rows, Keep keep) {
+  std::vector<int> left;
+  for (; rows != 0; rows &= rows - 1) left.push_back(std::countr_zero(rows));
+  while (!left.empty()) {
+    const int row = cheapest(left);
+    left.erase(std::find(left.begin(), left.end(), row));
+    cut(row, keep);
+  }
+}
+
+int DoubleDescription::cheapest(const std::vector<int>& rows) {
+  if (rows.size() == 1) return rows.front();
+  std::vector<Sides> sides(rows.size());
+  const Eigen::MatrixXd gaps = gaps_(rows, Eigen::all);
+  const Eigen::MatrixXd magnitudes = magnitudes_(rows, Eigen::all);
+  const Eigen::Map<const Eigen::MatrixXd> rays(coordinates_.data(), gaps_.cols(), count());
+  Eigen::MatrixXd value;
+  Eigen::MatrixXd scale;
+  for (Eigen::Index first = 0; first < count(); first += block_size) {
+    const auto block = rays.middleCols(first, std::min(block_size, count() - first));
+    value.noalias() = gaps * block;
+    scale.noalias() = magnitudes * block;
+    for (Eigen::Index ray = 0; ray < block.cols(); ++ray) {
+      for (std::size_t place = 0; place < rows.size(); ++place) {
+        const auto row = static_cast<Eigen::Index>(place);
+        const double least = zero_tolerance * scale(row, ray);
+        if (value(row, ray) > least) ++sides[place].plus;
+        if (value(row, ray) < -least) ++sides[place].minus;
+      }
+    }
+  }
+  const auto pairs = [](const Sides& side) { return side.plus * side.minus; };
+  const auto best = std::min_element(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+    return pairs(a) < pairs(b);
+  });
+  return rows[static_cast<std::size_t>(best - sides.begin())];
+}
+
+void DoubleDescription::displacements(int row) {
+  const Eigen::Map<const Eigen::MatrixXd> rays(coordinates_.data(), gaps_.cols(), count());
+  values_ = (gaps_.row(row) * rays).transpose();
+  relative_ = (magnitudes_.row(row) * rays).transpose();
+  relative_ = (relative_.array() > 0).select(values_.array() / relative_.array(), 0.0);
+}
+
+void DoubleDescription::cut(int row, Keep keep) {
+  displacements(row);
+  std::vector<int> plus;
+  std::vector<int> minus;
+  next_zeros_.clear();
+  next_coordinates_.clear();
+  const auto width = static_cast<std::ptrdiff_t>(gaps_.cols());
+  const auto retain = [&](int ray, const ZeroSet& zero) {
+    next_zeros_.push_back(zero);
+    const auto from = coordinates_.begin() + width * ray;
+    next_coordinates_.insert(next_coordinates_.end(), from, from + width);
+  };
+  for (int ray = 0; ray < static_cast<int>(count()); ++ray) {
+    ZeroSet zero = zeros_[static_cast<std::size_t>(ray)];
+    const int sign = health_.sign(relative_(ray));
+    if (sign > 0) {
+      plus.push_back(ray);
+      const bool idle = (zero.p & zero.q & bit(row)) != 0;
+      if (keep == Keep::nonnegative || (keep == Keep::complementary && idle)) retain(ray, zero);
+    } else if (sign < 0) {
+      minus.push_back(ray);
+    } else {
+      zero.u |= bit(row);
+      retain(ray, zero);
+    }
+  }
+  if (!plus.empty() && !minus.empty()) add_between(row, plus, minus);
+  processed_ |= bit(row);
+  std::swap(zeros_, next_zeros_);
+  std::swap(coordinates_, next_coordinates_);
+  effort_.peak_rays = std::max(effort_.peak_rays, static_cast<std::uint64_t>(zeros_.size()));
+}
+
+void DoubleDescription::add_between(int row, const std::vector<int>& plus,
+                                    const std::vector<int>& minus) {
+  std::vector<int> everything(zeros_.size());
+  for (std::size_t ray = 0; ray < everything.size(); ++ray) everything[ray] = static_cast<int>(ray);
+  const BitPatternTree above(zeros_, plus);
+  const BitPatternTree below(zeros_, minus);
+  const BitPatternTree all(zeros_, std::move(everything));
+  match(above, above.root(), below, below.root(), all, bit(row));
+}
+
+// Descends in both trees together: a pair of parts that cannot hold an adjacent pair is left out
+// whole.
+void DoubleDescription::match(const BitPatternTree& plus, const BitPatternTree::Node& a,
+                              const BitPatternTree& minus, const BitPatternTree::Node& b,
+                              const BitPatternTree& all, Candidates row) {
+  if (!may_be_adjacent(common(a.all, b.all))) return;
+  if (!a.is_leaf() && (b.is_leaf() || a.size() >= b.size())) {
+    match(plus, plus.child(a, 0), minus, b, all, row);
+    match(plus, plus.child(a, 1), minus, b, all, row);
+    return;
+  }
+  if (!b.is_leaf()) {
+    match(plus, a, minus, minus.child(b, 0), all, row);
+    match(plus, a, minus, minus.child(b, 1), all, row);
+    return;
+  }
+  for (int i = a.first; i < a.last; ++i) {
+    if (!may_be_adjacent(common(plus.pattern(i), b.all))) continue;
+    for (int j = b.first; j < b.last; ++j) {
+      ++effort_.pairs;
+      const Pattern both = common(plus.pattern(i), minus.pattern(j));
+      if (!may_be_adjacent(both)) continue;
+      if (all.more_than(2, both.zero)) continue;  // a third ray on the smallest face of the two
+      ++effort_.adjacent;
+      ZeroSet zero = both.zero;
+      zero.u |= row;
+      combine(plus.member(i), minus.member(j), zero);
+    }
+  }
+}
+
+void DoubleDescription::combine(int plus, int minus, const ZeroSet& zero) {
+  const auto width = gaps_.cols();
+  const double least = std::min(relative_(plus), -relative_(minus));
+  const Eigen::Map<const Eigen::VectorXd> above(coordinates_.data() + width * plus, width);
+  const Eigen::Map<const Eigen::VectorXd> below(coordinates_.data() + width * minus, width);
+  next_coordinates_.resize(next_coordinates_.size() + static_cast<std::size_t>(width));
+  Eigen::Map<Eigen::VectorXd> between(
+      next_coordinates_.data() + next_coordinates_.size() - static_cast<std::size_t>(width), width);
+  if (least < exact_enough) {
+    between = cone_.coordinates(zero)(columns_).cast<double>();
+  } else {
+    between = -values_(minus) * above + values_(plus) * below;
+    between /= between.sum();
+  }
+  next_zeros_.push_back(zero);
+}
+
+Enumeration DoubleDescription::result() && {
+  return {std::move(zeros_), effort_, health_};
+}
+
+}  // namespace
+
+Effort& Effort::operator+=(const Effort& other) {
+  peak_rays = std::max(peak_rays, other.peak_rays);
+  pairs += other.pairs;
+  adjacent += other.adjacent;
+  return *this;
+}
+
+Enumeration complementary_rays(const ReactionCone& cone) {
+  DoubleDescription description(cone, cone.all());
+  description.cut_by(cone.all(), Keep::complementary);
+  return std::move(description).result();
+}
+
+Enumeration rays_of_pattern(const ReactionCone& cone, Candidates contact) {
+  DoubleDescription description(cone, contact);
+  description.cut_by(contact, Keep::zero);
+  description.cut_by(cone.all() & ~contact, Keep::nonnegative);
+  return std::move(description).result();
+}
+
+}  // namespace kusabi::rays

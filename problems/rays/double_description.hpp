@@ -1,0 +1,47 @@
+// The double description method for cones of reactions: the paper's Algorithm 4.2, which keeps the
+// complementary rays only, and the plain method in the cone D(Y) of one sign pattern.
+//
+// A cone {x >= 0} of some candidates' p and q is cut by one row u_ni of A after another. Each cut
+// keeps the rays on its good side and adds, for each adjacent pair of rays on different sides, the
+// one between them. Algorithm 4.2 is corrected in two places, and the rank test of Remark 4.6 is
+// replaced by a comparison of bits; docs/theory.md, section 5, proves both.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "problems/rays/health.hpp"
+#include "problems/rays/reaction_cone.hpp"
+#include "problems/rays/zero_set.hpp"
+
+namespace kusabi::rays {
+
+/// What an enumeration cost.
+struct Effort {
+  std::uint64_t peak_rays = 0;  ///< most rays at one time
+  std::uint64_t pairs = 0;      ///< pairs of rays that were looked at one by one
+  std::uint64_t adjacent = 0;   ///< of these were adjacent, and gave a new ray
+
+  Effort& operator+=(const Effort& other);
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& peak_rays& pairs& adjacent;
+  }
+};
+
+/// Zero sets of extremal rays, in no particular order.
+struct Enumeration {
+  std::vector<ZeroSet> rays;
+  Effort effort;
+  Health health;
+};
+
+/// All extremal rays of C_r that satisfy u_n^T r_n = 0 (Algorithm 4.2).
+Enumeration complementary_rays(const ReactionCone& cone);
+
+/// All extremal rays of D(Y) = {r in C_r: u_n = 0 on `contact`, r = 0 elsewhere}. They are extremal
+/// rays of C_r, since D(Y) is one of its faces.
+Enumeration rays_of_pattern(const ReactionCone& cone, Candidates contact);
+
+}  // namespace kusabi::rays

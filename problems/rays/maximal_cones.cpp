@@ -1,0 +1,99 @@
+// The walk over sign patterns.
+#include "problems/rays/maximal_cones.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kusabi::rays {
+namespace {
+
+bool by_bits(const Cone& a, const Cone& b) {
+  return std::pair(a.reaction, a.separated) < std::pair(b.reaction, b.separated);
+}
+
+bool compatible(const Cone& a, const Cone& b) {
+  return (a.reaction & b.separated) == 0 && (a.separated & b.reaction) == 0;
+}
+
+/// Rays differ in what slides, too; for cones only their supports count, of which there are fewer.
+class Walk {
+ public:
+  Walk(std::vector<Cone> supports, Candidates all) : supports_(std::move(supports)), all_(all) {}
+
+  std::vector<Cone> cones() && {
+    std::vector<int> everything(supports_.size());
+    for (std::size_t i = 0; i < everything.size(); ++i) everything[i] = static_cast<int>(i);
+    descend(everything);
+    std::sort(found_.begin(), found_.end(), by_bits);
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    return std::move(found_);
+  }
+
+ private:
+  const Cone& support(int number) const { return supports_[static_cast<std::size_t>(number)]; }
+
+  Cone together(const std::vector<int>& list) const {
+    Cone sum;
+    for (const int number : list) {
+      sum.reaction |= support(number).reaction;
+      sum.separated |= support(number).separated;
+    }
+    return sum;
+  }
+
+  // `list` is all that is compatible with the choices made so far. Only a candidate at which it has
+  // both a reaction and a gap asks for a choice.
+  void descend(const std::vector<int>& list) {
+    if (list.empty()) return;
+    const Cone sum = together(list);
+    const Candidates disputed = sum.reaction & sum.separated;
+    if (disputed == 0) {
+      if (is_maximal(sum, list.size())) found_.push_back(sum);
+      return;
+    }
+    const Candidates choice = disputed & (~disputed + 1);
+    std::vector<int> rest;
+    rest.reserve(list.size());
+    for (const auto part : {&Cone::separated, &Cone::reaction}) {
+      rest.clear();
+      for (const int number : list) {
+        if ((support(number).*part & choice) == 0) rest.push_back(number);
+      }
+      descend(rest);
+    }
+  }
+
+  // The list has all that is compatible with the choices; a family is maximal if nothing else is
+  // compatible with what it has come to.
+  bool is_maximal(const Cone& sum, std::size_t size) const {
+    if ((sum.reaction | sum.separated) == all_) return true;
+    const auto count = std::count_if(supports_.begin(), supports_.end(),
+                                     [&](const Cone& each) { return compatible(each, sum); });
+    return static_cast<std::size_t>(count) == size;
+  }
+
+  std::vector<Cone> supports_;
+  Candidates all_;
+  std::vector<Cone> found_;
+};
+
+}  // namespace
+
+std::vector<Cone> maximal_cones(std::span<const ZeroSet> rays, Candidates all) {
+  std::vector<Cone> supports;
+  supports.reserve(rays.size());
+  for (const ZeroSet& zero : rays) {
+    const Supports each(zero, all);
+    supports.push_back({each.reaction(), each.separated()});
+  }
+  std::sort(supports.begin(), supports.end(), by_bits);
+  supports.erase(std::unique(supports.begin(), supports.end()), supports.end());
+  std::vector<Cone> cones = Walk(std::move(supports), all).cones();
+  std::sort(cones.begin(), cones.end(), [](const Cone& a, const Cone& b) {
+    if (a.reaction != b.reaction) return before(a.reaction, b.reaction);
+    return before(a.separated, b.separated);
+  });
+  return cones;
+}
+
+}  // namespace kusabi::rays

@@ -1,0 +1,38 @@
+// The maximal families of cross-complementary rays: the paper's section 4.3 and equation (11).
+//
+// Two rays are cross-complementary if at no candidate one has a reaction and the other a gap. The
+// paper looks for the maximal cliques of that graph. They can be read off the supports: a clique
+// leaves at each candidate either no reaction or no gap, so it lies within a sign pattern, and a
+// walk over the candidates finds them all without the graph (docs/theory.md, section 5).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "problems/rays/zero_set.hpp"
+
+namespace kusabi::rays {
+
+/// One maximal cone: the rays with no reaction on `separated` and no gap on `reaction`, which are
+/// the candidates where one of its rays has a gap, or a reaction.
+struct Cone {
+  Candidates reaction = 0;
+  Candidates separated = 0;
+
+  friend bool operator==(const Cone&, const Cone&) = default;
+};
+
+/// Whether a ray belongs to a cone.
+inline bool belongs(const Supports& ray, const Cone& cone) {
+  return (ray.reaction() & cone.separated) == 0 && (ray.separated() & cone.reaction) == 0;
+}
+
+/// Whether two rays are cross-complementary.
+inline bool cross_complementary(const Supports& a, const Supports& b) {
+  return (a.reaction() & b.separated()) == 0 && (a.separated() & b.reaction()) == 0;
+}
+
+/// All maximal cones, in the order of their reactions.
+std::vector<Cone> maximal_cones(std::span<const ZeroSet> rays, Candidates all);
+
+}  // namespace kusabi::rays

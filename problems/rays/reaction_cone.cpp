@@ -1,0 +1,104 @@
+// From F and mu to A, and from a zero set to a ray.
+#include "problems/rays/reaction_cone.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include <Eigen/LU>
+
+namespace kusabi::rays {
+
+ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const double> friction)
+    : compliance_(compliance), friction_(friction.begin(), friction.end()) {
+  const auto m = static_cast<Eigen::Index>(friction.size());
+  if (m < 1 || m > 64 || compliance.rows() != 2 * m || compliance.cols() != 2 * m) {
+    throw std::invalid_argument("a reaction cone takes 2m x 2m numbers, 1 <= m <= 64");
+  }
+  gaps_.resize(m, 2 * m);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const double mu = friction_[static_cast<std::size_t>(k)];
+    if (!(mu > 0) || !std::isfinite(mu)) {
+      throw std::invalid_argument("friction coefficients are positive numbers");
+    }
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const long double by_normal = compliance(2 * i, 2 * k) / (2 * mu);
+      const long double by_tangential = compliance(2 * i, 2 * k + 1) / 2;
+      gaps_(i, 2 * k) = by_normal - by_tangential;
+      gaps_(i, 2 * k + 1) = by_normal + by_tangential;
+    }
+  }
+}
+
+// There is one null vector up to scale, so the rank is known and need not be guessed: all pivots
+// but the last are used.
+PreciseVector ReactionCone::null_vector(const std::vector<int>& rows,
+                                        const std::vector<int>& columns) const {
+  const auto unknowns = static_cast<Eigen::Index>(columns.size());
+  PreciseVector x = PreciseVector::Ones(unknowns);
+  const Eigen::Index rank = unknowns - 1;
+  if (rank == 0 || static_cast<Eigen::Index>(rows.size()) < rank) return x;
+  PreciseMatrix equalities = gaps_(rows, columns);
+  // Rows of one unit, by the size of all their entries: what is left in these columns may be no
+  // more than the rounding of zeros, and full pivoting must see that.
+  for (std::size_t place = 0; place < rows.size(); ++place) {
+    equalities.row(static_cast<Eigen::Index>(place)) /=
+        gaps_.row(rows[place]).lpNorm<Eigen::Infinity>();
+  }
+  const Eigen::FullPivLU<PreciseMatrix> factorised(equalities);
+  const auto& lu = factorised.matrixLU();
+  PreciseVector permuted(unknowns);
+  permuted(rank) = 1;
+  permuted.head(rank) =
+      -lu.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(lu.col(rank).head(rank));
+  x = factorised.permutationQ() * permuted;
+  return x / x.sum();
+}
+
+PreciseVector ReactionCone::coordinates(const ZeroSet& zero) const {
+  const int m = candidates();
+  std::vector<int> rows;
+  std::vector<int> columns;
+  for (int i = 0; i < m; ++i) {
+    if ((zero.u & bit(i)) != 0) rows.push_back(i);
+    if ((zero.p & bit(i)) == 0) columns.push_back(2 * i);
+    if ((zero.q & bit(i)) == 0) columns.push_back(2 * i + 1);
+  }
+  PreciseVector x = PreciseVector::Zero(2 * m);
+  const PreciseVector nonzero = null_vector(rows, columns);
+  for (std::size_t place = 0; place < columns.size(); ++place) {
+    x(columns[place]) = nonzero(static_cast<Eigen::Index>(place));
+  }
+  return x;
+}
+
+Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
+  const int m = candidates();
+  const PreciseVector x = coordinates(zero);
+  for (int i = 0; i < m; ++i) {
+    const auto contradicts = [&](Candidates zeros, long double value) {
+      return (zeros & bit(i)) == 0 && !(value > 0);
+    };
+    if (contradicts(zero.p, x(2 * i)) || contradicts(zero.q, x(2 * i + 1))) ++health.doubtful;
+  }
+
+  PreciseVector reaction(2 * m);
+  long double normal_sum = 0;
+  for (int i = 0; i < m; ++i) {
+    reaction(2 * i) = (x(2 * i) + x(2 * i + 1)) / (2 * friction_[static_cast<std::size_t>(i)]);
+    reaction(2 * i + 1) = (x(2 * i + 1) - x(2 * i)) / 2;
+    normal_sum += reaction(2 * i);
+  }
+  reaction /= normal_sum;
+  PreciseVector displacement = compliance_ * reaction;
+  for (int i = 0; i < m; ++i) {
+    const long double magnitude = gaps_.row(i).cwiseAbs().dot(x.cwiseAbs());
+    const long double relative = magnitude > 0 ? gaps_.row(i).dot(x) / magnitude : 0;
+    const bool vanishes = (zero.u & bit(i)) != 0;
+    if (health.sign(static_cast<double>(relative)) != (vanishes ? 0 : 1)) ++health.doubtful;
+    if (vanishes) displacement(2 * i) = 0;
+  }
+  return {reaction.cast<double>(), displacement.cast<double>()};
+}
+
+}  // namespace kusabi::rays

@@ -1,0 +1,61 @@
+// The cone C_r of the paper's section 4.2 in the coordinates p, q, and the numbers of its rays.
+//
+// The normal displacements are u_n = A x with x = (p_1, q_1, ..., p_m, q_m):
+//
+//   A_{i, p_k} = F_{n_i n_k} / (2 mu_k) - F_{n_i t_k} / 2,
+//   A_{i, q_k} = F_{n_i n_k} / (2 mu_k) + F_{n_i t_k} / 2,
+//
+// and C_r = {x >= 0, A x >= 0}. It needs Eigen only, like nodes/conic.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "problems/rays/health.hpp"
+#include "problems/rays/zero_set.hpp"
+
+namespace kusabi::rays {
+
+/// F and A are kept with more digits than a double has: see problems/precise_compliance.hpp.
+using PreciseMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using PreciseVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
+/// The numbers of one ray.
+struct Ray {
+  Eigen::VectorXd reaction;  ///< r, 2m, force: (n, t) of each candidate; the normal ones sum to 1
+  Eigen::VectorXd displacement;  ///< u = F r, 2m, length
+};
+
+class ReactionCone {
+ public:
+  /// @param compliance F, 2m x 2m, symmetric positive definite, ordered by candidate and in it (n,
+  /// t)
+  /// @param friction mu, m numbers > 0, 1 <= m <= 64
+  /// @throws std::invalid_argument if the sizes disagree or a number is out of range
+  ReactionCone(const PreciseMatrix& compliance, std::span<const double> friction);
+
+  int candidates() const { return static_cast<int>(friction_.size()); }
+  Candidates all() const { return first_candidates(candidates()); }
+
+  /// A, m x 2m; column 2 k is p_k, column 2 k + 1 is q_k.
+  const PreciseMatrix& gaps() const { return gaps_; }
+
+  /// x of the ray with this zero set, 2m, with sum 1: the null vector of its equalities.
+  PreciseVector coordinates(const ZeroSet& zero) const;
+
+  /// The ray with this zero set, made of its `coordinates`: by one routine for whoever found it, so
+  /// that equal sets give equal bits. `health` learns how small what should vanish is and how large
+  /// what should not; a ray that its numbers contradict counts as doubtful.
+  Ray ray(const ZeroSet& zero, Health& health) const;
+
+ private:
+  PreciseVector null_vector(const std::vector<int>& rows, const std::vector<int>& columns) const;
+
+  PreciseMatrix compliance_;
+  PreciseMatrix gaps_;
+  std::vector<double> friction_;
+};
+
+}  // namespace kusabi::rays

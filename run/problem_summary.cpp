@@ -1,0 +1,64 @@
+// The problem as a line and as JSON.
+#include "run/problem_summary.hpp"
+
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json contact_frames(const problems::WedgedProblem& problem) {
+  auto list = ordered_json::array();
+  for (std::size_t i = 0; i < problem.contact_names.size(); ++i) {
+    ordered_json frame;
+    frame["node"] = problem.contact_names[i];
+    const char* const axes[] = {"n", "t1", "t2"};
+    for (int axis = 0; axis < problem.dimension; ++axis) {
+      const Eigen::VectorXd direction = problem.frames[i].col(axis);
+      frame[axes[axis]] = std::vector<double>(direction.begin(), direction.end());
+    }
+    frame["friction"] = problem.friction[i];
+    list.push_back(std::move(frame));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string problem_line(const problems::WedgedProblem& problem) {
+  std::string sizes = fmt::format("{} nodes", problem.nodes);
+  if (problem.members > 0) sizes += fmt::format(", {} members", problem.members);
+  if (problem.elements > 0) sizes += fmt::format(", {} elements", problem.elements);
+  return fmt::format("{}: {}, {}, {} contact candidates", problem.name,
+                     problem.dimension == 2 ? "in the plane" : "in space", sizes,
+                     problem.contact_names.size());
+}
+
+ordered_json problem_json(const problems::WedgedProblem& problem, const std::string& file) {
+  return {{"file", file},
+          {"name", problem.name},
+          {"d", problem.dimension},
+          {"m", problem.contact_names.size()},
+          {"nodes", problem.nodes},
+          {"members", problem.members},
+          {"elements", problem.elements},
+          {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
+          {"contact", contact_frames(problem)},
+          {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}};
+}
+
+ordered_json candidate_rows(std::span<const double> values, int dimension) {
+  auto list = ordered_json::array();
+  const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t at = 0; at < values.size(); at += d) {
+    list.push_back(std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(at),
+                                       values.begin() + static_cast<std::ptrdiff_t>(at + d)));
+  }
+  return list;
+}
+
+}  // namespace kusabi::run

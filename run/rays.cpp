@@ -1,0 +1,209 @@
+// From the file to the report: which way, on which ranks.
+#include "run/rays.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "nodes/ray_tree.hpp"
+#include "problems/precise_compliance.hpp"
+#include "problems/structure_file.hpp"
+#include "run/exit_code.hpp"
+#include "run/output_file.hpp"
+#include "run/patterns_report.hpp"
+#include "run/problem_summary.hpp"
+#include "run/progress_line.hpp"
+#include "run/rank_table.hpp"
+#include "run/rays_report.hpp"
+#include "run/result_file.hpp"
+#include "run/signals.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// One rank finds the rays of up to so many candidates faster by double description. With more of
+/// either, candidates or ranks, the tree is faster, or the other does not fit into memory
+/// (bench/README.md).
+constexpr int most_for_double_description = 16;
+
+bool limited(const engine::Limits& limits) {
+  const engine::Limits none;
+  return limits.seconds != none.seconds || limits.nodes != none.nodes;
+}
+
+RayMethod chosen_method(const RaysOptions& options, int candidates) {
+  if (options.method != RayMethod::automatic) return options.method;
+  // Only the tree can stop early with something to show for it.
+  const bool small = candidates <= most_for_double_description && !limited(options.limits);
+  return small ? RayMethod::double_description : RayMethod::tree;
+}
+
+ordered_json effort_json(const rays::Effort& effort) {
+  return {{"peak_rays", effort.peak_rays}, {"pairs", effort.pairs}, {"adjacent", effort.adjacent}};
+}
+
+RaysFound by_double_description(const rays::ReactionCone& cone) {
+  const auto start = std::chrono::steady_clock::now();
+  auto enumeration = rays::complementary_rays(cone);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  RaysFound found;
+  found.rays = std::move(enumeration.rays);
+  found.health = enumeration.health;
+  found.statistics = effort_json(enumeration.effort);
+  found.statistics["seconds"] = time.count();
+  return found;
+}
+
+// What rank 0 makes of the outcome of the tree.
+RaysFound gathered(engine::Outcome<nodes::RayTree>& outcome) {
+  RaysFound found;
+  found.method = RayMethod::tree;
+  found.status = status_name(outcome.status);
+  nodes::RayTally total;
+  auto reports = ordered_json::array();
+  for (const auto& [statistics, tally] : outcome.ranks) {
+    total += tally;
+    ordered_json rank = tally_json(tally.patterns);
+    rank.update(effort_json(tally.effort));
+    add_statistics(rank, statistics);
+    reports.push_back(std::move(rank));
+  }
+  for (auto& leaf : outcome.solutions) {
+    auto& own = leaf.solution.rays;
+    found.rays.insert(found.rays.end(), own.begin(), own.end());
+    own = {};  // the memory is needed
+  }
+  found.health = total.health;
+  found.tree = tally_json(total.patterns);
+  found.tree["opened"] = outcome.opened();
+  found.tree["open"] = outcome.open;
+  found.tree["fingerprint"] = fmt::format("{:016x}", outcome.fingerprint());
+  found.statistics = {{"ranks", std::move(reports)}};
+  return found;
+}
+
+std::optional<RaysFound> by_tree(Session& session, const RaysOptions& options,
+                                 const problems::WedgedProblem& problem,
+                                 const std::vector<double>& friction,
+                                 const rays::ReactionCone& cone) {
+  nodes::RayTree tree(nodes::SignPatternTree(problem, friction), cone);
+  engine::Options search_options;
+  search_options.limits = options.limits;
+  search_options.interrupt = asked_by_signal;
+  std::optional<ProgressLine> progress;
+  if (session.speaks() && !options.quiet) {
+    progress.emplace(search_options.goal);
+    search_options.progress = [&](const auto& state) { progress->show(state); };
+  }
+  heed_signals();
+  auto outcome = engine::search(tree, session.transport(), search_options);
+  if (!session.speaks()) return std::nullopt;
+  return gathered(outcome);
+}
+
+void announce(const RaysOptions& options, const problems::WedgedProblem& problem, RayMethod method,
+              int ranks) {
+  fmt::print(
+      stderr,
+      "kusabi {} · rays · {}\n"
+      "{}; friction coefficient {}{}; {}{}\n",
+      KUSABI_VERSION, options.file, problem_line(problem), options.friction,
+      uniform_friction(problem) ? "" : " times that of each candidate",
+      method == RayMethod::tree ? "the tree of sign patterns on " : "double description on one of ",
+      ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+}
+
+void refuse_space(const std::string& file) {
+  throw WrongInput(fmt::format(
+      "{}: dimension is 3; expected 2: in space the friction cones are round, and there "
+      "is no finite list of extremal rays; use kusabi patterns instead",
+      file));
+}
+
+// @return the exit code
+int report(const RaysOptions& options, const problems::WedgedProblem& problem,
+           const rays::ReactionCone& cone, RaysFound& found, ResultFile& result, OutputFile& csv,
+           OutputFile& dot) {
+  const bool whole = found.status == "solved";
+  std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
+  if (whole) found.cones = rays::maximal_cones(found.rays, cone.all());
+  RaysReport report(options, problem, cone, found);
+  report.write(options.quiet ? nullptr : &std::cout, csv.wanted() ? &csv.stream() : nullptr,
+               result);
+  std::cout.flush();
+  if (!std::cout) throw std::runtime_error("standard output cannot be written");
+  if (csv.wanted()) csv.put_in_place();
+  if (dot.wanted()) {
+    report.draw(dot.stream());
+    dot.put_in_place();
+  }
+  for (const auto& file : {options.output, options.csv, options.dot}) {
+    if (!file.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", file);
+  }
+  if (!found.health.sound()) {
+    fmt::print(stderr,
+               "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
+               "expected a structure with less cancellation, fewer candidates, or another friction "
+               "coefficient\n",
+               found.health.doubtful);
+    return failed;
+  }
+  if (!whole) {
+    fmt::print(stderr,
+               "stopped early ({}): the list of rays is not complete, and no cones are made "
+               "of it\n",
+               found.status);
+  }
+  return whole ? solved : stopped_early;
+}
+
+}  // namespace
+
+int rays(Session& session, const RaysOptions& options) {
+  std::optional<ResultFile> result_file;
+  std::optional<OutputFile> csv;
+  std::optional<OutputFile> dot;
+  const std::string text = session.on_first_rank([&] {
+    if (options.method == RayMethod::double_description && limited(options.limits)) {
+      throw WrongInput(
+          "--method double-description has nothing to show before its end; expected no "
+          "limit, or --method tree");
+    }
+    auto content = problems::file_text(options.file);
+    result_file.emplace(options.output, options.file);
+    csv.emplace("--csv", options.csv, options.file);
+    dot.emplace("--dot", options.dot, options.file);
+    return content;
+  });
+  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  const auto structure = problems::read_structure(text, options.file);
+  const auto problem = problems::wedged_problem(structure);
+  if (problem.dimension != 2) refuse_space(options.file);
+  std::vector<double> friction = problem.friction;
+  for (double& mu : friction) mu *= options.friction;
+  const rays::ReactionCone cone(problems::precise_compliance(structure), friction);
+  const RayMethod method = chosen_method(options, cone.candidates());
+  if (session.speaks() && !options.quiet) announce(options, problem, method, session.ranks());
+
+  std::optional<RaysFound> found;
+  if (method == RayMethod::tree) {
+    found = by_tree(session, options, problem, friction, cone);
+  } else if (session.speaks()) {
+    found = by_double_description(cone);
+  }
+  const int code =
+      found ? report(options, problem, cone, *found, *result_file, *csv, *dot) : int{solved};
+  session.meet({});
+  return code;
+}
+
+}  // namespace kusabi::run

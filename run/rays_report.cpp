@@ -1,0 +1,237 @@
+// One pass over the rays, from which table, JSON and CSV are written together.
+#include "run/rays_report.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "run/problem_summary.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+using rays::Candidates;
+
+/// A table of more rays or cones is for programs: --output and --csv have them all.
+constexpr std::size_t longest_table = 60;
+
+const std::string rays_mark = "the rays";
+const std::string cones_mark = "the cones";
+
+struct State {
+  char letter;
+  const char* word;
+};
+
+State state_of(const rays::Supports& supports, int candidate) {
+  const auto here = rays::bit(candidate);
+  if ((supports.separated() & here) != 0) return {'o', "separates"};
+  if ((supports.sticking() & here) != 0) return {'x', "sticks"};
+  if ((supports.sliding_up() & here) != 0) return {'+', "slides +"};
+  if ((supports.sliding_down() & here) != 0) return {'-', "slides -"};
+  return {'.', "idle"};
+}
+
+std::string plural(std::size_t count, const char* word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+// A cell of a CSV file (RFC 4180).
+std::string cell(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::vector<double> list(const Eigen::VectorXd& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  return words.empty() ? "-" : fmt::format("{}", fmt::join(words, " "));
+}
+
+}  // namespace
+
+std::string method_name(RayMethod method) {
+  return method == RayMethod::tree ? "tree" : "double-description";
+}
+
+std::string RaysReport::states(std::size_t number) const {
+  std::string letters;
+  for (int i = 0; i < cone_.candidates(); ++i) letters += state_of(supports(number), i).letter;
+  return letters;
+}
+
+std::vector<std::string> RaysReport::names(Candidates candidates) const {
+  std::vector<std::string> words;
+  for (; candidates != 0; candidates &= candidates - 1) {
+    words.push_back(problem_.contact_names[static_cast<std::size_t>(std::countr_zero(candidates))]);
+  }
+  return words;
+}
+
+void RaysReport::write(std::ostream* table, std::ostream* csv, ResultFile& json_file) {
+  if (table != nullptr && !found_.rays.empty()) {
+    *table << fmt::format("\n{:>7}  {}\n", "", fmt::join(problem_.contact_names, "  "));
+    *table << "        x sticks   + slides, r_t = mu r_n   - slides, r_t = -mu r_n   o separates   "
+              ". neither\n";
+  }
+  if (csv != nullptr) *csv << csv_head();
+  std::size_t at = 0;
+  const auto next_ray = [&](ordered_json* element) {
+    if (at == found_.rays.size()) return false;
+    const rays::Ray ray = cone_.ray(found_.rays[at], found_.health);
+    if (table != nullptr && at < longest_table) *table << ray_lines(at, ray);
+    if (csv != nullptr) *csv << csv_line(at, ray);
+    if (element != nullptr) *element = ray_json(at, ray);
+    ++at;
+    return true;
+  };
+  std::size_t at_cone = 0;
+  const auto next_cone = [&](ordered_json& element) {
+    if (at_cone == found_.cones.size()) return false;
+    element = cone_json(found_.cones[at_cone++]);
+    return true;
+  };
+  const LongList lists[] = {
+      {rays_mark, [&](ordered_json& element) { return next_ray(&element); }},
+      {cones_mark, next_cone},
+  };
+  json_file.write([this] { return json(); }, lists);
+  while (next_ray(nullptr)) {
+  }
+  if (table != nullptr) *table << summary();
+}
+
+std::string RaysReport::ray_lines(std::size_t number, const rays::Ray& ray) const {
+  std::string normal;
+  std::string tangential;
+  for (int i = 0; i < cone_.candidates(); ++i) {
+    const bool none = (supports(number).reaction() & rays::bit(i)) == 0;
+    normal += none ? fmt::format("{:>11}", "") : fmt::format(" {:>10.4g}", ray.reaction(2 * i));
+    tangential +=
+        none ? fmt::format("{:>11}", "") : fmt::format(" {:>10.4g}", ray.reaction(2 * i + 1));
+  }
+  const std::string letters = states(number);
+  return fmt::format("{:>7}  {}  r_n{}\n{:>7}  {:{}}  r_t{}\n", number + 1, letters, normal, "", "",
+                     letters.size(), tangential);
+}
+
+std::string RaysReport::summary() const {
+  std::string text;
+  auto out = std::back_inserter(text);
+  if (found_.rays.size() > longest_table) {
+    fmt::format_to(out, "        and {} more (--output, --csv)\n",
+                   found_.rays.size() - longest_table);
+  }
+  if (!found_.cones.empty()) {
+    fmt::format_to(out, "\n{:>7}  {:>6}  in contact (U) | separated (R)\n", "cone", "rays");
+  }
+  for (std::size_t number = 0; number < std::min(found_.cones.size(), longest_table); ++number) {
+    const rays::Cone& each = found_.cones[number];
+    const auto count =
+        std::count_if(found_.rays.begin(), found_.rays.end(), [&](const rays::ZeroSet& zero) {
+          return belongs({zero, cone_.all()}, each);
+        });
+    fmt::format_to(out, "{:>7}  {:>6}  {} | {}\n", number + 1, count,
+                   listed(names(cone_.all() & ~each.separated)), listed(names(each.separated)));
+  }
+  if (found_.cones.size() > longest_table) {
+    fmt::format_to(out, "        and {} more (--output)\n", found_.cones.size() - longest_table);
+  }
+  fmt::format_to(
+      out, "\n{} in {} at friction coefficient {}{}, by {}\n",
+      plural(found_.rays.size(), "extremal ray"), plural(found_.cones.size(), "maximal cone"),
+      options_.friction,
+      problems::uniform_friction(problem_) ? "" : " times that of each candidate",
+      found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
+  fmt::format_to(out,
+                 "relative displacements taken for zero up to {:.1e}, for more from {:.1e} on "
+                 "(tolerance {})\n",
+                 found_.health.largest_zero, found_.health.smallest_nonzero, rays::zero_tolerance);
+  return text;
+}
+
+ordered_json RaysReport::json() const {
+  const auto& health = found_.health;
+  ordered_json result = {{"friction", options_.friction}, {"count", found_.rays.size()}};
+  if (!found_.tree.is_null()) result["tree"] = found_.tree;
+  result["rays"] = rays_mark;
+  result["cones"] = cones_mark;
+  result["health"] = {{"tolerance", rays::zero_tolerance},
+                      {"largest_zero", health.largest_zero},
+                      {"smallest_nonzero", health.smallest_nonzero},
+                      {"doubtful", health.doubtful}};
+  return {{"command", "rays"},
+          {"version", KUSABI_VERSION},
+          {"problem", problem_json(problem_, options_.file)},
+          {"options", {{"mu", options_.friction}, {"method", method_name(found_.method)}}},
+          {"status", found_.status},
+          {"result", std::move(result)},
+          {"statistics", found_.statistics}};
+}
+
+ordered_json RaysReport::ray_json(std::size_t number, const rays::Ray& ray) const {
+  auto words = ordered_json::array();
+  for (int i = 0; i < cone_.candidates(); ++i) words.push_back(state_of(supports(number), i).word);
+  return {{"number", number + 1},
+          {"state", std::move(words)},
+          {"reaction", candidate_rows(list(ray.reaction), 2)},
+          {"displacement", candidate_rows(list(ray.displacement), 2)}};
+}
+
+ordered_json RaysReport::cone_json(const rays::Cone& each) const {
+  std::vector<std::size_t> numbers;
+  for (std::size_t number = 0; number < found_.rays.size(); ++number) {
+    if (belongs(supports(number), each)) numbers.push_back(number + 1);
+  }
+  return {{"contact", names(cone_.all() & ~each.separated)},
+          {"separated", names(each.separated)},
+          {"idle", names(cone_.all() & ~(each.separated | each.reaction))},
+          {"rays", numbers}};
+}
+
+std::string RaysReport::csv_head() const {
+  std::string line = "ray,state";
+  for (const char* what : {"r_n", "r_t", "u_n", "u_t"}) {
+    for (const std::string& name : problem_.contact_names) {
+      line += ',' + cell(fmt::format("{} {}", what, name));
+    }
+  }
+  return line + '\n';
+}
+
+std::string RaysReport::csv_line(std::size_t number, const rays::Ray& ray) const {
+  std::string line = fmt::format("{},{}", number + 1, cell(states(number)));
+  for (const Eigen::VectorXd* vector : {&ray.reaction, &ray.displacement}) {
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      for (Eigen::Index i = axis; i < vector->size(); i += 2) {
+        line += fmt::format(",{}", (*vector)(i));
+      }
+    }
+  }
+  return line + '\n';
+}
+
+void RaysReport::draw(std::ostream& out) const {
+  out << "graph rays {\n";
+  for (std::size_t i = 0; i < found_.rays.size(); ++i) {
+    out << fmt::format("  {} [label=\"{}\\n{}\"];\n", i + 1, i + 1, states(i));
+  }
+  for (std::size_t i = 0; i < found_.rays.size(); ++i) {
+    for (std::size_t j = i + 1; j < found_.rays.size(); ++j) {
+      if (cross_complementary(supports(i), supports(j))) {
+        out << fmt::format("  {} -- {};\n", i + 1, j + 1);
+      }
+    }
+  }
+  out << "}\n";
+}
+
+}  // namespace kusabi::run

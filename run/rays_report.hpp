@@ -1,0 +1,71 @@
+// What `kusabi rays` says: the table for a person, the JSON and the CSV for programs, the graph.
+//
+// There may be millions of rays. They are kept as zero sets, 24 bytes each; their numbers are made
+// one ray at a time, as it is written.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "problems/rays/double_description.hpp"
+#include "problems/rays/maximal_cones.hpp"
+#include "problems/rays/reaction_cone.hpp"
+#include "problems/wedged_problem.hpp"
+#include "run/rays.hpp"
+#include "run/result_file.hpp"
+
+namespace kusabi::run {
+
+/// What has been found, and how.
+struct RaysFound {
+  std::vector<rays::ZeroSet> rays;  ///< in the order of every answer
+  std::vector<rays::Cone> cones;    ///< none if the search stopped early
+  rays::Health health;              ///< of the search; that of the numbers joins it
+  RayMethod method = RayMethod::double_description;  ///< which was taken
+  std::string status = "solved";
+  nlohmann::ordered_json tree;        ///< of RayMethod::tree
+  nlohmann::ordered_json statistics;  ///< what the run cost
+};
+
+/// "double-description" or "tree".
+std::string method_name(RayMethod method);
+
+class RaysReport {
+ public:
+  RaysReport(const RaysOptions& options, const problems::WedgedProblem& problem,
+             const rays::ReactionCone& cone, RaysFound& found)
+      : options_(options), problem_(problem), cone_(cone), found_(found) {}
+
+  /// Makes the numbers of all rays, and writes to those of `table`, `csv` and `json` that are
+  /// wanted. The health of the numbers is then part of `found`.
+  void write(std::ostream* table, std::ostream* csv, ResultFile& json);
+
+  /// The cross-complementarity graph of the paper's section 4.3, in the language of Graphviz.
+  void draw(std::ostream& out) const;
+
+  /// The last lines of the table: cones, counts, health.
+  [[nodiscard]] std::string summary() const;
+
+ private:
+  [[nodiscard]] rays::Supports supports(std::size_t number) const {
+    return {found_.rays[number], cone_.all()};
+  }
+  [[nodiscard]] std::string states(std::size_t number) const;
+  [[nodiscard]] std::vector<std::string> names(rays::Candidates candidates) const;
+  [[nodiscard]] nlohmann::ordered_json json() const;
+  [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;
+  [[nodiscard]] nlohmann::ordered_json cone_json(const rays::Cone& cone) const;
+  [[nodiscard]] std::string ray_lines(std::size_t number, const rays::Ray& ray) const;
+  [[nodiscard]] std::string csv_head() const;
+  [[nodiscard]] std::string csv_line(std::size_t number, const rays::Ray& ray) const;
+
+  const RaysOptions& options_;
+  const problems::WedgedProblem& problem_;
+  const rays::ReactionCone& cone_;
+  RaysFound& found_;
+};
+
+}  // namespace kusabi::run

@@ -1,0 +1,83 @@
+// The family of plane trusses.
+#include "problems/plane_truss.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "problems/structure_file.hpp"
+#include "problems/structure_writer.hpp"
+#include "problems/wedged_problem.hpp"
+#include "trusses.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+TEST(PlaneTruss, OfTheUsualSizeIsTheExample) {
+  const auto truss = plane_truss({});
+  const auto example = load_structure(test::source_path("examples/plane-truss.toml"));
+  // The coordinates of the example are typed with sixteen digits.
+  EXPECT_LT((truss.coordinates - example.coordinates).cwiseAbs().maxCoeff(), 1e-14);
+  ASSERT_EQ(truss.members.size(), example.members.size());
+  const auto pairs = [](const Structure& structure) {
+    std::vector<std::pair<int, int>> list;
+    for (const Member& bar : structure.members) {
+      EXPECT_EQ(bar.axial_stiffness, 1);
+      list.push_back(std::minmax(bar.first, bar.second));
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+  };
+  EXPECT_EQ(pairs(truss), pairs(example));
+  EXPECT_EQ(truss.fixed, example.fixed);
+  const auto own = wedged_problem(truss);
+  const auto theirs = wedged_problem(example);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(truss.contact[i].node, example.contact[i].node);
+    EXPECT_LT((own.frames[i] - theirs.frames[i]).cwiseAbs().maxCoeff(), 1e-15);
+  }
+}
+
+TEST(PlaneTruss, OfAnySizeAndBraceStandsFirm) {
+  for (const int rows : {2, 3, 7, 12}) {
+    for (const int bays : {1, 2, 3, 4}) {
+      for (const auto verticals : {Verticals::none, Verticals::inner, Verticals::all}) {
+        const auto truss = plane_truss({.rows = rows, .bays = bays, .verticals = verticals});
+        EXPECT_EQ(wedged_problem(truss).contact_names.size(), static_cast<std::size_t>(rows))
+            << rows << ' ' << bays;
+      }
+    }
+  }
+}
+
+TEST(PlaneTruss, HasTheWidthAndTheLeanAskedFor) {
+  const auto truss = plane_truss({.rows = 3, .bays = 1, .width = 4, .lean = 45});
+  EXPECT_EQ(truss.coordinates(0, 1), 4);
+  EXPECT_NEAR(truss.coordinates(0, 5), 6, 1e-14);
+  EXPECT_LT((truss.contact[0].normal - Eigen::Vector2d(-1, 1).normalized()).norm(), 1e-15);
+}
+
+TEST(PlaneTruss, OfAnImpossibleSizeIsRefused) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(plane_truss({.rows = 1}), std::invalid_argument);
+  EXPECT_THROW(plane_truss({.bays = 0}), std::invalid_argument);
+  EXPECT_THROW(plane_truss({.bays = 1'000'000'000}), std::invalid_argument);
+  EXPECT_THROW(plane_truss({.rows = 65}), std::invalid_argument);
+  EXPECT_THROW(plane_truss({.width = 0}), std::invalid_argument);
+  EXPECT_THROW(plane_truss({.width = nan}), std::invalid_argument);
+  EXPECT_THROW(plane_truss({.lean = 90}), std::invalid_argument);
+  EXPECT_THROW(plane_truss({.lean = nan}), std::invalid_argument);
+}
+
+TEST(PlaneTruss, IsWrittenAndReadBackToTheLastBit) {
+  const auto truss = plane_truss({.rows = 6, .bays = 3, .width = 4.4, .lean = 17});
+  const auto copy = read_structure(structure_text(truss), "copy");
+  EXPECT_EQ(copy.coordinates, truss.coordinates);
+  EXPECT_EQ(copy.node_names, truss.node_names);
+}
+
+}  // namespace
+}  // namespace kusabi::problems

@@ -1,0 +1,29 @@
+// Other ways to the rays and the cones: slow, and without anything of problems/rays.
+#pragma once
+
+#include <random>
+#include <set>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace kusabi::rays::test {
+
+/// A ray as its reaction, 2m, with normal parts that sum to 1.
+using Reactions = std::vector<Eigen::VectorXd>;
+
+/// All complementary extremal rays, by the definition: for each sign pattern, each choice of as
+/// many more equalities as leave one direction, if it satisfies all that is left. m <= 6 or so.
+Reactions rays_by_brute_force(const Eigen::MatrixXd& compliance, std::span<const double> friction);
+
+/// Whether both lists have the same rays, in whatever order.
+bool same_rays(const Reactions& a, const Reactions& b);
+
+/// All maximal cliques (C. Bron and J. Kerbosch, Algorithm 457, with a pivot).
+std::set<std::set<int>> maximal_cliques(const std::vector<std::set<int>>& neighbours);
+
+/// A random symmetric positive definite 2m x 2m matrix.
+Eigen::MatrixXd random_compliance(int m, std::mt19937& bits);
+
+}  // namespace kusabi::rays::test
