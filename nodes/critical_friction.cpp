@@ -21,8 +21,9 @@ constexpr conic::Tolerances sharp{.sign = 1e-13, .value = 1e-14, .iterations = 1
 // several times the rounding of the products in it.
 constexpr double rounding = 1e-13;
 
-// A step of Newton's method is wrong by a few times its square. When that is less than the width, the
-// two points of the grid beside its end are asked: for steps of this times the root of the width.
+// A step of Newton's method is wrong by a few times its square. When that is less than the width,
+// the two points of the grid beside its end are asked: for steps of this times the root of the
+// width.
 constexpr double settled = 0.1;
 
 // Newton's method has 4 to 5 steps; if it takes more, it alternates with bisection, and after
@@ -175,6 +176,21 @@ bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, st
   return false;
 }
 
+bool CriticalFriction::dead(const SignPattern& pattern, std::int64_t point) {
+  if (at(point) < least) return point == 0;  // without friction nothing wedges, K being definite
+  return probe(pattern, at(point), {}).sign == conic::Sign::dead;
+}
+
+CriticalCell CriticalFriction::alive_from(const SignPattern& pattern, CriticalCell cell,
+                                          std::int64_t most) {
+  const auto end = cell.alive;
+  cell.alive = most;
+  for (std::int64_t step = 0; end + step < most; step = std::max<std::int64_t>(1, 2 * step)) {
+    if (at(end + step) >= least && decide(pattern, cell, end + step)) break;
+  }
+  return cell;
+}
+
 CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell cell) {
   const auto middle = std::midpoint(cell.dead, cell.alive);
   if (cell.alive - cell.dead < 2 || at(middle) < least) return cell;
@@ -218,8 +234,10 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     double next = said.newton;
     // On the side of the living t* is often flat and the tangent leads too far; where the dead end
     // was proved from afar, t* is steep and the tangent is better.
-    if (next <= floor && floor > sides.dead()) next = floor + 0 * width_;
-    else if (!inside(next)) next = sides.secant();
+    if (next <= floor && floor > sides.dead())
+      next = floor + 0 * width_;
+    else if (!inside(next))
+      next = sides.secant();
     if (!inside(next) || (step > trusted_steps && step % 3 == 0))
       next = open ? 2 * factor : std::midpoint(floor, at(cell.alive));
     next = std::min(next, at(most));

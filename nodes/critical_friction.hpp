@@ -71,6 +71,12 @@ class CriticalFriction {
   /// change, or the cell as it is if it cannot be halved.
   CriticalCell halve(const SignPattern& pattern, CriticalCell cell);
 
+  /// Whether the pattern is proved dead at a point of the grid (x width).
+  bool dead(const SignPattern& pattern, std::int64_t point);
+
+  /// A cell whose upper end is not dead, with an upper end that is alive; `most` is known to be.
+  CriticalCell alive_from(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
+
   /// Below this the node is dead, up to a few digits: a lower bound for all nodes below it.
   /// @param from what is known already  @param cutoff further than this nobody asks
   double bound(const SignPattern& node, double from, double cutoff);

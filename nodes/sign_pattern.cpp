@@ -15,6 +15,8 @@ std::uint64_t first_bits(std::size_t count) {
   return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
 }
 
+}  // namespace
+
 // 1 / c of Branching::relative. (The unit of F, alike for all, makes no difference.)
 std::vector<double> branching_weights(const problems::WedgedProblem& problem,
                                       std::span<const double> friction, Branching branching) {
@@ -28,8 +30,6 @@ std::vector<double> branching_weights(const problems::WedgedProblem& problem,
   }
   return weights;
 }
-
-}  // namespace
 
 SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
   branched += other.branched;

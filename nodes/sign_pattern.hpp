@@ -112,6 +112,11 @@ enum class Branching {
   relative,
 };
 
+/// 1 / c of Branching::relative for each candidate (the unit of F, alike for all, makes no
+/// difference), or ones.
+std::vector<double> branching_weights(const problems::WedgedProblem& problem,
+                                      std::span<const double> friction, Branching branching);
+
 /// How the tree is searched. Whatever is chosen, the patterns are the same.
 struct SignPatternOptions {
   conic::Tolerances tolerances;

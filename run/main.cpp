@@ -18,6 +18,7 @@
 #include "run/bench_scaling.hpp"
 #include "run/bench_schedules.hpp"
 #include "run/bench_uts.hpp"
+#include "run/critical.hpp"
 #include "run/example.hpp"
 #include "run/exit_code.hpp"
 #include "run/patterns.hpp"
@@ -171,6 +172,40 @@ void add_rays(CLI::App& app, Action& action, bool& serial) {
       [&action, options] { action = [options](Session& s) { return rays(s, *options); }; });
 }
 
+void add_critical(CLI::App& app, Action& action, bool& serial) {
+  auto& command = *app.add_subcommand(
+      "critical", "the smallest friction coefficient at which anything can wedge, proved");
+  const auto options = std::make_shared<CriticalOptions>();
+  command.add_option("file", options->file, "the problem, a TOML file")->required();
+  const std::map<std::string, CriticalWay> ways{{"global", CriticalWay::global},
+                                                {"newton", CriticalWay::newton},
+                                                {"bisection", CriticalWay::bisection}};
+  command
+      .add_option_function<std::string>(
+          "--method", [options, ways](const std::string& way) { options->way = ways.at(way); },
+          "one search for the smallest, or the coefficients of all patterns that live at --mu-max")
+      ->check(CLI::IsMember(ways))
+      ->default_str("global");
+  command.add_option("--mu-max", options->most, "no larger coefficient is of interest")
+      ->check(positive);
+  command.add_option("--width", options->width, "of the brackets")
+      ->check(positive)
+      ->capture_default_str();
+  command.add_option("--output", options->output, "write the result to this JSON file");
+  command.add_option(
+      "--certificate", options->certificate,
+      "write the evidence of both ends to NAME.lower and NAME.upper, for kusabi verify");
+  command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
+      ->check(positive);
+  command
+      .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--quiet", options->quiet, "print errors only");
+  add_serial(command, serial);
+  command.callback(
+      [&action, options] { action = [options](Session& s) { return critical(s, *options); }; });
+}
+
 void add_verify(CLI::App& app, Action& action, bool& serial) {
   auto& command =
       *app.add_subcommand("verify", "proves the list of patterns from its certificate, exactly");
@@ -299,6 +334,7 @@ int run(Session& session, int argc, char** argv) {
   bool serial = false;
   add_patterns(app, action, serial);
   add_rays(app, action, serial);
+  add_critical(app, action, serial);
   add_verify(app, action, serial);
   auto& example = *app.add_subcommand("example", "writes a problem file of a family of structures");
   example.require_subcommand(1);

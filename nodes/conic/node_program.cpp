@@ -26,6 +26,13 @@ std::vector<int> one_each(std::size_t candidates) {
   return owners;
 }
 
+void check(std::span<const double> friction) {
+  for (const double mu : friction)
+    if (!(mu > 0) || !std::isfinite(mu))
+      throw std::invalid_argument("friction coefficients must be positive, not " +
+                                  std::to_string(mu));
+}
+
 void check(const Eigen::MatrixXd& compliance, std::span<const double> friction,
            const std::vector<int>& owners, int d) {
   if (owners.size() != friction.size())
@@ -49,10 +56,7 @@ void check(const Eigen::MatrixXd& compliance, std::span<const double> friction,
   const double largest = compliance.cwiseAbs().maxCoeff();
   if ((compliance - compliance.transpose()).cwiseAbs().maxCoeff() > symmetry_tolerance * largest)
     throw std::invalid_argument("the compliance must be symmetric");
-  for (const double mu : friction)
-    if (!(mu > 0) || !std::isfinite(mu))
-      throw std::invalid_argument("friction coefficients must be positive, not " +
-                                  std::to_string(mu));
+  check(friction);
 }
 
 }  // namespace
@@ -77,6 +81,14 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
   cones_.reserve(friction.size());
   gap_rows_.reserve(static_cast<std::size_t>(m));
   contact_rows_.reserve(static_cast<std::size_t>(m));
+}
+
+template <int D>
+void NodeProgram<D>::set_friction(std::span<const double> friction) {
+  if (friction.size() != friction_.size())
+    throw std::invalid_argument("every cone needs a friction coefficient");
+  check(friction);
+  std::copy(friction.begin(), friction.end(), friction_.begin());
 }
 
 template <int D>

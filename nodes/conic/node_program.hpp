@@ -46,6 +46,10 @@ class NodeProgram {
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
               std::vector<int> owners);
 
+  /// From the next select() on, mu is this, one number a cone.
+  /// @throws std::invalid_argument when the size differs or a number is out of range
+  void set_friction(std::span<const double> friction);
+
   /// Builds the standard form of the node with the candidates of `contact` in U and those of
   /// `separated` in R (bit i = candidate i).
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist

@@ -62,6 +62,9 @@ class NodeSolver {
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
              std::vector<int> owners, Tolerances tolerances = {});
 
+  /// From the next solve() on, mu is this. See NodeProgram.
+  void set_friction(std::span<const double> friction) { program_.set_friction(friction); }
+
   /// Bounds the node with the candidates `contact` in U and `separated` in R (bit i = candidate i).
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
   Answer solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop = {});

@@ -1,0 +1,74 @@
+// Algorithm 6.1 of the wedged paper, step 2: the critical friction coefficients of given patterns,
+// all at once over the ranks.
+//
+// A node is a range of the patterns, which is halved down to one, or one pattern with the cell that
+// holds its critical coefficient, which is halved down to the width; by Newton's method the latter
+// is one node. When ranks outnumber patterns, the first cell of each is cut into several at once,
+// of which all but one find out that the change is not theirs. As all cells end on one grid, the
+// answer is the same on any number of ranks, by either method.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/search.hpp"
+#include "nodes/critical_friction.hpp"
+
+namespace kusabi::nodes {
+
+/// A pattern and the cell that its critical coefficient was found in.
+struct CriticalPattern {
+  std::uint32_t number = 0;  ///< in the list of patterns
+  CriticalCell cell;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& number& cell;
+  }
+};
+
+/// The problem type that engine::search searches.
+class PatternBisection {
+ public:
+  struct Node {
+    std::uint32_t first = 0, count = 0;  ///< a range of patterns
+    CriticalCell cell;                   ///< of its one pattern
+    bool claimed = true;                 ///< whether the change is known to lie within the cell
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& first& count& cell& claimed;
+    }
+  };
+  using Solution = CriticalPattern;
+
+  struct Tally {
+    std::uint64_t programs = 0;  ///< cone programs solved
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& programs;
+    }
+  };
+
+  /// @param patterns alive at the coefficient `start` x width
+  /// @param sections how many cells each pattern's first one is cut into, for the bisection
+  PatternBisection(const problems::WedgedProblem& problem, double width,
+                   std::vector<SignPattern> patterns, std::int64_t start, CriticalMethod method,
+                   std::int64_t sections);
+
+  [[nodiscard]] Node root() const;
+  void expand(Node&& node, engine::Expansion<PatternBisection>& out);
+  [[nodiscard]] Tally tally() const { return {critical_.programs()}; }
+
+ private:
+  void begin(const Node& node, engine::Expansion<PatternBisection>& out);
+
+  CriticalFriction critical_;
+  std::vector<SignPattern> patterns_;
+  std::int64_t start_;
+  CriticalMethod method_;
+  std::int64_t sections_;
+};
+
+}  // namespace kusabi::nodes

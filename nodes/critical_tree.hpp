@@ -1,0 +1,86 @@
+// The global minimum of the critical friction coefficient, by one best-first search.
+//
+// The tree is that of the sign patterns. A node is bounded by the smallest coefficient at which its
+// relaxation lives, which no pattern below it can undercut; a leaf has its own critical
+// coefficient, bracketed on the grid. The best leaf prunes. No coefficient to start from is needed,
+// and what is opened is about what a proof that nothing lives below the answer needs anyway.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/search.hpp"
+#include "nodes/critical_friction.hpp"
+#include "nodes/sign_pattern.hpp"
+
+namespace kusabi::nodes {
+
+/// The problem type that engine::search searches, with Goal::best.
+class CriticalTree {
+ public:
+  struct Node {
+    SignPattern pattern;
+    double bound = 0;  ///< dead below
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& pattern& bound;
+    }
+  };
+
+  struct Solution {
+    SignPattern pattern;
+    CriticalCell cell;
+    std::vector<double> reaction;      ///< r at the upper end, dm, force; normal parts sum to 1
+    std::vector<double> displacement;  ///< u = K^-1 r, dm, length
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& pattern& cell& reaction& displacement;
+    }
+  };
+
+  struct Tally {
+    std::uint64_t branched = 0;
+    std::uint64_t dead = 0;      ///< below what is asked for, or below the best pattern
+    std::uint64_t leaves = 0;    ///< patterns whose critical coefficient was found
+    std::uint64_t doubtful = 0;  ///< leaves that are marginal from some coefficient on
+    /// The least coefficient from which on a doubtful leaf is not known to be dead.
+    double doubt = std::numeric_limits<double>::infinity();
+    std::uint64_t programs = 0;  ///< cone programs solved
+
+    Tally& operator+=(const Tally& other);
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& branched& dead& leaves& doubtful& doubt& programs;
+    }
+  };
+
+  /// @param width of the bracket  @param most no coefficient above most x width is of interest
+  CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most);
+
+  [[nodiscard]] Node root() const { return {}; }
+  void expand(Node&& node, engine::Expansion<CriticalTree>& out);
+  [[nodiscard]] double objective(const Solution& solution) const {
+    return critical_.at(solution.cell.alive);
+  }
+  [[nodiscard]] double bound(const Node& node) const { return node.bound; }
+  [[nodiscard]] Tally tally() const;
+
+ private:
+  void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);
+  [[nodiscard]] int branching_candidate(const SignPattern& pattern) const;
+
+  CriticalFriction critical_;
+  int dimension_;
+  std::uint64_t candidates_;
+  std::int64_t most_;
+  std::vector<double> weight_;  // of u_n r_n when a node is split, by candidate
+  Tally tally_;
+};
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,234 @@
+// Critical friction coefficients: against the published and independent values, method against
+// method, and the global search against the least of all patterns.
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/simulation.hpp"
+#include "nodes/bisection.hpp"
+#include "nodes/critical_tree.hpp"
+#include "problems/structure_file.hpp"
+#include "random_problem.hpp"
+
+namespace kusabi::nodes {
+namespace {
+
+constexpr double width = 1e-8;
+
+problems::WedgedProblem example(const std::string& name) {
+  return problems::wedged_problem(
+      problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name));
+}
+
+nlohmann::json reference(const std::string& name) {
+  std::ifstream file(std::string(KUSABI_SOURCE_DIR) + "/tests/reference/" + name);
+  return nlohmann::json::parse(file);
+}
+
+std::int64_t multiple(double factor) {
+  return std::llround(factor / width);
+}
+
+std::vector<SignPattern> living(const problems::WedgedProblem& problem, double factor) {
+  SignPatternTree tree(problem, std::vector<double>(problem.contact_names.size(), factor));
+  std::vector<SignPattern> patterns;
+  for (const auto& found : engine::search(tree).solutions) {
+    if (found.solution.state == LeafState::alive) patterns.push_back(found.solution.pattern);
+  }
+  return patterns;
+}
+
+// By contact set.
+using Cells = std::map<std::uint64_t, CriticalCell>;
+
+struct Found {
+  Cells cells;
+  std::uint64_t programs = 0;
+};
+
+Found all_cells(const problems::WedgedProblem& problem, double most, CriticalMethod method,
+                std::int64_t sections = 1) {
+  const auto patterns = living(problem, most);
+  PatternBisection tree(problem, width, patterns, multiple(most), method, sections);
+  Found found;
+  for (const auto& solution : engine::search(tree).solutions) {
+    const auto& [number, cell] = solution.solution;
+    EXPECT_TRUE(found.cells.emplace(patterns[number].contact, cell).second);
+  }
+  EXPECT_EQ(found.cells.size(), patterns.size());
+  found.programs = tree.tally().programs;
+  return found;
+}
+
+bool narrow(const CriticalCell& cell) {
+  return cell.alive - cell.dead == 1;
+}
+
+// Where a bracket is wider than the grid, the sign in between is marginal, and two methods need not
+// find the same two ends.
+void expect_same(const Found& a, const Found& b) {
+  ASSERT_EQ(a.cells.size(), b.cells.size());
+  for (const auto& [contact, cell] : a.cells) {
+    const auto& other = b.cells.at(contact);
+    if (narrow(cell) && narrow(other)) {
+      EXPECT_EQ(cell.dead, other.dead) << contact;
+    } else {
+      EXPECT_LT(cell.dead, other.alive) << contact;
+      EXPECT_LT(other.dead, cell.alive) << contact;
+    }
+  }
+}
+
+CriticalCell least(const problems::WedgedProblem& problem, double most) {
+  CriticalTree tree(problem, width, multiple(most));
+  engine::Options options;
+  options.goal = engine::Goal::best;
+  options.order = engine::Order::best_first;
+  const auto outcome = engine::search(tree, options);
+  EXPECT_EQ(tree.tally().doubtful, 0U);
+  return outcome.solutions.empty() ? CriticalCell{} : outcome.solutions[0].solution.cell;
+}
+
+std::uint64_t bits(const std::vector<unsigned>& candidates) {
+  std::uint64_t set = 0;
+  for (const unsigned i : candidates) set |= std::uint64_t{1} << i;
+  return set;
+}
+
+// `list` holds pairs of a coefficient, rounded to `digits` decimals, and a contact set.
+void expect_reference(const nlohmann::json& list, const Found& found, double digits) {
+  ASSERT_EQ(list.size(), found.cells.size());
+  const double rounding = 0.51 * std::pow(10, -digits);
+  for (const auto& entry : list) {
+    const auto contact = bits(entry[1].get<std::vector<unsigned>>());
+    ASSERT_TRUE(found.cells.contains(contact)) << entry;
+    const auto& cell = found.cells.at(contact);
+    EXPECT_GT(entry[0].get<double>(), width * static_cast<double>(cell.dead) - rounding) << entry;
+    EXPECT_LT(entry[0].get<double>(), width * static_cast<double>(cell.alive) + rounding) << entry;
+  }
+}
+
+TEST(CriticalFriction, OfTheTwoBarsIsTwo) {
+  // r_t = 2 r_n, see docs/problem-files.md. The grid has a point there, which is marginal.
+  const auto cell = least(example("two-bars.toml"), 10);
+  EXPECT_LT(cell.dead, multiple(2));
+  EXPECT_GT(cell.alive, multiple(2));
+  EXPECT_LE(cell.alive - cell.dead, 2);
+}
+
+TEST(CriticalFriction, OfTheSpaceTrussIsThatOfTheReferenceByBothMethods) {
+  const auto problem = example("space-truss.toml");
+  const auto known = reference("space-truss.json")["critical"];
+  const auto newton = all_cells(problem, 1.0, CriticalMethod::newton);
+  const auto bisection = all_cells(problem, 1.0, CriticalMethod::bisection);
+  expect_reference(known, newton, 6);
+  expect_reference(known, bisection, 6);
+  expect_same(newton, bisection);
+  // 27 halvings lead from 1 to 1e-8. The tangents need a quarter of that.
+  EXPECT_GT(bisection.programs, 26 * 251U);
+  EXPECT_LT(newton.programs, 7 * 251U);
+}
+
+TEST(CriticalFriction, OfThePlaneTrussIsThatOfTheReference) {
+  const auto problem = example("plane-truss.toml");
+  expect_reference(reference("plane-truss.json")["five"]["critical_at_1"],
+                   all_cells(problem, 1.0, CriticalMethod::newton), 9);
+}
+
+// The published values of the natural reading of the paper's body, from an independent program.
+TEST(CriticalFriction, OfTheElasticBodyIsThatOfTheReference) {
+  const auto found = all_cells(example("elastic-body.toml"), 1.5, CriticalMethod::newton);
+  expect_reference(nlohmann::json::parse(R"([[1.4482182919, [0]], [1.3373872264, [10, 11]],
+                                             [1.4913032281, [9, 10, 11]]])"),
+                   found, 9);
+}
+
+TEST(CriticalFriction, TheGlobalSearchFindsTheLeastOfAllPatterns) {
+  for (const auto* name : {"space-truss.toml", "plane-truss.toml"}) {
+    const auto problem = example(name);
+    const auto all = all_cells(problem, 1.0, CriticalMethod::bisection);
+    std::int64_t smallest = CriticalCell::nowhere;
+    for (const auto& [contact, cell] : all.cells) smallest = std::min(smallest, cell.alive);
+    const auto cell = least(problem, 1000);
+    EXPECT_EQ(cell.alive, smallest) << name;
+    EXPECT_TRUE(narrow(cell));
+  }
+}
+
+TEST(CriticalFriction, AllMethodsAgreeOnRandomProblems) {
+  std::size_t patterns = 0;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    const auto problem =
+        random_problem(seed % 2 == 0 ? 2 : 3, 2 + static_cast<int>(seed % 5), seed);
+    const auto newton = all_cells(problem, 4.0, CriticalMethod::newton);
+    const auto bisection = all_cells(problem, 4.0, CriticalMethod::bisection);
+    expect_same(newton, bisection);
+    patterns += newton.cells.size();
+    std::int64_t smallest = CriticalCell::nowhere;
+    for (const auto& [contact, cell] : bisection.cells) smallest = std::min(smallest, cell.alive);
+    EXPECT_EQ(least(problem, 4.0).alive, smallest) << seed;
+  }
+  EXPECT_GT(patterns, 40U);
+}
+
+// A pattern is dead at the lower end of its bracket and below, alive at the upper one and above.
+TEST(CriticalFriction, LifeIsMonotoneInFriction) {
+  const auto problem = example("space-truss.toml");
+  const auto found = all_cells(problem, 0.7, CriticalMethod::newton);
+  EXPECT_FALSE(found.cells.empty());
+  CriticalFriction critical(problem, width);
+  for (const auto& [contact, cell] : found.cells) {
+    const SignPattern pattern{contact, 1023 & ~contact};
+    for (const double factor : {0.5, 0.9, 1.0}) {
+      EXPECT_EQ(critical.probe(pattern, factor * critical.at(cell.dead)).sign, conic::Sign::dead);
+    }
+    for (const double factor : {1.0, 1.1, 2.0, 10.0}) {
+      EXPECT_EQ(critical.probe(pattern, factor * critical.at(cell.alive)).sign, conic::Sign::alive);
+    }
+  }
+}
+
+TEST(CriticalFriction, IsTheFactorOfTheCandidatesOwn) {
+  auto problem = example("space-truss.toml");
+  const auto cell = least(problem, 1);
+  for (double& own : problem.friction) own = 2;
+  const auto half = least(problem, 1);
+  EXPECT_NEAR(static_cast<double>(half.alive), 0.5 * static_cast<double>(cell.alive), 1);
+}
+
+// When ranks outnumber patterns, cells are cut into several at once.
+TEST(CriticalFriction, AnyNumberOfSectionsFindsTheSame) {
+  const auto problem = example("plane-truss.toml");
+  const auto once = all_cells(problem, 0.7, CriticalMethod::bisection);
+  for (const std::int64_t sections : {2, 3, 16}) {
+    expect_same(once, all_cells(problem, 0.7, CriticalMethod::bisection, sections));
+  }
+}
+
+TEST(CriticalFriction, IsTheSameOnAnyNumberOfSimulatedRanks) {
+  const auto problem = example("space-truss.toml");
+  const auto alone = least(problem, 10);
+  engine::Options options;
+  options.goal = engine::Goal::best;
+  options.order = engine::Order::best_first;
+  for (const int ranks : {2, 5, 32}) {
+    const engine::Weather weather{.latency = 2e-6, .node = 20e-6};
+    const auto many =
+        engine::simulate(CriticalTree(problem, width, multiple(10)), ranks, 3, weather, options);
+    ASSERT_EQ(many.outcome.solutions.size(), 1U);
+    EXPECT_EQ(many.outcome.solutions[0].solution.cell, alone);
+  }
+}
+
+TEST(CriticalFriction, NothingBelowABoundIsAnAnswer) {
+  EXPECT_EQ(least(example("space-truss.toml"), 0.47), CriticalCell{});
+}
+
+}  // namespace
+}  // namespace kusabi::nodes
