@@ -153,12 +153,18 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   return probe;
 }
 
-// The ends of the grid that the proofs of a probe reach.
-void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe) const {
-  const double dead = std::min(probe.dead_below, at(cell.alive));
-  cell.dead = std::max(cell.dead, static_cast<std::int64_t>(std::floor(dead / width_)));
-  if (probe.alive_from < at(cell.alive))
+// The ends of the grid that the proofs of a probe reach. A quotient may round past a point of the
+// grid that is reached exactly.
+void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
+                              std::int64_t most) const {
+  const double below = std::min(probe.dead_below, at(std::min(cell.alive, most)));
+  auto dead = static_cast<std::int64_t>(std::floor(below / width_));
+  if (at(dead + 1) <= below) ++dead;
+  cell.dead = std::max(cell.dead, std::min(dead, most));
+  if (probe.alive_from < at(cell.alive)) {
     cell.alive = static_cast<std::int64_t>(std::ceil(probe.alive_from / width_));
+    if (at(cell.alive - 1) >= probe.alive_from) --cell.alive;
+  }
   cell.alive = std::max(cell.alive, cell.dead + 1);
 }
 
@@ -225,10 +231,10 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       cell.alive == CriticalCell::nowhere ? std::max(at(cell.dead), least) : at(cell.alive);
   for (int step = 1; cell.alive - cell.dead > 1 && step <= most_steps; ++step) {
     const auto said = probe(pattern, factor);
-    narrow(cell, said);
+    narrow(cell, said, most);
     sides.take(factor, said.level);
     const bool open = cell.alive == CriticalCell::nowhere;
-    if (open && factor >= at(most)) return cell;  // dead or marginal all the way
+    if (open && (cell.dead >= most || factor >= at(most))) return cell;  // nothing up to there
     const double floor = std::max(at(cell.dead), least);
     const auto inside = [&](double point) { return point >= floor && point < at(cell.alive); };
     double next = said.newton;
@@ -245,7 +251,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       // Newton's method has arrived: the points of the grid on both sides of it.
       const auto below = static_cast<std::int64_t>(std::floor(next / width_));
       for (const auto point : {below + 1, below}) {
-        if (point > cell.dead && point < cell.alive) narrow(cell, probe(pattern, at(point)));
+        if (point > cell.dead && point < cell.alive) narrow(cell, probe(pattern, at(point)), most);
       }
       if (!open && below > cell.dead && below < cell.alive) surround(pattern, cell, below);
       break;

@@ -100,7 +100,7 @@ class CriticalFriction {
   // Moves the end of the cell to a point within it, if its sign is decided there.
   bool decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point);
   void surround(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);
-  void narrow(CriticalCell& cell, const FrictionProbe& probe) const;
+  void narrow(CriticalCell& cell, const FrictionProbe& probe, std::int64_t most) const;
 
   int dimension_;
   double unit_, width_;

@@ -101,10 +101,9 @@ std::uint64_t bits(const std::vector<unsigned>& candidates) {
   return set;
 }
 
-// `list` holds pairs of a coefficient, rounded to `digits` decimals, and a contact set.
-void expect_reference(const nlohmann::json& list, const Found& found, double digits) {
+// `list` holds pairs of a coefficient, known to `rounding`, and a contact set.
+void expect_reference(const nlohmann::json& list, const Found& found, double rounding) {
   ASSERT_EQ(list.size(), found.cells.size());
-  const double rounding = 0.51 * std::pow(10, -digits);
   for (const auto& entry : list) {
     const auto contact = bits(entry[1].get<std::vector<unsigned>>());
     ASSERT_TRUE(found.cells.contains(contact)) << entry;
@@ -127,8 +126,8 @@ TEST(CriticalFriction, OfTheSpaceTrussIsThatOfTheReferenceByBothMethods) {
   const auto known = reference("space-truss.json")["critical"];
   const auto newton = all_cells(problem, 1.0, CriticalMethod::newton);
   const auto bisection = all_cells(problem, 1.0, CriticalMethod::bisection);
-  expect_reference(known, newton, 6);
-  expect_reference(known, bisection, 6);
+  expect_reference(known, newton, 1e-6);
+  expect_reference(known, bisection, 1e-6);
   expect_same(newton, bisection);
   // 27 halvings lead from 1 to 1e-8. The tangents need a quarter of that.
   EXPECT_GT(bisection.programs, 26 * 251U);
@@ -138,7 +137,7 @@ TEST(CriticalFriction, OfTheSpaceTrussIsThatOfTheReferenceByBothMethods) {
 TEST(CriticalFriction, OfThePlaneTrussIsThatOfTheReference) {
   const auto problem = example("plane-truss.toml");
   expect_reference(reference("plane-truss.json")["five"]["critical_at_1"],
-                   all_cells(problem, 1.0, CriticalMethod::newton), 9);
+                   all_cells(problem, 1.0, CriticalMethod::newton), 1e-9);
 }
 
 // The published values of the natural reading of the paper's body, from an independent program.
@@ -146,7 +145,7 @@ TEST(CriticalFriction, OfTheElasticBodyIsThatOfTheReference) {
   const auto found = all_cells(example("elastic-body.toml"), 1.5, CriticalMethod::newton);
   expect_reference(nlohmann::json::parse(R"([[1.4482182919, [0]], [1.3373872264, [10, 11]],
                                              [1.4913032281, [9, 10, 11]]])"),
-                   found, 9);
+                   found, 1e-10);
 }
 
 TEST(CriticalFriction, TheGlobalSearchFindsTheLeastOfAllPatterns) {
