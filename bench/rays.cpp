@@ -5,12 +5,13 @@
 //   bench_rays [MU [FIRST_ROWS [LAST_ROWS [SECONDS]]]]
 //
 // A column ends when a size took longer than a quarter of SECONDS (the next one may take four times
-// as long); lrs and cddexec are stopped after SECONDS. Rays, peaks and pairs are the same on any
-// machine.
+// as long); lrs and cddexec are stopped after SECONDS. Our own times are CPU seconds of one core.
+// Rays, peaks and pairs are the same on any machine.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -36,6 +37,12 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+double cpu_seconds_of(const auto& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
 struct Measured {
   double seconds = 0;
   std::size_t rays = 0;
@@ -45,14 +52,14 @@ struct Measured {
 
 Measured double_description(const rays::ReactionCone& cone) {
   rays::Enumeration found;
-  const double time = seconds_of([&] { found = rays::complementary_rays(cone); });
+  const double time = cpu_seconds_of([&] { found = rays::complementary_rays(cone); });
   return {time, found.rays.size(), found.effort, found.health};
 }
 
 Measured tree(const problems::Structure& truss, const std::vector<double>& friction,
               const rays::ReactionCone& cone) {
   Measured result;
-  result.seconds = seconds_of([&] {
+  result.seconds = cpu_seconds_of([&] {
     nodes::RayTree rays({problems::wedged_problem(truss), friction}, cone);
     const auto outcome = engine::search(rays);
     for (const auto& leaf : outcome.solutions) result.rays += leaf.solution.rays.size();

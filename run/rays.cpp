@@ -30,10 +30,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// One rank finds the rays of up to so many candidates faster by double description. With more of
-/// either, candidates or ranks, the tree is faster, or the other does not fit into memory
-/// (bench/README.md).
-constexpr int most_for_double_description = 16;
+/// Up to so many candidates double description is two to four times as fast as the tree on one
+/// rank, and takes less than a gigabyte; beyond, its memory grows threefold with each candidate,
+/// and the tree's twofold from a tenth of it (bench/README.md). By size alone: the result must not
+/// hang on the number of ranks.
+constexpr int most_for_double_description = 14;
 
 bool limited(const engine::Limits& limits) {
   const engine::Limits none;
