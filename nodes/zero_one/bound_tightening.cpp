@@ -19,9 +19,9 @@ using problems::LinearTerm;
 // An end that is not proved is moved outwards by this, relative to its size (at least one).
 constexpr double margin = 1e-6;
 
-constexpr std::uint64_t most_rounds = 40;
+constexpr std::uint64_t most_rounds = 20;
 // A round pays for the next if it took at least this share of all the Ms.
-constexpr double worth_a_round = 0.03;
+constexpr double worth_a_round = 0.01;
 // An M that shrinks by less than this share of itself is left as it is.
 constexpr double worth_a_change = 1e-3;
 
@@ -89,6 +89,10 @@ FormRange BoundTightening::end(std::span<const LinearTerm> form, double sign) {
       least = moved;
     }
   } else if (status == LinearStatus::infeasible) {
+    // The dual method, which any basis suits without costs, ends with a reason; the primal does
+    // not.
+    set_costs(0);
+    simplex_.solve_dual();
     const auto reason = simplex_.farkas();
     proved = !reason.empty() &&
              linear::safe_infeasibility(program_, reason, implied_.lower, implied_.upper) > 0;

@@ -28,6 +28,19 @@ constexpr double give_way = 1e-8;
 // The limit of remark 5.2, in rounds for each binary.
 constexpr double rounds_a_binary = 1.8;
 
+// What is smaller is a zero that was rounded. As a coefficient of the cut generating program it
+// would spoil its scaling; the cut loses nothing, since its right-hand side is computed anew.
+constexpr double noise = 1e-9;
+
+double without_noise(double number) {
+  return std::abs(number) < noise ? 0 : number;
+}
+
+std::vector<double> without_noise(std::vector<double> numbers) {
+  for (double& number : numbers) number = without_noise(number);
+  return numbers;
+}
+
 enum class Spot : std::uint8_t { inside, lower, upper };
 
 // (51), and how to read its answer.
@@ -37,7 +50,7 @@ class CutProgram {
              std::size_t binary)
       : relaxation_(relaxation),
         rows_(rows),
-        point_(point),
+        point_(without_noise(point)),
         split_(static_cast<std::size_t>(relaxation.column(binary))) {
     locate();
     write();
@@ -45,7 +58,9 @@ class CutProgram {
 
   std::optional<DisjunctiveCut> solve() {
     linear::Simplex simplex(program_);
-    if (simplex.solve_primal() != LinearStatus::optimal) return {};
+    auto status = simplex.solve_primal();
+    if (status == LinearStatus::failed) status = simplex.solve_robustly();
+    if (status != LinearStatus::optimal) return {};
     return cut(simplex.values());
   }
 
@@ -89,7 +104,7 @@ class CutProgram {
     std::vector<LinearTerm> right{{beta_, -1}};                 // >= 0
     const auto multiplier = [&](double lower, double upper, double bound) {
       const int column = program_.add_column({.lower = lower, .upper = upper});
-      right.push_back({column, bound});
+      right.push_back({column, without_noise(bound)});
       return column;
     };
     // The columns at a bound are constants here.
@@ -208,7 +223,7 @@ class CutProgram {
 
   const Relaxation& relaxation_;
   std::size_t rows_;
-  const std::vector<double>& point_;
+  std::vector<double> point_;
   std::size_t split_;  // column of the binary
   std::vector<Spot> spot_;
   problems::LinearProgram program_;
