@@ -369,20 +369,20 @@ double Simplex::reduced_cost(int column) const {
 }
 
 std::vector<double> Simplex::values() const {
-  std::vector<double> all;
-  for (int j = 0; j < columns(); ++j) all.push_back(value(j));
+  std::vector<double> all(static_cast<std::size_t>(columns()));
+  for (int j = 0; j < columns(); ++j) all[static_cast<std::size_t>(j)] = value(j);
   return all;
 }
 
 std::vector<double> Simplex::duals() const {
-  std::vector<double> all;
-  for (int i = 0; i < rows(); ++i) all.push_back(dual(i));
+  std::vector<double> all(static_cast<std::size_t>(rows()));
+  for (int i = 0; i < rows(); ++i) all[static_cast<std::size_t>(i)] = dual(i);
   return all;
 }
 
 std::vector<double> Simplex::reduced_costs() const {
-  std::vector<double> all;
-  for (int j = 0; j < columns(); ++j) all.push_back(reduced_cost(j));
+  std::vector<double> all(static_cast<std::size_t>(columns()));
+  for (int j = 0; j < columns(); ++j) all[static_cast<std::size_t>(j)] = reduced_cost(j);
   return all;
 }
 
