@@ -21,6 +21,7 @@
 #include "run/critical.hpp"
 #include "run/example.hpp"
 #include "run/exit_code.hpp"
+#include "run/mip.hpp"
 #include "run/patterns.hpp"
 #include "run/rays.hpp"
 #include "run/session.hpp"
@@ -206,6 +207,59 @@ void add_critical(CLI::App& app, Action& action, bool& serial) {
       [&action, options] { action = [options](Session& s) { return critical(s, *options); }; });
 }
 
+void add_mip(CLI::App& app, Action& action, bool& serial) {
+  using kusabi::engine::Order;
+  using kusabi::nodes::ZeroOneBranching;
+  using kusabi::nodes::ZeroOneCuts;
+  auto& command =
+      *app.add_subcommand("mip", "the optimum of a mixed zero-one linear program, with its bound");
+  const auto options = std::make_shared<MipOptions>();
+  command.add_option("file", options->file, "the program, in MPS (.mps) or CPLEX LP (.lp) format")
+      ->required();
+  const auto choice = [&](const char* name, auto& value, const auto& names, const char* what) {
+    command.add_option(name, value, what)->transform(CLI::Transformer(names));
+  };
+  choice("--cuts", options->cuts,
+         std::map<std::string, ZeroOneCuts>{{"none", ZeroOneCuts::none},
+                                            {"disjunctive", ZeroOneCuts::disjunctive}},
+         "cuts at the root (default none)");
+  choice("--branching", options->branching,
+         std::map<std::string, ZeroOneBranching>{{"paper", ZeroOneBranching::paper},
+                                                 {"look-ahead", ZeroOneBranching::look_ahead}},
+         "split nodes by the largest tau (1 - tau) as the paper does (default), or by what the "
+         "children's bounds gain: the same optimum from fewer nodes that cost more");
+  choice("--order", options->order,
+         std::map<std::string, Order>{{"depth-first", Order::depth_first},
+                                      {"best-first", Order::best_first},
+                                      {"hybrid", Order::hybrid}},
+         "which node is opened next (default depth-first): the same optimum");
+  command.add_flag("!--no-tighten", options->tighten, "leave big Ms as they are");
+  command.add_flag("!--no-dive", options->dive, "do not look for points before the search");
+  command.add_option("--output", options->output, "write the result to this JSON file");
+  command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds of search")
+      ->check(positive);
+  command
+      .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--gap", options->limits.gap,
+                  "stop when objective and bound differ by so much, relative to the objective")
+      ->check(positive);
+  command.add_option("--checkpoint", options->checkpoint,
+                     "keep the state of the search in this file and others beside it");
+  command
+      .add_option("--checkpoint-interval", options->checkpoint_interval,
+                  "seconds between two checkpoints")
+      ->check(positive)
+      ->capture_default_str();
+  command.add_option("--restart", options->restart,
+                     "go on from this checkpoint, on any number of ranks");
+  command.add_flag("--quiet", options->quiet, "print errors only");
+  add_serial(command, serial);
+  command.callback(
+      [&action, options] { action = [options](Session& s) { return mip(s, *options); }; });
+}
+
 void add_verify(CLI::App& app, Action& action, bool& serial) {
   auto& command =
       *app.add_subcommand("verify", "proves the list of patterns from its certificate, exactly");
@@ -327,7 +381,10 @@ void add_uts(CLI::App& bench, Action& action, bool& serial) {
 }
 
 int run(Session& session, int argc, char** argv) {
-  CLI::App app{"All wedged configurations of a structure with Coulomb friction.", "kusabi"};
+  CLI::App app{
+      "All wedged configurations of a structure with Coulomb friction, and mixed zero-one "
+      "programs.",
+      "kusabi"};
   app.set_version_flag("--version", "kusabi " KUSABI_VERSION);
   app.require_subcommand(1);
   Action action;
@@ -335,6 +392,7 @@ int run(Session& session, int argc, char** argv) {
   add_patterns(app, action, serial);
   add_rays(app, action, serial);
   add_critical(app, action, serial);
+  add_mip(app, action, serial);
   add_verify(app, action, serial);
   auto& example = *app.add_subcommand("example", "writes a problem file of a family of structures");
   example.require_subcommand(1);
