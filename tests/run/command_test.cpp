@@ -295,6 +295,11 @@ TEST_F(Command, RefusesWrongCalls) {
       good + " --serial=false",
       good + " --node-limit 0",
       good + " --method simplex",
+      "critical " + truss + " --method newton",
+      "critical " + truss + " --mu-max 0",
+      "critical " + truss + " --width 0",
+      "critical " + truss + " --width 1e-20",
+      "critical " + truss + " --method guess",
       good + " --facets 8",
       good + " --method polyhedral --facets 7",
       "patterns " + quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml") +
@@ -396,6 +401,45 @@ TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
     return result["result"]["tree"]["opened"].get<int>();
   };
   EXPECT_LT(opened("relative"), opened("paper"));
+}
+
+TEST_F(Command, FindsTheCriticalFrictionOnAnyNumberOfRanks) {
+  const auto run_on = [&](const std::string& launcher, const std::string& way) {
+    const auto file = in_folder("result.json");
+    const auto run =
+        shell(launcher + command + " critical " + truss + way + " --output " + quoted(file));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return without_statistics(file);
+  };
+  for (const std::string way :
+       {"", " --method newton --mu-max 0.65", " --method bisection --mu-max 0.65 --width 1e-4"}) {
+    const auto alone = run_on("", way);
+    EXPECT_EQ(run_on(ranks(2), way), alone) << way;
+    EXPECT_EQ(run_on(ranks(3), way), alone) << way;
+    EXPECT_THAT(alone, HasSubstr("\"critical_friction\": {\"lower\":0.47"));
+  }
+}
+
+TEST_F(Command, ProvesBothEndsOfTheCriticalFriction) {
+  const auto run = shell(command + " critical " + truss + " --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("between 0.47027964 and 0.47027965"));
+  EXPECT_THAT(shell(command + " verify " + argument("cert.lower")).output,
+              HasSubstr("PROVED: the list of 0 patterns"));
+  EXPECT_THAT(shell(command + " verify " + argument("cert.upper")).output,
+              HasSubstr("PROVED: the list of 1 pattern is"));
+}
+
+TEST_F(Command, NothingThatWedgesIsAnAnswer) {
+  const auto run = shell(command + " critical " + truss + " --mu-max 0.4");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.output, HasSubstr("nothing can wedge at a friction coefficient below 0.4"));
+}
+
+TEST_F(Command, ACriticalFrictionThatWasStoppedSaysWhatIsProved) {
+  const auto run = shell(command + " critical " + truss + " --node-limit 20");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.output, HasSubstr("stopped early (node-limit)"));
 }
 
 TEST_F(Command, FindsTheSamePatternsByPolyhedralFriction) {
