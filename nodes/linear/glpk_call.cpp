@@ -1,0 +1,85 @@
+// How GLPK is kept quiet and alive.
+#include "nodes/linear/glpk_call.hpp"
+
+#include <csetjmp>
+
+#include <glpk.h>
+
+namespace kusabi::nodes::linear {
+namespace {
+
+// GLPK keeps one environment a thread.
+struct Environment {
+  unsigned number = 1;
+  bool hooked = false;
+  bool calling = false;
+  std::string messages;
+  std::jmp_buf way_out = {};
+};
+
+Environment& environment() {
+  thread_local Environment here;
+  return here;
+}
+
+extern "C" {
+void kusabi_glpk_gave_up(void* info) {
+  auto& here = *static_cast<Environment*>(info);
+  if (here.calling) std::longjmp(here.way_out, 1);
+}
+
+int kusabi_glpk_says(void* info, const char* text) {
+  // Called in the middle of C frames: nothing may be thrown from here.
+  try {
+    static_cast<Environment*>(info)->messages += text;
+  } catch (...) {
+    return 1;
+  }
+  return 1;  // not to be printed
+}
+}
+
+// False if GLPK gave up. By itself, with nothing that longjmp could leave half done.
+bool survives(Environment& here, const std::function<void()>& call) {
+  if (setjmp(here.way_out) != 0) return false;
+  call();
+  return true;
+}
+
+void make(Environment& here, const std::function<void()>& call) {
+  if (!here.hooked) {
+    glp_term_hook(kusabi_glpk_says, &here);
+    glp_error_hook(kusabi_glpk_gave_up, &here);
+    here.hooked = true;
+  }
+  here.messages.clear();
+  here.calling = true;
+  const bool survived = survives(here, call);
+  here.calling = false;
+  if (survived) return;
+  glp_free_env();
+  here.hooked = false;
+  ++here.number;
+  throw GlpkError("GLPK gave up: " + here.messages);
+}
+
+}  // namespace
+
+unsigned glpk_environment() {
+  return environment().number;
+}
+
+void glpk_call(const std::function<void()>& call) {
+  auto& here = environment();
+  glp_term_out(GLP_OFF);
+  make(here, call);
+}
+
+std::string glpk_messages_of(const std::function<void()>& call) {
+  auto& here = environment();
+  glp_term_out(GLP_ON);
+  make(here, call);
+  return here.messages;
+}
+
+}  // namespace kusabi::nodes::linear

@@ -1,0 +1,67 @@
+// Sums and products rounded down or up, without touching the rounding mode of the processor: the
+// nearest double is corrected by the sign of its error, which is exact (Knuth's sum, a fused
+// multiply-add).
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace kusabi::nodes::linear {
+
+/// A number somewhere in [lower, upper].
+struct Interval {
+  double lower = 0;
+  double upper = 0;
+};
+
+namespace rounded {
+
+inline double before(double x) {
+  return std::nextafter(x, -std::numeric_limits<double>::infinity());
+}
+
+/// The error a + b - fl(a + b); zero if the sum is not finite.
+inline double sum_error(double a, double b, double sum) {
+  if (!std::isfinite(sum)) return 0;
+  const double shadow = sum - a;
+  return (a - (sum - shadow)) + (b - shadow);
+}
+
+inline double sum_down(double a, double b) {
+  const double sum = a + b;
+  return sum_error(a, b, sum) < 0 ? before(sum) : sum;
+}
+
+inline double sum_up(double a, double b) {
+  return -sum_down(-a, -b);
+}
+
+/// Zero times infinity is zero here: no multiplier, no matter what the bound is.
+inline double product_down(double a, double b) {
+  if (a == 0 || b == 0) return 0;
+  const double product = a * b;
+  if (!std::isfinite(product)) {
+    // Of finite factors: beyond the largest number, which rounding down must not pass.
+    const bool overflow = std::isfinite(a) && std::isfinite(b);
+    return overflow && product > 0 ? std::numeric_limits<double>::max() : product;
+  }
+  constexpr double error_may_underflow = 1e-290;
+  if (std::abs(product) < error_may_underflow) return before(product);
+  return std::fma(a, b, -product) < 0 ? before(product) : product;
+}
+
+inline double product_up(double a, double b) {
+  return -product_down(-a, b);
+}
+
+}  // namespace rounded
+
+inline Interval operator+(const Interval& a, const Interval& b) {
+  return {rounded::sum_down(a.lower, b.lower), rounded::sum_up(a.upper, b.upper)};
+}
+
+inline Interval product(double a, double b) {
+  return {rounded::product_down(a, b), rounded::product_up(a, b)};
+}
+
+}  // namespace kusabi::nodes::linear

@@ -1,0 +1,70 @@
+// The safe bound, in intervals.
+#include "nodes/linear/safe_bound.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "nodes/linear/rounded.hpp"
+
+namespace kusabi::nodes::linear {
+namespace {
+
+// The least r x over both intervals; those of x may be infinite.
+double least_product(const Interval& r, double lower, double upper) {
+  using rounded::product_down;
+  return std::min({product_down(r.lower, lower), product_down(r.lower, upper),
+                   product_down(r.upper, lower), product_down(r.upper, upper)});
+}
+
+double bound(const problems::LinearProgram& program, std::span<const double> duals,
+             std::span<const double> lower, std::span<const double> upper, bool with_costs) {
+  std::vector<double> y(duals.begin(), duals.end());
+  double total = with_costs ? program.constant : 0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const double pressed = y[i] > 0 ? program.rows[i].lower : program.rows[i].upper;
+    if (!std::isfinite(pressed) || !std::isfinite(y[i])) y[i] = 0;
+    if (y[i] != 0) total = rounded::sum_down(total, rounded::product_down(y[i], pressed));
+  }
+  std::vector<Interval> residual(program.columns.size());
+  if (with_costs) {
+    for (std::size_t j = 0; j < residual.size(); ++j) {
+      residual[j] = {program.columns[j].cost, program.columns[j].cost};
+    }
+  }
+  for (const auto& [row, column, value] : program.entries) {
+    const double multiplier = y[static_cast<std::size_t>(row)];
+    auto& r = residual[static_cast<std::size_t>(column)];
+    if (multiplier != 0) r = r + product(-value, multiplier);
+  }
+  for (std::size_t j = 0; j < residual.size(); ++j) {
+    total = rounded::sum_down(total, least_product(residual[j], lower[j], upper[j]));
+  }
+  return std::isnan(total) ? -problems::infinity : total;
+}
+
+}  // namespace
+
+double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals) {
+  std::vector<double> lower;
+  std::vector<double> upper;
+  lower.reserve(program.columns.size());
+  upper.reserve(program.columns.size());
+  for (const auto& column : program.columns) {
+    lower.push_back(column.lower);
+    upper.push_back(column.upper);
+  }
+  return safe_dual_bound(program, duals, lower, upper);
+}
+
+double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals,
+                       std::span<const double> lower, std::span<const double> upper) {
+  return bound(program, duals, lower, upper, true);
+}
+
+double safe_infeasibility(const problems::LinearProgram& program, std::span<const double> duals,
+                          std::span<const double> lower, std::span<const double> upper) {
+  return bound(program, duals, lower, upper, false);
+}
+
+}  // namespace kusabi::nodes::linear

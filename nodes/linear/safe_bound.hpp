@@ -1,0 +1,31 @@
+// Lower bounds of a linear program that hold in spite of rounding: A. Neumaier, O. Shcherbina, Safe
+// bounds in linear and mixed-integer programming, Math. Program. 99 (2004) 283-296.
+//
+// For any multipliers y of the rows and any point x of the program
+//   c'x = y'(Ax) + (c - A'y)'x >= sum_i min(y_i L_i, y_i U_i) + sum_j min over [l_j, u_j] of r_j
+//   x_j,
+// with r = c - A'y. Nothing is asked of y; the better it is the better the bound. Every operation
+// is rounded towards the safe side.
+#pragma once
+
+#include <span>
+
+#include "problems/linear_program.hpp"
+
+namespace kusabi::nodes::linear {
+
+/// A number that no point of the program has an objective below. Multipliers that press on a bound
+/// which a row does not have count as zero. Minus infinity if a column without the bound in
+/// question is left with a residual r_j other than zero: give columns bounds to have one.
+/// @param duals a number for each row
+double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals);
+
+/// The same with other bounds of the columns: those of a node.
+double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals,
+                       std::span<const double> lower, std::span<const double> upper);
+
+/// The same without the costs: if it is above zero then no point satisfies all rows and bounds.
+double safe_infeasibility(const problems::LinearProgram& program, std::span<const double> duals,
+                          std::span<const double> lower, std::span<const double> upper);
+
+}  // namespace kusabi::nodes::linear

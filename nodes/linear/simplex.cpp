@@ -1,0 +1,402 @@
+// The owner of a glp_prob.
+#include "nodes/linear/simplex.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glpk.h>
+
+#include "nodes/linear/glpk_call.hpp"
+
+namespace kusabi::nodes::linear {
+namespace {
+
+// Relative to the scaled program. GLPK's own 1e-7 is what a general solver can promise of programs
+// it has never seen; scaled ones, with a few hundred rows, can be had better.
+constexpr double primal_tolerance = 1e-9;
+constexpr double dual_tolerance = 1e-9;
+
+int bound_type(double lower, double upper) {
+  if (lower == upper) return GLP_FX;
+  if (std::isfinite(lower) && std::isfinite(upper)) return GLP_DB;
+  if (std::isfinite(lower)) return GLP_LO;
+  if (std::isfinite(upper)) return GLP_UP;
+  return GLP_FR;
+}
+
+double finite_or_zero(double bound) {
+  return std::isfinite(bound) ? bound : 0;
+}
+
+int glpk_status(Place place) {
+  return place == Place::basic ? GLP_BS : place == Place::lower ? GLP_NL : GLP_NU;
+}
+
+Place place_of(int status) {
+  return status == GLP_BS ? Place::basic : status == GLP_NU ? Place::upper : Place::lower;
+}
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(fmt::format("linear program: {}", what));
+}
+
+void require_bounds(double lower, double upper) {
+  require(!std::isnan(lower) && !std::isnan(upper), "a bound is not a number");
+  require(lower < problems::infinity && upper > -problems::infinity, "a bound shuts all out");
+}
+
+}  // namespace
+
+struct Simplex::Problem {
+  glp_prob* lp = nullptr;
+  unsigned environment = 0;
+
+  Problem() {
+    glpk_call([this] { lp = glp_create_prob(); });
+    environment = glpk_environment();
+  }
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
+  // What lay in an environment that GLPK has given up is gone with it.
+  ~Problem() {
+    if (environment == glpk_environment()) glp_delete_prob(lp);
+  }
+
+  // GLPK's numbers count from 1.
+  [[nodiscard]] int row(int index) const {
+    if (index < 0 || index >= glp_get_num_rows(lp)) throw std::out_of_range("no such row");
+    return index + 1;
+  }
+  [[nodiscard]] int column(int index) const {
+    if (index < 0 || index >= glp_get_num_cols(lp)) throw std::out_of_range("no such column");
+    return index + 1;
+  }
+
+  void call(const std::function<void()>& what) const {
+    if (environment != glpk_environment()) throw GlpkError("GLPK gave up before");
+    glpk_call(what);
+  }
+};
+
+Simplex::Simplex(const problems::LinearProgram& program) : problem_(std::make_unique<Problem>()) {
+  const auto row_count = static_cast<int>(program.rows.size());
+  const auto column_count = static_cast<int>(program.columns.size());
+  row_empty_.resize(program.rows.size());
+  column_empty_.resize(program.columns.size());
+  auto* const lp = problem_->lp;
+  problem_->call([&] {
+    if (row_count > 0) glp_add_rows(lp, row_count);
+    if (column_count > 0) glp_add_cols(lp, column_count);
+  });
+  for (int i = 0; i < row_count; ++i) {
+    const auto& row = program.rows[static_cast<std::size_t>(i)];
+    set_row_bounds(i, row.lower, row.upper);
+  }
+  for (int j = 0; j < column_count; ++j) {
+    const auto& column = program.columns[static_cast<std::size_t>(j)];
+    set_column_bounds(j, column.lower, column.upper);
+    set_cost(j, column.cost);
+  }
+  set_constant(program.constant);
+  std::vector<int> at_row{0};
+  std::vector<int> at_column{0};
+  std::vector<double> values{0};
+  for (const auto& [row, column, value] : program.entries) {
+    require(row >= 0 && row < row_count && column >= 0 && column < column_count,
+            "an entry is outside of the matrix");
+    require(std::isfinite(value), "an entry is not finite");
+    at_row.push_back(row + 1);
+    at_column.push_back(column + 1);
+    values.push_back(value);
+  }
+  const auto count = static_cast<int>(program.entries.size());
+  require(glp_check_dup(row_count, column_count, count, at_row.data(), at_column.data()) == 0,
+          "an entry occurs twice");
+  problem_->call([&] {
+    glp_load_matrix(lp, count, at_row.data(), at_column.data(), values.data());
+    glp_scale_prob(lp, GLP_SF_AUTO);
+    glp_std_basis(lp);
+  });
+}
+
+Simplex::Simplex(Simplex&& other) noexcept = default;
+Simplex& Simplex::operator=(Simplex&& other) noexcept = default;
+Simplex::~Simplex() = default;
+
+int Simplex::rows() const {
+  return glp_get_num_rows(problem_->lp);
+}
+
+int Simplex::columns() const {
+  return glp_get_num_cols(problem_->lp);
+}
+
+void Simplex::set_column_bounds(int column, double lower, double upper) {
+  require_bounds(lower, upper);
+  column_empty_.at(static_cast<std::size_t>(column)) = lower > upper;
+  if (lower > upper) return;
+  problem_->call([&] {
+    glp_set_col_bnds(problem_->lp, column + 1, bound_type(lower, upper), finite_or_zero(lower),
+                     finite_or_zero(upper));
+  });
+}
+
+void Simplex::set_row_bounds(int row, double lower, double upper) {
+  require_bounds(lower, upper);
+  row_empty_.at(static_cast<std::size_t>(row)) = lower > upper;
+  if (lower > upper) return;
+  problem_->call([&] {
+    glp_set_row_bnds(problem_->lp, row + 1, bound_type(lower, upper), finite_or_zero(lower),
+                     finite_or_zero(upper));
+  });
+}
+
+void Simplex::set_cost(int column, double cost) {
+  require(std::isfinite(cost), "a cost is not finite");
+  const int number = problem_->column(column);
+  problem_->call([&] { glp_set_obj_coef(problem_->lp, number, cost); });
+}
+
+void Simplex::set_constant(double constant) {
+  require(std::isfinite(constant), "the constant is not finite");
+  problem_->call([&] { glp_set_obj_coef(problem_->lp, 0, constant); });
+}
+
+int Simplex::add_row(double lower, double upper, std::span<const problems::LinearTerm> terms) {
+  std::vector<int> at{0};
+  std::vector<double> values{0};
+  for (const auto& [column, value] : terms) {
+    require(std::isfinite(value), "an entry is not finite");
+    if (value == 0) continue;
+    at.push_back(column + 1);
+    values.push_back(value);
+  }
+  const int index = rows();
+  problem_->call([&] {
+    glp_add_rows(problem_->lp, 1);
+    glp_set_mat_row(problem_->lp, index + 1, static_cast<int>(at.size()) - 1, at.data(),
+                    values.data());
+  });
+  row_empty_.push_back(false);
+  set_row_bounds(index, lower, upper);
+  return index;
+}
+
+int Simplex::add_column(const problems::LinearColumn& column,
+                        std::span<const problems::LinearEntry> entries) {
+  std::vector<int> at{0};
+  std::vector<double> values{0};
+  for (const auto& entry : entries) {
+    require(std::isfinite(entry.value), "an entry is not finite");
+    if (entry.value == 0) continue;
+    at.push_back(entry.row + 1);
+    values.push_back(entry.value);
+  }
+  const int index = columns();
+  problem_->call([&] {
+    glp_add_cols(problem_->lp, 1);
+    glp_set_mat_col(problem_->lp, index + 1, static_cast<int>(at.size()) - 1, at.data(),
+                    values.data());
+  });
+  column_empty_.push_back(false);
+  set_column_bounds(index, column.lower, column.upper);
+  set_cost(index, column.cost);
+  return index;
+}
+
+void Simplex::drop_rows(int first) {
+  std::vector<int> numbers{0};
+  for (int i = first; i < rows(); ++i) numbers.push_back(i + 1);
+  if (numbers.size() == 1) return;
+  problem_->call(
+      [&] { glp_del_rows(problem_->lp, static_cast<int>(numbers.size()) - 1, numbers.data()); });
+  row_empty_.resize(static_cast<std::size_t>(first));
+  int basic = 0;
+  for (int i = 1; i <= rows(); ++i) basic += glp_get_row_stat(problem_->lp, i) == GLP_BS ? 1 : 0;
+  for (int j = 1; j <= columns(); ++j) basic += glp_get_col_stat(problem_->lp, j) == GLP_BS ? 1 : 0;
+  if (basic != rows()) use_slack_basis();
+}
+
+void Simplex::scale() {
+  problem_->call([&] { glp_scale_prob(problem_->lp, GLP_SF_AUTO); });
+}
+
+// ---- solving -----------------------------------------------------------------------------------
+
+bool Simplex::empty_bounds() const {
+  const auto holds = [](bool empty) { return empty; };
+  return std::any_of(row_empty_.begin(), row_empty_.end(), holds) ||
+         std::any_of(column_empty_.begin(), column_empty_.end(), holds);
+}
+
+LinearStatus Simplex::solve_dual(const SolveLimits& limits) {
+  return status_ = solve(GLP_DUALP, limits);
+}
+
+LinearStatus Simplex::solve_primal(const SolveLimits& limits) {
+  return status_ = solve(GLP_PRIMAL, limits);
+}
+
+LinearStatus Simplex::solve_robustly(const SolveLimits& limits) {
+  status_ = solve(GLP_DUALP, limits);
+  if (status_ == LinearStatus::failed) status_ = solve(GLP_PRIMAL, limits);
+  for (const int method : {GLP_PRIMAL, GLP_DUALP}) {
+    if (status_ != LinearStatus::failed) break;
+    problem_->call([&] { glp_adv_basis(problem_->lp, 0); });
+    status_ = solve(method, limits);
+  }
+  return status_;
+}
+
+LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
+  ++solves_;
+  if (empty_bounds()) return LinearStatus::infeasible;
+  glp_smcp control;
+  glp_init_smcp(&control);
+  control.msg_lev = GLP_MSG_OFF;
+  control.meth = method;
+  control.tol_bnd = primal_tolerance;
+  control.tol_dj = dual_tolerance;
+  control.it_lim = limits.iterations;
+  if (std::isfinite(limits.cutoff)) control.obj_ul = limits.cutoff;
+  const int before = glp_get_it_cnt(problem_->lp);
+  int code = 0;
+  problem_->call([&] { code = glp_simplex(problem_->lp, &control); });
+  iterations_ += static_cast<std::uint64_t>(std::max(0, glp_get_it_cnt(problem_->lp) - before));
+  if (code == GLP_EOBJUL) return LinearStatus::cut_off;
+  if (code == GLP_EITLIM) return LinearStatus::stopped;
+  if (code != 0) return LinearStatus::failed;
+  switch (glp_get_status(problem_->lp)) {
+    case GLP_OPT:
+      return LinearStatus::optimal;
+    case GLP_NOFEAS:
+      return LinearStatus::infeasible;
+    case GLP_UNBND:
+      return LinearStatus::unbounded;
+    default:
+      return LinearStatus::failed;
+  }
+}
+
+Basis Simplex::basis() const {
+  Basis basis(static_cast<std::size_t>(rows()), static_cast<std::size_t>(columns()));
+  for (std::size_t i = 0; i < basis.rows(); ++i) {
+    basis.set_row(i, place_of(glp_get_row_stat(problem_->lp, static_cast<int>(i) + 1)));
+  }
+  for (std::size_t j = 0; j < basis.columns(); ++j) {
+    basis.set_column(j, place_of(glp_get_col_stat(problem_->lp, static_cast<int>(j) + 1)));
+  }
+  return basis;
+}
+
+void Simplex::set_basis(const Basis& basis) {
+  require(basis.rows() <= static_cast<std::size_t>(rows()) &&
+              basis.columns() == static_cast<std::size_t>(columns()),
+          "the basis is of another program");
+  problem_->call([&] {
+    for (int i = 0; i < rows(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const int status = at < basis.rows() ? glpk_status(basis.row(at)) : GLP_BS;
+      glp_set_row_stat(problem_->lp, i + 1, status);
+    }
+    for (int j = 0; j < columns(); ++j) {
+      const int status = glpk_status(basis.column(static_cast<std::size_t>(j)));
+      glp_set_col_stat(problem_->lp, j + 1, status);
+    }
+  });
+  refactorise();
+}
+
+void Simplex::use_slack_basis() {
+  problem_->call([&] { glp_std_basis(problem_->lp); });
+  refactorise();
+}
+
+// A basis that came about by steps is kept by GLPK as a product of them, which rounds in another
+// way than a fresh factorisation. GLPK throws it away when a basic variable is made nonbasic.
+void Simplex::refactorise() {
+  problem_->call([&] {
+    for (int i = 1; i <= rows(); ++i) {
+      if (glp_get_row_stat(problem_->lp, i) != GLP_BS) continue;
+      glp_set_row_stat(problem_->lp, i, GLP_NL);
+      glp_set_row_stat(problem_->lp, i, GLP_BS);
+      return;
+    }
+    for (int j = 1; j <= columns(); ++j) {
+      if (glp_get_col_stat(problem_->lp, j) != GLP_BS) continue;
+      glp_set_col_stat(problem_->lp, j, GLP_NL);
+      glp_set_col_stat(problem_->lp, j, GLP_BS);
+      return;
+    }
+  });
+}
+
+// ---- the last solve ----------------------------------------------------------------------------
+
+double Simplex::objective() const {
+  return glp_get_obj_val(problem_->lp);
+}
+
+double Simplex::value(int column) const {
+  return glp_get_col_prim(problem_->lp, problem_->column(column));
+}
+
+double Simplex::row_value(int row) const {
+  return glp_get_row_prim(problem_->lp, problem_->row(row));
+}
+
+double Simplex::dual(int row) const {
+  return glp_get_row_dual(problem_->lp, problem_->row(row));
+}
+
+double Simplex::reduced_cost(int column) const {
+  return glp_get_col_dual(problem_->lp, problem_->column(column));
+}
+
+std::vector<double> Simplex::values() const {
+  std::vector<double> all;
+  for (int j = 0; j < columns(); ++j) all.push_back(value(j));
+  return all;
+}
+
+std::vector<double> Simplex::duals() const {
+  std::vector<double> all;
+  for (int i = 0; i < rows(); ++i) all.push_back(dual(i));
+  return all;
+}
+
+std::vector<double> Simplex::reduced_costs() const {
+  std::vector<double> all;
+  for (int j = 0; j < columns(); ++j) all.push_back(reduced_cost(j));
+  return all;
+}
+
+// The basic variable that violates its bound and that no step can bring nearer. Its row of the
+// tableau, e'B^-1 (I | -A) x = 0, is the contradiction.
+std::vector<double> Simplex::farkas() {
+  std::vector<double> rho(static_cast<std::size_t>(rows()) + 1);
+  if (status_ != LinearStatus::infeasible || empty_bounds()) return {};
+  bool found = false;
+  problem_->call([&] {
+    auto* const lp = problem_->lp;
+    const int ray = glp_get_unbnd_ray(lp);
+    if (ray == 0) return;
+    const bool is_row = ray <= rows();
+    const int k = is_row ? ray : ray - rows();
+    const int place = is_row ? glp_get_row_bind(lp, k) : glp_get_col_bind(lp, k);
+    if (place == 0) return;
+    const double at = is_row ? glp_get_row_prim(lp, k) : glp_get_col_prim(lp, k);
+    const double lower = is_row ? glp_get_row_lb(lp, k) : glp_get_col_lb(lp, k);
+    rho[static_cast<std::size_t>(place)] = at < lower ? 1 : -1;
+    glp_btran(lp, rho.data());
+    found = true;
+  });
+  if (!found) return {};
+  return {rho.begin() + 1, rho.end()};
+}
+
+}  // namespace kusabi::nodes::linear

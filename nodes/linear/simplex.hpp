@@ -1,0 +1,120 @@
+// Linear programs by the simplex methods of GLPK, warm from any basis: the programs at the nodes of
+// the zero-one tree (the limit paper, Algorithm 4.2 step 1), of the cuts, and of limit analysis.
+//
+// A result hangs on the program and on the basis it starts from, and on nothing that was solved
+// before, to the last bit, if the basis was given by set_basis() or use_slack_basis(): that is what
+// makes a tree the same on any number of ranks.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "nodes/linear/basis.hpp"
+#include "problems/linear_program.hpp"
+
+namespace kusabi::nodes::linear {
+
+/// What a solve found out. The first four are claims of a floating-point method: what they prove is
+/// told by safe_dual_bound().
+enum class LinearStatus {
+  optimal,     ///< within the tolerances
+  infeasible,  ///< no point satisfies all rows and bounds; farkas() is the reason
+  unbounded,   ///< feasible, and the objective has no lower bound
+  cut_off,     ///< dual simplex only: the optimum is above `SolveLimits::cutoff`
+  stopped,     ///< `SolveLimits::iterations` were not enough
+  failed,      ///< GLPK could not tell: a singular basis, lost accuracy
+};
+
+struct SolveLimits {
+  double cutoff = std::numeric_limits<double>::infinity();  ///< of the objective
+  int iterations = std::numeric_limits<int>::max();
+};
+
+class Simplex {
+ public:
+  /// Loads and scales. @throws std::invalid_argument if an entry is out of range, doubled or not
+  /// finite, or a bound or cost is not a number
+  explicit Simplex(const problems::LinearProgram& program);
+  Simplex(Simplex&& other) noexcept;
+  Simplex& operator=(Simplex&& other) noexcept;
+  ~Simplex();
+
+  [[nodiscard]] int rows() const;
+  [[nodiscard]] int columns() const;
+
+  // ---- changes; the basis stays --------------------------------------------------------------
+  // (in those that take bounds, lower > upper makes the program infeasible)
+
+  void set_column_bounds(int column, double lower, double upper);
+  void set_row_bounds(int row, double lower, double upper);
+  void set_cost(int column, double cost);
+  void set_constant(double constant);
+  /// The new row is basic. @return its index
+  int add_row(double lower, double upper, std::span<const problems::LinearTerm> terms);
+  /// The new column lies at a bound. @return its index
+  int add_column(const problems::LinearColumn& column,
+                 std::span<const problems::LinearEntry> entries);
+  /// Removes the rows from `first` on. If they are not all basic the basis may be lost; then the
+  /// next solve begins with the slack basis.
+  void drop_rows(int first);
+  /// Scales anew, after rows or columns were added.
+  void scale();
+
+  // ---- solving ---------------------------------------------------------------------------------
+
+  /// From the present basis, which changing bounds or adding rows leaves dual feasible.
+  LinearStatus solve_dual(const SolveLimits& limits = {});
+  /// From the present basis, which changing costs or adding columns leaves primal feasible.
+  LinearStatus solve_primal(const SolveLimits& limits = {});
+  /// As solve_dual, and if that fails by other ways: the primal method, then from an advanced
+  /// basis.
+  LinearStatus solve_robustly(const SolveLimits& limits = {});
+
+  [[nodiscard]] Basis basis() const;
+  /// @throws std::invalid_argument if it is of another size, but for rows added since, which become
+  ///   basic
+  void set_basis(const Basis& basis);
+  void use_slack_basis();
+
+  // ---- the last solve --------------------------------------------------------------------------
+
+  [[nodiscard]] LinearStatus status() const { return status_; }
+  [[nodiscard]] double objective() const;
+  [[nodiscard]] double value(int column) const;
+  [[nodiscard]] double row_value(int row) const;
+  /// Per unit of the row's bound: >= 0 if it presses on the lower, <= 0 on the upper one.
+  [[nodiscard]] double dual(int row) const;
+  /// c - A'dual
+  [[nodiscard]] double reduced_cost(int column) const;
+  [[nodiscard]] std::vector<double> values() const;
+  [[nodiscard]] std::vector<double> duals() const;
+  [[nodiscard]] std::vector<double> reduced_costs() const;
+  /// After `infeasible`: multipliers of the rows with which safe_dual_bound() of the program
+  /// without its costs is above zero. Empty if GLPK gives none.
+  [[nodiscard]] std::vector<double> farkas();
+
+  // ---- counts ----------------------------------------------------------------------------------
+
+  [[nodiscard]] std::uint64_t iterations() const { return iterations_; }
+  [[nodiscard]] std::uint64_t solves() const { return solves_; }
+
+ private:
+  struct Problem;  // keeps glpk.h out of our headers
+
+  [[nodiscard]] bool empty_bounds() const;
+  void refactorise();
+  LinearStatus solve(int method, const SolveLimits& limits);
+
+  std::unique_ptr<Problem> problem_;
+  std::vector<bool> row_empty_;     // lower > upper, which GLPK does not take
+  std::vector<bool> column_empty_;  //
+  LinearStatus status_ = LinearStatus::failed;
+  std::uint64_t iterations_ = 0;
+  std::uint64_t solves_ = 0;
+};
+
+}  // namespace kusabi::nodes::linear
