@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -73,7 +74,6 @@ std::vector<UncertainColumn> given_columns(const Structure& structure,
     }
     columns.push_back({degree, weight});
   }
-  std::ranges::sort(columns, {}, &UncertainColumn::degree);
   return columns;
 }
 
@@ -160,6 +160,10 @@ LimitProblem limit_problem(const Structure& structure) {
   }
   problem.uncertain =
       structure.uncertain ? given_columns(structure, problem) : default_columns(problem);
+  std::ranges::sort(problem.uncertain, {}, [&](const UncertainColumn& column) {
+    const auto& [node, axis] = problem.degrees.free[static_cast<std::size_t>(column.degree)];
+    return std::pair(axis, node);
+  });
   problem.fingerprint = fingerprint(problem);
   return problem;
 }

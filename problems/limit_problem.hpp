@@ -37,7 +37,7 @@ struct LimitProblem {
   Eigen::SparseMatrix<double> equilibrium;  ///< B, n^d x n^m
   Eigen::VectorXd dead;                     ///< f_D, n^d, force
   Eigen::VectorXd reference;                ///< f_R, n^d, force; not zero
-  std::vector<UncertainColumn> uncertain;   ///< T, m columns, in increasing degree
+  std::vector<UncertainColumn> uncertain;   ///< T, m columns, axis by axis, node by node
   Eigen::VectorXd tension;                  ///< q^t, n^m, force
   Eigen::VectorXd compression;              ///< q^c, n^m, force
   /// Hash of all of the above but the names.
