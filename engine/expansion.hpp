@@ -43,6 +43,10 @@ class Expansion {
   /// of whose solutions are worse (greater, not equal) need not be branched.
   [[nodiscard]] double cutoff() const;
 
+  /// Whether nothing that this node may still yield, with objectives of `bound` or more, can be the
+  /// best: then it need not be branched. (Of equal ones the first in depth-first order is.)
+  [[nodiscard]] bool ruled_out(double bound) const;
+
   /// Lets the rank answer its messages. For an `expand` that takes longer than about a
   /// millisecond: call it now and then, so that others need not wait for work.
   void poll() { serve_(); }

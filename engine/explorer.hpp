@@ -305,6 +305,11 @@ double Expansion<P>::cutoff() const {
 }
 
 template <class P>
+bool Expansion<P>::ruled_out(double bound) const {
+  return explorer_.incumbent_.rules_out_more(bound, explorer_.frontier_.path());
+}
+
+template <class P>
 Path Expansion<P>::path() const {
   return explorer_.frontier_.path();
 }

@@ -29,6 +29,11 @@ struct Incumbent {
     return exists && (bound > objective || (bound == objective && path < node));
   }
 
+  /// The same for what the node at `path` may yield itself after what it has yielded already.
+  [[nodiscard]] bool rules_out_more(double bound, const Path& node) const {
+    return exists && (bound > objective || (bound == objective && !(node < path)));
+  }
+
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& exists& objective& path;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "nodes/linear/rounded.hpp"
@@ -10,15 +11,8 @@
 namespace kusabi::nodes::linear {
 namespace {
 
-// The least r x over both intervals; those of x may be infinite.
-double least_product(const Interval& r, double lower, double upper) {
-  using rounded::product_down;
-  return std::min({product_down(r.lower, lower), product_down(r.lower, upper),
-                   product_down(r.upper, lower), product_down(r.upper, upper)});
-}
-
-double bound(const problems::LinearProgram& program, std::span<const double> duals,
-             std::span<const double> lower, std::span<const double> upper, bool with_costs) {
+SafeBound bound(const problems::LinearProgram& program, std::span<const double> duals,
+                std::span<const double> lower, std::span<const double> upper, bool with_costs) {
   std::vector<double> y(duals.begin(), duals.end());
   double total = with_costs ? program.constant : 0;
   for (std::size_t i = 0; i < y.size(); ++i) {
@@ -40,10 +34,21 @@ double bound(const problems::LinearProgram& program, std::span<const double> dua
   for (std::size_t j = 0; j < residual.size(); ++j) {
     total = rounded::sum_down(total, least_product(residual[j], lower[j], upper[j]));
   }
-  return std::isnan(total) ? -problems::infinity : total;
+  return {std::isnan(total) ? -problems::infinity : total, std::move(residual)};
 }
 
 }  // namespace
+
+double least_product(const Interval& residual, double lower, double upper) {
+  using rounded::product_down;
+  return std::min({product_down(residual.lower, lower), product_down(residual.lower, upper),
+                   product_down(residual.upper, lower), product_down(residual.upper, upper)});
+}
+
+SafeBound safe_bound(const problems::LinearProgram& program, std::span<const double> duals,
+                     std::span<const double> lower, std::span<const double> upper) {
+  return bound(program, duals, lower, upper, true);
+}
 
 double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals) {
   std::vector<double> lower;
@@ -59,12 +64,12 @@ double safe_dual_bound(const problems::LinearProgram& program, std::span<const d
 
 double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals,
                        std::span<const double> lower, std::span<const double> upper) {
-  return bound(program, duals, lower, upper, true);
+  return bound(program, duals, lower, upper, true).value;
 }
 
 double safe_infeasibility(const problems::LinearProgram& program, std::span<const double> duals,
                           std::span<const double> lower, std::span<const double> upper) {
-  return bound(program, duals, lower, upper, false);
+  return bound(program, duals, lower, upper, false).value;
 }
 
 }  // namespace kusabi::nodes::linear

@@ -9,7 +9,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "nodes/linear/rounded.hpp"
 #include "problems/linear_program.hpp"
 
 namespace kusabi::nodes::linear {
@@ -23,6 +25,18 @@ double safe_dual_bound(const problems::LinearProgram& program, std::span<const d
 /// The same with other bounds of the columns: those of a node.
 double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals,
                        std::span<const double> lower, std::span<const double> upper);
+
+/// The bound with what it was made of.
+struct SafeBound {
+  double value = -problems::infinity;
+  std::vector<Interval> residuals;  ///< c - A'y, one for each column
+};
+SafeBound safe_bound(const problems::LinearProgram& program, std::span<const double> duals,
+                     std::span<const double> lower, std::span<const double> upper);
+
+/// The least r x with r in `residual` and x in [lower, upper], rounded down: what one column adds
+/// to the bound.
+double least_product(const Interval& residual, double lower, double upper);
 
 /// The same without the costs: if it is above zero then no point satisfies all rows and bounds.
 double safe_infeasibility(const problems::LinearProgram& program, std::span<const double> duals,

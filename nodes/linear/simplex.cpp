@@ -337,6 +337,10 @@ void Simplex::refactorise() {
 
 // ---- the last solve ----------------------------------------------------------------------------
 
+bool Simplex::dual_feasible() const {
+  return glp_get_dual_stat(problem_->lp) == GLP_FEAS;
+}
+
 double Simplex::objective() const {
   return glp_get_obj_val(problem_->lp);
 }

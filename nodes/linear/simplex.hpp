@@ -83,6 +83,8 @@ class Simplex {
   // ---- the last solve --------------------------------------------------------------------------
 
   [[nodiscard]] LinearStatus status() const { return status_; }
+  /// Whether the duals are feasible, so that objective() is a lower bound (within the tolerances).
+  [[nodiscard]] bool dual_feasible() const;
   [[nodiscard]] double objective() const;
   [[nodiscard]] double value(int column) const;
   [[nodiscard]] double row_value(int row) const;

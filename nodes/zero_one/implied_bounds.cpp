@@ -1,0 +1,133 @@
+// Rows as intervals: what the other columns leave for one.
+#include "nodes/zero_one/implied_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "nodes/linear/rounded.hpp"
+
+namespace kusabi::nodes {
+namespace {
+
+using linear::Interval;
+using linear::rounded::product_down;
+using linear::rounded::product_up;
+
+constexpr int rounds = 8;
+// A bound that moves by less than this share of the width is left: otherwise bounds may creep
+// towards a limit in ever smaller steps.
+constexpr double worth_it = 0.05;
+
+struct Row {
+  double lower = -problems::infinity;
+  double upper = problems::infinity;
+  std::vector<problems::LinearTerm> terms;
+};
+
+Interval times(double a, double lower, double upper) {
+  return a > 0 ? Interval{product_down(a, lower), product_up(a, upper)}
+               : Interval{product_down(a, upper), product_up(a, lower)};
+}
+
+bool tightens(double old_bound, double new_bound, double width) {
+  if (!std::isfinite(new_bound)) return false;
+  if (!std::isfinite(old_bound)) return true;
+  return std::abs(new_bound - old_bound) > worth_it * width;
+}
+
+class Propagation {
+ public:
+  explicit Propagation(ColumnBounds& bounds) : bounds_(bounds) {}
+
+  /// @return whether a bound moved
+  bool apply(const Row& row) {
+    const std::size_t count = row.terms.size();
+    // Sums over the terms before and from each one on; both together leave one out, without a
+    // subtraction that infinity would spoil.
+    from_.assign(count + 1, {});
+    for (std::size_t k = count; k-- > 0;) from_[k] = term(row, k) + from_[k + 1];
+    Interval before{};
+    bool moved = false;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto own = term(row, k);
+      const auto others = before + from_[k + 1];
+      before = before + own;
+      const double least = linear::rounded::sum_down(row.lower, -others.upper);
+      const double most = linear::rounded::sum_up(row.upper, -others.lower);
+      moved = narrow(row.terms[k], least, most) || moved;
+    }
+    return moved;
+  }
+
+ private:
+  [[nodiscard]] Interval term(const Row& row, std::size_t k) const {
+    const auto j = static_cast<std::size_t>(row.terms[k].column);
+    return times(row.terms[k].value, bounds_.lower[j], bounds_.upper[j]);
+  }
+
+  // least <= a x <= most
+  bool narrow(const problems::LinearTerm& at, double least, double most) {
+    if (std::isnan(least)) least = -problems::infinity;
+    if (std::isnan(most)) most = problems::infinity;
+    const auto j = static_cast<std::size_t>(at.column);
+    if (at.value < 0) std::swap(least, most);
+    const double below =
+        std::isfinite(least) ? quotient_down(least, at.value) : -problems::infinity;
+    const double above = std::isfinite(most) ? -quotient_down(-most, at.value) : problems::infinity;
+    const double width = bounds_.upper[j] - bounds_.lower[j];
+    bool moved = false;
+    if (below > bounds_.lower[j] && tightens(bounds_.lower[j], below, width)) {
+      bounds_.lower[j] = std::min(below, bounds_.upper[j]);
+      moved = true;
+    }
+    if (above < bounds_.upper[j] && tightens(bounds_.upper[j], above, width)) {
+      bounds_.upper[j] = std::max(above, bounds_.lower[j]);
+      moved = true;
+    }
+    return moved;
+  }
+
+  static double quotient_down(double a, double b) { return linear::rounded::before(a / b); }
+
+  ColumnBounds& bounds_;
+  std::vector<Interval> from_;
+};
+
+}  // namespace
+
+ColumnBounds own_bounds(const problems::LinearProgram& program) {
+  ColumnBounds bounds;
+  for (const auto& column : program.columns) {
+    bounds.lower.push_back(column.lower);
+    bounds.upper.push_back(column.upper);
+  }
+  return bounds;
+}
+
+ColumnBounds implied_bounds(const problems::LinearProgram& program, double cutoff) {
+  auto bounds = own_bounds(program);
+  std::vector<Row> rows;
+  for (const auto& row : program.rows) rows.push_back({row.lower, row.upper, {}});
+  for (const auto& [row, column, value] : program.entries) {
+    rows[static_cast<std::size_t>(row)].terms.push_back({column, value});
+  }
+  if (std::isfinite(cutoff)) {
+    Row objective;
+    objective.upper = linear::rounded::sum_up(cutoff, -program.constant);
+    for (std::size_t j = 0; j < program.columns.size(); ++j) {
+      const double cost = program.columns[j].cost;
+      if (cost != 0) objective.terms.push_back({static_cast<int>(j), cost});
+    }
+    rows.push_back(std::move(objective));
+  }
+  Propagation propagation(bounds);
+  for (int round = 0; round < rounds; ++round) {
+    bool moved = false;
+    for (const auto& row : rows) moved = propagation.apply(row) || moved;
+    if (!moved) break;
+  }
+  return bounds;
+}
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,39 @@
+// Points that satisfy a mixed zero-one program, found without a tree: by rounding, and by diving,
+// that is going down from a node without coming back. They give the search something to prune with.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "nodes/zero_one/relaxation.hpp"
+
+namespace kusabi::nodes {
+
+/// A point of the program; its binaries are 0 or 1 exactly, rows hold within GLPK's tolerance.
+struct ZeroOnePoint {
+  double objective = 0;  ///< constant + c'x
+  std::vector<double> values;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& objective& values;
+  }
+};
+
+/// The best point with all binaries held as `fixings` say, which leave none free; none if GLPK
+/// finds none. What it finds by itself is in the relaxation.
+std::optional<ZeroOnePoint> point_at(Relaxation& relaxation, const Fixings& fixings,
+                                     const linear::Basis& basis);
+
+/// The fixings, and every free binary at the nearer of 0 and 1 in the last solve.
+Fixings rounded_fixings(const Relaxation& relaxation, Fixings fixings);
+
+/// From the relaxation's optimum under `fixings` (with its basis) down: holds what is at 0 or 1
+/// already and the binary nearest to it, solves again, and so on; a binary that will not go one way
+/// goes the other. Some dozens of linear programs at most.
+std::optional<ZeroOnePoint> dive(Relaxation& relaxation, const Fixings& fixings,
+                                 const linear::Basis& basis);
+
+}  // namespace kusabi::nodes

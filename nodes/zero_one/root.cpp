@@ -1,0 +1,113 @@
+// The order of the work at the root.
+#include "nodes/zero_one/root.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace kusabi::nodes {
+namespace {
+
+using linear::LinearStatus;
+
+// The largest number of which every cost is a multiple, if no column but binaries has a cost and
+// the costs are whole numbers after multiplication by a small power of ten; otherwise 0.
+double grid_of_objectives(const problems::MixedProgram& mixed) {
+  constexpr double largest_whole = 1e9;
+  std::vector<bool> binary(mixed.program.columns.size());
+  for (const int column : mixed.binaries) binary[static_cast<std::size_t>(column)] = true;
+  for (std::size_t j = 0; j < binary.size(); ++j) {
+    if (!binary[j] && mixed.program.columns[j].cost != 0) return 0;
+  }
+  for (const double power : {1.0, 10.0, 100.0, 1000.0}) {
+    std::int64_t divisor = 0;
+    bool whole = true;
+    for (const auto& column : mixed.program.columns) {
+      const double scaled = column.cost * power;
+      const double nearest = std::round(scaled);
+      whole = whole && std::abs(nearest) < largest_whole && nearest / power == column.cost;
+      if (!whole) break;
+      divisor = std::gcd(divisor, static_cast<std::int64_t>(nearest));
+    }
+    if (whole) return static_cast<double>(divisor) / power;
+  }
+  return 0;
+}
+
+// The size of what is minimised: that of its values at the root, or, if those are zero, of its
+// terms.
+double objective_size(const ZeroOneRoot& root) {
+  double size = std::isfinite(root.bound) ? std::abs(root.bound) : 0;
+  if (root.point) size = std::max(size, std::abs(root.point->objective));
+  if (size > 0) return size;
+  for (const auto& column : root.relaxation.program().columns) {
+    size = std::max(size, std::abs(column.cost));
+  }
+  return size > 0 ? size : 1;
+}
+
+void relax(ZeroOneRoot& root) {
+  root.status = root.relaxation.solve(root.relaxation.root(), root.basis);
+  if (root.status != LinearStatus::optimal) return;
+  root.basis = root.relaxation.simplex().basis();
+  root.bound = root.relaxation.bound();
+}
+
+void keep_better(std::optional<ZeroOnePoint>& best, std::optional<ZeroOnePoint>&& found) {
+  if (found && (!best || found->objective < best->objective)) best = std::move(found);
+}
+
+Fixings fixings_of(const Relaxation& relaxation, const std::vector<double>& values) {
+  auto fixings = relaxation.root();
+  for (std::size_t k = 0; k < relaxation.binaries(); ++k) {
+    fixings.fix(k, values[static_cast<std::size_t>(relaxation.column(k))] > 0.5);
+  }
+  return fixings;
+}
+
+void find_points(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
+  auto& relaxation = root.relaxation;
+  if (options.start.size() == relaxation.program().columns.size()) {
+    keep_better(root.point,
+                point_at(relaxation, fixings_of(relaxation, options.start), root.basis));
+  }
+  if (!options.dive) return;
+  relaxation.solve(relaxation.root(), root.basis);
+  const auto rounded = rounded_fixings(relaxation, relaxation.root());
+  keep_better(root.point, point_at(relaxation, rounded, root.basis));
+  keep_better(root.point, dive(relaxation, relaxation.root(), root.basis));
+}
+
+// Bounds of columns so wide that rounding alone brings the safe bound below what can be told apart:
+// then no node would ever be closed by it.
+bool safe_bound_is_of_use(ZeroOneRoot& root) {
+  relax(root);
+  constexpr double share = 0.25;
+  return root.status != LinearStatus::optimal ||
+         root.relaxation.simplex().objective() - root.bound < share * root.resolution;
+}
+
+}  // namespace
+
+ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions& options) {
+  const double grid = grid_of_objectives(mixed);
+  ZeroOneRoot root{.relaxation = Relaxation(std::move(mixed)), .grid = grid};
+  relax(root);
+  if (root.status == LinearStatus::optimal) {
+    root.counts.first_bound = root.relaxation.simplex().objective();
+    find_points(root, options);
+    root.resolution = objective_tolerance * objective_size(root);
+    if (root.point) {
+      root.relaxation.matters_below(root.point->objective + root.resolution);
+    }
+    if (root.relaxation.proves() && !safe_bound_is_of_use(root)) root.relaxation.do_without_proof();
+    relax(root);
+    root.counts.last_bound = root.bound;
+  }
+  root.counts.programs = root.relaxation.programs();
+  return root;
+}
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,56 @@
+// What is done with a mixed zero-one program before the search, on every rank alike: the first
+// relaxation, points to prune with, tighter coefficients, cuts.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "nodes/linear/basis.hpp"
+#include "nodes/zero_one/incumbent_search.hpp"
+#include "nodes/zero_one/relaxation.hpp"
+
+namespace kusabi::nodes {
+
+enum class ZeroOneCuts {
+  none,
+  disjunctive,  ///< Algorithm 5.1 of the limit paper
+};
+
+struct ZeroOneRootOptions {
+  ZeroOneCuts cuts = ZeroOneCuts::none;
+  bool tighten = true;  ///< coefficients by optimisation (bound_tightening)
+  bool dive = true;     ///< look for points
+  /// A point known beforehand, as values of all columns; it is used if the program agrees that it
+  /// is one. Empty: none.
+  std::vector<double> start = {};
+};
+
+/// What the work at the root came to; counts are of linear programs where nothing else is said.
+struct ZeroOneRootCounts {
+  std::uint64_t programs = 0;      ///< all
+  std::uint64_t cut_rounds = 0;    ///< times round Algorithm 5.1
+  std::uint64_t cuts = 0;          ///< kept
+  std::uint64_t cut_programs = 0;  ///< cut generating programs (51)
+  std::uint64_t tightened = 0;     ///< coefficients made smaller
+  std::uint64_t tighten_programs = 0;
+  double first_bound = -problems::infinity;  ///< of the relaxation as given
+  double last_bound = -problems::infinity;   ///< of the relaxation as the tree gets it
+};
+
+struct ZeroOneRoot {
+  Relaxation relaxation;
+  linear::LinearStatus status = linear::LinearStatus::failed;  ///< of the relaxation
+  linear::Basis basis = {};
+  double bound = -problems::infinity;
+  std::optional<ZeroOnePoint> point = {};
+  /// Objectives nearer to each other than half of this are one.
+  double resolution = objective_tolerance;
+  /// All points have an objective of program().constant plus a multiple of this; 0: no such number.
+  double grid = 0;
+  ZeroOneRootCounts counts = {};
+};
+
+ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions& options = {});
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,271 @@
+// How a node of the zero-one tree is bounded, closed and split.
+#include "nodes/zero_one/tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace kusabi::nodes {
+namespace {
+
+using linear::LinearStatus;
+
+// How much is looked ahead: measured on random programs (bench/README.md); more candidates or steps
+// cost more linear programs than they save nodes.
+constexpr std::size_t look_ahead_candidates = 8;
+constexpr int look_ahead_steps = 15;
+// Where one bound does not rise at all the product of both should still tell; in steps of the
+// resolution.
+constexpr double least_rise = 1;
+
+// Below the grid by as much as this share of its width counts as on it: the bound is safe, but the
+// costs that make the grid are sums that round.
+constexpr double grid_slack = 1e-6;
+
+}  // namespace
+
+ZeroOneTally& ZeroOneTally::operator+=(const ZeroOneTally& other) {
+  branched += other.branched;
+  infeasible += other.infeasible;
+  above += other.above;
+  leaves += other.leaves;
+  points += other.points;
+  unproved += other.unproved;
+  held += other.held;
+  programs += other.programs;
+  iterations += other.iterations;
+  least_bound = std::min(least_bound, other.least_bound);
+  return *this;
+}
+
+// The best way to split a node, and what looking ahead found out about the children.
+struct ZeroOneTree::Split {
+  std::size_t binary = 0;
+  std::array<double, 2> bound = {};
+  std::array<linear::Basis, 2> basis = {};
+};
+
+ZeroOneTree::ZeroOneTree(ZeroOneRoot root, ZeroOneBranching branching)
+    : root_(std::move(root)),
+      branching_(branching),
+      programs_before_(root_.relaxation.programs()),
+      iterations_before_(root_.relaxation.simplex().iterations()) {}
+
+ZeroOneNode ZeroOneTree::root() const {
+  return {root_.relaxation.root(), root_.basis, root_.bound};
+}
+
+ZeroOneTally ZeroOneTree::tally() const {
+  Tally tally = tally_;
+  tally.programs = root_.relaxation.programs() - programs_before_;
+  tally.iterations = root_.relaxation.simplex().iterations() - iterations_before_;
+  return tally;
+}
+
+double ZeroOneTree::in_steps(double objective) const {
+  if (!std::isfinite(objective)) return objective;
+  return std::round(objective / root_.resolution) * root_.resolution;
+}
+
+// A node that was pruned unopened has a bound that rounds to a step not below that of the optimum.
+double ZeroOneTree::lower_bound(double outcome_bound, const Tally& total) const {
+  const double half_a_step = 0.5 * (1 + objective_tolerance) * root_.resolution;
+  return std::min(raised(outcome_bound - half_a_step), total.least_bound);
+}
+
+// If objectives lie on a grid, a bound between two of its points is as good as the upper one.
+double ZeroOneTree::raised(double bound) const {
+  if (root_.grid == 0 || !std::isfinite(bound)) return bound;
+  const double constant = root_.relaxation.program().constant;
+  const double steps = std::ceil((bound - constant) / root_.grid - grid_slack);
+  return std::max(bound, constant + steps * root_.grid);
+}
+
+bool ZeroOneTree::worse_than_root_point(double bound) const {
+  return root_.point && in_steps(raised(bound)) > in_steps(root_.point->objective);
+}
+
+// The free binaries, those furthest from 0 and 1 in the last solve first; of equal ones the first,
+// so that the tree is the same everywhere.
+std::vector<std::size_t> ZeroOneTree::free_binaries(const Node& node) const {
+  std::vector<std::pair<double, std::size_t>> list;
+  for (std::size_t k = 0; k < root_.relaxation.binaries(); ++k) {
+    if (!node.fixings.free(k)) continue;
+    const double at = root_.relaxation.value(k);
+    list.emplace_back(-at * (1 - at), k);
+  }
+  std::sort(list.begin(), list.end());
+  std::vector<std::size_t> binaries;
+  binaries.reserve(list.size());
+  for (const auto& [order, k] : list) binaries.push_back(k);
+  return binaries;
+}
+
+void ZeroOneTree::expand(Node&& node, Out& out) {
+  if (root_.point && node.fixings == root_.relaxation.root()) out.solution(*root_.point);
+  for (;;) {
+    if (settle(node, out)) return;
+    hold_by_cost(node);
+    const auto free = free_binaries(node);
+    const bool whole = std::all_of(free.begin(), free.end(), [this](std::size_t k) {
+      const double at = root_.relaxation.value(k);
+      return std::min(at, 1 - at) <= integrality_tolerance;
+    });
+    if (whole) {
+      if (close_if_whole(node, out)) return;
+      // What rounding took away was worth something: go on with the binary it moved most.
+      branch(node, {free.front(), {node.bound, node.bound}, {node.basis, node.basis}}, true, out);
+      return;
+    }
+    if (!root_.point) try_rounding(node, out);
+    if (branching_ == ZeroOneBranching::paper) {
+      branch(node, {free.front(), {node.bound, node.bound}, {node.basis, node.basis}}, true, out);
+      return;
+    }
+    if (const auto split = look_ahead(node, free)) {
+      branch(node, *split, split->bound[1] < split->bound[0], out);
+      return;
+    }
+  }
+}
+
+// Solves the relaxation. True if the node is closed by it, or split for want of an answer;
+// otherwise the node has the new bound and basis.
+bool ZeroOneTree::settle(Node& node, Out& out) {
+  auto& relaxation = root_.relaxation;
+  auto status =
+      relaxation.solve(node.fixings, node.basis, {.cutoff = out.cutoff() + root_.resolution});
+  if (status == LinearStatus::cut_off && !out.ruled_out(in_steps(raised(relaxation.bound())))) {
+    status = relaxation.solve(node.fixings, node.basis);
+  }
+  if (status == LinearStatus::infeasible) {
+    if (!relaxation.contradiction()) {
+      close_without_proof(node);
+    } else {
+      ++tally_.infeasible;
+    }
+    return true;
+  }
+  if (status != LinearStatus::optimal && status != LinearStatus::cut_off) {
+    const auto& fixings = node.fixings;
+    for (std::size_t k = 0; k < relaxation.binaries(); ++k) {
+      if (!fixings.free(k)) continue;
+      branch(node, {k, {node.bound, node.bound}, {}}, true, out);
+      return true;
+    }
+    close_without_proof(node);
+    return true;
+  }
+  node.bound = std::max(node.bound, raised(relaxation.bound()));
+  node.basis = relaxation.simplex().basis();
+  if (!out.ruled_out(in_steps(node.bound))) return false;
+  close(node, tally_.above);
+  return true;
+}
+
+void ZeroOneTree::close(const Node& node, std::uint64_t& how) {
+  ++how;
+  tally_.least_bound = std::min(tally_.least_bound, node.bound);
+}
+
+void ZeroOneTree::close_without_proof(const Node& node) {
+  close(node, tally_.unproved);
+}
+
+// All binaries of the optimum are 0 or 1 within the tolerance: held there exactly, what is left?
+bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
+  const auto fixings = rounded_fixings(root_.relaxation, node.fixings);
+  auto point = point_at(root_.relaxation, fixings, node.basis);
+  const bool was_whole = fixings == node.fixings;
+  if (!point) {
+    if (was_whole) close_without_proof(node);
+    return was_whole;
+  }
+  const bool nothing_lost = in_steps(point->objective) <= in_steps(node.bound);
+  out.solution(*std::move(point));
+  if (was_whole || nothing_lost) {
+    close(node, tally_.leaves);
+    return true;
+  }
+  ++tally_.points;
+  return false;
+}
+
+// A binary whose other value would bring the bound above the point known from the root. (Not the
+// best point known by now: what a node yields must not hang on when it is opened.)
+void ZeroOneTree::hold_by_cost(Node& node) {
+  if (!root_.point) return;
+  for (std::size_t k = 0; k < root_.relaxation.binaries(); ++k) {
+    if (!node.fixings.free(k)) continue;
+    for (const bool at_one : {false, true}) {
+      if (!worse_than_root_point(root_.relaxation.bound_if(k, !at_one))) continue;
+      node.fixings.fix(k, at_one);
+      ++tally_.held;
+      break;
+    }
+  }
+}
+
+void ZeroOneTree::try_rounding(const Node& node, Out& out) {
+  auto point =
+      point_at(root_.relaxation, rounded_fixings(root_.relaxation, node.fixings), node.basis);
+  if (!point) return;
+  ++tally_.points;
+  out.solution(*std::move(point));
+}
+
+// None if a binary had to be held: then the node is another one, to be solved again.
+std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
+    Node& node, const std::vector<std::size_t>& candidates) {
+  auto& relaxation = root_.relaxation;
+  linear::SolveLimits limits{.iterations = look_ahead_steps};
+  if (root_.point) limits.cutoff = root_.point->objective + root_.resolution;
+  std::optional<Split> best;
+  double most = -1;
+  bool held = false;
+  const std::size_t count = std::min(candidates.size(), look_ahead_candidates);
+  for (std::size_t i = 0; i < count; ++i) {
+    Split split{candidates[i], {}, {}};
+    std::array<bool, 2> dead{};
+    for (const bool at_one : {false, true}) {
+      const std::size_t side = at_one ? 1 : 0;
+      Fixings fixings = node.fixings;
+      fixings.fix(split.binary, at_one);
+      const auto status = relaxation.solve(fixings, node.basis, limits);
+      const bool failed = status == LinearStatus::failed || status == LinearStatus::unbounded;
+      split.basis[side] = failed ? node.basis : relaxation.simplex().basis();
+      split.bound[side] = std::max(node.bound, raised(relaxation.bound()));
+      dead[side] = (status == LinearStatus::infeasible && relaxation.contradiction()) ||
+                   worse_than_root_point(split.bound[side]);
+    }
+    if (dead[0] || dead[1]) {
+      node.fixings.fix(split.binary, dead[0]);
+      ++tally_.held;
+      held = true;
+      if (dead[0] && dead[1]) break;
+      continue;
+    }
+    const double score = std::max(split.bound[0] - node.bound, least_rise * root_.resolution) *
+                         std::max(split.bound[1] - node.bound, least_rise * root_.resolution);
+    if (score > most) {
+      most = score;
+      best = std::move(split);
+    }
+  }
+  if (held) return {};
+  return best;
+}
+
+void ZeroOneTree::branch(const Node& node, const Split& split, bool one_first, Out& out) {
+  ++tally_.branched;
+  for (const bool at_one : {one_first, !one_first}) {
+    const std::size_t side = at_one ? 1 : 0;
+    Node child{node.fixings, split.basis[side], split.bound[side]};
+    child.fixings.fix(split.binary, at_one);
+    out.branch(std::move(child));
+  }
+}
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,121 @@
+// The zero-one tree: Algorithm 4.2 of the limit paper, for any mixed zero-one linear program.
+//
+// A node is a pair (J0, J1) of sets of binaries, held at 0 and at 1. Its bound is the linear
+// relaxation with those fixings, solved by the dual simplex method from its parent's basis, which
+// travels with the node: so what a node yields hangs on the node alone, and the tree is the same on
+// any number of ranks. It is closed if no point is left, if its bound says that nothing better than
+// the best point known is below, or if all binaries of its optimum are 0 or 1.
+//
+// Objectives are told apart in steps of `resolution` only (see ZeroOneRoot): else many optima that
+// are equal but for rounding would all be searched for.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/search.hpp"
+#include "nodes/linear/basis.hpp"
+#include "nodes/zero_one/fixings.hpp"
+#include "nodes/zero_one/incumbent_search.hpp"
+#include "nodes/zero_one/relaxation.hpp"
+#include "nodes/zero_one/root.hpp"
+
+namespace kusabi::nodes {
+
+struct ZeroOneNode {
+  Fixings fixings;
+  linear::Basis basis;  ///< of the parent's optimum, or nearer
+  double bound = -std::numeric_limits<double>::infinity();
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& fixings& basis& bound;
+  }
+};
+
+/// What became of the nodes that were opened, and what it cost.
+struct ZeroOneTally {
+  std::uint64_t branched = 0;
+  std::uint64_t infeasible = 0;  ///< closed: no point is left
+  std::uint64_t above = 0;       ///< closed: nothing better can be below
+  std::uint64_t leaves = 0;      ///< closed: the optimum has all binaries at 0 or 1
+  std::uint64_t points = 0;      ///< found by rounding on the way
+  /// Closed by what the simplex method says, without a proof: that no point is left, or (of a leaf)
+  /// for failure to solve it. Their parents' bounds are in `least_bound`.
+  std::uint64_t unproved = 0;
+  std::uint64_t held = 0;        ///< binaries held by reduced costs or by looking ahead
+  std::uint64_t programs = 0;    ///< linear programs
+  std::uint64_t iterations = 0;  ///< of the simplex method
+  /// The least bound of the nodes closed here: a lower bound of all that was not pruned unopened.
+  double least_bound = std::numeric_limits<double>::infinity();
+
+  ZeroOneTally& operator+=(const ZeroOneTally& other);
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& branched& infeasible& above& leaves& points& unproved& held& programs& iterations;
+    archive& least_bound;
+  }
+};
+
+/// Which binary a node is split by. Any gives the same optimum.
+enum class ZeroOneBranching {
+  paper,       ///< the largest tau (1 - tau); 1 first: Algorithm 4.2
+  look_ahead,  ///< of some with large tau (1 - tau) the one whose children's bounds rise most,
+               ///< found by some steps of the dual simplex method; the lower child first
+};
+
+/// The problem type that engine::search searches, with Goal::best.
+class ZeroOneTree {
+ public:
+  using Node = ZeroOneNode;
+  using Solution = ZeroOnePoint;
+  using Tally = ZeroOneTally;
+
+  explicit ZeroOneTree(ZeroOneRoot root, ZeroOneBranching branching = ZeroOneBranching::look_ahead);
+
+  Node root() const;
+  void expand(Node&& node, engine::Expansion<ZeroOneTree>& out);
+  /// In whole steps of the resolution.
+  double objective(const Solution& point) const { return in_steps(point.objective); }
+  double bound(const Node& node) const { return in_steps(node.bound); }
+  Tally tally() const;
+
+  /// What is known below the optimum, from the outcome of a search: engine::Outcome::bound (in
+  /// steps, of the nodes that are open and of those that were pruned) and the sum of all tallies.
+  /// No point has a smaller objective; proved if the relaxation proves its bounds.
+  [[nodiscard]] double lower_bound(double outcome_bound, const Tally& total) const;
+
+  [[nodiscard]] const ZeroOneRoot& prepared() const { return root_; }
+
+ private:
+  struct Split;
+
+  using Out = engine::Expansion<ZeroOneTree>;
+
+  [[nodiscard]] double in_steps(double objective) const;
+  [[nodiscard]] double raised(double bound) const;
+  [[nodiscard]] bool worse_than_root_point(double bound) const;
+  [[nodiscard]] std::vector<std::size_t> free_binaries(const Node& node) const;
+
+  bool settle(Node& node, Out& out);
+  bool close_if_whole(const Node& node, Out& out);
+  void close(const Node& node, std::uint64_t& how);
+  void close_without_proof(const Node& node);
+  void hold_by_cost(Node& node);
+  void try_rounding(const Node& node, Out& out);
+  std::optional<Split> look_ahead(Node& node, const std::vector<std::size_t>& candidates);
+  void branch(const Node& node, const Split& split, bool one_first, Out& out);
+
+  ZeroOneRoot root_;
+  ZeroOneBranching branching_;
+  Tally tally_;
+  std::uint64_t programs_before_;
+  std::uint64_t iterations_before_;
+};
+
+}  // namespace kusabi::nodes
