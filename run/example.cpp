@@ -2,10 +2,12 @@
 #include "run/example.hpp"
 
 #include <cstdio>
+#include <functional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "problems/grid_truss.hpp"
 #include "problems/structure_writer.hpp"
 #include "run/exit_code.hpp"
 #include "run/output_file.hpp"
@@ -13,20 +15,20 @@
 namespace kusabi::run {
 namespace {
 
-std::string text_of(const problems::SpaceTrussSize& size) {
+std::string text_of(const std::string& name,
+                    const std::function<problems::Structure()>& structure) {
   try {
-    return problems::structure_text(problems::space_truss(size));
+    return problems::structure_text(structure());
   } catch (const std::invalid_argument& error) {
-    throw WrongInput(fmt::format("kusabi example space-truss: {}", error.what()));
+    throw WrongInput(fmt::format("kusabi example {}: {}", name, error.what()));
   }
 }
 
-}  // namespace
-
-int example_space_truss(Session& session, const ExampleSpaceTrussOptions& options) {
+int write(Session& session, const std::string& output,
+          const std::function<std::string()>& text_of) {
   session.on_first_rank([&]() -> std::string {
-    const auto text = text_of(options.size);
-    OutputFile file("--output", options.output, {});
+    const auto text = text_of();
+    OutputFile file("--output", output, {});
     if (file.wanted()) {
       file.stream() << text;
       file.put_in_place();
@@ -36,6 +38,19 @@ int example_space_truss(Session& session, const ExampleSpaceTrussOptions& option
     return {};
   });
   return solved;
+}
+
+}  // namespace
+
+int example_space_truss(Session& session, const ExampleSpaceTrussOptions& options) {
+  return write(session, options.output, [&] {
+    return text_of("space-truss", [&] { return problems::space_truss(options.size); });
+  });
+}
+
+int example_grid(Session& session, const ExampleGridOptions& options) {
+  return write(session, options.output,
+               [&] { return text_of("grid", [&] { return problems::grid_truss(options.bays); }); });
 }
 
 }  // namespace kusabi::run

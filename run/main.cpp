@@ -18,6 +18,7 @@
 #include "run/bench_uts.hpp"
 #include "run/example.hpp"
 #include "run/exit_code.hpp"
+#include "run/limit.hpp"
 #include "run/patterns.hpp"
 #include "run/session.hpp"
 #include "run/verify.hpp"
@@ -103,6 +104,37 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
       [&action, options] { action = [options](Session& s) { return patterns(s, *options); }; });
 }
 
+void add_limit(CLI::App& app, Action& action, bool& serial) {
+  auto& command = *app.add_subcommand(
+      "limit",
+      "the load factor at which a truss collapses, and its worst case under loads that "
+      "are not known exactly");
+  const auto options = std::make_shared<LimitOptions>();
+  command.add_option("file", options->file, "the problem, a TOML file")->required();
+  auto* const alpha =
+      command
+          .add_option("--alpha", options->alpha,
+                      "the uncertain components of the dead load are known up to +- this")
+          ->check(CLI::NonNegativeNumber);
+  command.add_option("--samples", options->samples, "compare with so many random dead loads")
+      ->needs(alpha)
+      ->check(CLI::Range(1U, 100'000'000U));
+  command.add_option("--seed", options->seed, "of the random dead loads")->capture_default_str();
+  command
+      .add_flag("--curve", options->curve,
+                "how the load factor falls as the critical load, or alpha, grows from zero")
+      ->needs(alpha);
+  command.add_option("--output", options->output, "write the result to this JSON file");
+  command
+      .add_option("--certificate", options->certificate,
+                  "write the evidence to this file, for kusabi verify")
+      ->needs(alpha);
+  command.add_flag("--quiet", options->quiet, "print errors only");
+  add_serial(command, serial);
+  command.callback(
+      [&action, options] { action = [options](Session& s) { return limit(s, *options); }; });
+}
+
 void add_verify(CLI::App& app, Action& action, bool& serial) {
   auto& command =
       *app.add_subcommand("verify", "proves the list of patterns from its certificate, exactly");
@@ -114,6 +146,16 @@ void add_verify(CLI::App& app, Action& action, bool& serial) {
   add_serial(command, serial);
   command.callback(
       [&action, options] { action = [options](Session& s) { return verify(s, *options); }; });
+}
+
+void add_example_grid(CLI::App& example, Action& action) {
+  auto& grid = *example.add_subcommand(
+      "grid", "a plane grid truss, braced crosswise, with loads for limit analysis");
+  const auto options = std::make_shared<ExampleGridOptions>();
+  grid.add_option("--bays", options->bays, "bays along each axis")->required();
+  grid.add_option("--output", options->output, "write to this file instead of standard output");
+  grid.callback(
+      [&action, options] { action = [options](Session& s) { return example_grid(s, *options); }; });
 }
 
 void add_example(CLI::App& app, Action& action) {
@@ -132,6 +174,7 @@ void add_example(CLI::App& app, Action& action) {
   truss.callback([&action, options] {
     action = [options](Session& s) { return example_space_truss(s, *options); };
   });
+  add_example_grid(command, action);
 }
 
 void add_scaling(CLI::App& bench, Action& action) {
@@ -192,12 +235,16 @@ void add_uts(CLI::App& bench, Action& action, bool& serial) {
 }
 
 int run(Session& session, int argc, char** argv) {
-  CLI::App app{"All wedged configurations of a structure with Coulomb friction.", "kusabi"};
+  CLI::App app{
+      "All wedged configurations of a structure with Coulomb friction, and worst-case limit loads "
+      "of trusses.",
+      "kusabi"};
   app.set_version_flag("--version", "kusabi " KUSABI_VERSION);
   app.require_subcommand(1);
   Action action;
   bool serial = false;
   add_patterns(app, action, serial);
+  add_limit(app, action, serial);
   add_verify(app, action, serial);
   add_example(app, action);
   auto& bench = *app.add_subcommand("bench", "measures and tries the search engine");
