@@ -136,11 +136,13 @@ void add_limit(CLI::App& app, Action& action, bool& serial) {
 }
 
 void add_verify(CLI::App& app, Action& action, bool& serial) {
-  auto& command =
-      *app.add_subcommand("verify", "proves the list of patterns from its certificate, exactly");
+  auto& command = *app.add_subcommand(
+      "verify",
+      "proves a list of patterns, or a worst-case load factor, from its certificate, exactly");
   const auto options = std::make_shared<VerifyOptions>();
   command
-      .add_option("certificate", options->certificate, "what patterns --certificate has written")
+      .add_option("certificate", options->certificate,
+                  "what patterns or limit --certificate has written")
       ->required();
   command.add_flag("--quiet", options->quiet, "print errors and what is refused only");
   add_serial(command, serial);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "nodes/sha1.hpp"
 #include "verify/lines.hpp"
@@ -16,8 +17,8 @@ constexpr std::uint64_t most = 10'000'000;
 void put(std::string& text, double value) {
   std::array<char, 64> digits{};
   const bool negative = value < 0;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(),
-                                 negative ? -value : value, std::chars_format::hex)
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::abs(value),
+                                 std::chars_format::hex)
                        .ptr;
   text += negative ? " -0x" : " 0x";
   text.append(digits.data(), end);

@@ -44,7 +44,7 @@ class Rounds {
  private:
   bool improve(const Eigen::VectorXd& motion);
   bool price(const Eigen::VectorXd& z, const std::vector<int>& columns, const Relaxed* point);
-  bool limit_dissipation();
+  bool lift_dissipation();
   RootStatus rounds();
 
   const LimitModel& model_;
@@ -87,7 +87,7 @@ bool Rounds::price(const Eigen::VectorXd& z, const std::vector<int>& columns,
 }
 
 // @return whether the limit pressed and is gone now
-bool Rounds::limit_dissipation() {
+bool Rounds::lift_dissipation() {
   if (!limited_ || !master_.dissipation_presses()) return false;
   limited_ = false;
   master_.limit_dissipation(problems::infinity);
@@ -109,17 +109,18 @@ RootStatus Rounds::rounds() {
     if (!improve(point.motion)) return RootStatus::not_carried;
     const Eigen::VectorXd loose = looseness(model_, point);
     const bool meet = result_.worst->collapse.factor - result_.lower <= closed_gap;
-    if (meet && !limit_dissipation()) return RootStatus::closed;
     columns.clear();
     for (int j = 0; j < model_.uncertain_count(); ++j) {
       if (loose(j) > violated) columns.push_back(j);
     }
-    while (!columns.empty() && !price(point.z, columns, &point)) {
-      if (limit_dissipation()) break;
-      if (share_ == 0) return RootStatus::open;
+    bool cut = false;
+    while (!meet && !cut && !columns.empty()) {
+      cut = price(point.z, columns, &point);
+      if (cut || share_ == 0) break;
       share_ = share_ > least_share ? share_ * share_fall : 0;
     }
-    if (columns.empty() && !limit_dissipation()) return RootStatus::open;
+    if (cut || lift_dissipation()) continue;
+    return meet ? RootStatus::closed : RootStatus::open;
   }
   return RootStatus::open;
 }
