@@ -78,7 +78,7 @@ class LimitRun {
   std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
   RootResult root(double alpha, double room);
   LimitWorstCase worst_case();
-  bool tree(RootResult& root, double alpha, double room, LimitWorstCase& worst,
+  void tree(RootResult& root, double alpha, double room, LimitWorstCase& worst,
             std::vector<ClosedNode>& nodes);
   bool prove(const RootResult& root, const std::vector<ClosedNode>& nodes, LimitWorstCase& worst);
   std::vector<double> samples();
@@ -130,8 +130,8 @@ RootResult LimitRun::root(double alpha, double room) {
       room);
 }
 
-// The tree of signs below an open root; rank 0 learns what came of it, and all whether it is done.
-bool LimitRun::tree(RootResult& root, double alpha, double room, LimitWorstCase& worst,
+// The tree of signs below an open root. The evidence is on rank 0, the worst load on all.
+void LimitRun::tree(RootResult& root, double alpha, double room, LimitWorstCase& worst,
                     std::vector<ClosedNode>& nodes) {
   SignTree tree(model_, alpha, root, room, true);
   engine::Options search_options;
@@ -141,9 +141,7 @@ bool LimitRun::tree(RootResult& root, double alpha, double room, LimitWorstCase&
     worst.nodes = outcome.opened();
     for (const auto& rank : outcome.ranks) {
       const auto& [branched, closed, counts, evidence] = rank.tally;
-      worst.counts.load_factors += counts.load_factors;
-      worst.counts.relaxations += counts.relaxations;
-      worst.counts.pricings += counts.pricings;
+      worst.tree_programs += counts.load_factors + counts.relaxations + counts.pricings;
       nodes.insert(nodes.end(), evidence.begin(), evidence.end());
     }
     std::ranges::sort(nodes, {}, &ClosedNode::signs);
@@ -163,12 +161,12 @@ bool LimitRun::tree(RootResult& root, double alpha, double room, LimitWorstCase&
     root.worst =
         Worst{vector(found.zeta), {found.factor, vector(found.forces), vector(found.motion)}};
   }
-  return true;
 }
 
 // Both ends in exact arithmetic, on rank 0. @return whether both are shown, on all ranks
 bool LimitRun::prove(const RootResult& root, const std::vector<ClosedNode>& nodes,
                      LimitWorstCase& worst) {
+  const bool nodes_of_a_tree = root.status == RootStatus::open;
   const auto verdict = session_.on_first_rank([&]() -> std::string {
     certificate_ =
         limit_certificate(problem_, model_, *options_.alpha, *root.worst, root.cuts, nodes);
@@ -186,8 +184,11 @@ bool LimitRun::prove(const RootResult& root, const std::vector<ClosedNode>& node
       if (value == nullptr) return "no";
       least = std::min(least, verify::rounded_down(*value));
     }
-    // What some nodes prove beyond the best load found is of no use.
-    worst.lower = std::min(least, worst.upper);
+    // What the nodes of a tree prove beyond the gap hangs on what was known when they were closed,
+    // and so on the number of ranks.
+    const double gap = 2 * nodes::limit::closed_gap * model_.factor_unit;
+    worst.lower =
+        nodes_of_a_tree ? std::min(least, worst.upper - gap) : std::min(least, worst.upper);
     return "yes";
   });
   return verdict == "yes";
@@ -212,7 +213,8 @@ LimitWorstCase LimitRun::worst_case() {
     }
     std::vector<ClosedNode> nodes;
     if (result.status == RootStatus::closed) nodes.push_back(closed_node(result.proof, {}));
-    if (result.status == RootStatus::open && tree(result, alpha, room, worst, nodes)) {
+    if (result.status == RootStatus::open) {
+      tree(result, alpha, room, worst, nodes);
       worst.status = RootStatus::closed;
     }
     const bool proved = prove(result, nodes, worst);
@@ -279,12 +281,18 @@ std::vector<nodes::limit::CurvePiece> LimitRun::curve(const Eigen::VectorXd& zet
   return in_units(nodes::limit::concave_curve(solve, 1, tolerance));
 }
 
-// lambda_min(beta alpha), as far as the root closes.
+// lambda_min(beta alpha).
 std::vector<nodes::limit::CurvePiece> LimitRun::worst_curve() {
   const double alpha = *options_.alpha / model_.force_unit;
   const auto solve = [&](double beta) -> std::optional<CurvePoint> {
     auto found = root(beta * alpha, rooms.front());
-    if (found.status != RootStatus::closed) return {};
+    if (found.status == RootStatus::open) {
+      LimitWorstCase worst;
+      std::vector<ClosedNode> nodes;
+      tree(found, beta * alpha, rooms.front(), worst, nodes);
+    } else if (found.status != RootStatus::closed) {
+      return {};
+    }
     auto& [zeta, collapse] = *found.worst;
     double slope = 0;
     for (const auto& [degree, weight] : model_.uncertain) {

@@ -180,10 +180,10 @@ std::string LimitReport::table() const {
       write_critical_load(text, problem, worst.zeta);
     }
     fmt::format_to(out,
-                   "  {} cuts, {} nodes; linear programs: {} load factors, {} relaxations, {} "
-                   "for cuts\n",
-                   worst.cuts, worst.nodes, worst.counts.load_factors, worst.counts.relaxations,
-                   worst.counts.pricings);
+                   "  {} cuts, {} node{}; linear programs: {} load factors, {} relaxations, {} for "
+                   "cuts, {} in the tree\n",
+                   worst.cuts, worst.nodes, worst.nodes == 1 ? "" : "s", worst.counts.load_factors,
+                   worst.counts.relaxations, worst.counts.pricings, worst.tree_programs);
   }
   if (!answer.samples.empty()) {
     const auto [least, greatest] = std::ranges::minmax(answer.samples);
@@ -220,7 +220,6 @@ ordered_json LimitReport::json() const {
       result["forces"] = numbers(worst.collapse->forces);
     }
     result["cuts"] = worst.cuts;
-    result["nodes"] = worst.nodes;
     result["programs"] = {{"load_factors", worst.counts.load_factors},
                           {"relaxations", worst.counts.relaxations},
                           {"cuts", worst.counts.pricings},
@@ -236,6 +235,11 @@ ordered_json LimitReport::json() const {
   if (options.curve && answer.worst) {
     result["curve"] = curve_json(problem, answer.curve);
     result["worst_curve"] = curve_json(problem, answer.worst_curve);
+  }
+  ordered_json statistics{{"ranks", ranks}};
+  if (answer.worst) {
+    statistics["nodes"] = answer.worst->nodes;
+    statistics["tree_programs"] = answer.worst->tree_programs;
   }
   ordered_json chosen = ordered_json::object();
   chosen["alpha"] = options.alpha ? ordered_json(*options.alpha) : ordered_json();
@@ -256,7 +260,7 @@ ordered_json LimitReport::json() const {
           {"options", std::move(chosen)},
           {"status", status},
           {"result", std::move(result)},
-          {"statistics", {{"ranks", ranks}}}};
+          {"statistics", std::move(statistics)}};
 }
 
 }  // namespace kusabi::run

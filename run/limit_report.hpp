@@ -30,7 +30,8 @@ struct LimitWorstCase {
   Eigen::VectorXd zeta;
   std::optional<LimitCollapse> collapse;
   std::uint64_t cuts = 0;
-  std::uint64_t nodes = 1;
+  std::uint64_t nodes = 1;          ///< of the tree of signs, and
+  std::uint64_t tree_programs = 0;  ///< its linear programs: they hang on the number of ranks
   nodes::limit::WorstCaseCounts counts;
 };
 
