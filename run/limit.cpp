@@ -3,7 +3,6 @@
 #include "run/limit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -44,10 +43,6 @@ using problems::LimitProblem;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Room for rounding in a proof (Master::leave_room): the least is enough where the simplex method
-/// leaves no more than rounding, the others are for those rare programs where it does.
-constexpr std::array rooms{1e-10, 1e-8, 1e-6};
-
 /// Samples in one piece of work: some milliseconds.
 constexpr std::uint64_t samples_a_piece = 16;
 
@@ -76,10 +71,9 @@ class LimitRun {
  private:
   [[nodiscard]] LimitCollapse in_units(const Collapse& collapse) const;
   std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
-  RootResult root(double alpha, double room);
+  RootResult root(double alpha);
   LimitWorstCase worst_case();
-  void tree(RootResult& root, double alpha, double room, LimitWorstCase& worst,
-            std::vector<ClosedNode>& nodes);
+  void tree(RootResult& root, double alpha, LimitWorstCase& worst, std::vector<ClosedNode>& nodes);
   bool prove(const RootResult& root, const std::vector<ClosedNode>& nodes, LimitWorstCase& worst);
   std::vector<double> samples();
   std::vector<nodes::limit::CurvePiece> curve(const Eigen::VectorXd& zeta);
@@ -122,18 +116,17 @@ std::vector<StaticCut> LimitRun::price(const Eigen::VectorXd& z, std::span<const
   return cuts;
 }
 
-RootResult LimitRun::root(double alpha, double room) {
+RootResult LimitRun::root(double alpha) {
   load_factor_.restart();
   return solve_root(
       model_, alpha, nominal_, load_factor_,
-      [this](const Eigen::VectorXd& z, std::span<const int> columns) { return price(z, columns); },
-      room);
+      [this](const Eigen::VectorXd& z, std::span<const int> columns) { return price(z, columns); });
 }
 
 // The tree of signs below an open root. The evidence is on rank 0, the worst load on all.
-void LimitRun::tree(RootResult& root, double alpha, double room, LimitWorstCase& worst,
+void LimitRun::tree(RootResult& root, double alpha, LimitWorstCase& worst,
                     std::vector<ClosedNode>& nodes) {
-  SignTree tree(model_, alpha, root, room, true);
+  SignTree tree(model_, alpha, root, true);
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
   const auto outcome = engine::search(tree, session_.transport(), search_options);
@@ -197,31 +190,28 @@ bool LimitRun::prove(const RootResult& root, const std::vector<ClosedNode>& node
 LimitWorstCase LimitRun::worst_case() {
   const double alpha = *options_.alpha / model_.force_unit;
   LimitWorstCase worst;
-  for (const double room : rooms) {
-    worst = {};
-    RootResult result = root(alpha, room);
-    worst.status = result.status;
-    worst.counts = result.counts;
-    worst.cuts = result.cuts.size();
-    worst.lower = worst.upper = -infinity;
-    if (result.status == RootStatus::failed) {
-      throw std::runtime_error("the simplex method failed on the relaxation of the worst case");
-    }
-    if (result.status == RootStatus::not_carried) {
-      worst.zeta = result.overpowering_load * model_.force_unit;
-      return worst;
-    }
-    std::vector<ClosedNode> nodes;
-    if (result.status == RootStatus::closed) nodes.push_back(closed_node(result.proof, {}));
-    if (result.status == RootStatus::open) {
-      tree(result, alpha, room, worst, nodes);
-      worst.status = RootStatus::closed;
-    }
-    const bool proved = prove(result, nodes, worst);
-    worst.zeta = result.worst->zeta * model_.force_unit;
-    worst.collapse = in_units(result.worst->collapse);
-    if (proved || result.status == RootStatus::unbounded) break;
+  RootResult result = root(alpha);
+  worst.status = result.status;
+  worst.counts = result.counts;
+  worst.cuts = result.cuts.size();
+  worst.lower = worst.upper = -infinity;
+  if (result.status == RootStatus::failed) {
+    throw std::runtime_error("the simplex method failed on the relaxation of the worst case");
   }
+  if (result.status == RootStatus::not_carried) {
+    worst.zeta = result.overpowering_load * model_.force_unit;
+    return worst;
+  }
+  std::vector<ClosedNode> nodes;
+  if (result.status == RootStatus::closed) nodes.push_back(closed_node(result.proof, {}));
+  if (result.status == RootStatus::open) {
+    tree(result, alpha, worst, nodes);
+    worst.status = RootStatus::closed;
+  }
+  const bool proved = prove(result, nodes, worst);
+  if (!proved && worst.status == RootStatus::closed) worst.status = RootStatus::open;
+  worst.zeta = result.worst->zeta * model_.force_unit;
+  worst.collapse = in_units(result.worst->collapse);
   return worst;
 }
 
@@ -285,11 +275,11 @@ std::vector<nodes::limit::CurvePiece> LimitRun::curve(const Eigen::VectorXd& zet
 std::vector<nodes::limit::CurvePiece> LimitRun::worst_curve() {
   const double alpha = *options_.alpha / model_.force_unit;
   const auto solve = [&](double beta) -> std::optional<CurvePoint> {
-    auto found = root(beta * alpha, rooms.front());
+    auto found = root(beta * alpha);
     if (found.status == RootStatus::open) {
       LimitWorstCase worst;
       std::vector<ClosedNode> nodes;
-      tree(found, beta * alpha, rooms.front(), worst, nodes);
+      tree(found, beta * alpha, worst, nodes);
     } else if (found.status != RootStatus::closed) {
       return {};
     }

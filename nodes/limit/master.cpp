@@ -56,12 +56,44 @@ Master::Master(const problems::LimitModel& model, double alpha)
       simplex_(relaxation(model, alpha)) {}
 
 void Master::leave_room(double room) {
+  if (room == room_) return;
+  room_ = room;
   for (int side = 0; side < 2; ++side) {
     for (int i = 0; i < model_.member_count(); ++i) {
       simplex_.set_cost(model_.free_count() + side * model_.member_count() + i,
                         model_.yield(i) * (1 - room));
     }
   }
+}
+
+// Whether the optimal dual, within the tolerances of the simplex method, keeps at least half of the
+// room on each member, and gives the cuts of each column their share.
+bool Master::has_room() const {
+  constexpr double kept = 0.5;
+  for (int i = 0; i < model_.member_count(); ++i) {
+    for (const int column : {0, model_.member_count()}) {
+      const double slack = simplex_.reduced_cost(model_.free_count() + column + i);
+      if (slack < -kept * room_ * model_.yield(i)) return false;
+    }
+  }
+  constexpr double lost =
+      0.1;  // a share that is too small is stretched, at the cost of the members
+  for (int j = 0; j < model_.uncertain_count(); ++j) {
+    if (signs_[static_cast<std::size_t>(j)] != 0) continue;
+    const double weight = model_.uncertain[static_cast<std::size_t>(j)].weight;
+    if (simplex_.reduced_cost(gamma_column(j)) < -lost * room_ * alpha_ * weight) return false;
+  }
+  return true;
+}
+
+bool Master::make_room() {
+  // The first is enough where the simplex method leaves no more than rounding.
+  for (const double room : {1e-11, 1e-10, 1e-9, 1e-8, 1e-7}) {
+    leave_room(room);
+    if (solve() != linear::LinearStatus::optimal) return false;
+    if (has_room()) return true;
+  }
+  return true;  // the exact proof will tell
 }
 
 void Master::limit_dissipation(double most) {

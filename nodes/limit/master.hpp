@@ -48,9 +48,10 @@ class Master {
  public:
   Master(const problems::LimitModel& model, double alpha);
 
-  /// Solves for yield forces that are smaller by this share. The bound is lower by about as much,
-  /// and its proof holds for the true yield forces with room for rounding.
-  void leave_room(double room);
+  /// After an optimal solve(): solves again, for yield forces that are a little smaller, until the
+  /// proof holds for the true ones with room for rounding. The bound is lower by about as much.
+  /// @return false if the simplex method fails
+  bool make_room();
 
   /// Adds q^y'(c+ + c-) <= most: it keeps the first points near the motions that matter while there
   /// are too few cuts. Infinity: no limit. A bound is one only if the limit does not press.
@@ -82,6 +83,8 @@ class Master {
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
+  void leave_room(double room);
+  [[nodiscard]] bool has_room() const;
   [[nodiscard]] int dissipation_row() const { return model_.member_count() + 1; }
   [[nodiscard]] int first_cut_row() const { return model_.member_count() + 2; }
   [[nodiscard]] int gamma_column(int j) const {
@@ -90,6 +93,7 @@ class Master {
 
   const problems::LimitModel& model_;
   double alpha_;
+  double room_ = 0;
   Signs signs_;
   linear::Simplex simplex_;
   std::size_t cuts_ = 0;

@@ -20,6 +20,8 @@ constexpr double loose_enough = 1e-7;
 /// than the gap that closes a node.
 constexpr double tight_enough = 1e-10;
 
+constexpr const char* simplex_failed = "the simplex method failed at a node of the sign tree";
+
 std::vector<double> numbers(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
@@ -33,7 +35,7 @@ ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts
 }
 
 SignTree::SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
-                   double room, bool keep_evidence)
+                   bool keep_evidence)
     : model_(model),
       alpha_(alpha),
       root_(root),
@@ -41,7 +43,6 @@ SignTree::SignTree(const problems::LimitModel& model, double alpha, const RootRe
       load_factor_(model),
       pricing_(model),
       master_(model, alpha) {
-  master_.leave_room(room);
   for (const StaticCut& cut : root.cuts) master_.add(cut);
   load_factor_.solve(model.dead);  // where every descent starts from
 }
@@ -65,7 +66,7 @@ SignTree::Bounded SignTree::bounded(const Node& node) {
   Bounded result;
   for (int round = 0;; ++round) {
     if (master_.solve() != linear::LinearStatus::optimal) {
-      throw std::runtime_error("the simplex method failed at a node of the sign tree");
+      throw std::runtime_error(simplex_failed);
     }
     result.bound = master_.objective();
     result.point = master_.relaxed();
@@ -107,7 +108,9 @@ double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& 
 
 void SignTree::close() {
   ++tally_.closed;
-  if (keep_evidence_) tally_.evidence.push_back(closed_node(master_.proof(), own_cuts_));
+  if (!keep_evidence_) return;
+  if (!master_.make_room()) throw std::runtime_error(simplex_failed);
+  tally_.evidence.push_back(closed_node(master_.proof(), own_cuts_));
 }
 
 void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {

@@ -76,7 +76,7 @@ class SignTree {
 
   /// @param root how the root ended: open. All must outlive the tree
   /// @param keep_evidence whether closed nodes go into the tally
-  SignTree(const problems::LimitModel& model, double alpha, const RootResult& root, double room,
+  SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
            bool keep_evidence);
 
   Node root() const;

@@ -29,15 +29,12 @@ constexpr int most_rounds = 200;
 /// One run of the rounds.
 class Rounds {
  public:
-  Rounds(const LimitModel& model, double alpha, LoadFactor& load_factor, const Pricer& pricer,
-         double room)
+  Rounds(const LimitModel& model, double alpha, LoadFactor& load_factor, const Pricer& pricer)
       : model_(model),
         alpha_(alpha),
         load_factor_(load_factor),
         pricer_(pricer),
-        master_(model, alpha) {
-    master_.leave_room(room);
-  }
+        master_(model, alpha) {}
 
   RootResult run(const Collapse& nominal);
 
@@ -133,6 +130,7 @@ RootResult Rounds::run(const Collapse& nominal) {
     // At the box of the relaxation the bound is that of the box.
     const bool far = master_.presses_box();
     if (far) result_.status = RootStatus::unbounded;
+    if (!master_.make_room()) result_.status = RootStatus::failed;
     result_.proof = master_.proof();
     result_.basis = master_.basis();
   }
@@ -180,8 +178,8 @@ Eigen::VectorXd pricing_aim(const Eigen::VectorXd& z, double share) {
 }
 
 RootResult solve_root(const LimitModel& model, double alpha, const Collapse& nominal,
-                      LoadFactor& load_factor, const Pricer& pricer, double room) {
-  return Rounds(model, alpha, load_factor, pricer, room).run(nominal);
+                      LoadFactor& load_factor, const Pricer& pricer) {
+  return Rounds(model, alpha, load_factor, pricer).run(nominal);
 }
 
 }  // namespace kusabi::nodes::limit

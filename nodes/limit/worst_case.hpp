@@ -65,9 +65,8 @@ struct RootResult {
 
 /// @param alpha scaled, >= 0
 /// @param nominal the collapse without uncertainty, which `load_factor` has solved
-/// @param room see Master::leave_room
 RootResult solve_root(const problems::LimitModel& model, double alpha, const Collapse& nominal,
-                      LoadFactor& load_factor, const Pricer& pricer, double room);
+                      LoadFactor& load_factor, const Pricer& pricer);
 
 /// How much the point leaves |u_e| and gamma_j apart, for each column of T, times its weight.
 Eigen::VectorXd looseness(const problems::LimitModel& model, const Relaxed& point);

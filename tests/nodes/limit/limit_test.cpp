@@ -27,7 +27,6 @@ using Json = nlohmann::json;
 
 /// The reference has ten digits and more.
 constexpr double reference_digits = 1e-9;
-constexpr double room = 1e-10;
 
 Json reference() {
   std::ifstream stream(KUSABI_SOURCE_DIR "/tests/reference/limit.json");
@@ -55,12 +54,10 @@ struct Solved {
     EXPECT_EQ(load_factor.solve(model.dead), LoadStatus::collapses);
     nominal = load_factor.collapse();
     const double scaled = alpha / model.force_unit;
-    root = solve_root(
-        model, scaled, nominal, load_factor,
-        [this](const Eigen::VectorXd& z, std::span<const int> columns) {
-          return price_alone(pricing, z, columns);
-        },
-        room);
+    root = solve_root(model, scaled, nominal, load_factor,
+                      [this](const Eigen::VectorXd& z, std::span<const int> columns) {
+                        return price_alone(pricing, z, columns);
+                      });
     if (root.status == RootStatus::closed) closed.push_back(closed_node(root.proof, {}));
     if (root.status == RootStatus::open) search(scaled);
   }
@@ -69,7 +66,7 @@ struct Solved {
 
  private:
   void search(double scaled) {
-    SignTree tree(model, scaled, root, room, true);
+    SignTree tree(model, scaled, root, true);
     engine::Options options;
     options.goal = engine::Goal::best;
     const auto outcome = engine::search(tree, options);
