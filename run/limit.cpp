@@ -18,6 +18,7 @@
 #include "problems/structure_file.hpp"
 #include "run/exit_code.hpp"
 #include "run/limit_evidence.hpp"
+#include "run/limit_mixed.hpp"
 #include "run/limit_report.hpp"
 #include "run/output_file.hpp"
 #include "run/result_file.hpp"
@@ -73,6 +74,7 @@ class LimitRun {
   std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
   RootResult root(double alpha);
   LimitWorstCase worst_case();
+  LimitWorstCase mixed_worst_case();
   void tree(RootResult& root, double alpha, LimitWorstCase& worst, std::vector<ClosedNode>& nodes);
   bool prove(const RootResult& root, const std::vector<ClosedNode>& nodes, LimitWorstCase& worst);
   std::vector<double> samples();
@@ -215,6 +217,27 @@ LimitWorstCase LimitRun::worst_case() {
   return worst;
 }
 
+// By (29). The upper end is exact as well; the lower end is what the zero-one tree says.
+LimitWorstCase LimitRun::mixed_worst_case() {
+  const auto found = solve_mixed(session_, options_, model_, *options_.alpha / model_.force_unit,
+                                 nominal_, load_factor_);
+  LimitWorstCase worst;
+  worst.status = RootStatus::closed;
+  worst.zeta = found.worst.zeta * model_.force_unit;
+  worst.collapse = in_units(found.worst.collapse);
+  worst.cuts = found.cuts;
+  worst.nodes = found.nodes;
+  worst.tree_programs = found.programs;
+  worst.counts.pricings = found.cut_programs;
+  const auto evidence = limit_certificate(problem_, model_, *options_.alpha, found.worst, {}, {});
+  const auto upper = verify::LimitProof(evidence).upper();
+  const auto* value = std::get_if<mpq_class>(&upper);
+  worst.upper = value == nullptr ? worst.collapse->factor : verify::rounded_up(*value);
+  worst.lower = std::min(found.lower * model_.factor_unit, worst.upper);
+  worst.proved = found.proved;
+  return worst;
+}
+
 // Loads with |zeta|_inf = alpha, each from a generator of its own: the same on any number of ranks.
 std::vector<double> LimitRun::samples() {
   const double alpha = *options_.alpha / model_.force_unit;
@@ -303,7 +326,8 @@ LimitAnswer LimitRun::answer() {
   nominal_ = load_factor_.collapse();
   answer.nominal = in_units(nominal_);
   if (!options_.alpha) return answer;
-  answer.worst = worst_case();
+  const bool by_static_cuts = options_.method == LimitMethod::static_cuts;
+  answer.worst = by_static_cuts ? worst_case() : mixed_worst_case();
   if (options_.samples > 0) answer.samples = samples();
   if (options_.curve && answer.worst->collapse) {
     answer.curve = curve(answer.worst->zeta);

@@ -95,6 +95,22 @@ const char* status_text(RootStatus status) {
   return "failed";
 }
 
+const char* method_name(LimitMethod method) {
+  switch (method) {
+    case LimitMethod::fixed:
+      return "none";
+    case LimitMethod::disjunctive:
+      return "disjunctive";
+    case LimitMethod::tightened:
+      return "tighten";
+    case LimitMethod::all:
+      return "all";
+    case LimitMethod::static_cuts:
+      break;
+  }
+  return "static";
+}
+
 // Infinite numbers are null in JSON.
 ordered_json finite(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json();
@@ -173,7 +189,8 @@ std::string LimitReport::table() const {
       text += "  some admissible dead load is carried at no load factor, of either sign\n";
       write_critical_load(text, problem, worst.zeta);
     } else {
-      fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", worst.lower, worst.upper);
+      fmt::format_to(out, "  load factor {:.10g} ... {:.10g}{}\n", worst.lower, worst.upper,
+                     worst.proved ? ", proved" : "");
       if (worst.upper < 0)
         text += "  negative: an admissible dead load alone collapses the structure\n";
       if (worst.collapse) write_mode(text, problem, *worst.collapse);
@@ -213,7 +230,8 @@ ordered_json LimitReport::json() const {
     status = status_text(worst.status);
     result["alpha"] = *options.alpha;
     result["uncertain_components"] = problem.uncertain_count();
-    result["worst_case"] = {{"lower", finite(worst.lower)}, {"upper", finite(worst.upper)}};
+    result["worst_case"] = {
+        {"lower", finite(worst.lower)}, {"upper", finite(worst.upper)}, {"proved", worst.proved}};
     result["critical_load"] = load_json(problem, problems::dead_load(problem, worst.zeta));
     if (worst.collapse) {
       result["collapse_mode"] = mode_json(problem, *worst.collapse);
@@ -243,6 +261,8 @@ ordered_json LimitReport::json() const {
   }
   ordered_json chosen = ordered_json::object();
   chosen["alpha"] = options.alpha ? ordered_json(*options.alpha) : ordered_json();
+  chosen["cuts"] = method_name(options.method);
+  chosen["big_m"] = options.big_m ? ordered_json(*options.big_m) : ordered_json();
   chosen["samples"] = options.samples;
   chosen["seed"] = options.seed;
   chosen["curve"] = options.curve;

@@ -25,8 +25,9 @@ struct LimitCollapse {
 /// What is known of the worst case, in the units of the problem.
 struct LimitWorstCase {
   nodes::limit::RootStatus status = nodes::limit::RootStatus::failed;
-  double lower = 0;  ///< proved in exact arithmetic; minus infinity: nothing is proved
-  double upper = 0;  ///< likewise; minus infinity: a load is carried at no factor
+  double lower = 0;    ///< proved in exact arithmetic; minus infinity: nothing is proved
+  double upper = 0;    ///< likewise; minus infinity: a load is carried at no factor
+  bool proved = true;  ///< whether `lower` is: not by all methods
   Eigen::VectorXd zeta;
   std::optional<LimitCollapse> collapse;
   std::uint64_t cuts = 0;

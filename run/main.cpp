@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "run/example.hpp"
 #include "run/exit_code.hpp"
 #include "run/limit.hpp"
+#include "run/mip.hpp"
 #include "run/patterns.hpp"
 #include "run/session.hpp"
 #include "run/verify.hpp"
@@ -116,6 +118,25 @@ void add_limit(CLI::App& app, Action& action, bool& serial) {
           .add_option("--alpha", options->alpha,
                       "the uncertain components of the dead load are known up to +- this")
           ->check(CLI::NonNegativeNumber);
+  auto* const cuts =
+      command
+          .add_option(
+              "--cuts", options->method,
+              "how the worst case is found: by static cuts, or by the 0-1 program (29) with "
+              "none, disjunctive ones (the paper's method), a tightened M, or all of these")
+          ->transform(CLI::Transformer(
+              std::map<std::string, LimitMethod>{{"none", LimitMethod::fixed},
+                                                 {"disjunctive", LimitMethod::disjunctive},
+                                                 {"tighten", LimitMethod::tightened},
+                                                 {"static", LimitMethod::static_cuts},
+                                                 {"all", LimitMethod::all}}))
+          ->needs(alpha);
+  command
+      .add_option("--big-m", options->big_m,
+                  "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
+                  "Without it a safe one is derived")
+      ->needs(cuts)
+      ->check(positive);
   command.add_option("--samples", options->samples, "compare with so many random dead loads")
       ->needs(alpha)
       ->check(CLI::Range(1U, 100'000'000U));
@@ -133,6 +154,59 @@ void add_limit(CLI::App& app, Action& action, bool& serial) {
   add_serial(command, serial);
   command.callback(
       [&action, options] { action = [options](Session& s) { return limit(s, *options); }; });
+}
+
+void add_mip(CLI::App& app, Action& action, bool& serial) {
+  using kusabi::engine::Order;
+  using kusabi::nodes::ZeroOneBranching;
+  using kusabi::nodes::ZeroOneCuts;
+  auto& command =
+      *app.add_subcommand("mip", "the optimum of a mixed zero-one linear program, with its bound");
+  const auto options = std::make_shared<MipOptions>();
+  command.add_option("file", options->file, "the program, in MPS (.mps) or CPLEX LP (.lp) format")
+      ->required();
+  const auto choice = [&](const char* name, auto& value, const auto& names, const char* what) {
+    command.add_option(name, value, what)->transform(CLI::Transformer(names));
+  };
+  choice("--cuts", options->cuts,
+         std::map<std::string, ZeroOneCuts>{{"none", ZeroOneCuts::none},
+                                            {"disjunctive", ZeroOneCuts::disjunctive}},
+         "cuts at the root");
+  choice("--branching", options->branching,
+         std::map<std::string, ZeroOneBranching>{{"paper", ZeroOneBranching::paper},
+                                                 {"look-ahead", ZeroOneBranching::look_ahead}},
+         "split nodes by the largest tau (1 - tau) as the paper does, or by what the children's "
+         "bounds gain: the same optimum from fewer nodes");
+  choice("--order", options->order,
+         std::map<std::string, Order>{{"depth-first", Order::depth_first},
+                                      {"best-first", Order::best_first},
+                                      {"hybrid", Order::hybrid}},
+         "which node is opened next: the same optimum");
+  command.add_flag("!--no-tighten", options->tighten, "leave big Ms as they are");
+  command.add_flag("!--no-dive", options->dive, "do not look for points before the search");
+  command.add_option("--output", options->output, "write the result to this JSON file");
+  command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
+      ->check(positive);
+  command
+      .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--gap", options->limits.gap,
+                  "stop when objective and bound differ by so much, relative to the objective")
+      ->check(positive);
+  command.add_option("--checkpoint", options->checkpoint,
+                     "keep the state of the search in this file and others beside it");
+  command
+      .add_option("--checkpoint-interval", options->checkpoint_interval,
+                  "seconds between two checkpoints")
+      ->check(positive)
+      ->capture_default_str();
+  command.add_option("--restart", options->restart,
+                     "go on from this checkpoint, on any number of ranks");
+  command.add_flag("--quiet", options->quiet, "print errors only");
+  add_serial(command, serial);
+  command.callback(
+      [&action, options] { action = [options](Session& s) { return mip(s, *options); }; });
 }
 
 void add_verify(CLI::App& app, Action& action, bool& serial) {
@@ -238,8 +312,8 @@ void add_uts(CLI::App& bench, Action& action, bool& serial) {
 
 int run(Session& session, int argc, char** argv) {
   CLI::App app{
-      "All wedged configurations of a structure with Coulomb friction, and worst-case limit loads "
-      "of trusses.",
+      "All wedged configurations of a structure with Coulomb friction, worst-case limit loads of "
+      "trusses, and the 0-1 programs that they are.",
       "kusabi"};
   app.set_version_flag("--version", "kusabi " KUSABI_VERSION);
   app.require_subcommand(1);
@@ -247,6 +321,7 @@ int run(Session& session, int argc, char** argv) {
   bool serial = false;
   add_patterns(app, action, serial);
   add_limit(app, action, serial);
+  add_mip(app, action, serial);
   add_verify(app, action, serial);
   add_example(app, action);
   auto& bench = *app.add_subcommand("bench", "measures and tries the search engine");

@@ -1,16 +1,12 @@
 // From the file to the report, on all ranks.
 #include "run/patterns.hpp"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "engine/checkpoint.hpp"
 #include "nodes/sign_pattern.hpp"
@@ -21,6 +17,7 @@
 #include "run/output_file.hpp"
 #include "run/patterns_report.hpp"
 #include "run/progress_line.hpp"
+#include "run/restart.hpp"
 #include "run/result_file.hpp"
 #include "run/signals.hpp"
 #include "run/trace_file.hpp"
@@ -39,10 +36,6 @@ void announce(const PatternsOptions& options, const problems::WedgedProblem& pro
              ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
-void warn(const std::string& line) {
-  fmt::print(stderr, "kusabi: {}\n", line);
-}
-
 // A checkpoint belongs to a tree, and the tree hangs on the friction and the tolerance as well.
 std::uint64_t tree_fingerprint(const problems::WedgedProblem& problem,
                                const PatternsOptions& options) {
@@ -54,57 +47,17 @@ std::uint64_t tree_fingerprint(const problems::WedgedProblem& problem,
   return fingerprint.value();
 }
 
-// A wrong name should cost a second and not the night.
-void require_writable_folder(const std::string& checkpoint) {
-  const auto folder = std::filesystem::absolute(checkpoint).parent_path();
-  if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw WrongInput(fmt::format("--checkpoint {}: cannot be written: {}: {}", checkpoint,
-                                 folder.string(), std::strerror(errno)));
-  }
-}
-
-// The checkpoint to go on from, found on rank 0 and told to all; empty if none is asked for.
-std::string restart_from(Session& session, const PatternsOptions& options, std::uint64_t tree) {
-  return session.on_first_rank([&]() -> std::string {
-    if (!options.checkpoint.empty()) require_writable_folder(options.checkpoint);
-    if (options.restart.empty()) {
-      if (!options.checkpoint.empty() && engine::checkpoint_exists(options.checkpoint)) {
-        throw WrongInput(
-            fmt::format("--checkpoint {}: exists already; expected --restart {} to go on from it, "
-                        "or a new name",
-                        options.checkpoint, options.checkpoint));
-      }
-      return {};
-    }
-    try {
-      std::string warning;
-      auto file = engine::usable_checkpoint(options.restart, tree, warning);
-      if (!warning.empty()) warn(warning);
-      return file;
-    } catch (const engine::CheckpointError& error) {
-      throw WrongInput(fmt::format("--restart {}", error.what()));
-    }
-  });
-}
-
 void tell_what_is_left(const PatternsOptions& options, const std::string& checkpoint,
                        const engine::Outcome<nodes::SignPatternTree>& outcome) {
   fmt::print(stderr, "stopped early ({}): {} open nodes are left, the list is not complete\n",
              status_name(outcome.status), outcome.open);
-  if (checkpoint.empty()) return;
-  if (!outcome.saved && !engine::checkpoint_exists(checkpoint)) {
-    fmt::print(stderr, "nothing is saved: no checkpoint could be written\n");
-    return;
-  }
-  if (!outcome.saved) fmt::print(stderr, "the last checkpoint could not be written\n");
   std::string call = fmt::format("kusabi patterns {} --mu {}", options.file, options.friction);
   const PatternsOptions usual;
   if (options.tolerance != usual.tolerance)
     call += fmt::format(" --tolerance {}", options.tolerance);
   if (options.branching != usual.branching) call += " --branching paper";
   if (!options.certificate.empty()) call += fmt::format(" --certificate {}", options.certificate);
-  fmt::print(stderr, "go on{} with: {} --restart {}\n",
-             outcome.saved ? "" : " from the one before it", call, checkpoint);
+  tell_how_to_go_on(call, checkpoint, outcome.saved);
 }
 
 // Of a search that stopped early the parts stay, if anything can go on from them.
@@ -147,7 +100,8 @@ int patterns(Session& session, const PatternsOptions& options) {
   checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
   checkpoint.interval = options.checkpoint_interval;
   checkpoint.problem = tree_fingerprint(problem, options);
-  checkpoint.resume_from = restart_from(session, options, checkpoint.problem);
+  checkpoint.resume_from =
+      restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
   CertificateFile certificate(session, options.certificate, options.file, checkpoint.problem,
                               !options.restart.empty());
   if (certificate.wanted())

@@ -117,6 +117,7 @@ void Master::drop_cuts(std::size_t first) {
 }
 
 void Master::decide(const Signs& signs) {
+  leave_room(0);
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     const auto at = static_cast<std::size_t>(j);
     if (signs[at] == signs_[at]) continue;

@@ -48,6 +48,9 @@ class Master {
  public:
   Master(const problems::LimitModel& model, double alpha);
 
+  /// From now on for yield forces that are smaller by this share; decide() takes it back.
+  void leave_room(double room);
+
   /// After an optimal solve(): solves again, for yield forces that are a little smaller, until the
   /// proof holds for the true ones with room for rounding. The bound is lower by about as much.
   /// @return false if the simplex method fails
@@ -83,7 +86,6 @@ class Master {
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
-  void leave_room(double room);
   [[nodiscard]] bool has_room() const;
   [[nodiscard]] int dissipation_row() const { return model_.member_count() + 1; }
   [[nodiscard]] int first_cut_row() const { return model_.member_count() + 2; }

@@ -20,6 +20,10 @@ namespace {
 constexpr double primal_tolerance = 1e-9;
 constexpr double dual_tolerance = 1e-9;
 
+// GLPK's methods can go round in circles. Ordinary programs take some steps for each row.
+constexpr int steps_a_row = 50;
+constexpr int least_steps = 2000;
+
 int bound_type(double lower, double upper) {
   if (lower == upper) return GLP_FX;
   if (std::isfinite(lower) && std::isfinite(upper)) return GLP_DB;
@@ -261,14 +265,17 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
   control.meth = method;
   control.tol_bnd = primal_tolerance;
   control.tol_dj = dual_tolerance;
-  control.it_lim = limits.iterations;
+  const int enough = least_steps + steps_a_row * (rows() + columns());
+  control.it_lim = std::min(limits.iterations, enough);
   if (std::isfinite(limits.cutoff)) control.obj_ul = limits.cutoff;
   const int before = glp_get_it_cnt(problem_->lp);
   int code = 0;
   problem_->call([&] { code = glp_simplex(problem_->lp, &control); });
   iterations_ += static_cast<std::uint64_t>(std::max(0, glp_get_it_cnt(problem_->lp) - before));
   if (code == GLP_EOBJUL) return LinearStatus::cut_off;
-  if (code == GLP_EITLIM) return LinearStatus::stopped;
+  if (code == GLP_EITLIM) {
+    return limits.iterations <= enough ? LinearStatus::stopped : LinearStatus::failed;
+  }
   if (code != 0) return LinearStatus::failed;
   switch (glp_get_status(problem_->lp)) {
     case GLP_OPT:
@@ -362,20 +369,20 @@ double Simplex::reduced_cost(int column) const {
 }
 
 std::vector<double> Simplex::values() const {
-  std::vector<double> all;
-  for (int j = 0; j < columns(); ++j) all.push_back(value(j));
+  std::vector<double> all(static_cast<std::size_t>(columns()));
+  for (int j = 0; j < columns(); ++j) all[static_cast<std::size_t>(j)] = value(j);
   return all;
 }
 
 std::vector<double> Simplex::duals() const {
-  std::vector<double> all;
-  for (int i = 0; i < rows(); ++i) all.push_back(dual(i));
+  std::vector<double> all(static_cast<std::size_t>(rows()));
+  for (int i = 0; i < rows(); ++i) all[static_cast<std::size_t>(i)] = dual(i);
   return all;
 }
 
 std::vector<double> Simplex::reduced_costs() const {
-  std::vector<double> all;
-  for (int j = 0; j < columns(); ++j) all.push_back(reduced_cost(j));
+  std::vector<double> all(static_cast<std::size_t>(columns()));
+  for (int j = 0; j < columns(); ++j) all[static_cast<std::size_t>(j)] = reduced_cost(j);
   return all;
 }
 

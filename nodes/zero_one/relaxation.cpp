@@ -134,6 +134,40 @@ void Relaxation::conclude() {
   }
 }
 
+double Relaxation::least(const std::vector<double>& alpha, const std::vector<double>& duals,
+                         int column, double held, double give_way) const {
+  auto bounds = proves_ ? implied_ : own_bounds(mixed_.program);
+  const auto at = static_cast<std::size_t>(column);
+  bounds.lower[at] = bounds.upper[at] = held;
+  // alpha - A'y, by the safe bound of the program with other costs.
+  auto program = mixed_.program;
+  program.constant = 0;
+  for (std::size_t j = 0; j < alpha.size(); ++j) program.columns[j].cost = alpha[j];
+  const auto safe = linear::safe_bound(program, duals, bounds.lower, bounds.upper);
+  if (proves_) return safe.value;
+  double total = 0;
+  double size = 1;
+  for (std::size_t i = 0; i < duals.size(); ++i) {
+    const auto& row = program.rows[i];
+    const double pressed = duals[i] > 0 ? row.lower : row.upper;
+    if (!std::isfinite(pressed)) continue;
+    total += duals[i] * pressed;
+    size += std::abs(duals[i] * pressed);
+  }
+  for (std::size_t j = 0; j < alpha.size(); ++j) {
+    // What should be zero is taken for it where the column has no bound to weigh it with.
+    const double residual = safe.residuals[j].lower;
+    const double bound = residual > 0 ? bounds.lower[j] : bounds.upper[j];
+    if (!std::isfinite(bound)) {
+      if (std::abs(residual) > give_way) return -problems::infinity;
+      continue;
+    }
+    total += residual * bound;
+    size += std::abs(residual * bound);
+  }
+  return total - give_way * size;
+}
+
 double Relaxation::bound_if(std::size_t binary, bool at_one) const {
   const auto j = static_cast<std::size_t>(column(binary));
   const double held = at_one ? 1 : 0;

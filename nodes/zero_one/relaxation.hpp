@@ -32,6 +32,7 @@ class Relaxation {
   ///   [0, 1], or the program is none
   explicit Relaxation(problems::MixedProgram mixed);
 
+  [[nodiscard]] const problems::MixedProgram& mixed() const { return mixed_; }
   [[nodiscard]] const problems::LinearProgram& program() const { return mixed_.program; }
   [[nodiscard]] std::size_t binaries() const { return mixed_.binaries.size(); }
   [[nodiscard]] int column(std::size_t binary) const { return mixed_.binaries[binary]; }
@@ -53,6 +54,12 @@ class Relaxation {
                              const linear::SolveLimits& limits = {});
   /// The same from the present basis.
   linear::LinearStatus solve_on(const Fixings& fixings, const linear::SolveLimits& limits = {});
+
+  /// A lower bound of alpha'x over all points that have `held` in `column`, by the multipliers
+  /// `duals` of the rows: safe if bounds are proved, else less `give_way` relative to the size of
+  /// its terms.
+  [[nodiscard]] double least(const std::vector<double>& alpha, const std::vector<double>& duals,
+                             int column, double held, double give_way) const;
 
   // ---- after a solve
   // -----------------------------------------------------------------------------

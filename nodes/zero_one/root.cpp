@@ -7,6 +7,9 @@
 #include <numeric>
 #include <utility>
 
+#include "nodes/zero_one/bound_tightening.hpp"
+#include "nodes/zero_one/disjunctive_cuts.hpp"
+
 namespace kusabi::nodes {
 namespace {
 
@@ -89,6 +92,30 @@ bool safe_bound_is_of_use(ZeroOneRoot& root) {
          root.relaxation.simplex().objective() - root.bound < share * root.resolution;
 }
 
+// Coefficients as small as the best point known allows; better points may then be found, which
+// allow for smaller ones.
+void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
+  constexpr int most_times = 3;
+  for (int time = 0; time < most_times && root.point; ++time) {
+    const double before = root.point->objective;
+    auto mixed = root.relaxation.mixed();
+    const auto done = tighten_big_m(mixed, before + root.resolution);
+    root.counts.tightened += done.coefficients;
+    root.counts.tighten_programs += done.programs;
+    root.counts.fixed += done.fixed;
+    root.counts.proved = root.counts.proved && done.proved;
+    if (done.coefficients == 0 && done.fixed == 0) return;
+    const std::uint64_t programs = root.relaxation.programs();
+    root.relaxation = Relaxation(std::move(mixed));
+    root.counts.programs += programs;
+    root.basis = {};
+    relax(root);
+    if (root.status != LinearStatus::optimal || done.nothing_left) return;
+    find_points(root, options);
+    if (root.point->objective > before - root.resolution) return;
+  }
+}
+
 }  // namespace
 
 ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions& options) {
@@ -99,14 +126,24 @@ ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions&
     root.counts.first_bound = root.relaxation.simplex().objective();
     find_points(root, options);
     root.resolution = objective_tolerance * objective_size(root);
-    if (root.point) {
-      root.relaxation.matters_below(root.point->objective + root.resolution);
-    }
+    if (options.tighten) tighten(root, options);
+  }
+  if (root.status == LinearStatus::optimal) {
+    root.resolution = objective_tolerance * objective_size(root);
+    if (root.point) root.relaxation.matters_below(root.point->objective + root.resolution);
     if (root.relaxation.proves() && !safe_bound_is_of_use(root)) root.relaxation.do_without_proof();
+    if (options.cuts == ZeroOneCuts::disjunctive) {
+      auto cuts = add_disjunctive_cuts(root.relaxation, root.basis);
+      root.counts.cut_rounds = cuts.rounds;
+      root.counts.cut_programs = cuts.programs;
+      root.counts.cuts = cuts.kept;
+      root.basis = std::move(cuts.basis);
+    }
     relax(root);
     root.counts.last_bound = root.bound;
   }
-  root.counts.programs = root.relaxation.programs();
+  root.counts.programs +=
+      root.relaxation.programs() + root.counts.tighten_programs + root.counts.cut_programs;
   return root;
 }
 

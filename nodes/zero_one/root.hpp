@@ -34,6 +34,8 @@ struct ZeroOneRootCounts {
   std::uint64_t cut_programs = 0;  ///< cut generating programs (51)
   std::uint64_t tightened = 0;     ///< coefficients made smaller
   std::uint64_t tighten_programs = 0;
+  std::uint64_t fixed = 0;                   ///< binaries that one value was found impossible of
+  bool proved = true;                        ///< whether the tightening holds in spite of rounding
   double first_bound = -problems::infinity;  ///< of the relaxation as given
   double last_bound = -problems::infinity;   ///< of the relaxation as the tree gets it
 };

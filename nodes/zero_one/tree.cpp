@@ -72,7 +72,8 @@ double ZeroOneTree::in_steps(double objective) const {
 // A node that was pruned unopened has a bound that rounds to a step not below that of the optimum.
 double ZeroOneTree::lower_bound(double outcome_bound, const Tally& total) const {
   const double half_a_step = 0.5 * (1 + objective_tolerance) * root_.resolution;
-  return std::min(raised(outcome_bound - half_a_step), total.least_bound);
+  if (in_steps(total.least_bound) < outcome_bound) return total.least_bound;
+  return raised(outcome_bound - half_a_step);
 }
 
 // If objectives lie on a grid, a bound between two of its points is as good as the upper one.
@@ -170,8 +171,13 @@ void ZeroOneTree::close(const Node& node, std::uint64_t& how) {
   tally_.least_bound = std::min(tally_.least_bound, node.bound);
 }
 
+// Without proofs the simplex method is believed here as everywhere.
 void ZeroOneTree::close_without_proof(const Node& node) {
-  close(node, tally_.unproved);
+  if (root_.relaxation.proves()) {
+    close(node, tally_.unproved);
+  } else {
+    ++tally_.unproved;
+  }
 }
 
 // All binaries of the optimum are 0 or 1 within the tolerance: held there exactly, what is left?

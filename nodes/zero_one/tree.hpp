@@ -90,6 +90,9 @@ class ZeroOneTree {
   /// No point has a smaller objective; proved if the relaxation proves its bounds.
   [[nodiscard]] double lower_bound(double outcome_bound, const Tally& total) const;
 
+  /// Whether bounds hold in spite of rounding.
+  [[nodiscard]] bool proves() const { return root_.relaxation.proves() && root_.counts.proved; }
+
   [[nodiscard]] const ZeroOneRoot& prepared() const { return root_; }
 
  private:

@@ -1,0 +1,48 @@
+// Mixed zero-one programs from files that every solver of such programs reads: MPS, fixed or free,
+// and CPLEX LP; with a name that ends in .gz they are unpacked. GLPK reads them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include "problems/linear_program.hpp"
+
+namespace kusabi::nodes::linear {
+
+/// A program as it is in a file.
+struct ProgramFile {
+  problems::MixedProgram mixed;  ///< to be minimised
+  bool maximise = false;         ///< the costs of `mixed` are the negatives of the file's
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    auto& [name, constant, columns, rows, entries] = mixed.program;
+    archive& maximise& mixed.binaries& name& constant;
+    serialize_list(archive, columns, [&](auto& column) {
+      archive& column.cost& column.lower& column.upper& column.name;
+    });
+    serialize_list(archive, rows, [&](auto& row) { archive& row.lower& row.upper& row.name; });
+    serialize_list(archive, entries,
+                   [&](auto& entry) { archive& entry.row& entry.column& entry.value; });
+  }
+
+ private:
+  template <class Archive, class List, class Each>
+  static void serialize_list(Archive& archive, List& list, const Each& each) {
+    std::uint64_t size = list.size();
+    archive& size;
+    list.resize(size);
+    for (auto& element : list) each(element);
+  }
+};
+
+/// Reads a file whose name ends in .mps or .lp (or one of these and .gz). Rows without bounds are
+/// left out. An integer column must fit between 0 and 1, or be fixed.
+/// @throws problems::InputError `FILE:LINE: ...` in GLPK's words where it cannot read the file;
+///   `FILE: ...` if the file cannot be opened, or a column is a general integer
+ProgramFile read_program(const std::filesystem::path& file);
+
+}  // namespace kusabi::nodes::linear

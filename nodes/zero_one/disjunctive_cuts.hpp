@@ -1,0 +1,50 @@
+// Disjunctive cuts at the root: Algorithm 5.1 of the limit paper, for any mixed zero-one program.
+//
+// For a fractional binary tau_j the cut generating program (51) finds, among the inequalities
+// alpha'x >= beta that hold on both sides of tau_j = 0 or tau_j = 1, the one that the optimum of
+// the relaxation violates most, with |alpha_i| <= 1. As in section 5.2, what lies at its bound is
+// left out of it and its alpha_i completed afterwards, by (53) to (59). One correction: for z_i = 0
+// the paper asks for xi+ = eta-, xi- = eta+ besides (53), which loses depth (each side may have its
+// own difference xi+ - xi-); here both differences are free, which is all that (53) says.
+//
+// beta is computed anew from alpha and both sides' multipliers, by the safe bound where there is
+// one: rounding cannot make a cut wrong then.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "nodes/linear/basis.hpp"
+#include "nodes/zero_one/relaxation.hpp"
+
+namespace kusabi::nodes {
+
+/// alpha'x >= beta
+struct DisjunctiveCut {
+  std::vector<problems::LinearTerm> terms;
+  double lower = 0;
+  double violation = 0;  ///< at the point it was made for, with max |alpha_i| between 1/2 and 1
+};
+
+/// The deepest cut for one binary by (51), from the first `rows` rows of the relaxation; none if
+/// the point satisfies all that hold on both sides.
+/// @param point values of all columns
+std::optional<DisjunctiveCut> deepest_cut(const Relaxation& relaxation, std::size_t rows,
+                                          const std::vector<double>& point, std::size_t binary);
+
+/// What Algorithm 5.1 did.
+struct CutRounds {
+  std::uint64_t rounds = 0;    ///< values of k: at most 1.8 m
+  std::uint64_t programs = 0;  ///< cut generating programs solved
+  std::uint64_t found = 0;     ///< cuts that the optimum violated
+  std::uint64_t kept = 0;      ///< of those, kept in step 4
+  linear::Basis basis;         ///< an optimum of the relaxation with all that were kept
+};
+
+/// Algorithm 5.1: adds cuts to the relaxation.
+/// @param basis of an optimum of the relaxation
+CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basis);
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,153 @@
+// From the file to the report, on all ranks.
+#include "run/mip.hpp"
+
+#include <cstdio>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/wire.hpp"
+#include "nodes/linear/program_file.hpp"
+#include "problems/fingerprint.hpp"
+#include "run/exit_code.hpp"
+#include "run/mip_report.hpp"
+#include "run/patterns_report.hpp"
+#include "run/progress_line.hpp"
+#include "run/restart.hpp"
+#include "run/result_file.hpp"
+#include "run/signals.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nodes::linear::ProgramFile;
+
+void announce(const MipOptions& options, const ProgramFile& program, int ranks) {
+  const auto& [name, constant, columns, rows, entries] = program.mixed.program;
+  fmt::print(stderr,
+             "kusabi {} · mip · {}\n"
+             "{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}\n",
+             KUSABI_VERSION, options.file, name.empty() ? "a program without a name" : name,
+             rows.size(), columns.size(), program.mixed.binaries.size(), entries.size(),
+             program.maximise ? "maximise (progress shows the negative objective)" : "minimise",
+             ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+}
+
+// Rank 0 reads; the others get what it read.
+ProgramFile read_on_first_rank(Session& session, const MipOptions& options,
+                               std::optional<ResultFile>& result_file) {
+  const std::string packed = session.on_first_rank([&] {
+    const auto bytes = engine::pack(nodes::linear::read_program(options.file));
+    result_file.emplace(options.output, options.file);
+    return std::string(bytes.begin(), bytes.end());
+  });
+  return engine::unpack<ProgramFile>(std::span<const char>(packed));
+}
+
+std::uint64_t program_fingerprint(const ProgramFile& file) {
+  const auto& [name, constant, columns, rows, entries] = file.mixed.program;
+  problems::Fingerprint fingerprint;
+  fingerprint.add(constant);
+  for (const auto& column : columns) {
+    fingerprint.add(column.cost);
+    fingerprint.add(column.lower);
+    fingerprint.add(column.upper);
+  }
+  for (const auto& row : rows) {
+    fingerprint.add(row.lower);
+    fingerprint.add(row.upper);
+  }
+  for (const auto& [row, column, value] : entries) {
+    fingerprint.add(row);
+    fingerprint.add(column);
+    fingerprint.add(value);
+  }
+  for (const int column : file.mixed.binaries) fingerprint.add(column);
+  return fingerprint.value();
+}
+
+// A checkpoint belongs to a tree, and the tree hangs on the options as well.
+std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options) {
+  problems::Fingerprint fingerprint;
+  fingerprint.add(program);
+  fingerprint.add(static_cast<int>(options.cuts));
+  fingerprint.add(static_cast<int>(options.branching));
+  fingerprint.add(static_cast<int>(options.tighten));
+  fingerprint.add(static_cast<int>(options.dive));
+  return fingerprint.value();
+}
+
+void tell_what_is_left(const MipOptions& options, const std::string& checkpoint,
+                       const engine::Outcome<nodes::ZeroOneTree>& outcome) {
+  fmt::print(stderr, "stopped early ({}): {} open nodes are left\n", status_name(outcome.status),
+             outcome.open);
+  std::string call = fmt::format("kusabi mip {}", options.file);
+  if (options.cuts == nodes::ZeroOneCuts::disjunctive) call += " --cuts disjunctive";
+  if (options.branching == nodes::ZeroOneBranching::paper) call += " --branching paper";
+  if (!options.tighten) call += " --no-tighten";
+  if (!options.dive) call += " --no-dive";
+  tell_how_to_go_on(call, checkpoint, outcome.saved);
+}
+
+// If the relaxation has no lower bound, neither has the program, if it has a point at all: the
+// direction in which the objective falls leaves the binaries alone. So a point is all there is to
+// look for.
+bool without_bound(nodes::ZeroOneRoot& root, const ProgramFile& program,
+                   const nodes::ZeroOneRootOptions& options) {
+  if (root.status != nodes::linear::LinearStatus::unbounded) return false;
+  auto any_point = program.mixed;
+  for (auto& column : any_point.program.columns) column.cost = 0;
+  root = nodes::prepare_root(std::move(any_point), options);
+  return true;
+}
+
+}  // namespace
+
+int mip(Session& session, const MipOptions& options) {
+  std::optional<ResultFile> result_file;
+  const auto program = read_on_first_rank(session, options, result_file);
+  const std::uint64_t fingerprint = program_fingerprint(program);
+
+  engine::Options search_options;
+  search_options.goal = engine::Goal::best;
+  search_options.order = options.order;
+  search_options.limits = options.limits;
+  auto& checkpoint = search_options.checkpoint;
+  checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
+  checkpoint.interval = options.checkpoint_interval;
+  checkpoint.problem = tree_fingerprint(fingerprint, options);
+  checkpoint.resume_from =
+      restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
+  search_options.interrupt = asked_by_signal;
+  search_options.warn = warn;
+  std::optional<ProgressLine> progress;
+  if (session.speaks() && !options.quiet) {
+    announce(options, program, session.ranks());
+    progress.emplace(search_options.goal);
+    search_options.progress = [&](const auto& state) { progress->show(state); };
+  }
+  heed_signals();
+  const nodes::ZeroOneRootOptions root_options{
+      .cuts = options.cuts, .tighten = options.tighten, .dive = options.dive};
+  auto root = nodes::prepare_root(program.mixed, root_options);
+  const bool unbounded = without_bound(root, program, root_options);
+  nodes::ZeroOneTree tree(std::move(root), options.branching);
+  const auto outcome = engine::search(tree, session.transport(), search_options);
+  progress.reset();
+
+  const bool whole = outcome.status == engine::Status::solved;
+  if (session.speaks()) {
+    const MipReport report{options, program, fingerprint, tree, outcome, unbounded};
+    if (!options.quiet) fmt::print("{}", report.table());
+    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+    result_file->write(report.json());
+    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", options.output);
+    if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
+  }
+  return whole ? solved : stopped_early;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,221 @@
+// The table and the JSON of `kusabi mip`.
+#include "run/mip_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "run/patterns_report.hpp"
+#include "run/rank_table.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+
+// GLPK's feasibility tolerance: a value below it is a zero that was rounded.
+constexpr double is_zero = 1e-9;
+
+const char* answer_name(MipAnswer answer) {
+  switch (answer) {
+    case MipAnswer::optimal:
+      return "optimal";
+    case MipAnswer::feasible:
+      return "feasible";
+    case MipAnswer::infeasible:
+      return "infeasible";
+    case MipAnswer::unbounded:
+      return "unbounded";
+    case MipAnswer::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+// JSON has no infinity.
+ordered_json number(double value) {
+  if (std::isfinite(value)) return value;
+  return nullptr;
+}
+
+ordered_json tally_json(const nodes::ZeroOneTally& tally) {
+  return {{"branched", tally.branched},
+          {"infeasible", tally.infeasible},
+          {"above", tally.above},
+          {"leaves", tally.leaves},
+          {"points", tally.points},
+          {"unproved", tally.unproved},
+          {"held", tally.held},
+          {"programs", tally.programs},
+          {"iterations", tally.iterations}};
+}
+
+ordered_json rank_reports(const std::vector<engine::RankReport<nodes::ZeroOneTree>>& reports) {
+  auto list = ordered_json::array();
+  for (const auto& [statistics, tally] : reports) {
+    ordered_json rank = tally_json(tally);
+    add_statistics(rank, statistics);
+    list.push_back(std::move(rank));
+  }
+  return list;
+}
+
+}  // namespace
+
+const nodes::ZeroOnePoint* MipReport::point() const {
+  return outcome.solutions.empty() ? nullptr : &outcome.solutions.front().solution;
+}
+
+MipAnswer MipReport::answer() const {
+  if (unbounded) return point() != nullptr ? MipAnswer::unbounded : MipAnswer::infeasible;
+  const bool whole = outcome.status == engine::Status::solved;
+  if (point() == nullptr) return whole ? MipAnswer::infeasible : MipAnswer::unknown;
+  return whole ? MipAnswer::optimal : MipAnswer::feasible;
+}
+
+nodes::ZeroOneTally MipReport::total() const {
+  nodes::ZeroOneTally sum;
+  for (const auto& rank : outcome.ranks) sum += rank.tally;
+  for (const auto& rank : outcome.earlier) sum += rank.tally;
+  return sum;
+}
+
+double MipReport::in_the_files_sense(double objective) const {
+  return program.maximise ? -objective : objective;
+}
+
+double MipReport::objective() const {
+  return in_the_files_sense(point()->objective);
+}
+
+double MipReport::bound() const {
+  return in_the_files_sense(tree.lower_bound(outcome.bound, total()));
+}
+
+double MipReport::gap() const {
+  const double difference = std::abs(objective() - bound());
+  return objective() == 0 ? difference : difference / std::abs(objective());
+}
+
+bool MipReport::proved() const {
+  return tree.proves();
+}
+
+std::string MipReport::verdict() const {
+  switch (answer()) {
+    case MipAnswer::infeasible:
+      return "infeasible: no point satisfies all rows, bounds and binaries\n";
+    case MipAnswer::unbounded:
+      return fmt::format("unbounded: there are points, and the objective has no {} bound\n",
+                         program.maximise ? "upper" : "lower");
+    case MipAnswer::unknown:
+      return fmt::format("no point was found before the search was stopped; {} bound {}\n",
+                         program.maximise ? "upper" : "lower", bound());
+    case MipAnswer::optimal:
+    case MipAnswer::feasible:
+      break;
+  }
+  return fmt::format(
+      "{} objective {}; {} bound {} ({}), gap {:.2g} %\n",
+      answer() == MipAnswer::optimal ? "optimal:" : "best point so far:", objective(),
+      program.maximise ? "upper" : "lower", bound(),
+      proved() ? "safe against rounding" : "as the simplex method finds it", 100 * gap());
+}
+
+std::string MipReport::table() const {
+  std::string text;
+  auto out = std::back_inserter(text);
+  if (point() != nullptr && answer() != MipAnswer::unbounded) {
+    std::size_t width = std::string_view("column").size();
+    const auto& columns = program.mixed.program.columns;
+    const auto& values = point()->values;
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      if (std::abs(values[j]) > is_zero) width = std::max(width, columns[j].name.size());
+    }
+    fmt::format_to(out, "\n{:<{}}  {:>14}\n", "column", width, "value");
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      if (std::abs(values[j]) <= is_zero) continue;
+      fmt::format_to(out, "{:<{}}  {:>14.8g}\n", columns[j].name, width, values[j]);
+    }
+  }
+  text += '\n' + verdict();
+  const auto tally = total();
+  const auto& counts = tree.prepared().counts;
+  fmt::format_to(out,
+                 "{} nodes; {} linear programs, {} of them at the root; {} cuts in {} rounds; {} "
+                 "coefficients made smaller\n",
+                 outcome.opened(), tally.programs + counts.programs, counts.programs, counts.cuts,
+                 counts.cut_rounds, counts.tightened);
+  if (tally.unproved != 0) {
+    fmt::format_to(out, "{} nodes were closed without a proof that nothing is left in them\n",
+                   tally.unproved);
+  }
+  RankTable ranks({"branched", "infeasible", "above", "leaves", "programs", "iterations"});
+  const auto own = [](const nodes::ZeroOneTally& its) {
+    return std::vector<std::uint64_t>{its.branched, its.infeasible + its.unproved,
+                                      its.above,    its.leaves,
+                                      its.programs, its.iterations};
+  };
+  for (const auto& rank : outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
+  for (const auto& rank : outcome.earlier) ranks.add_earlier(rank.statistics, own(rank.tally));
+  text += '\n' + ranks.text();
+  return text;
+}
+
+ordered_json MipReport::json() const {
+  const auto& given = program.mixed.program;
+  const auto& counts = tree.prepared().counts;
+  ordered_json result{{"answer", answer_name(answer())}};
+  if (answer() == MipAnswer::optimal || answer() == MipAnswer::feasible) {
+    result["objective"] = objective();
+    result["bound"] = number(bound());
+    result["gap"] = number(gap());
+    result["proved"] = proved();
+    ordered_json columns = ordered_json::object();
+    for (std::size_t j = 0; j < given.columns.size(); ++j) {
+      const double value = point()->values[j];
+      if (std::abs(value) > is_zero) columns[given.columns[j].name] = value;
+    }
+    result["columns"] = std::move(columns);
+  } else if (answer() == MipAnswer::unknown) {
+    result["bound"] = number(bound());
+  }
+  result["root"] = {{"first_bound", number(in_the_files_sense(counts.first_bound))},
+                    {"last_bound", number(in_the_files_sense(counts.last_bound))},
+                    {"programs", counts.programs},
+                    {"cut_rounds", counts.cut_rounds},
+                    {"cut_programs", counts.cut_programs},
+                    {"cuts", counts.cuts},
+                    {"tighten_programs", counts.tighten_programs},
+                    {"tightened", counts.tightened},
+                    {"fixed", counts.fixed}};
+  return {
+      {"command", "mip"},
+      {"version", KUSABI_VERSION},
+      {"problem",
+       {{"file", options.file},
+        {"name", given.name},
+        {"sense", program.maximise ? "maximise" : "minimise"},
+        {"rows", given.rows.size()},
+        {"columns", given.columns.size()},
+        {"binaries", program.mixed.binaries.size()},
+        {"entries", given.entries.size()},
+        {"fingerprint", fmt::format("{:016x}", fingerprint)}}},
+      {"options",
+       {{"cuts", options.cuts == nodes::ZeroOneCuts::none ? "none" : "disjunctive"},
+        {"branching", options.branching == nodes::ZeroOneBranching::paper ? "paper" : "look-ahead"},
+        {"tighten", options.tighten},
+        {"dive", options.dive}}},
+      {"status", status_name(outcome.status)},
+      {"result", std::move(result)},
+      {"statistics",
+       {{"opened", outcome.opened()},
+        {"open", outcome.open},
+        {"ranks", rank_reports(outcome.ranks)},
+        {"earlier_runs", rank_reports(outcome.earlier)}}}};
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,56 @@
+// What `kusabi mip` says: the table for a person and the JSON for a program.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/outcome.hpp"
+#include "nodes/linear/program_file.hpp"
+#include "nodes/zero_one/tree.hpp"
+#include "run/mip.hpp"
+
+namespace kusabi::run {
+
+/// What was found out about the program.
+enum class MipAnswer {
+  optimal,     ///< a point, and no other is better (by more than the gap)
+  feasible,    ///< a point; stopped before it was known whether there is a better one
+  infeasible,  ///< no point satisfies all rows, bounds and binaries
+  unbounded,   ///< points of any objective, however good
+  unknown,     ///< stopped before a point was found
+};
+
+struct MipReport {
+  const MipOptions& options;
+  const nodes::linear::ProgramFile& program;
+  std::uint64_t fingerprint;
+  const nodes::ZeroOneTree& tree;
+  const engine::Outcome<nodes::ZeroOneTree>& outcome;
+  bool unbounded = false;
+
+  [[nodiscard]] MipAnswer answer() const;
+  [[nodiscard]] const nodes::ZeroOnePoint* point() const;
+  [[nodiscard]] nodes::ZeroOneTally total() const;
+
+  /// No point has a better objective, as the file's sense has it.
+  [[nodiscard]] double bound() const;
+  [[nodiscard]] double objective() const;
+  /// |objective - bound| / |objective|; the difference itself if the objective is zero.
+  [[nodiscard]] double gap() const;
+  /// Whether the bound holds in spite of rounding.
+  [[nodiscard]] bool proved() const;
+
+  /// The answer, the point, the ranks' shares and the times, as text.
+  [[nodiscard]] std::string table() const;
+
+  /// The result file; its schema is in docs/result-files.md.
+  [[nodiscard]] nlohmann::ordered_json json() const;
+
+ private:
+  [[nodiscard]] double in_the_files_sense(double objective) const;
+  [[nodiscard]] std::string verdict() const;
+};
+
+}  // namespace kusabi::run

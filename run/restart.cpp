@@ -1,0 +1,66 @@
+// Checkpoints found, refused and pointed at.
+#include "run/restart.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "engine/checkpoint.hpp"
+
+namespace kusabi::run {
+namespace {
+
+// A wrong name should cost a second and not the night.
+void require_writable_folder(const std::string& checkpoint) {
+  const auto folder = std::filesystem::absolute(checkpoint).parent_path();
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw WrongInput(fmt::format("--checkpoint {}: cannot be written: {}: {}", checkpoint,
+                                 folder.string(), std::strerror(errno)));
+  }
+}
+
+}  // namespace
+
+void warn(const std::string& line) {
+  fmt::print(stderr, "kusabi: {}\n", line);
+}
+
+std::string restart_from(Session& session, const std::string& checkpoint,
+                         const std::string& restart, std::uint64_t tree) {
+  return session.on_first_rank([&]() -> std::string {
+    if (!checkpoint.empty()) require_writable_folder(checkpoint);
+    if (restart.empty()) {
+      if (!checkpoint.empty() && engine::checkpoint_exists(checkpoint)) {
+        throw WrongInput(
+            fmt::format("--checkpoint {}: exists already; expected --restart {} to go on from it, "
+                        "or a new name",
+                        checkpoint, checkpoint));
+      }
+      return {};
+    }
+    try {
+      std::string warning;
+      auto file = engine::usable_checkpoint(restart, tree, warning);
+      if (!warning.empty()) warn(warning);
+      return file;
+    } catch (const engine::CheckpointError& error) {
+      throw WrongInput(fmt::format("--restart {}", error.what()));
+    }
+  });
+}
+
+void tell_how_to_go_on(const std::string& call, const std::string& checkpoint, bool saved) {
+  if (checkpoint.empty()) return;
+  if (!saved && !engine::checkpoint_exists(checkpoint)) {
+    fmt::print(stderr, "nothing is saved: no checkpoint could be written\n");
+    return;
+  }
+  if (!saved) fmt::print(stderr, "the last checkpoint could not be written\n");
+  fmt::print(stderr, "go on{} with: {} --restart {}\n", saved ? "" : " from the one before it",
+             call, checkpoint);
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,26 @@
+// What the subcommands that search have in common about checkpoints: where to go on from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "run/session.hpp"
+
+namespace kusabi::run {
+
+/// One line on standard error.
+void warn(const std::string& line);
+
+/// The checkpoint to go on from, found on rank 0 and told to all; empty if none is asked for.
+/// @param checkpoint where the state will be kept; empty: nowhere
+/// @param restart what to go on from; empty: nothing
+/// @param tree fingerprint of the tree
+/// @throws WrongInput if one cannot be used
+std::string restart_from(Session& session, const std::string& checkpoint,
+                         const std::string& restart, std::uint64_t tree);
+
+/// After a search that stopped early: how to go on, on standard error. @param call the command
+/// without --restart @param saved whether the last state is in the checkpoint
+void tell_how_to_go_on(const std::string& call, const std::string& checkpoint, bool saved);
+
+}  // namespace kusabi::run

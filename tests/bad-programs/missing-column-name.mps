@@ -1,0 +1,7 @@
+* expect: missing-column-name.mps:6: ...; expected a program in MPS format
+NAME X
+ROWS
+ N COST
+COLUMNS
+ A
+ENDATA

@@ -1,0 +1,185 @@
+// What is done at the root: no cut, no smaller M, no implied bound and no range may lose a point
+// that matters, and each must gain something.
+#include <cmath>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nodes/zero_one/bound_tightening.hpp"
+#include "nodes/zero_one/disjunctive_cuts.hpp"
+#include "tests/nodes/zero_one/programs.hpp"
+
+namespace kusabi::nodes {
+namespace {
+
+using linear::LinearStatus;
+using problems::LinearTerm;
+using tests::by_brute_force;
+using tests::random_mixed;
+
+// The program with the costs replaced: its optimum is the least of that form over all points.
+std::optional<double> least_of(problems::MixedProgram mixed, const std::vector<LinearTerm>& form) {
+  mixed.program.constant = 0;
+  for (auto& column : mixed.program.columns) column.cost = 0;
+  for (const auto& [column, value] : form) {
+    mixed.program.columns[static_cast<std::size_t>(column)].cost = value;
+  }
+  return by_brute_force(mixed);
+}
+
+TEST(DisjunctiveCuts, HoldAtEveryPointAndCutOffTheOptimumOfTheRelaxation) {
+  int cuts = 0;
+  for (int kind = 0; kind < 4; ++kind) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
+      const auto mixed = random_mixed(seed, kind, 7);
+      Relaxation relaxation(mixed);
+      if (relaxation.solve(relaxation.root(), {}) != LinearStatus::optimal) continue;
+      const auto point = relaxation.simplex().values();
+      for (std::size_t k = 0; k < relaxation.binaries(); ++k) {
+        const double at = point[static_cast<std::size_t>(relaxation.column(k))];
+        if (std::min(at, 1 - at) < 1e-6) continue;
+        const auto cut = deepest_cut(relaxation, mixed.program.rows.size(), point, k);
+        if (!cut) continue;
+        ++cuts;
+        double at_point = 0;
+        for (const auto& [column, value] : cut->terms) {
+          at_point += value * point[static_cast<std::size_t>(column)];
+        }
+        EXPECT_LT(at_point, cut->lower);
+        const auto least = least_of(mixed, cut->terms);
+        if (least) {
+          EXPECT_GE(*least, cut->lower - 1e-8) << kind << " " << seed << " " << k;
+        }
+      }
+    }
+  }
+  EXPECT_GT(cuts, 15);
+}
+
+TEST(DisjunctiveCuts, AreAsDeepAsTheHullOfBothSides) {
+  // x <= tau, x <= 1 - tau with 0 <= x <= 1: both sides of the disjunction say x = 0, the
+  // relaxation allows x = 1/2 at tau = 1/2.
+  problems::MixedProgram mixed;
+  const int tau = mixed.program.add_column({.upper = 1});
+  const int x = mixed.program.add_column({.cost = -1, .upper = 1});
+  mixed.binaries = {tau};
+  mixed.program.add_row({.upper = 0}, {{{x, 1}, {tau, -1}}});
+  mixed.program.add_row({.upper = 1}, {{{x, 1}, {tau, 1}}});
+  Relaxation relaxation(mixed);
+  ASSERT_EQ(relaxation.solve(relaxation.root(), {}), LinearStatus::optimal);
+  ASSERT_NEAR(relaxation.simplex().objective(), -0.5, 1e-9);
+  const auto rounds = add_disjunctive_cuts(relaxation, relaxation.simplex().basis());
+  EXPECT_EQ(rounds.kept, 1U);
+  EXPECT_NEAR(relaxation.simplex().objective(), 0, 1e-9);
+}
+
+TEST(DisjunctiveCuts, RaiseTheBoundAndStopInTime) {
+  int raised = 0;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const auto mixed = random_mixed(seed, 0, 10);
+    Relaxation relaxation(mixed);
+    ASSERT_EQ(relaxation.solve(relaxation.root(), {}), LinearStatus::optimal);
+    const double before = relaxation.bound();
+    const auto rounds = add_disjunctive_cuts(relaxation, relaxation.simplex().basis());
+    ASSERT_EQ(relaxation.solve(relaxation.root(), rounds.basis), LinearStatus::optimal);
+    EXPECT_LE(rounds.rounds, 18U);  // 1.8 x 10
+    EXPECT_GE(rounds.found, rounds.kept);
+    EXPECT_EQ(relaxation.program().rows.size(), mixed.program.rows.size() + rounds.kept);
+    EXPECT_GE(relaxation.bound(), before - 1e-9);
+    raised += relaxation.bound() > before + 1e-6 ? 1 : 0;
+    EXPECT_LE(relaxation.bound(), *by_brute_force(mixed));
+  }
+  EXPECT_GE(raised, 4);
+}
+
+TEST(BoundTightening, RangesHoldAllPointsThatMatter) {
+  int bounded = 0;
+  for (int kind = 2; kind < 5; ++kind) {
+    for (unsigned seed = 0; seed < 8; ++seed) {
+      auto mixed = random_mixed(seed, kind, 6);
+      const auto optimum = by_brute_force(mixed);
+      if (!optimum) continue;
+      BoundTightening ends(mixed.program, *optimum + 1);
+      const std::vector<LinearTerm> form{{6, 1}, {7, -2}, {0, 3}};
+      const auto range = ends.range(form);
+      // The same cutoff as a row, for all binaries.
+      std::vector<LinearTerm> objective;
+      for (std::size_t j = 0; j < mixed.program.columns.size(); ++j) {
+        objective.push_back({static_cast<int>(j), mixed.program.columns[j].cost});
+      }
+      mixed.program.add_row({.upper = *optimum + 1}, objective);
+      const auto least = least_of(mixed, form);
+      const auto most = least_of(mixed, {{6, -1}, {7, 2}, {0, -3}});
+      if (least) {
+        EXPECT_LE(range.lower, *least + (range.proved ? 0 : 1e-9));
+      }
+      if (most) {
+        EXPECT_GE(range.upper, -*most - (range.proved ? 0 : 1e-9));
+      }
+      if (std::isfinite(range.lower) && std::isfinite(range.upper)) ++bounded;
+    }
+  }
+  EXPECT_GT(bounded, 10);
+}
+
+TEST(BoundTightening, SaysWhenNoPointMatters) {
+  const auto mixed = random_mixed(1, 2, 6);
+  BoundTightening ends(mixed.program, -1);  // costs and flows are never negative there
+  const auto range = ends.range(std::vector<LinearTerm>{{6, 1}});
+  EXPECT_GT(range.lower, range.upper);
+  EXPECT_TRUE(range.proved);
+}
+
+TEST(BoundTightening, MakesABigMAsSmallAsItNeedsToBe) {
+  // gamma <= |u| with -3 <= u <= 4 and M = 100, as in (29): gamma - u <= M (1 - tau) needs
+  // M = 6 where u = -3 (gamma = 3), gamma + u <= M tau needs 8.
+  problems::MixedProgram mixed;
+  auto& program = mixed.program;
+  const int tau = program.add_column({.upper = 1});
+  const int u = program.add_column({.lower = -3, .upper = 4});
+  const int gamma = program.add_column({.cost = -1});
+  mixed.binaries = {tau};
+  program.add_row({.upper = 100}, {{{gamma, 1}, {u, -1}, {tau, 100}}});
+  program.add_row({.lower = 0}, {{{gamma, -1}, {u, -1}, {tau, 100}}});
+  const auto done = tighten_big_m(mixed, 0);
+  EXPECT_GE(done.coefficients, 2U);
+  EXPECT_TRUE(done.proved);
+  EXPECT_NEAR(program.rows[0].upper, 6, 1e-9);
+  EXPECT_NEAR(program.entries[2].value, 6, 1e-9);
+  EXPECT_NEAR(program.entries[5].value, 8, 1e-9);
+  EXPECT_NEAR(*by_brute_force(mixed), -4, 1e-9);
+}
+
+TEST(BoundTightening, LosesNoOptimum) {
+  std::uint64_t shrunk = 0;
+  for (int kind = 2; kind < 5; ++kind) {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      auto mixed = random_mixed(seed, kind, 6);
+      const auto before = by_brute_force(mixed);
+      if (!before) continue;
+      shrunk += tighten_big_m(mixed, *before + 0.5).coefficients;
+      const auto after = by_brute_force(mixed);
+      ASSERT_TRUE(after.has_value()) << kind << " " << seed;
+      EXPECT_NEAR(*after, *before, 1e-8) << kind << " " << seed;
+    }
+  }
+  EXPECT_GT(shrunk, 4U);
+}
+
+TEST(ImpliedBounds, FollowFromRowsAndLoseNothing) {
+  problems::LinearProgram program;
+  const int x = program.add_column({.lower = -problems::infinity});
+  const int y = program.add_column({.cost = 3});
+  const int tau = program.add_column({.upper = 1});
+  program.add_row({.upper = 0}, {{{x, 1}, {tau, -7}}});              // x <= 7 tau
+  program.add_row({.lower = -2, .upper = 5}, {{{x, 3}, {tau, 1}}});  // 3x >= -2 - tau
+  const auto bounds = implied_bounds(program, 12);                   // 3y <= 12
+  EXPECT_NEAR(bounds.lower[static_cast<std::size_t>(x)], -1, 1e-12);
+  EXPECT_LE(bounds.lower[static_cast<std::size_t>(x)], -1);
+  EXPECT_NEAR(bounds.upper[static_cast<std::size_t>(x)], 5.0 / 3, 1e-12);
+  EXPECT_NEAR(bounds.upper[static_cast<std::size_t>(y)], 4, 1e-12);
+}
+
+}  // namespace
+}  // namespace kusabi::nodes
