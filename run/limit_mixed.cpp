@@ -45,16 +45,6 @@ void add_static_row(problems::LinearProgram& program, const LimitModel& model,
   program.add_row({.upper = std::abs(cut.factor)}, terms);
 }
 
-// One cut for each column of T, at the elongations of the nominal collapse: enough for a safe M.
-std::vector<StaticCut> first_cuts(const LimitModel& model, const nodes::limit::Collapse& nominal) {
-  nodes::limit::StaticPricing pricing(model);
-  std::vector<int> columns(model.uncertain.size());
-  for (std::size_t j = 0; j < columns.size(); ++j) columns[j] = static_cast<int>(j);
-  const Eigen::VectorXd z = (model.equilibrium.transpose() * nominal.motion).cwiseAbs();
-  constexpr double share = 1e-3;  // as in the rounds of nodes/limit/worst_case
-  return nodes::limit::price_alone(pricing, nodes::limit::pricing_aim(z, share), columns);
-}
-
 }  // namespace
 
 MixedWorst solve_mixed(Session& session, const LimitOptions& options, const LimitModel& model,
@@ -68,17 +58,22 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   if (all || options.method == LimitMethod::disjunctive) {
     root_options.cuts = nodes::ZeroOneCuts::disjunctive;
   }
-  // A collapse to begin with: what "matters" means for a safe M.
-  Eigen::VectorXd zeta = nodes::limit::worst_for(model, alpha, nominal.motion,
-                                                 Eigen::VectorXd::Zero(model.uncertain_count()));
-  const auto known = nodes::limit::descend(model, load_factor, alpha, zeta);
-  if (!known) {
+  // Static cuts say which M is safe, and give a collapse: what "matters" means for an M.
+  nodes::limit::StaticPricing pricing(model);
+  const auto static_root =
+      nodes::limit::solve_root(model, alpha, nominal, load_factor,
+                               [&](const Eigen::VectorXd& z, std::span<const int> columns) {
+                                 return nodes::limit::price_alone(pricing, z, columns);
+                               });
+  if (static_root.status == nodes::limit::RootStatus::not_carried) {
     throw WrongInput(
-        "--cuts: some admissible dead load is carried at no load factor, for which "
-        "(29) has no M; expected the default method");
+        "--cuts: some admissible dead load is carried at no load factor, so that (29) has no "
+        "bound; "
+        "expected the default method, which says more");
   }
-  std::vector<StaticCut> cuts = first_cuts(model, nominal);
-  std::optional<MotionBounds> bounds =
+  const auto& known = static_root.worst;
+  const auto& cuts = static_root.cuts;
+  const std::optional<MotionBounds> bounds =
       nodes::limit::motion_bounds(model, alpha, cuts, known->collapse.factor);
   Eigen::VectorXd big_m;
   Eigen::VectorXd most_motion = Eigen::VectorXd::Constant(model.free_count(), infinity);
@@ -141,12 +136,17 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   const auto found = engine::unpack<Found>(std::span(packed.data(), packed.size()));
   if (found.motion.empty()) throw std::runtime_error("(29) has no point; M is too small");
   const Eigen::Map<const Eigen::VectorXd> motion(found.motion.data(), model.free_count());
-  zeta = nodes::limit::worst_for(model, alpha, motion, known->zeta);
+  Eigen::VectorXd zeta = nodes::limit::worst_for(model, alpha, motion, known->zeta);
   auto worst = nodes::limit::descend(model, load_factor, alpha, zeta);
   if (!worst) throw std::runtime_error("an admissible dead load is carried at no load factor");
   result.worst = known->collapse.factor < worst->collapse.factor ? *known : std::move(*worst);
   result.lower = found.lower;
   result.proved = tree.proves();
+  if (all && static_root.lower > result.lower) {
+    // The static rows say so already; their exact proof belongs to the default method.
+    result.lower = static_root.lower;
+    result.proved = false;
+  }
   result.nodes = found.nodes;
   result.programs = found.programs;
   return result;
