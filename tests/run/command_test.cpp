@@ -752,12 +752,12 @@ std::string example_file(const std::string& name) {
 
 TEST_F(Command, FindsTheSameWorstCaseOnOneAndTwoRanks) {
   // One that the root closes, with enough columns for ranks to share, and one for the tree.
-  for (const std::string call : {example_file("grid-4x4.toml") + " --alpha 40",
+  for (const std::string& call : {example_file("grid-4x4.toml") + " --alpha 40",
                                  example_file("static-gap.toml") + " --alpha 0.45"}) {
     const auto options = " limit " + call + " --samples 40 --curve --output " +
                          argument("out.json") + " --certificate " + argument("cert");
     nlohmann::json alone;
-    for (const std::string launch : {std::string(), ranks(2)}) {
+    for (const std::string& launch : {std::string(), ranks(2)}) {
       const auto run = shell(launch + command + options);
       ASSERT_EQ(run.exit_code, 0) << run.output;
       auto json = nlohmann::json::parse(content(in_folder("out.json")));
