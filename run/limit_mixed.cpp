@@ -139,7 +139,7 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   Eigen::VectorXd zeta = nodes::limit::worst_for(model, alpha, motion, known->zeta);
   auto worst = nodes::limit::descend(model, load_factor, alpha, zeta);
   if (!worst) throw std::runtime_error("an admissible dead load is carried at no load factor");
-  result.worst = known->collapse.factor < worst->collapse.factor ? *known : std::move(*worst);
+  result.worst = known->collapse.factor < worst->collapse.factor ? *known : *worst;
   result.lower = found.lower;
   result.proved = tree.proves();
   if (all && static_root.lower > result.lower) {

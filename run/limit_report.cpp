@@ -15,11 +15,8 @@ namespace {
 
 using nlohmann::ordered_json;
 using nodes::limit::CurvePiece;
-using nodes::limit::LoadStatus;
 using nodes::limit::RootStatus;
 using problems::LimitProblem;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<double> numbers(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};

@@ -27,6 +27,7 @@ problems::LinearProgram relaxation(const problems::LimitModel& model, double alp
     program.add_column({.cost = -alpha * weight, .upper = far});
   }
   std::vector<problems::LinearTerm> terms;
+  terms.reserve(static_cast<std::size_t>(model.free_count()));
   for (int k = 0; k < model.free_count(); ++k) terms.push_back({k, model.reference(k)});
   program.add_row({.lower = 1, .upper = 1}, terms);
   for (int i = 0; i < model.member_count(); ++i) {
