@@ -109,12 +109,8 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   result.cuts += root.counts.cuts;
   result.cut_programs = root.counts.cut_programs;
   const auto root_programs = root.counts.programs;
-  const auto branching =
-      options.method == LimitMethod::fixed || options.method == LimitMethod::disjunctive
-          ? nodes::ZeroOneBranching::paper
-          : nodes::ZeroOneBranching::look_ahead;
   const auto start = root.point;
-  nodes::ZeroOneTree tree(std::move(root), branching);
+  nodes::ZeroOneTree tree(std::move(root));
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
   const auto outcome = engine::search(tree, session.transport(), search_options);

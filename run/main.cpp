@@ -171,21 +171,21 @@ void add_mip(CLI::App& app, Action& action, bool& serial) {
   choice("--cuts", options->cuts,
          std::map<std::string, ZeroOneCuts>{{"none", ZeroOneCuts::none},
                                             {"disjunctive", ZeroOneCuts::disjunctive}},
-         "cuts at the root");
+         "cuts at the root (default none)");
   choice("--branching", options->branching,
          std::map<std::string, ZeroOneBranching>{{"paper", ZeroOneBranching::paper},
                                                  {"look-ahead", ZeroOneBranching::look_ahead}},
-         "split nodes by the largest tau (1 - tau) as the paper does, or by what the children's "
-         "bounds gain: the same optimum from fewer nodes");
+         "split nodes by the largest tau (1 - tau) as the paper does (default), or by what the "
+         "children's bounds gain: the same optimum from fewer nodes that cost more");
   choice("--order", options->order,
          std::map<std::string, Order>{{"depth-first", Order::depth_first},
                                       {"best-first", Order::best_first},
                                       {"hybrid", Order::hybrid}},
-         "which node is opened next: the same optimum");
+         "which node is opened next (default depth-first): the same optimum");
   command.add_flag("!--no-tighten", options->tighten, "leave big Ms as they are");
   command.add_flag("!--no-dive", options->dive, "do not look for points before the search");
   command.add_option("--output", options->output, "write the result to this JSON file");
-  command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
+  command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds of search")
       ->check(positive);
   command
       .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")

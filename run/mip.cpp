@@ -86,7 +86,9 @@ void tell_what_is_left(const MipOptions& options, const std::string& checkpoint,
              outcome.open);
   std::string call = fmt::format("kusabi mip {}", options.file);
   if (options.cuts == nodes::ZeroOneCuts::disjunctive) call += " --cuts disjunctive";
-  if (options.branching == nodes::ZeroOneBranching::paper) call += " --branching paper";
+  if (options.branching == nodes::ZeroOneBranching::look_ahead) {
+    call += " --branching look-ahead";
+  }
   if (!options.tighten) call += " --no-tighten";
   if (!options.dive) call += " --no-dive";
   tell_how_to_go_on(call, checkpoint, outcome.saved);

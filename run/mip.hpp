@@ -14,7 +14,7 @@ namespace kusabi::run {
 struct MipOptions {
   std::string file;                                    ///< the program, MPS or CPLEX LP
   nodes::ZeroOneCuts cuts = nodes::ZeroOneCuts::none;  ///< at the root
-  nodes::ZeroOneBranching branching = nodes::ZeroOneBranching::look_ahead;
+  nodes::ZeroOneBranching branching = nodes::ZeroOneBranching::paper;
   bool tighten = true;                               ///< big Ms, by optimisation
   bool dive = true;                                  ///< for points, at the root
   engine::Order order = engine::Order::depth_first;  ///< which node is next

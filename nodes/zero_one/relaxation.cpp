@@ -40,6 +40,8 @@ Relaxation::Relaxation(problems::MixedProgram mixed)
     lower = std::ceil(lower);
     upper = std::floor(upper);
     simplex_.set_column_bounds(column, lower, upper);
+    held_.lower.push_back(lower);
+    held_.upper.push_back(upper);
   }
   proves_ = all_bounded();
 }
@@ -76,7 +78,11 @@ void Relaxation::hold(const Fixings& fixings) {
     const auto& own = mixed_.program.columns[j];
     const double lower = fixings.at_one(k) ? 1 : own.lower;
     const double upper = fixings.at_zero(k) ? 0 : own.upper;
-    simplex_.set_column_bounds(column(k), lower, upper);
+    if (lower != held_.lower[k] || upper != held_.upper[k]) {
+      simplex_.set_column_bounds(column(k), lower, upper);
+      held_.lower[k] = lower;
+      held_.upper[k] = upper;
+    }
     node_.lower[j] = lower;
     node_.upper[j] = upper;
   }

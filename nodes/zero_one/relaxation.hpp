@@ -91,6 +91,7 @@ class Relaxation {
   linear::Simplex simplex_;
   ColumnBounds implied_;  // at the root
   ColumnBounds node_;     // with the fixings
+  ColumnBounds held_;     // of the binaries, in the order of them, as the simplex method has them
   bool proves_ = false;
   linear::SafeBound safe_;
   double bound_ = -problems::infinity;

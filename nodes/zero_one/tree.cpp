@@ -45,6 +45,7 @@ struct ZeroOneTree::Split {
   std::size_t binary = 0;
   std::array<double, 2> bound = {};
   std::array<linear::Basis, 2> basis = {};
+  std::array<double, 2> rise = {};  // of the bound, before it is raised to the grid
 };
 
 ZeroOneTree::ZeroOneTree(ZeroOneRoot root, ZeroOneBranching branching)
@@ -108,6 +109,7 @@ void ZeroOneTree::expand(Node&& node, Out& out) {
   if (root_.point && node.fixings == root_.relaxation.root()) out.solution(*root_.point);
   for (;;) {
     if (settle(node, out)) return;
+    const double bound = root_.relaxation.bound();
     hold_by_cost(node);
     const auto free = free_binaries(node);
     const bool whole = std::all_of(free.begin(), free.end(), [this](std::size_t k) {
@@ -125,8 +127,8 @@ void ZeroOneTree::expand(Node&& node, Out& out) {
       branch(node, {free.front(), {node.bound, node.bound}, {node.basis, node.basis}}, true, out);
       return;
     }
-    if (const auto split = look_ahead(node, free)) {
-      branch(node, *split, split->bound[1] < split->bound[0], out);
+    if (const auto split = look_ahead(node, free, bound)) {
+      branch(node, *split, split->rise[1] <= split->rise[0], out);
       return;
     }
   }
@@ -224,12 +226,13 @@ void ZeroOneTree::try_rounding(const Node& node, Out& out) {
 
 // None if a binary had to be held: then the node is another one, to be solved again.
 std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
-    Node& node, const std::vector<std::size_t>& candidates) {
+    Node& node, const std::vector<std::size_t>& candidates, double before) {
   auto& relaxation = root_.relaxation;
   linear::SolveLimits limits{.iterations = look_ahead_steps};
   if (root_.point) limits.cutoff = root_.point->objective + root_.resolution;
   std::optional<Split> best;
   double most = -1;
+  const double least = least_rise * root_.resolution;
   bool held = false;
   const std::size_t count = std::min(candidates.size(), look_ahead_candidates);
   for (std::size_t i = 0; i < count; ++i) {
@@ -243,6 +246,7 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
       const bool failed = status == LinearStatus::failed || status == LinearStatus::unbounded;
       split.basis[side] = failed ? node.basis : relaxation.simplex().basis();
       split.bound[side] = std::max(node.bound, raised(relaxation.bound()));
+      split.rise[side] = std::max(relaxation.bound() - before, least);
       dead[side] = (status == LinearStatus::infeasible && relaxation.contradiction()) ||
                    worse_than_root_point(split.bound[side]);
     }
@@ -253,8 +257,7 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
       if (dead[0] && dead[1]) break;
       continue;
     }
-    const double score = std::max(split.bound[0] - node.bound, least_rise * root_.resolution) *
-                         std::max(split.bound[1] - node.bound, least_rise * root_.resolution);
+    const double score = split.rise[0] * split.rise[1];
     if (score > most) {
       most = score;
       best = std::move(split);

@@ -119,6 +119,10 @@ TEST(Incumbent, RulesOutOnlyWhatCannotBeBetter) {
   EXPECT_TRUE(best.rules_out(1, {2, 1, 0}));  // below it: comes later
   EXPECT_TRUE(best.rules_out(1, {3}));        // comes later
   EXPECT_FALSE(best.rules_out(0.5, {3}));     // may be better
+  // The node itself, after it has yielded the best: nothing as good can come first any more.
+  EXPECT_FALSE(best.rules_out(1, {2, 1}));
+  EXPECT_TRUE(best.rules_out_more(1, {2, 1}));
+  EXPECT_FALSE(best.rules_out_more(1, {2, 0}));
 }
 
 TEST(Relay, ReachesEveryRankOverEdgesThatBothEndsKnow) {

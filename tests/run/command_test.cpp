@@ -149,8 +149,8 @@ TEST_F(Command, SolvesAZeroOneProgramAlikeOnAnyNumberOfRanks) {
   EXPECT_EQ(result["result"]["bound"], result["result"]["objective"]);
   EXPECT_GT(result["statistics"]["opened"], 20);
   // Another tree, another order, cuts: the same optimum.
-  for (const std::string way :
-       {"--branching paper --no-dive", "--order best-first --no-tighten", "--cuts disjunctive"}) {
+  for (const std::string way : {"--branching look-ahead --no-dive",
+                                "--order best-first --no-tighten", "--cuts disjunctive"}) {
     ASSERT_EQ(shell(call + argument("other.json") + " " + way).exit_code, 0) << way;
     const auto other = nlohmann::json::parse(content(in_folder("other.json")));
     EXPECT_EQ(other["result"]["objective"], result["result"]["objective"]) << way;
@@ -160,12 +160,12 @@ TEST_F(Command, SolvesAZeroOneProgramAlikeOnAnyNumberOfRanks) {
 TEST_F(Command, GoesOnWithAZeroOneProgramWhereItStopped) {
   std::ofstream(in_folder("k.lp")) << knapsack();
   const std::string call =
-      command + " mip " + argument("k.lp") + " --branching paper --no-dive --output ";
+      command + " mip " + argument("k.lp") + " --branching look-ahead --no-dive --output ";
   ASSERT_EQ(shell(call + argument("whole.json")).exit_code, 0);
   const auto stopped =
       shell(call + argument("part.json") + " --node-limit 20 --checkpoint " + argument("state"));
   EXPECT_EQ(stopped.exit_code, 3);
-  EXPECT_THAT(stopped.output, HasSubstr("--branching paper --no-dive --restart"));
+  EXPECT_THAT(stopped.output, HasSubstr("--branching look-ahead --no-dive --restart"));
   const auto part = nlohmann::json::parse(content(in_folder("part.json")));
   EXPECT_EQ(part["status"], "node-limit");
   ASSERT_EQ(shell(call + argument("on.json") + " --restart " + argument("state")).exit_code, 0);

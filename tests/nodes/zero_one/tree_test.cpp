@@ -31,7 +31,7 @@ struct Solved {
 
 struct Way {
   ZeroOneRootOptions root = {};
-  ZeroOneBranching branching = ZeroOneBranching::look_ahead;
+  ZeroOneBranching branching = ZeroOneBranching::paper;
   engine::Order order = engine::Order::depth_first;
 };
 
@@ -63,7 +63,7 @@ TEST(ZeroOneTree, SolvesProgramsWithKnownOptima) {
     ASSERT_EQ(tried.has_value(), optimum.has_value()) << name;
     for (const auto& way :
          {Way{}, Way{.root = {.cuts = ZeroOneCuts::disjunctive, .tighten = false, .dive = false},
-                 .branching = ZeroOneBranching::paper}}) {
+                 .branching = ZeroOneBranching::look_ahead}}) {
       const auto found = solved(file.mixed, way);
       ASSERT_EQ(found.point.has_value(), optimum.has_value()) << name;
       if (!optimum) continue;
@@ -80,10 +80,10 @@ TEST(ZeroOneTree, FindsWhatTryingAllBinariesFinds) {
   int without = 0;
   const std::vector<Way> ways{
       {},
-      {.root = {.tighten = false, .dive = false}, .branching = ZeroOneBranching::paper},
+      {.root = {.tighten = false, .dive = false}, .branching = ZeroOneBranching::look_ahead},
       {.root = {.cuts = ZeroOneCuts::disjunctive}, .order = engine::Order::best_first},
       {.root = {.cuts = ZeroOneCuts::disjunctive, .tighten = false, .dive = false},
-       .branching = ZeroOneBranching::paper,
+       .branching = ZeroOneBranching::look_ahead,
        .order = engine::Order::hybrid}};
   for (int kind = 0; kind < 5; ++kind) {
     for (unsigned seed = 0; seed < 14; ++seed) {
