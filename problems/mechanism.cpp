@@ -1,13 +1,17 @@
 // The softest motion of a truss, by inverse iteration with the slightly shifted G.
 #include "problems/mechanism.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <Eigen/SparseCholesky>
+#include <fmt/format.h>
 
 #include "problems/quadrilateral.hpp"
 
@@ -67,6 +71,20 @@ double energy(const Shapes& shapes, const Eigen::VectorXd& motion) {
   return sum;
 }
 
+/// An error names at most so many nodes: enough to find the place, and still one line.
+constexpr std::size_t most_names = 6;
+
+std::string listed(const Structure& structure, const std::vector<int>& nodes) {
+  const std::size_t shown = std::min(nodes.size(), most_names);
+  std::string list;
+  for (std::size_t place = 0; place < shown; ++place) {
+    if (place > 0) list += ", ";
+    list += in_quotes(structure.node_names[static_cast<std::size_t>(nodes[place])]);
+  }
+  if (nodes.size() > shown) list += fmt::format(" and {} more", nodes.size() - shown);
+  return list;
+}
+
 }  // namespace
 
 std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& degrees) {
@@ -99,6 +117,16 @@ std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& deg
     }
   }
   return nodes;
+}
+
+void refuse_mechanism(const Structure& structure, const FreeDegrees& degrees) {
+  const std::vector<int> moving = moving_nodes(structure, degrees);
+  if (moving.empty()) return;
+  throw structure_error(
+      structure, position_of(structure.sources.nodes, moving.front()),
+      fmt::format("the structure is a mechanism: {} {} without straining any member; expected "
+                  "supports and members that hold every node",
+                  listed(structure, moving), moving.size() == 1 ? "moves" : "move"));
 }
 
 }  // namespace kusabi::problems

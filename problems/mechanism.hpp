@@ -23,4 +23,8 @@ inline constexpr double strainless = 1e-14;
 /// are several independent mechanisms, the nodes of all of them.
 std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& degrees);
 
+/// Refuses a structure that is a mechanism.
+/// @throws InputError with the names of the nodes that move
+void refuse_mechanism(const Structure& structure, const FreeDegrees& degrees);
+
 }  // namespace kusabi::problems

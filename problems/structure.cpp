@@ -5,6 +5,10 @@
 
 namespace kusabi::problems {
 
+std::string_view axis_name(int axis) {
+  return std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1);
+}
+
 InputError structure_error(const Structure& structure, SourcePosition position,
                            std::string_view message) {
   const std::string& file =

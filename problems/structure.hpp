@@ -1,5 +1,6 @@
-// A structure as its file describes it: bars and plane elements in its own units, its supports, and
-// the nodes that may touch the obstacle (Gamma_D, Gamma_N and Gamma_C of the paper's section 2).
+// A structure as its file describes it: bars and plane elements in its own units, its supports, the
+// nodes that may touch an obstacle (Gamma_D, Gamma_N and Gamma_C of the wedged paper's section 2),
+// and the loads (section 2.2 and 3.1 of the limit paper).
 //
 // Plain data. `read_structure` fills it from a file, a program may fill it by hand;
 // `check_structure` says whether it can be computed with.
@@ -22,11 +23,35 @@ struct Units {
   std::string force;
 };
 
+/// Largest axial forces of a bar that is perfectly plastic, both >= 0.
+struct YieldForces {
+  double tension = 0;
+  double compression = 0;
+
+  friend bool operator==(const YieldForces&, const YieldForces&) = default;
+};
+
 /// A bar between two nodes.
 struct Member {
   int first;
   int second;
-  double axial_stiffness;  ///< E A, force
+  double axial_stiffness = 0;          ///< E A, force; 0: not given, of no need to limit analysis
+  std::optional<YieldForces> yield{};  ///< q^y; nothing: not given
+};
+
+/// A force at a node: part of f_D, or of f_R that the load factor multiplies (limit paper (3)).
+struct Load {
+  enum class Kind { dead, reference };
+  Kind kind;
+  int node;
+  Eigen::VectorXd force;  ///< d
+};
+
+/// A component of the dead load that is known up to +- weight times alpha (limit paper (6), (7)).
+struct UncertainComponent {
+  int node;
+  int axis;
+  double weight = 1;  ///< > 0: the half-width for alpha = 1
 };
 
 /// How a plane element is held across the plane.
@@ -61,10 +86,13 @@ struct Sources {
   std::vector<SourcePosition> axial_stiffnesses;  ///< one a member: the EA of its group
   std::vector<SourcePosition> elements;           ///< one an element: its nodes, or its mesh
   std::vector<SourcePosition> materials;          ///< one an element: the head of its group
+  std::vector<SourcePosition> yields;             ///< one a member: the yield of its group
   std::vector<SourcePosition> contact;            ///< one a candidate: its name in the list
   std::vector<SourcePosition> normals;            ///< one a candidate: the normal of its group
   std::vector<SourcePosition> tangents;           ///< one a candidate: the tangent of its group
   std::vector<SourcePosition> frictions;          ///< one a candidate: the friction of its group
+  std::vector<SourcePosition> loads;              ///< one a load: its node in the list
+  std::vector<SourcePosition> uncertain;          ///< one a component: its node in the list
 };
 
 struct Structure {
@@ -77,8 +105,14 @@ struct Structure {
   std::vector<Quadrilateral> elements;     ///< only if d = 2; members and elements may be mixed
   std::vector<std::array<bool, 3>> fixed;  ///< per node, per axis; the third is unused if d = 2
   std::vector<ContactCandidate> contact;   ///< in the order of every answer
+  std::vector<Load> loads;                 ///< in the order of the file
+  /// Nothing: every free component that carries neither dead nor reference load, with weight 1.
+  std::optional<std::vector<UncertainComponent>> uncertain;
   Sources sources;
 };
+
+/// "x", "y" or "z".
+std::string_view axis_name(int axis);
 
 /// An error about `structure`: names its file and `position`, or, without a file, the structure.
 InputError structure_error(const Structure& structure, SourcePosition position,

@@ -31,6 +31,8 @@ class StructureCheck {
   void contact_count() const;
   void contact_nodes() const;
   void contact_directions() const;
+  void loads() const;
+  void uncertain() const;
 
  private:
   int node_count() const { return static_cast<int>(structure_.node_names.size()); }
@@ -45,6 +47,7 @@ class StructureCheck {
   void member(int index) const;
   void material(int index) const;
   void shape(int index) const;
+  void yield_forces(int index) const;
   [[noreturn]] void fail(SourcePosition position, std::string_view message) const {
     throw structure_error(structure_, position, message);
   }
@@ -66,7 +69,6 @@ void StructureCheck::sizes() const {
   if (structure_.members.empty() && structure_.elements.empty()) {
     fail({}, "no members; expected at least one");
   }
-  if (structure_.contact.empty()) fail({}, "no contact candidates; expected at least one");
   if (structure_.coordinates.rows() != structure_.dimension ||
       structure_.coordinates.cols() != node_count()) {
     fail({}, fmt::format("coordinates are {} x {}; expected {} x {}", structure_.coordinates.rows(),
@@ -90,18 +92,19 @@ void StructureCheck::coordinates() const {
 }
 
 void StructureCheck::member(int index) const {
-  const auto& [first, second, axial_stiffness] =
+  const auto& [first, second, axial_stiffness, yield] =
       structure_.members[static_cast<std::size_t>(index)];
   const SourcePosition position = position_of(structure_.sources.members, index);
   if (!is_node(first) || !is_node(second)) {
     fail(position, fmt::format("member {} names a node that does not exist", index));
   }
   // Written so that NaN fails too.
-  if (!(axial_stiffness >= smallest_magnitude && axial_stiffness <= largest_magnitude)) {
+  if (axial_stiffness != 0 &&
+      !(axial_stiffness >= smallest_magnitude && axial_stiffness <= largest_magnitude)) {
     fail(position_of(structure_.sources.axial_stiffnesses, index),
-         fmt::format("EA is {:g}; expected a positive axial stiffness between {:g} and {:g}",
-                     axial_stiffness, smallest_magnitude, largest_magnitude));
+         axial_stiffness_fault(axial_stiffness));
   }
+  if (yield) yield_forces(index);
   if (first == second) {
     fail(position,
          fmt::format("member from node {} to itself; expected two different nodes", name(first)));
@@ -114,6 +117,23 @@ void StructureCheck::member(int index) const {
     fail(position, fmt::format("member from {} to {} has zero length; expected two nodes at "
                                "different places",
                                name(first), name(second)));
+  }
+}
+
+void StructureCheck::yield_forces(int index) const {
+  const auto& yield = *structure_.members[static_cast<std::size_t>(index)].yield;
+  const auto in_range = [](double force) {
+    return force == 0 || (force >= smallest_magnitude && force <= largest_magnitude);
+  };
+  const SourcePosition position = position_of(structure_.sources.yields, index);
+  for (const double force : {yield.tension, yield.compression}) {
+    if (in_range(force)) continue;
+    fail(position, fmt::format("a yield force is {:g}; expected a magnitude: 0, or between {:g} "
+                               "and {:g}",
+                               force, smallest_magnitude, largest_magnitude));
+  }
+  if (yield.tension == 0 && yield.compression == 0) {
+    fail(position, "the yield force is 0; expected a positive one in tension or in compression");
   }
 }
 
@@ -264,7 +284,55 @@ void StructureCheck::contact_directions() const {
   }
 }
 
+void StructureCheck::loads() const {
+  for (int index = 0; index < static_cast<int>(structure_.loads.size()); ++index) {
+    const Load& load = structure_.loads[static_cast<std::size_t>(index)];
+    const SourcePosition position = position_of(structure_.sources.loads, index);
+    if (!is_node(load.node)) {
+      fail(position, fmt::format("load {} names a node that does not exist", index));
+    }
+    if (load.force.size() != structure_.dimension || !load.force.allFinite() ||
+        load.force.cwiseAbs().maxCoeff() > largest_magnitude) {
+      fail(position, fmt::format("the load at {} is not a vector of {} numbers of at most {:g}",
+                                 name(load.node), structure_.dimension, largest_magnitude));
+    }
+  }
+}
+
+void StructureCheck::uncertain() const {
+  if (!structure_.uncertain) return;
+  std::set<std::pair<int, int>> seen;
+  for (int index = 0; index < static_cast<int>(structure_.uncertain->size()); ++index) {
+    const auto& [node, axis, weight] = (*structure_.uncertain)[static_cast<std::size_t>(index)];
+    const SourcePosition position = position_of(structure_.sources.uncertain, index);
+    if (!is_node(node) || axis < 0 || axis >= structure_.dimension) {
+      fail(position, fmt::format("uncertain component {} does not exist", index));
+    }
+    const auto component =
+        fmt::format("component {} of the load at {}", axis_name(axis), name(node));
+    if (is_fixed(node, axis)) {
+      fail(position, fmt::format("{} is uncertain, but a support takes it; expected a free "
+                                 "component",
+                                 component));
+    }
+    if (!seen.insert({node, axis}).second) {
+      fail(position, fmt::format("{} is uncertain twice; expected once", component));
+    }
+    // Written so that NaN fails too.
+    if (!(weight >= smallest_weight && weight <= largest_weight)) {
+      fail(position, fmt::format("the weight of an uncertain component is {:g}; expected between "
+                                 "{:g} and {:g}",
+                                 weight, smallest_weight, largest_weight));
+    }
+  }
+}
+
 }  // namespace
+
+std::string axial_stiffness_fault(double value) {
+  return fmt::format("EA is {:g}; expected a positive axial stiffness between {:g} and {:g}", value,
+                     smallest_magnitude, largest_magnitude);
+}
 
 void check_structure(const Structure& structure) {
   const StructureCheck check(structure);
@@ -276,6 +344,8 @@ void check_structure(const Structure& structure) {
   check.contact_count();
   check.contact_nodes();
   check.contact_directions();
+  check.loads();
+  check.uncertain();
 }
 
 }  // namespace kusabi::problems

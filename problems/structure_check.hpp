@@ -3,6 +3,8 @@
 // structure made by a program meets the same rules.
 #pragma once
 
+#include <string>
+
 #include "problems/structure.hpp"
 
 namespace kusabi::problems {
@@ -11,6 +13,10 @@ namespace kusabi::problems {
 /// these, EA / L and its inverse stay within 1e+-100, and their squares within the range of double.
 inline constexpr double smallest_magnitude = 1e-50;
 inline constexpr double largest_magnitude = 1e50;
+
+/// Smallest and largest weight of an uncertain component: relative to the others, of one size.
+inline constexpr double smallest_weight = 1e-6;
+inline constexpr double largest_weight = 1e6;
 
 /// Smallest and largest friction of a contact candidate relative to the coefficient of a search.
 inline constexpr double smallest_friction = 1e-3;
@@ -25,9 +31,13 @@ inline constexpr double zero_length = 1e-10;
 inline constexpr double smallest_tangent_sine = 1e-6;
 
 /// Checks sizes, finiteness, members (ends, length, EA, no two alike), elements (material, convex
-/// shape), that every node that can move has a member or an element, and the contact candidates
-/// (count, supports, normals, tangents).
+/// shape), that every node that can move has a member or an element, the contact candidates (count,
+/// supports, normals, tangents), the loads and the uncertain components. Not whether a section is
+/// there that only some commands need.
 /// @throws InputError at the first fault, in the order of the list above.
 void check_structure(const Structure& structure);
+
+/// What is wrong with an EA out of range.
+std::string axial_stiffness_fault(double value);
 
 }  // namespace kusabi::problems

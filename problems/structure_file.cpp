@@ -1,6 +1,7 @@
 // The problem file, section by section: which keys there are and what they mean.
 #include "problems/structure_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <fstream>
@@ -11,14 +12,13 @@
 
 #include <fmt/format.h>
 
+#include "problems/loads_file.hpp"
 #include "problems/structure_check.hpp"
 #include "problems/structured_mesh.hpp"
 #include "problems/toml_reader.hpp"
 
 namespace kusabi::problems {
 namespace {
-
-constexpr std::string_view axis_names = "xyz";
 
 /// Fills a structure from the sections of one file. Nodes come first: all else names them.
 class StructureFile {
@@ -37,6 +37,7 @@ class StructureFile {
   void elements();
   void supports();
   void contact();
+  void loads();
 
   void add_node(const std::string& name, const Eigen::VectorXd& place, SourcePosition position);
   void mesh(const TomlTable& group);
@@ -50,6 +51,7 @@ class StructureFile {
   int node(const TomlText& name) const;
   /// The nodes that an entry of a list names: one, or those of an edge of a mesh.
   std::vector<int> nodes_named(const TomlText& name) const;
+  void axial_stiffness(const TomlTable& group, Member& bar, SourcePosition& position) const;
   std::array<bool, 3> fixed_axes(const TomlTable& group) const;
 
   bool has(std::string_view section) const { return reader_.root().table->get(section) != nullptr; }
@@ -63,7 +65,7 @@ class StructureFile {
 
 Structure StructureFile::read() && {
   reader_.allow_only(reader_.root(), {"name", "dimension", "units", "nodes", "mesh", "members",
-                                      "elements", "supports", "contact"});
+                                      "elements", "supports", "contact", "loads", "uncertainty"});
   header();
   nodes();
   meshes();
@@ -73,6 +75,7 @@ Structure StructureFile::read() && {
   contact();
   structure_.coordinates.conservativeResize(
       Eigen::NoChange, static_cast<Eigen::Index>(structure_.node_names.size()));
+  loads();
   check_structure(structure_);
   return std::move(structure_);
 }
@@ -276,10 +279,25 @@ void StructureFile::members() {
   for (const TomlTable& group : reader_.groups(section, "members")) member_group(group);
 }
 
+void StructureFile::axial_stiffness(const TomlTable& group, Member& bar,
+                                    SourcePosition& position) const {
+  const toml::node* entry = group.table->get("EA");
+  position = reader_.position(entry == nullptr ? *group.table : *entry);
+  if (entry == nullptr) return;
+  bar.axial_stiffness = reader_.number(*entry, "EA");
+  // Zero would mean that none is given.
+  if (bar.axial_stiffness == 0) reader_.fail(position, axial_stiffness_fault(0));
+}
+
 void StructureFile::member_group(const TomlTable& group) {
-  reader_.allow_only(group, {"EA", "between"});
-  const auto& stiffness_entry = reader_.require(group, "EA", "EA = axial stiffness, a force");
-  const double axial_stiffness = reader_.number(stiffness_entry, "EA");
+  reader_.allow_only(group, {"EA", "yield", "between"});
+  Member bar{};
+  SourcePosition stiffness_position;
+  axial_stiffness(group, bar, stiffness_position);
+  const toml::node* yield_entry = group.table->get("yield");
+  if (yield_entry != nullptr) bar.yield = yield_in(reader_, *yield_entry);
+  const SourcePosition yield_position =
+      reader_.position(yield_entry == nullptr ? *group.table : *yield_entry);
   const auto& between = reader_.require(group, "between", "between = [[\"a\", \"b\"], ...]");
   for (const toml::node* pair : reader_.elements(between, "between")) {
     const auto ends = reader_.texts(*pair, "a member");
@@ -288,9 +306,12 @@ void StructureFile::member_group(const TomlTable& group) {
                                       "\"b\"]",
                                       ends.size()));
     }
-    structure_.members.push_back({node(ends[0]), node(ends[1]), axial_stiffness});
+    bar.first = node(ends[0]);
+    bar.second = node(ends[1]);
+    structure_.members.push_back(bar);
     structure_.sources.members.push_back(reader_.position(*pair));
-    structure_.sources.axial_stiffnesses.push_back(reader_.position(stiffness_entry));
+    structure_.sources.axial_stiffnesses.push_back(stiffness_position);
+    structure_.sources.yields.push_back(yield_position);
   }
 }
 
@@ -301,28 +322,10 @@ void StructureFile::supports() {
 }
 
 std::array<bool, 3> StructureFile::fixed_axes(const TomlTable& group) const {
-  const auto known = axis_names.substr(0, static_cast<std::size_t>(structure_.dimension));
-  std::array<bool, 3> fixed{};
   const toml::node* entry = group.table->get("fixed");
-  if (entry == nullptr) {
-    for (std::size_t axis = 0; axis < known.size(); ++axis) fixed[axis] = true;
-    return fixed;
-  }
-  for (const TomlText& name : reader_.texts(*entry, "fixed")) {
-    const std::size_t axis = name.text.size() == 1 ? known.find(name.text) : known.npos;
-    if (axis == known.npos) {
-      reader_.fail(name.position,
-                   fmt::format("fixed names the axis {}; expected {} in {} "
-                               "dimensions",
-                               in_quotes(name.text), known.size() == 2 ? "x or y" : "x, y or z",
-                               structure_.dimension));
-    }
-    if (fixed[axis]) {
-      reader_.fail(name.position, fmt::format("fixed names the axis {} twice; expected once",
-                                              in_quotes(name.text)));
-    }
-    fixed[axis] = true;
-  }
+  if (entry != nullptr) return axes_in(reader_, *entry, "fixed", structure_.dimension);
+  std::array<bool, 3> fixed{};
+  std::fill_n(fixed.begin(), structure_.dimension, true);
   return fixed;
 }
 
@@ -345,9 +348,17 @@ void StructureFile::support_group(const TomlTable& group) {
 }
 
 void StructureFile::contact() {
-  const auto& section =
-      reader_.require(reader_.root(), "contact", "at least one [[contact]] group");
-  for (const TomlTable& group : reader_.groups(section, "contact")) contact_group(group);
+  const toml::node* section = reader_.root().table->get("contact");
+  if (section == nullptr) return;
+  for (const TomlTable& group : reader_.groups(*section, "contact")) contact_group(group);
+}
+
+void StructureFile::loads() {
+  const toml::node* section = reader_.root().table->get("loads");
+  const LoadsFile file(reader_, [this](const TomlText& name) { return node(name); });
+  if (section != nullptr) file.read_loads(*section, structure_);
+  section = reader_.root().table->get("uncertainty");
+  if (section != nullptr) file.read_uncertainty(*section, structure_);
 }
 
 void StructureFile::contact_group(const TomlTable& group) {

@@ -59,6 +59,12 @@ void by_runs(std::size_t count, Alike alike, Write write) {
   }
 }
 
+std::string yield_text(const YieldForces& yield) {
+  if (yield.tension == yield.compression) return fmt::format("yield = {}\n", yield.tension);
+  return fmt::format("yield = {{ tension = {}, compression = {} }}\n", yield.tension,
+                     yield.compression);
+}
+
 void write_members(const Structure& structure, std::string& text) {
   const auto& members = structure.members;
   const auto name = [&](int node) {
@@ -66,14 +72,21 @@ void write_members(const Structure& structure, std::string& text) {
   };
   by_runs(
       members.size(),
-      [&](auto a, auto b) { return members[a].axial_stiffness == members[b].axial_stiffness; },
+      [&](auto a, auto b) {
+        return members[a].axial_stiffness == members[b].axial_stiffness &&
+               members[a].yield == members[b].yield;
+      },
       [&](auto first, auto last) {
         std::vector<std::string> pairs;
         for (auto i = first; i < last; ++i) {
           pairs.push_back(fmt::format("[{}, {}]", name(members[i].first), name(members[i].second)));
         }
-        text += fmt::format("\n[[members]]\nEA = {}\nbetween = {}\n",
-                            members[first].axial_stiffness, list(pairs));
+        text += "\n[[members]]\n";
+        if (members[first].axial_stiffness != 0) {
+          text += fmt::format("EA = {}\n", members[first].axial_stiffness);
+        }
+        if (members[first].yield) text += yield_text(*members[first].yield);
+        text += fmt::format("between = {}\n", list(pairs));
       });
 }
 
@@ -149,6 +162,34 @@ void write_contact(const Structure& structure, std::string& text) {
       });
 }
 
+void write_loads(const Structure& structure, std::string& text) {
+  const auto& loads = structure.loads;
+  by_runs(
+      loads.size(),
+      [&](auto a, auto b) {
+        return loads[a].kind == loads[b].kind && loads[a].force == loads[b].force;
+      },
+      [&](auto first, auto last) {
+        std::vector<std::string> names;
+        for (auto i = first; i < last; ++i) {
+          names.push_back(quoted(structure.node_names[static_cast<std::size_t>(loads[i].node)]));
+        }
+        text += fmt::format("\n[[loads]]\nkind = \"{}\"\nnodes = {}\nforce = {}\n",
+                            loads[first].kind == Load::Kind::dead ? "dead" : "reference",
+                            list(names), vector_text(loads[first].force));
+      });
+}
+
+// A group a component: lists of what is uncertain are short, or left out.
+void write_uncertainty(const Structure& structure, std::string& text) {
+  if (!structure.uncertain) return;
+  for (const auto& [node, axis, weight] : *structure.uncertain) {
+    text += fmt::format("\n[[uncertainty]]\nnodes = [{}]\naxes = [\"{}\"]\nweight = {}\n",
+                        quoted(structure.node_names[static_cast<std::size_t>(node)]),
+                        axis_name(axis), weight);
+  }
+}
+
 }  // namespace
 
 std::string structure_text(const Structure& structure) {
@@ -164,6 +205,8 @@ std::string structure_text(const Structure& structure) {
   write_elements(structure, text);
   write_supports(structure, text);
   write_contact(structure, text);
+  write_loads(structure, text);
+  write_uncertainty(structure, text);
   return text;
 }
 

@@ -49,6 +49,22 @@ Eigen::SparseMatrix<double> truss_stiffness(const Structure& structure, const Fr
   return stiffness;
 }
 
+Eigen::SparseMatrix<double> equilibrium_matrix(const Structure& structure,
+                                               const FreeDegrees& degrees) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t index = 0; index < structure.members.size(); ++index) {
+    for (const Elongation& entry :
+         elongation_vector(structure, degrees, structure.members[index])) {
+      if (entry.value == 0) continue;
+      entries.emplace_back(entry.number, static_cast<int>(index), entry.value);
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(degrees.size(),
+                                     static_cast<Eigen::Index>(structure.members.size()));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
 Eigen::VectorXd elongations(const Structure& structure, const FreeDegrees& degrees,
                             const Eigen::VectorXd& displacement) {
   Eigen::VectorXd result =

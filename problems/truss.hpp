@@ -36,6 +36,11 @@ Eigen::VectorXd member_stiffnesses(const Structure& structure);
 Eigen::SparseMatrix<double> truss_stiffness(const Structure& structure, const FreeDegrees& degrees,
                                             const Eigen::VectorXd& member_stiffness);
 
+/// B of the limit paper's (1): column e is b_e, so B q is the load that the axial forces q carry.
+/// Free displacements x members.
+Eigen::SparseMatrix<double> equilibrium_matrix(const Structure& structure,
+                                               const FreeDegrees& degrees);
+
 /// Elongation b_e^T u of each member under the free displacements u.
 Eigen::VectorXd elongations(const Structure& structure, const FreeDegrees& degrees,
                             const Eigen::VectorXd& displacement);

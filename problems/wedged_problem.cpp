@@ -18,28 +18,20 @@
 namespace kusabi::problems {
 namespace {
 
-/// An error names at most so many nodes: enough to find the place, and still one line.
-constexpr std::size_t most_names = 6;
-
-std::string listed(const Structure& structure, const std::vector<int>& nodes) {
-  const std::size_t shown = std::min(nodes.size(), most_names);
-  std::string list;
-  for (std::size_t place = 0; place < shown; ++place) {
-    if (place > 0) list += ", ";
-    list += in_quotes(structure.node_names[static_cast<std::size_t>(nodes[place])]);
+/// The wedged problem needs two things that a structure may be without.
+void require_contact_and_stiffness(const Structure& structure) {
+  const SourcePosition top =
+      structure.sources.file.empty() ? SourcePosition{} : SourcePosition{1, 1};
+  if (structure.contact.empty()) {
+    throw structure_error(structure, top,
+                          "no contact candidates; expected at least one [[contact]] group");
   }
-  if (nodes.size() > shown) list += fmt::format(" and {} more", nodes.size() - shown);
-  return list;
-}
-
-void refuse_mechanism(const Structure& structure, const FreeDegrees& degrees) {
-  const std::vector<int> moving = moving_nodes(structure, degrees);
-  if (moving.empty()) return;
-  throw structure_error(
-      structure, position_of(structure.sources.nodes, moving.front()),
-      fmt::format("the structure is a mechanism: {} {} without straining any member; expected "
-                  "supports and members that hold every node",
-                  listed(structure, moving), moving.size() == 1 ? "moves" : "move"));
+  for (std::size_t index = 0; index < structure.members.size(); ++index) {
+    if (structure.members[index].axial_stiffness != 0) continue;
+    throw structure_error(structure,
+                          position_of(structure.sources.axial_stiffnesses, static_cast<int>(index)),
+                          "a [[members]] group has no EA; expected EA = axial stiffness, a force");
+  }
 }
 
 [[noreturn]] void refuse_condition(const Structure& structure) {
@@ -168,6 +160,7 @@ double mean_normal_compliance(const WedgedProblem& problem) {
 
 WedgedProblem wedged_problem(const Structure& structure) {
   check_structure(structure);
+  require_contact_and_stiffness(structure);
   const FreeDegrees degrees = free_degrees(structure);
   refuse_mechanism(structure, degrees);
   WedgedProblem problem;

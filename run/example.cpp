@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "problems/grid_truss.hpp"
 #include "problems/structure_writer.hpp"
 #include "run/exit_code.hpp"
 #include "run/output_file.hpp"
@@ -46,6 +47,11 @@ int example_space_truss(Session& session, const ExampleSpaceTrussOptions& option
 int example_plane_truss(Session& session, const ExamplePlaneTrussOptions& options) {
   return write_example(session, "plane-truss", options.output,
                        [&] { return problems::plane_truss(options.size); });
+}
+
+int example_grid(Session& session, const ExampleGridOptions& options) {
+  return write_example(session, "grid", options.output,
+                       [&] { return problems::grid_truss(options.bays); });
 }
 
 }  // namespace kusabi::run

@@ -27,4 +27,13 @@ int example_plane_truss(Session& session, const ExamplePlaneTrussOptions& option
 /// @throws WrongInput if the size is out of range or the file cannot be written
 int example_space_truss(Session& session, const ExampleSpaceTrussOptions& options);
 
+struct ExampleGridOptions {
+  int bays = 0;        ///< along each axis
+  std::string output;  ///< as above
+};
+
+/// Writes a grid truss. @return the exit code
+/// @throws WrongInput as above
+int example_grid(Session& session, const ExampleGridOptions& options);
+
 }  // namespace kusabi::run

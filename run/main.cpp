@@ -21,6 +21,7 @@
 #include "run/critical.hpp"
 #include "run/example.hpp"
 #include "run/exit_code.hpp"
+#include "run/limit.hpp"
 #include "run/mip.hpp"
 #include "run/patterns.hpp"
 #include "run/rays.hpp"
@@ -207,6 +208,56 @@ void add_critical(CLI::App& app, Action& action, bool& serial) {
       [&action, options] { action = [options](Session& s) { return critical(s, *options); }; });
 }
 
+void add_limit(CLI::App& app, Action& action, bool& serial) {
+  auto& command = *app.add_subcommand(
+      "limit",
+      "the load factor at which a truss collapses, and its worst case under loads that "
+      "are not known exactly");
+  const auto options = std::make_shared<LimitOptions>();
+  command.add_option("file", options->file, "the problem, a TOML file")->required();
+  auto* const alpha =
+      command
+          .add_option("--alpha", options->alpha,
+                      "the uncertain components of the dead load are known up to +- this")
+          ->check(CLI::NonNegativeNumber);
+  auto* const cuts =
+      command
+          .add_option(
+              "--cuts", options->method,
+              "how the worst case is found: by static cuts, or by the 0-1 program (29) with "
+              "none, disjunctive ones (the paper's method), a tightened M, or all of these")
+          ->transform(CLI::Transformer(
+              std::map<std::string, LimitMethod>{{"none", LimitMethod::fixed},
+                                                 {"disjunctive", LimitMethod::disjunctive},
+                                                 {"tighten", LimitMethod::tightened},
+                                                 {"static", LimitMethod::static_cuts},
+                                                 {"all", LimitMethod::all}}))
+          ->needs(alpha);
+  command
+      .add_option("--big-m", options->big_m,
+                  "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
+                  "Without it a safe one is derived")
+      ->needs(cuts)
+      ->check(positive);
+  command.add_option("--samples", options->samples, "compare with so many random dead loads")
+      ->needs(alpha)
+      ->check(CLI::Range(1U, 100'000'000U));
+  command.add_option("--seed", options->seed, "of the random dead loads")->capture_default_str();
+  command
+      .add_flag("--curve", options->curve,
+                "how the load factor falls as the critical load, or alpha, grows from zero")
+      ->needs(alpha);
+  command.add_option("--output", options->output, "write the result to this JSON file");
+  command
+      .add_option("--certificate", options->certificate,
+                  "write the evidence to this file, for kusabi verify")
+      ->needs(alpha);
+  command.add_flag("--quiet", options->quiet, "print errors only");
+  add_serial(command, serial);
+  command.callback(
+      [&action, options] { action = [options](Session& s) { return limit(s, *options); }; });
+}
+
 void add_mip(CLI::App& app, Action& action, bool& serial) {
   using kusabi::engine::Order;
   using kusabi::nodes::ZeroOneBranching;
@@ -236,7 +287,8 @@ void add_mip(CLI::App& app, Action& action, bool& serial) {
   command.add_flag("!--no-tighten", options->tighten, "leave big Ms as they are");
   command.add_flag("!--no-dive", options->dive, "do not look for points before the search");
   command.add_option("--output", options->output, "write the result to this JSON file");
-  command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds of search")
+  command
+      .add_option("--time-limit", options->limits.seconds, "stop after so many seconds of search")
       ->check(positive);
   command
       .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")
@@ -261,16 +313,28 @@ void add_mip(CLI::App& app, Action& action, bool& serial) {
 }
 
 void add_verify(CLI::App& app, Action& action, bool& serial) {
-  auto& command =
-      *app.add_subcommand("verify", "proves the list of patterns from its certificate, exactly");
+  auto& command = *app.add_subcommand(
+      "verify",
+      "proves a list of patterns, or a worst-case load factor, from its certificate, exactly");
   const auto options = std::make_shared<VerifyOptions>();
   command
-      .add_option("certificate", options->certificate, "what patterns --certificate has written")
+      .add_option("certificate", options->certificate,
+                  "what patterns or limit --certificate has written")
       ->required();
   command.add_flag("--quiet", options->quiet, "print errors and what is refused only");
   add_serial(command, serial);
   command.callback(
       [&action, options] { action = [options](Session& s) { return verify(s, *options); }; });
+}
+
+void add_grid(CLI::App& example, Action& action) {
+  auto& grid = *example.add_subcommand(
+      "grid", "a plane grid truss, braced crosswise, with loads for limit analysis");
+  const auto options = std::make_shared<ExampleGridOptions>();
+  grid.add_option("--bays", options->bays, "bays along each axis")->required();
+  grid.add_option("--output", options->output, "write to this file instead of standard output");
+  grid.callback(
+      [&action, options] { action = [options](Session& s) { return example_grid(s, *options); }; });
 }
 
 void add_space_truss(CLI::App& example, Action& action) {
@@ -382,8 +446,8 @@ void add_uts(CLI::App& bench, Action& action, bool& serial) {
 
 int run(Session& session, int argc, char** argv) {
   CLI::App app{
-      "All wedged configurations of a structure with Coulomb friction, and mixed zero-one "
-      "programs.",
+      "All wedged configurations of a structure with Coulomb friction, worst-case limit loads of "
+      "trusses, and the 0-1 programs that they are.",
       "kusabi"};
   app.set_version_flag("--version", "kusabi " KUSABI_VERSION);
   app.require_subcommand(1);
@@ -392,12 +456,14 @@ int run(Session& session, int argc, char** argv) {
   add_patterns(app, action, serial);
   add_rays(app, action, serial);
   add_critical(app, action, serial);
+  add_limit(app, action, serial);
   add_mip(app, action, serial);
   add_verify(app, action, serial);
   auto& example = *app.add_subcommand("example", "writes a problem file of a family of structures");
   example.require_subcommand(1);
   add_space_truss(example, action);
   add_plane_truss(example, action);
+  add_grid(example, action);
   auto& bench = *app.add_subcommand("bench", "measures and tries the search engine");
   bench.require_subcommand(1);
   add_scaling(bench, action);

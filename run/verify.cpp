@@ -15,8 +15,10 @@
 #include "run/exit_code.hpp"
 #include "run/progress_line.hpp"
 #include "run/verification.hpp"
+#include "run/verify_limit.hpp"
 #include "verify/certificate.hpp"
 #include "verify/cover.hpp"
+#include "verify/limit_certificate.hpp"
 #include "verify/proof.hpp"
 
 namespace kusabi::run {
@@ -95,6 +97,8 @@ void print_verdict(bool refused, const Verification::Tally& proved) {
 
 int verify(Session& session, const VerifyOptions& options) {
   const auto text = session.on_first_rank([&] { return content(options.certificate); });
+  // The first line says what it is a certificate of.
+  if (text.starts_with(verify::limit_first_line)) return verify_limit(session, options, text);
   // Every rank reads it, and proves for itself what the proof of each node rests on.
   const auto certificate = certificate_in(text, options.certificate);
   const verify::Proof proof(certificate);

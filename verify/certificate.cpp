@@ -3,138 +3,15 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
-#include <cmath>
-#include <numeric>
-#include <optional>
 #include <tuple>
 
-#include "nodes/sha1.hpp"
+#include "verify/lines.hpp"
 
 namespace kusabi::verify {
 namespace {
 
 constexpr std::size_t most_candidates = 64;
 constexpr std::string_view first_line = "kusabi certificate 1";
-
-// What to show of a line that is not as it should be: not all of a long one, and nothing that a
-// terminal would obey.
-std::string shown(std::string_view text) {
-  constexpr std::size_t enough = 40;
-  std::string part = "'";
-  for (const char c : text.substr(0, enough)) part += c < ' ' || c > '~' ? '?' : c;
-  part += text.size() > enough ? "…'" : "'";
-  return part;
-}
-
-// The lines of a text, and in each its words.
-class Lines {
- public:
-  Lines(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
-
-  [[noreturn]] void refuse(const std::string& expected) const {
-    const std::string what = ended_ ? "the file ends here" : shown(line_);
-    throw CertificateError(file_ + ":" + std::to_string(number_) + ": " + what + ", expected " +
-                           expected);
-  }
-
-  void next() {
-    ++number_;
-    const auto end = rest_.find('\n');
-    ended_ = end == std::string_view::npos;  // a line without its end is none
-    line_ = words_ = ended_ ? std::string_view{} : rest_.substr(0, end);
-    rest_.remove_prefix(ended_ ? rest_.size() : end + 1);
-  }
-
-  [[nodiscard]] std::size_t number() const { return number_; }
-  [[nodiscard]] bool done() const { return rest_.empty(); }
-  [[nodiscard]] std::string_view text() const { return line_; }
-
-  // The next word of the line, words being separated by one space; empty if there is none.
-  std::string_view word() {
-    const auto end = words_.find(' ');
-    const auto found = words_.substr(0, end);
-    words_ = end == std::string_view::npos ? std::string_view{} : words_.substr(end + 1);
-    return found;
-  }
-
-  // All that is left of the line.
-  [[nodiscard]] std::string_view remainder() const { return words_; }
-
-  void expect(std::string_view text) {
-    next();
-    if (ended_ || line_ != text) refuse(std::string("'").append(text).append("'"));
-  }
-
-  void expect_word(std::string_view text, const std::string& what) {
-    if (ended_ || word() != text) refuse(what);
-  }
-
-  std::uint64_t integer(int base, const std::string& what) {
-    const auto text = word();
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    if (text.empty() || error != std::errc{} || end != text.data() + text.size()) refuse(what);
-    return value;
-  }
-
-  // The rest of the line: `count` numbers like -0x1.8p+3.
-  void numbers(std::size_t count, std::vector<double>& values, const std::string& what) {
-    const auto expected = [&] {
-      return std::to_string(count) + " " + what + ", each like 0x1.8p+3";
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto value = number_in(word());
-      if (!value) refuse(expected());
-      values.push_back(*value);
-    }
-    if (!words_.empty() || line_.ends_with(' ')) refuse(expected());
-  }
-
- private:
-  static std::optional<double> number_in(std::string_view text) {
-    const bool negative = text.starts_with('-');
-    if (negative) text.remove_prefix(1);
-    if (!text.starts_with("0x")) return {};
-    text.remove_prefix(2);
-    if (text.starts_with('-')) return {};
-    double value = 0;
-    const char* const last = text.data() + text.size();
-    const auto [end, error] = std::from_chars(text.data(), last, value, std::chars_format::hex);
-    if (error != std::errc{} || end != last || !std::isfinite(value)) return {};
-    return negative ? -value : value;
-  }
-
-  std::string_view rest_;
-  const std::string& file_;
-  std::string_view line_;
-  std::string_view words_;
-  std::size_t number_ = 0;
-  bool ended_ = false;
-};
-
-// Takes the last line off and compares it with what it speaks of.
-std::string_view without_digest(std::string_view text, const std::string& file) {
-  const auto incomplete = [&] {
-    return CertificateError(
-        file + ": is not complete: expected 'digest' and 40 hexadecimal digits as its last line");
-  };
-  if (!text.ends_with('\n')) throw incomplete();
-  const auto before = text.substr(0, text.size() - 1).rfind('\n');
-  if (before == std::string_view::npos) throw incomplete();
-  const auto last = text.substr(before + 1);
-  text = text.substr(0, before + 1);
-  constexpr std::string_view keyword = "digest ";
-  constexpr std::size_t digits = 40;
-  if (!last.starts_with(keyword) || last.size() != keyword.size() + digits + 1) throw incomplete();
-  const auto found = last.substr(keyword.size(), digits);
-  const auto expected = nodes::hexadecimal(nodes::sha1(text));
-  if (found != expected) {
-    throw CertificateError(file + ": was altered: digest " + shown(found) + ", expected '" +
-                           expected + "'");
-  }
-  return text;
-}
 
 void read_header(Lines& lines, Certificate& certificate) {
   lines.expect(first_line);

@@ -39,6 +39,17 @@ Dyadic::Dyadic(double value) {
   exponent_ = parts.mantissa == 0 ? 0 : parts.exponent;
 }
 
+mpq_class Dyadic::rational() const {
+  mpq_class value(mantissa_);
+  const auto shift = static_cast<mp_bitcnt_t>(exponent_ < 0 ? -exponent_ : exponent_);
+  if (exponent_ < 0) {
+    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), shift);
+  } else {
+    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), shift);
+  }
+  return value;
+}
+
 double Dyadic::nearest() const {
   long exponent = 0;
   const double fraction = mpz_get_d_2exp(&exponent, mantissa_.get_mpz_t());

@@ -21,7 +21,8 @@ class Dyadic {
   Dyadic(mpz_class mantissa, long exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
 
   [[nodiscard]] int sign() const { return sgn(mantissa_); }
-  [[nodiscard]] double nearest() const;  ///< a double close to it, for messages
+  [[nodiscard]] double nearest() const;      ///< a double close to it, for messages
+  [[nodiscard]] mpq_class rational() const;  ///< the same number
 
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b) {

@@ -49,8 +49,26 @@ INSTANTIATE_TEST_SUITE_P(
               "test: no nodes; expected at least two"},
         Fault{"NoMembers", [](Structure& s) { s.members.clear(); },
               "test: no members; expected at least one"},
-        Fault{"NoContact", [](Structure& s) { s.contact.clear(); },
-              "test: no contact candidates; expected at least one"},
+        Fault{"YieldForce",
+              [](Structure& s) {
+                s.members[0].yield = YieldForces{-1, 1};
+              },
+              "test: a yield force is -1; expected a magnitude: 0, or between 1e-50 and 1e+50"},
+        Fault{"LoadNode",
+              [](Structure& s) {
+                s.loads.push_back({Load::Kind::dead, 9, Eigen::Vector2d(1, 0)});
+              },
+              "test: load 0 names a node that does not exist"},
+        Fault{"LoadSize",
+              [](Structure& s) {
+                s.loads.push_back({Load::Kind::dead, 2, Eigen::Vector3d(1, 0, 0)});
+              },
+              "test: the load at \"node 2\" is not a vector of 2 numbers of at most 1e+50"},
+        Fault{"UncertainAxis",
+              [](Structure& s) {
+                s.uncertain.emplace(1, UncertainComponent{2, 2});
+              },
+              "test: uncertain component 0 does not exist"},
         Fault{"MemberEnd", [](Structure& s) { s.members[1].second = 3; },
               "test: member 1 names a node that does not exist"},
         Fault{"ContactNode", [](Structure& s) { s.contact[0].node = -1; },

@@ -1,0 +1,183 @@
+// The relaxation as a linear program that grows by rows.
+#include "nodes/limit/master.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace kusabi::nodes::limit {
+namespace {
+
+/// Bound of every c+, c- and gamma, where motions with f_R'u = 1 are of the order of one: it keeps
+/// the program bounded as long as there are too few cuts. A proof does not use it.
+constexpr double far = 1e4;
+
+problems::LinearProgram relaxation(const problems::LimitModel& model, double alpha) {
+  problems::LinearProgram program;
+  program.name = "static relaxation";
+  for (int k = 0; k < model.free_count(); ++k) {
+    program.add_column({.cost = -model.dead(k), .lower = -problems::infinity});
+  }
+  for (int side = 0; side < 2; ++side) {
+    for (int i = 0; i < model.member_count(); ++i) {
+      program.add_column({.cost = model.yield(i), .upper = far});
+    }
+  }
+  for (int j = 0; j < model.uncertain_count(); ++j) {
+    const double weight = model.uncertain[static_cast<std::size_t>(j)].weight;
+    program.add_column({.cost = -alpha * weight, .upper = far});
+  }
+  std::vector<problems::LinearTerm> terms;
+  terms.reserve(static_cast<std::size_t>(model.free_count()));
+  for (int k = 0; k < model.free_count(); ++k) terms.push_back({k, model.reference(k)});
+  program.add_row({.lower = 1, .upper = 1}, terms);
+  for (int i = 0; i < model.member_count(); ++i) {
+    const int elongation = model.free_count() + i;
+    terms = {{elongation, -1}, {elongation + model.member_count(), 1}};
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(model.equilibrium, i); entry; ++entry) {
+      terms.push_back({static_cast<int>(entry.row()), entry.value()});
+    }
+    program.add_row({.lower = 0, .upper = 0}, terms);
+  }
+  terms.clear();
+  for (int side = 0; side < 2; ++side) {
+    for (int i = 0; i < model.member_count(); ++i) {
+      terms.push_back({model.free_count() + side * model.member_count() + i, model.yield(i)});
+    }
+  }
+  program.add_row({}, terms);  // the dissipation
+  return program;
+}
+
+}  // namespace
+
+Master::Master(const problems::LimitModel& model, double alpha)
+    : model_(model),
+      alpha_(alpha),
+      signs_(model.uncertain.size(), 0),
+      simplex_(relaxation(model, alpha)) {}
+
+void Master::leave_room(double room) {
+  if (room == room_) return;
+  room_ = room;
+  for (int side = 0; side < 2; ++side) {
+    for (int i = 0; i < model_.member_count(); ++i) {
+      simplex_.set_cost(model_.free_count() + side * model_.member_count() + i,
+                        model_.yield(i) * (1 - room));
+    }
+  }
+}
+
+// Whether the optimal dual, within the tolerances of the simplex method, keeps at least half of the
+// room on each member, and gives the cuts of each column their share.
+bool Master::has_room() const {
+  constexpr double kept = 0.5;
+  for (int i = 0; i < model_.member_count(); ++i) {
+    for (const int column : {0, model_.member_count()}) {
+      const double slack = simplex_.reduced_cost(model_.free_count() + column + i);
+      if (slack < -kept * room_ * model_.yield(i)) return false;
+    }
+  }
+  constexpr double lost =
+      0.1;  // a share that is too small is stretched, at the cost of the members
+  for (int j = 0; j < model_.uncertain_count(); ++j) {
+    if (signs_[static_cast<std::size_t>(j)] != 0) continue;
+    const double weight = model_.uncertain[static_cast<std::size_t>(j)].weight;
+    if (simplex_.reduced_cost(gamma_column(j)) < -lost * room_ * alpha_ * weight) return false;
+  }
+  return true;
+}
+
+bool Master::make_room() {
+  // The first is enough where the simplex method leaves no more than rounding.
+  for (const double room : {1e-11, 1e-10, 1e-9, 1e-8, 1e-7}) {
+    leave_room(room);
+    if (solve() != linear::LinearStatus::optimal) return false;
+    if (has_room()) return true;
+  }
+  return true;  // the exact proof will tell
+}
+
+void Master::limit_dissipation(double most) {
+  simplex_.set_row_bounds(dissipation_row(), -problems::infinity, most);
+}
+
+void Master::add(const StaticCut& cut) {
+  std::vector<problems::LinearTerm> terms{{gamma_column(cut.column), 1}};
+  for (const auto& [member, force] : cut.forces) {
+    const int elongation = model_.free_count() + member;
+    terms.push_back({elongation, -std::abs(force)});
+    terms.push_back({elongation + model_.member_count(), -std::abs(force)});
+  }
+  simplex_.add_row(-problems::infinity, std::abs(cut.factor), terms);
+  ++cuts_;
+}
+
+void Master::drop_cuts(std::size_t first) {
+  simplex_.drop_rows(first_cut_row() + static_cast<int>(first));
+  cuts_ = first;
+}
+
+void Master::decide(const Signs& signs) {
+  leave_room(0);
+  for (int j = 0; j < model_.uncertain_count(); ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    if (signs[at] == signs_[at]) continue;
+    const auto& [degree, weight] = model_.uncertain[at];
+    const double infinity = problems::infinity;
+    simplex_.set_column_bounds(degree, signs[at] > 0 ? 0 : -infinity, signs[at] < 0 ? 0 : infinity);
+    simplex_.set_cost(degree, -model_.dead(degree) - signs[at] * alpha_ * weight);
+    simplex_.set_column_bounds(gamma_column(j), 0, signs[at] == 0 ? far : 0);
+    simplex_.set_cost(gamma_column(j), signs[at] == 0 ? -alpha_ * weight : 0);
+  }
+  signs_ = signs;
+}
+
+bool Master::presses_box() const {
+  for (int column = model_.free_count(); column < simplex_.columns(); ++column) {
+    if (simplex_.value(column) >= far) return true;
+  }
+  return false;
+}
+
+linear::LinearStatus Master::solve() {
+  return simplex_.solve_robustly();
+}
+
+Relaxed Master::relaxed() const {
+  Relaxed point;
+  point.motion.resize(model_.free_count());
+  for (int k = 0; k < model_.free_count(); ++k) point.motion(k) = simplex_.value(k);
+  point.z.resize(model_.member_count());
+  for (int i = 0; i < model_.member_count(); ++i) {
+    const int elongation = model_.free_count() + i;
+    point.z(i) = simplex_.value(elongation) + simplex_.value(elongation + model_.member_count());
+  }
+  point.gamma.resize(model_.uncertain_count());
+  for (int j = 0; j < model_.uncertain_count(); ++j) {
+    const double sign = signs_[static_cast<std::size_t>(j)];
+    const int degree = model_.uncertain[static_cast<std::size_t>(j)].degree;
+    point.gamma(j) = sign == 0 ? simplex_.value(gamma_column(j)) : sign * point.motion(degree);
+  }
+  return point;
+}
+
+StaticProof Master::proof() const {
+  StaticProof proof;
+  proof.signs = signs_;
+  proof.factor = simplex_.dual(0);
+  proof.forces.resize(model_.member_count());
+  // The dual of a row B'u - c+ + c- = 0 is minus the force: B'u pays for it in -f_D'u.
+  for (int i = 0; i < model_.member_count(); ++i) proof.forces(i) = -simplex_.dual(1 + i);
+  for (std::size_t c = 0; c < cuts_; ++c) {
+    proof.mu.push_back(std::max(0.0, -simplex_.dual(first_cut_row() + static_cast<int>(c))));
+  }
+  proof.one_sided = Eigen::VectorXd::Zero(model_.uncertain_count());
+  for (int j = 0; j < model_.uncertain_count(); ++j) {
+    const double sign = signs_[static_cast<std::size_t>(j)];
+    const int degree = model_.uncertain[static_cast<std::size_t>(j)].degree;
+    if (sign != 0) proof.one_sided(j) = std::max(0.0, sign * simplex_.reduced_cost(degree));
+  }
+  return proof;
+}
+
+}  // namespace kusabi::nodes::limit

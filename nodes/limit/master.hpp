@@ -1,0 +1,104 @@
+// The relaxation that static cuts tighten, in the form of the limit paper's (23):
+//
+//   min  -sum_j alpha weight_j gamma_j - f_D'u + q^y'(c+ + c-)
+//   s.t. f_R'u = 1,  B'u - c+ + c- = 0,  c+, c- >= 0,
+//        0 <= gamma_j <= |y|'(c+ + c-) + |k|   for every cut (j, y, k),
+//
+// where gamma_j stands for |u_e| of column j of T. Where the sign s of u_e is decided, gamma_j is
+// s u_e itself.
+//
+// Its dual is a static statement, which proves the bound without the simplex method: forces q and a
+// factor lambda in equilibrium with f_D, and shares mu_c >= 0 of the cuts, with
+//   |q| + sum_c mu_c |y_c| <= q^y,   sum of mu_c over the cuts of j = alpha weight_j,
+// give lambda - sum_c mu_c |k_c|.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "nodes/limit/static_cut.hpp"
+#include "nodes/linear/simplex.hpp"
+#include "problems/limit_analysis.hpp"
+
+namespace kusabi::nodes::limit {
+
+/// For each column of T: -1, 0 or 1, the sign of u_e that is decided, 0 none.
+using Signs = std::vector<std::int8_t>;
+
+/// A point of the relaxation.
+struct Relaxed {
+  Eigen::VectorXd motion;  ///< u
+  Eigen::VectorXd z;       ///< c+ + c-
+  Eigen::VectorXd gamma;   ///< m
+};
+
+/// The dual of the relaxation: the proof of its bound.
+struct StaticProof {
+  Signs signs;                ///< of the node it is about
+  double factor = 0;          ///< lambda
+  Eigen::VectorXd forces;     ///< q
+  std::vector<double> mu;     ///< a share for each cut
+  Eigen::VectorXd one_sided;  ///< nu_j >= 0, m: multipliers of s u_e >= 0, where it is decided
+};
+
+class Master {
+ public:
+  Master(const problems::LimitModel& model, double alpha);
+
+  /// From now on for yield forces that are smaller by this share; decide() takes it back.
+  void leave_room(double room);
+
+  /// After an optimal solve(): solves again, for yield forces that are a little smaller, until the
+  /// proof holds for the true ones with room for rounding. The bound is lower by about as much.
+  /// @return false if the simplex method fails
+  bool make_room();
+
+  /// Adds q^y'(c+ + c-) <= most: it keeps the first points near the motions that matter while there
+  /// are too few cuts. Infinity: no limit. A bound is one only if the limit does not press.
+  void limit_dissipation(double most);
+  /// Whether some c+, c- or gamma lies at the far end of its box: the cuts give no bound.
+  [[nodiscard]] bool presses_box() const;
+  [[nodiscard]] bool dissipation_presses() const { return simplex_.dual(dissipation_row()) != 0; }
+
+  void add(const StaticCut& cut);
+  [[nodiscard]] std::size_t cuts() const { return cuts_; }
+
+  /// Decides signs, and takes back those decided before.
+  void decide(const Signs& signs);
+
+  linear::LinearStatus solve();
+
+  [[nodiscard]] double objective() const { return simplex_.objective(); }
+  [[nodiscard]] Relaxed relaxed() const;
+  [[nodiscard]] StaticProof proof() const;
+
+  /// To go on from: what is found then hangs on it and not on what was solved since.
+  [[nodiscard]] linear::Basis basis() const { return simplex_.basis(); }
+  void set_basis(const linear::Basis& basis) { simplex_.set_basis(basis); }
+
+  /// Drops the cuts from `first` on.
+  void drop_cuts(std::size_t first);
+
+  [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
+  [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
+
+ private:
+  [[nodiscard]] bool has_room() const;
+  [[nodiscard]] int dissipation_row() const { return model_.member_count() + 1; }
+  [[nodiscard]] int first_cut_row() const { return model_.member_count() + 2; }
+  [[nodiscard]] int gamma_column(int j) const {
+    return model_.free_count() + 2 * model_.member_count() + j;
+  }
+
+  const problems::LimitModel& model_;
+  double alpha_;
+  double room_ = 0;
+  Signs signs_;
+  linear::Simplex simplex_;
+  std::size_t cuts_ = 0;
+};
+
+}  // namespace kusabi::nodes::limit

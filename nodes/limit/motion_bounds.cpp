@@ -1,0 +1,44 @@
+// D for some rho, the least of which counts.
+#include "nodes/limit/motion_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/limit/master.hpp"
+
+namespace kusabi::nodes::limit {
+namespace {
+
+/// The bounds are widened by so much: the simplex method's L is right to 1e-9 or so, and an M that
+/// is a little too large costs nothing.
+constexpr double widened = 1e-6;
+
+}  // namespace
+
+std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, double alpha,
+                                          std::span<const StaticCut> cuts, double upper) {
+  Master master(model, alpha);
+  for (const StaticCut& cut : cuts) master.add(cut);
+  double most = problems::infinity;  // D
+  for (const double rho : {0.5, 0.3, 0.1, 0.03, 0.01, 0.003, 0.001}) {
+    master.leave_room(rho);
+    if (master.solve() != linear::LinearStatus::optimal || master.presses_box()) continue;
+    most = std::min(most, (upper - master.objective()) / rho);
+  }
+  if (!std::isfinite(most)) return {};
+  most = most * (1 + widened) + widened;
+  MotionBounds bounds;
+  bounds.elongation = most * model.yield.cwiseInverse();
+  bounds.motion.setConstant(model.uncertain_count(), problems::infinity);
+  for (const StaticCut& cut : cuts) {
+    double largest = 0;
+    for (const auto& [member, force] : cut.forces) {
+      largest = std::max(largest, std::abs(force) / model.yield(member));
+    }
+    double& bound = bounds.motion(cut.column);
+    bound = std::min(bound, most * largest + std::abs(cut.factor) + widened);
+  }
+  return bounds;
+}
+
+}  // namespace kusabi::nodes::limit

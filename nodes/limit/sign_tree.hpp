@@ -1,0 +1,108 @@
+// The tree below the root for worst-case loads that static cuts alone do not decide: branching on
+// the sign of t_j'u, which is the 0-1 variable tau_j of the limit paper's (29) without its big M.
+//
+// A node has some signs decided. Its bound is the relaxation of nodes/limit/master.hpp with the
+// cuts of the root and some of its own. With all signs decided the relaxation is exact, so the tree
+// ends; each closed node hands over the static proof of its bound.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <boost/serialization/vector.hpp>
+
+#include "engine/search.hpp"
+#include "nodes/limit/worst_case.hpp"
+
+namespace kusabi::nodes::limit {
+
+/// A closed node and why it was closed.
+struct ClosedNode {
+  Signs signs;
+  double factor = 0;
+  std::vector<double> forces;
+  std::vector<double> mu;         ///< of the cuts of the root, then of `own_cuts`
+  std::vector<double> one_sided;  ///< nu
+  std::vector<StaticCut> own_cuts;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& signs& factor& forces& mu& one_sided& own_cuts;
+  }
+};
+
+ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts);
+
+/// The problem type that engine::search searches, for Goal::best. It gives the engine no bounds of
+/// nodes: each is opened, so that each leaves its proof.
+class SignTree {
+ public:
+  struct Node {
+    Signs signs;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& signs;
+    }
+  };
+
+  /// A load that is worse than the one the search began with.
+  struct Solution {
+    double factor = 0;
+    std::vector<double> zeta;
+    std::vector<double> motion;
+    std::vector<double> forces;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& factor& zeta& motion& forces;
+    }
+  };
+
+  struct Tally {
+    std::uint64_t branched = 0;
+    std::uint64_t closed = 0;
+    WorstCaseCounts counts;
+    std::vector<ClosedNode> evidence;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& branched& closed& counts.load_factors& counts.relaxations& counts.pricings;
+      archive& counts.rounds& evidence;
+    }
+  };
+
+  /// @param root how the root ended: open. All must outlive the tree
+  /// @param keep_evidence whether closed nodes go into the tally
+  SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
+           bool keep_evidence);
+
+  Node root() const;
+  void expand(Node&& node, engine::Expansion<SignTree>& out);
+  double objective(const Solution& solution) const { return solution.factor; }
+  Tally tally() const;
+
+ private:
+  // The relaxation at a node after rounds of cuts of its own.
+  struct Bounded {
+    double bound = 0;
+    Relaxed point;
+  };
+  Bounded bounded(const Node& node);
+  double descend_from(const Bounded& node, engine::Expansion<SignTree>& out);
+  void close();
+
+  const problems::LimitModel& model_;
+  double alpha_;
+  const RootResult& root_;
+  bool keep_evidence_;
+  LoadFactor load_factor_;
+  StaticPricing pricing_;
+  Master master_;
+  std::vector<StaticCut> own_cuts_;  // of the node at hand
+  Tally tally_;
+};
+
+}  // namespace kusabi::nodes::limit

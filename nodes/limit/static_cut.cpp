@@ -1,0 +1,80 @@
+// The pricing program: minimise sum_i z_i (y+_i + y-_i) + k+ + k- with
+// B (y+ - y-) - (k+ - k-) f_R = e_e. A change of e changes the right-hand side alone, from which
+// the dual simplex method goes on.
+#include "nodes/limit/static_cut.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace kusabi::nodes::limit {
+namespace {
+
+problems::LinearProgram pricing_program(const problems::LimitModel& model) {
+  problems::LinearProgram program;
+  program.name = "static cut";
+  for (int k = 0; k < model.free_count(); ++k) program.add_row({.lower = 0, .upper = 0}, {});
+  for (const double sign : {1.0, -1.0}) {
+    for (int i = 0; i < model.member_count(); ++i) {
+      const int column = program.add_column({.cost = 1});
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(model.equilibrium, i); entry; ++entry) {
+        program.entries.push_back({static_cast<int>(entry.row()), column, sign * entry.value()});
+      }
+    }
+    const int factor = program.add_column({.cost = 1});
+    for (int k = 0; k < model.free_count(); ++k) {
+      if (model.reference(k) != 0) {
+        program.entries.push_back({k, factor, -sign * model.reference(k)});
+      }
+    }
+  }
+  return program;
+}
+
+}  // namespace
+
+double StaticCut::bound(const Eigen::VectorXd& z) const {
+  double total = std::abs(factor);
+  for (const auto& [member, force] : forces) total += std::abs(force) * z(member);
+  return total;
+}
+
+StaticPricing::StaticPricing(const problems::LimitModel& model)
+    : model_(model), simplex_(pricing_program(model)) {}
+
+void StaticPricing::aim(const Eigen::VectorXd& z, int first) {
+  const int members = model_.member_count();
+  for (int i = 0; i < members; ++i) {
+    simplex_.set_cost(i, z(i));
+    simplex_.set_cost(members + 1 + i, z(i));
+  }
+  simplex_.use_slack_basis();
+  start_.reset();
+  if (cut(first)) start_ = simplex_.basis();
+}
+
+void StaticPricing::restart() {
+  if (start_) {
+    simplex_.set_basis(*start_);
+  } else {
+    simplex_.use_slack_basis();
+  }
+}
+
+std::optional<StaticCut> StaticPricing::cut(int column) {
+  const int degree = model_.uncertain[static_cast<std::size_t>(column)].degree;
+  if (last_degree_ >= 0) simplex_.set_row_bounds(last_degree_, 0, 0);
+  simplex_.set_row_bounds(degree, 1, 1);
+  last_degree_ = degree;
+  if (simplex_.solve_robustly() != linear::LinearStatus::optimal) return std::nullopt;
+  StaticCut cut;
+  cut.column = column;
+  const int members = model_.member_count();
+  for (int i = 0; i < members; ++i) {
+    const double force = simplex_.value(i) - simplex_.value(members + 1 + i);
+    if (force != 0) cut.forces.emplace_back(i, force);
+  }
+  cut.factor = simplex_.value(members) - simplex_.value(2 * members + 1);
+  return cut;
+}
+
+}  // namespace kusabi::nodes::limit

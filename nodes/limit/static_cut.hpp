@@ -1,0 +1,65 @@
+// Static cuts: valid inequalities of (29) that come from equilibrium.
+//
+// For the free displacement u_e let y be member forces and k a factor with B y - k f_R = e_e. Then
+// |u_e| = |y'B'u - k f_R'u| <= |y|'z + |k| for every (u, z) of (14), and so
+//   gamma_j <= weight_j (|y|'z + |k|).
+// The best cut at z is a linear program: min sum_i z_i |y_i| + |k|. Its dual,
+// max { v_e : |B'v| <= z, |f_R'v| <= 1 }, says what the cuts leave: each gamma_j may take a motion
+// of its own within the elongations z.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include "nodes/linear/simplex.hpp"
+#include "problems/limit_analysis.hpp"
+
+namespace kusabi::nodes::limit {
+
+struct StaticCut {
+  int column = 0;                              ///< j of T
+  double factor = 0;                           ///< k
+  std::vector<std::pair<int, double>> forces;  ///< the y_i that are not zero, by member
+
+  /// |y|'z + |k|: what |u_e| is at most.
+  [[nodiscard]] double bound(const Eigen::VectorXd& z) const;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& column& factor& forces;
+  }
+};
+
+/// The pricing programs, warm from one to the next.
+class StaticPricing {
+ public:
+  explicit StaticPricing(const problems::LimitModel& model);
+
+  /// What the next cuts are to be best at.
+  /// @param z n^m, >= 0
+  /// @param first a column of T; its program is solved, and restart() goes back to its basis
+  void aim(const Eigen::VectorXd& z, int first);
+
+  /// From here on what cut() finds hangs on z and on the calls since, not on those before.
+  void restart();
+
+  /// The best cut for a column of T; nothing if the simplex method fails.
+  std::optional<StaticCut> cut(int column);
+
+  [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
+  [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
+
+ private:
+  const problems::LimitModel& model_;
+  linear::Simplex simplex_;
+  std::optional<linear::Basis> start_;
+  int last_degree_ = -1;
+};
+
+}  // namespace kusabi::nodes::limit

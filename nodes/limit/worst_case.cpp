@@ -1,0 +1,185 @@
+// The rounds at the root.
+#include "nodes/limit/worst_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace kusabi::nodes::limit {
+namespace {
+
+using linear::LinearStatus;
+using problems::LimitModel;
+
+/// What members that do not move cost in a pricing program, relative to the mean elongation: first
+/// and, when no cut is violated any more, less and less, the last being zero.
+constexpr double first_share = 1e-3;
+constexpr double least_share = 1e-9;
+constexpr double share_fall = 1e-3;
+
+/// A cut is violated if by more than this, where motions are of the order of one.
+constexpr double violated = 1e-9;
+
+/// The dissipation may be so many times that of the best collapse so far while cuts are few.
+constexpr double dissipation_share = 2;
+
+/// Rounds that no instance we know comes near.
+constexpr int most_rounds = 200;
+
+/// One run of the rounds.
+class Rounds {
+ public:
+  Rounds(const LimitModel& model, double alpha, LoadFactor& load_factor, const Pricer& pricer)
+      : model_(model),
+        alpha_(alpha),
+        load_factor_(load_factor),
+        pricer_(pricer),
+        master_(model, alpha) {}
+
+  RootResult run(const Collapse& nominal);
+
+ private:
+  bool improve(const Eigen::VectorXd& motion);
+  bool price(const Eigen::VectorXd& z, const std::vector<int>& columns, const Relaxed* point);
+  bool lift_dissipation();
+  RootStatus rounds();
+
+  const LimitModel& model_;
+  double alpha_;
+  LoadFactor& load_factor_;
+  const Pricer& pricer_;
+  Master master_;
+  double share_ = first_share;
+  bool limited_ = true;
+  RootResult result_;
+};
+
+// A descent from the worst load of a motion. @return false if a load on the way is not carried
+bool Rounds::improve(const Eigen::VectorXd& motion) {
+  const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model_.uncertain_count());
+  Eigen::VectorXd zeta = worst_for(model_, alpha_, motion, plus);
+  auto found = descend(model_, load_factor_, alpha_, zeta);
+  if (!found) {
+    result_.overpowering_load = zeta;
+    return false;
+  }
+  if (!result_.worst || found->collapse.factor < result_.worst->collapse.factor) {
+    result_.worst = std::move(found);
+  }
+  return true;
+}
+
+// Adds the cuts that the point violates, or all if there is no point yet. @return whether any
+bool Rounds::price(const Eigen::VectorXd& z, const std::vector<int>& columns,
+                   const Relaxed* point) {
+  bool any = false;
+  result_.counts.pricings += columns.size();
+  for (auto& cut : pricer_(pricing_aim(z, share_), columns)) {
+    if (point != nullptr && point->gamma(cut.column) - cut.bound(point->z) < violated) continue;
+    master_.add(cut);
+    result_.cuts.push_back(std::move(cut));
+    any = true;
+  }
+  return any;
+}
+
+// @return whether the limit pressed and is gone now
+bool Rounds::lift_dissipation() {
+  if (!limited_ || !master_.dissipation_presses()) return false;
+  limited_ = false;
+  master_.limit_dissipation(problems::infinity);
+  return true;
+}
+
+RootStatus Rounds::rounds() {
+  const Eigen::VectorXd z =
+      (model_.equilibrium.transpose() * result_.worst->collapse.motion).cwiseAbs();
+  master_.limit_dissipation(dissipation_share * model_.yield.dot(z));
+  std::vector<int> columns(model_.uncertain.size());
+  for (std::size_t j = 0; j < columns.size(); ++j) columns[j] = static_cast<int>(j);
+  price(z, columns, nullptr);
+  while (result_.counts.rounds < most_rounds) {
+    ++result_.counts.rounds;
+    if (master_.solve() != LinearStatus::optimal) return RootStatus::failed;
+    result_.lower = master_.objective();
+    const Relaxed point = master_.relaxed();
+    if (!improve(point.motion)) return RootStatus::not_carried;
+    const Eigen::VectorXd loose = looseness(model_, point);
+    const bool meet = result_.worst->collapse.factor - result_.lower <= closed_gap;
+    columns.clear();
+    for (int j = 0; j < model_.uncertain_count(); ++j) {
+      if (loose(j) > violated) columns.push_back(j);
+    }
+    bool cut = false;
+    while (!meet && !cut && !columns.empty()) {
+      cut = price(point.z, columns, &point);
+      if (cut || share_ == 0) break;
+      share_ = share_ > least_share ? share_ * share_fall : 0;
+    }
+    if (cut || lift_dissipation()) continue;
+    return meet ? RootStatus::closed : RootStatus::open;
+  }
+  return RootStatus::open;
+}
+
+RootResult Rounds::run(const Collapse& nominal) {
+  const auto solves = load_factor_.solves();
+  result_.status = improve(nominal.motion) ? RootStatus::open : RootStatus::not_carried;
+  if (result_.status == RootStatus::open) result_.status = rounds();
+  if (result_.status == RootStatus::open || result_.status == RootStatus::closed) {
+    // At the box of the relaxation the bound is that of the box.
+    const bool far = master_.presses_box();
+    if (far) result_.status = RootStatus::unbounded;
+    if (!master_.make_room()) result_.status = RootStatus::failed;
+    result_.proof = master_.proof();
+    result_.basis = master_.basis();
+  }
+  result_.counts.relaxations = master_.solves();
+  result_.counts.load_factors = load_factor_.solves() - solves;
+  return std::move(result_);
+}
+
+}  // namespace
+
+std::vector<StaticCut> price_block(StaticPricing& pricing, std::span<const int> columns) {
+  std::vector<StaticCut> cuts;
+  pricing.restart();
+  for (const int column : columns) {
+    if (auto cut = pricing.cut(column)) cuts.push_back(std::move(*cut));
+  }
+  return cuts;
+}
+
+std::vector<StaticCut> price_alone(StaticPricing& pricing, const Eigen::VectorXd& z,
+                                   std::span<const int> columns) {
+  std::vector<StaticCut> cuts;
+  if (columns.empty()) return cuts;
+  pricing.aim(z, columns.front());
+  for (std::size_t first = 0; first < columns.size(); first += pricing_block) {
+    const auto count = std::min(pricing_block, columns.size() - first);
+    for (auto& cut : price_block(pricing, columns.subspan(first, count))) {
+      cuts.push_back(std::move(cut));
+    }
+  }
+  return cuts;
+}
+
+Eigen::VectorXd looseness(const LimitModel& model, const Relaxed& point) {
+  Eigen::VectorXd loose(model.uncertain_count());
+  for (int j = 0; j < model.uncertain_count(); ++j) {
+    const auto& [degree, weight] = model.uncertain[static_cast<std::size_t>(j)];
+    loose(j) = weight * (point.gamma(j) - std::abs(point.motion(degree)));
+  }
+  return loose;
+}
+
+Eigen::VectorXd pricing_aim(const Eigen::VectorXd& z, double share) {
+  return z.array() + share * z.mean();
+}
+
+RootResult solve_root(const LimitModel& model, double alpha, const Collapse& nominal,
+                      LoadFactor& load_factor, const Pricer& pricer) {
+  return Rounds(model, alpha, load_factor, pricer).run(nominal);
+}
+
+}  // namespace kusabi::nodes::limit

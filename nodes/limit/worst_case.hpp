@@ -1,0 +1,78 @@
+// The worst-case load factor at the root: static cuts from below, alternating linear programs from
+// above, round by round until they meet. Where they do not, nodes/limit/sign_tree goes on.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "nodes/limit/load_factor.hpp"
+#include "nodes/limit/master.hpp"
+#include "nodes/limit/static_cut.hpp"
+
+namespace kusabi::nodes::limit {
+
+/// Upper and lower end meet if they differ by no more than this, in the scaled factor, which is of
+/// the order of one: the simplex method leaves rounding of 1e-12 or so, and no answer of
+/// engineering needs ten digits.
+inline constexpr double closed_gap = 1e-8;
+
+/// Columns of T in one block of pricing programs: each block starts from the same basis, so that
+/// what it finds does not hang on which rank it is solved on.
+inline constexpr std::size_t pricing_block = 32;
+
+/// Makes the best cuts for some columns of T at z, in their order.
+using Pricer =
+    std::function<std::vector<StaticCut>(const Eigen::VectorXd& z, std::span<const int> columns)>;
+
+/// The cuts of one block. @pre pricing.aim() was called for the round
+std::vector<StaticCut> price_block(StaticPricing& pricing, std::span<const int> columns);
+
+/// All blocks here, one after another.
+std::vector<StaticCut> price_alone(StaticPricing& pricing, const Eigen::VectorXd& z,
+                                   std::span<const int> columns);
+
+struct WorstCaseCounts {
+  std::uint64_t load_factors = 0;  ///< programs (5)
+  std::uint64_t relaxations = 0;   ///< programs of master.hpp
+  std::uint64_t pricings = 0;      ///< cut-generating programs
+  std::uint64_t rounds = 0;
+};
+
+/// How the root ended.
+enum class RootStatus {
+  closed,       ///< the ends meet
+  open,         ///< no further cut, and a gap: the tree has to go on
+  not_carried,  ///< an admissible dead load is carried at no factor: the worst case is -infinity
+  unbounded,    ///< the cuts give no finite bound, and no such load was found
+  failed,       ///< the simplex method failed
+};
+
+struct RootResult {
+  RootStatus status = RootStatus::failed;
+  std::optional<Worst> worst;         ///< the upper end
+  Eigen::VectorXd overpowering_load;  ///< of not_carried: zeta
+  double lower = 0;                   ///< by the simplex method, scaled; see `proof`
+  std::vector<StaticCut> cuts;
+  StaticProof proof;    ///< of the lower end
+  linear::Basis basis;  ///< of the last relaxation
+  WorstCaseCounts counts;
+};
+
+/// @param alpha scaled, >= 0
+/// @param nominal the collapse without uncertainty, which `load_factor` has solved
+RootResult solve_root(const problems::LimitModel& model, double alpha, const Collapse& nominal,
+                      LoadFactor& load_factor, const Pricer& pricer);
+
+/// How much the point leaves |u_e| and gamma_j apart, for each column of T, times its weight.
+Eigen::VectorXd looseness(const problems::LimitModel& model, const Relaxed& point);
+
+/// z as pricing should see it: members that do not move cost a little, or their forces in the cuts
+/// would be arbitrary.
+Eigen::VectorXd pricing_aim(const Eigen::VectorXd& z, double share);
+
+}  // namespace kusabi::nodes::limit

@@ -1,0 +1,66 @@
+// Plastic limit analysis of a truss whose dead load is uncertain (section 2.2 and 3.1 of the limit
+// paper, METR 2006-39), ready to be solved:
+//
+//   lambda*(zeta) = max  lambda
+//                   s.t. B q = f_D + T zeta + lambda f_R,   -q^c_i <= q_i <= q^t_i,           (5)
+//   lambda_min(alpha) = min { lambda*(zeta) : |zeta_j| <= alpha }.                            (13)
+//
+// Members may yield at different forces in tension and compression; the paper's common q^y is
+// q^t = q^c.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "problems/structure.hpp"
+#include "problems/truss.hpp"
+
+namespace kusabi::problems {
+
+/// Column j of T: `weight` at one free displacement.
+struct UncertainColumn {
+  int degree;
+  double weight;
+};
+
+struct LimitProblem {
+  std::string name;
+  int dimension = 0;
+  Units units;
+  std::vector<std::string> node_names;
+  std::vector<Member> members;
+  FreeDegrees degrees;                      ///< n^d free displacements
+  Eigen::SparseMatrix<double> equilibrium;  ///< B, n^d x n^m
+  Eigen::VectorXd dead;                     ///< f_D, n^d, force
+  Eigen::VectorXd reference;                ///< f_R, n^d, force; not zero
+  std::vector<UncertainColumn> uncertain;   ///< T, m columns, axis by axis, node by node
+  Eigen::VectorXd tension;                  ///< q^t, n^m, force
+  Eigen::VectorXd compression;              ///< q^c, n^m, force
+  /// Hash of all of the above but the names.
+  std::uint64_t fingerprint = 0;
+
+  int free_count() const { return degrees.size(); }
+  int member_count() const { return static_cast<int>(members.size()); }
+  int uncertain_count() const { return static_cast<int>(uncertain.size()); }
+};
+
+/// "a-b" from the nodes of a member.
+std::string member_name(const LimitProblem& problem, int member);
+
+/// f_D + T zeta. @param zeta m
+Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& zeta);
+
+/// T^T u. @param motion n^d
+Eigen::VectorXd uncertain_part(const LimitProblem& problem, const Eigen::VectorXd& motion);
+
+/// Checks what limit analysis needs and assumption 3.1 of the paper.
+/// @throws InputError if `check_structure` does; if loads or yield forces are missing; if no
+///         reference load acts on a free displacement; if an uncertain component carries reference
+///         load (assumption 3.1 (ii)); if the structure is a mechanism (with the nodes that move)
+LimitProblem limit_problem(const Structure& structure);
+
+}  // namespace kusabi::problems

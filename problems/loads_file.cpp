@@ -1,0 +1,99 @@
+// Loads and what is uncertain about them, key by key.
+#include "problems/loads_file.hpp"
+
+#include <cstddef>
+
+#include <fmt/format.h>
+
+namespace kusabi::problems {
+
+std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
+                            std::string_view called, int dimension) {
+  std::array<bool, 3> axes{};
+  for (const TomlText& name : reader.texts(node, called)) {
+    std::size_t axis = 0;
+    while (axis < static_cast<std::size_t>(dimension) &&
+           name.text != axis_name(static_cast<int>(axis))) {
+      ++axis;
+    }
+    if (axis == static_cast<std::size_t>(dimension)) {
+      reader.fail(name.position, fmt::format("{} names the axis {}; expected {} in {} dimensions",
+                                             called, in_quotes(name.text),
+                                             dimension == 2 ? "x or y" : "x, y or z", dimension));
+    }
+    if (axes[axis]) {
+      reader.fail(name.position, fmt::format("{} names the axis {} twice; expected once", called,
+                                             in_quotes(name.text)));
+    }
+    axes[axis] = true;
+  }
+  return axes;
+}
+
+YieldForces yield_in(const TomlReader& reader, const toml::node& node) {
+  if (node.is_number()) {
+    const double force = reader.number(node, "yield");
+    return {force, force};
+  }
+  if (!node.is_table()) {
+    reader.fail(node,
+                "yield is neither a number nor a table; expected yield = 800 or "
+                "yield = { tension = 800, compression = 500 }");
+  }
+  const TomlTable table = reader.table(node, "yield");
+  reader.allow_only(table, {"tension", "compression"});
+  const auto force = [&](std::string_view key) {
+    return reader.number(reader.require(table, key, "a yield force"), key);
+  };
+  return {force("tension"), force("compression")};
+}
+
+void LoadsFile::read_loads(const toml::node& section, Structure& structure) const {
+  for (const TomlTable& group : reader_.groups(section, "loads")) load_group(group, structure);
+}
+
+void LoadsFile::load_group(const TomlTable& group, Structure& structure) const {
+  reader_.allow_only(group, {"kind", "nodes", "force"});
+  const TomlText kind =
+      reader_.text(reader_.require(group, "kind", "kind = \"dead\" or \"reference\""), "kind");
+  if (kind.text != "dead" && kind.text != "reference") {
+    reader_.fail(kind.position, fmt::format("kind is {}; expected \"dead\" or \"reference\"",
+                                            in_quotes(kind.text)));
+  }
+  const auto& names = reader_.require(group, "nodes", "nodes = [\"a\", ...]");
+  const Eigen::VectorXd force =
+      reader_.vector(reader_.require(group, "force", "force = [...], at each of the nodes"),
+                     "the force", structure.dimension);
+  for (const TomlText& name : reader_.texts(names, "nodes")) {
+    structure.loads.push_back({kind.text == "dead" ? Load::Kind::dead : Load::Kind::reference,
+                               node_number_(name), force});
+    structure.sources.loads.push_back(name.position);
+  }
+}
+
+void LoadsFile::read_uncertainty(const toml::node& section, Structure& structure) const {
+  structure.uncertain.emplace();
+  for (const TomlTable& group : reader_.groups(section, "uncertainty")) {
+    uncertainty_group(group, structure);
+  }
+}
+
+void LoadsFile::uncertainty_group(const TomlTable& group, Structure& structure) const {
+  reader_.allow_only(group, {"nodes", "axes", "weight"});
+  const auto& names = reader_.require(group, "nodes", "nodes = [\"a\", ...]");
+  const auto axes = axes_in(reader_, reader_.require(group, "axes", "axes = [\"x\", ...]"), "axes",
+                            structure.dimension);
+  double weight = 1;
+  if (const toml::node* entry = group.table->get("weight"); entry != nullptr) {
+    weight = reader_.number(*entry, "weight");
+  }
+  for (const TomlText& name : reader_.texts(names, "nodes")) {
+    for (int axis = 0; axis < structure.dimension; ++axis) {
+      if (!axes[static_cast<std::size_t>(axis)]) continue;
+      structure.uncertain->push_back({node_number_(name), axis, weight});
+      structure.sources.uncertain.push_back(name.position);
+    }
+  }
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,42 @@
+// The sections of a problem file that limit analysis needs: yield forces, [[loads]] and
+// [[uncertainty]] (docs/problem-files.md).
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string_view>
+
+#include "problems/structure.hpp"
+#include "problems/toml_reader.hpp"
+
+namespace kusabi::problems {
+
+/// A list of axis names as flags, each at most once.
+/// @param called the key, for errors
+std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
+                            std::string_view called, int dimension);
+
+/// `yield = 800` or `yield = { tension = 800, compression = 500 }`.
+YieldForces yield_in(const TomlReader& reader, const toml::node& node);
+
+class LoadsFile {
+ public:
+  /// @param node_number from the name of a node to its number, or an InputError
+  LoadsFile(const TomlReader& reader, std::function<int(const TomlText&)> node_number)
+      : reader_(reader), node_number_(std::move(node_number)) {}
+
+  /// Adds the loads of [[loads]] to the structure.
+  void read_loads(const toml::node& section, Structure& structure) const;
+
+  /// Fills the uncertain components of the structure from [[uncertainty]].
+  void read_uncertainty(const toml::node& section, Structure& structure) const;
+
+ private:
+  void load_group(const TomlTable& group, Structure& structure) const;
+  void uncertainty_group(const TomlTable& group, Structure& structure) const;
+
+  const TomlReader& reader_;
+  std::function<int(const TomlText&)> node_number_;
+};
+
+}  // namespace kusabi::problems

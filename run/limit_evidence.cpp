@@ -1,0 +1,111 @@
+// A change of units, and the shares of cuts made sure to be large enough.
+#include "run/limit_evidence.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace kusabi::run {
+namespace {
+
+using nodes::limit::ClosedNode;
+using nodes::limit::StaticCut;
+
+/// Shares of the cuts of a column add up to alpha times its weight but for rounding; a proof needs
+/// no less than that. The room that the solver leaves is far more.
+constexpr double enough = 1 + 1e-13;
+
+verify::LimitCut cut_of(const StaticCut& cut, double reference_unit) {
+  verify::LimitCut result;
+  result.column = static_cast<std::size_t>(cut.column);
+  result.factor = cut.factor / reference_unit;
+  for (const auto& [member, force] : cut.forces) {
+    result.forces.emplace_back(static_cast<std::size_t>(member), force);
+  }
+  return result;
+}
+
+class Converter {
+ public:
+  Converter(const problems::LimitProblem& problem, const problems::LimitModel& model, double alpha)
+      : problem_(problem), model_(model), alpha_(alpha) {}
+
+  // @param columns the column of T of each of the node's cuts; its own come last
+  verify::LimitNode node_of(const ClosedNode& node, const std::vector<std::size_t>& places,
+                            const std::vector<std::size_t>& columns) const;
+
+ private:
+  const problems::LimitProblem& problem_;
+  const problems::LimitModel& model_;
+  double alpha_;
+};
+
+verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<std::size_t>& places,
+                                     const std::vector<std::size_t>& columns) const {
+  const double unit = model_.force_unit;
+  verify::LimitNode result;
+  result.signs.assign(node.signs.begin(), node.signs.end());
+  result.factor = node.factor * model_.factor_unit;
+  for (Eigen::Index i = 0; i < model_.shift.size(); ++i) {
+    result.forces.push_back((node.forces[static_cast<std::size_t>(i)] + model_.shift(i)) * unit);
+  }
+  std::vector<double> sum(node.signs.size());
+  for (std::size_t c = 0; c < node.mu.size(); ++c) sum[columns[c]] += node.mu[c] * unit;
+  for (std::size_t c = 0; c < node.mu.size(); ++c) {
+    if (node.mu[c] == 0) continue;
+    const auto j = columns[c];
+    if (node.signs[j] != 0) continue;  // gamma_j is gone there
+    const double needed = alpha_ * problem_.uncertain[j].weight * enough;
+    const double stretch = std::max(1.0, needed / sum[j]);
+    result.shares.emplace_back(places[c], node.mu[c] * unit * stretch);
+  }
+  for (const double nu : node.one_sided) result.one_sided.push_back(nu * unit);
+  return result;
+}
+
+}  // namespace
+
+verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
+                                           const problems::LimitModel& model, double alpha,
+                                           const nodes::limit::Worst& worst,
+                                           const std::vector<StaticCut>& root_cuts,
+                                           const std::vector<ClosedNode>& nodes) {
+  verify::LimitCertificate certificate;
+  const double reference_unit = model.force_unit / model.factor_unit;
+  certificate.displacements = static_cast<std::size_t>(problem.free_count());
+  certificate.tension.assign(problem.tension.begin(), problem.tension.end());
+  certificate.compression.assign(problem.compression.begin(), problem.compression.end());
+  for (int i = 0; i < problem.member_count(); ++i) {
+    auto& column = certificate.columns.emplace_back();
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(problem.equilibrium, i); entry; ++entry) {
+      column.emplace_back(static_cast<std::size_t>(entry.row()), entry.value());
+    }
+  }
+  certificate.dead.assign(problem.dead.begin(), problem.dead.end());
+  certificate.reference.assign(problem.reference.begin(), problem.reference.end());
+  for (const auto& [degree, weight] : problem.uncertain) {
+    certificate.uncertain.emplace_back(static_cast<std::size_t>(degree), weight);
+  }
+  certificate.alpha = alpha;
+  for (const double zeta : worst.zeta) certificate.load.push_back(std::copysign(alpha, zeta));
+  for (const double u : worst.collapse.motion) {
+    certificate.motion.push_back(u / reference_unit);
+  }
+  std::vector<std::size_t> shared_places;
+  std::vector<std::size_t> shared_columns;
+  const auto add = [&](const StaticCut& cut, auto& places, auto& columns) {
+    places.push_back(certificate.cuts.size());
+    columns.push_back(static_cast<std::size_t>(cut.column));
+    certificate.cuts.push_back(cut_of(cut, reference_unit));
+  };
+  for (const auto& cut : root_cuts) add(cut, shared_places, shared_columns);
+  const Converter converter(problem, model, alpha);
+  for (const auto& node : nodes) {
+    auto places = shared_places;
+    auto columns = shared_columns;
+    for (const auto& cut : node.own_cuts) add(cut, places, columns);
+    certificate.nodes.push_back(converter.node_of(node, places, columns));
+  }
+  return certificate;
+}
+
+}  // namespace kusabi::run

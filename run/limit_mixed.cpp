@@ -1,0 +1,151 @@
+// From the model to (29), to its root and its tree, and back to a load.
+#include "run/limit_mixed.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/wire.hpp"
+#include "nodes/limit/motion_bounds.hpp"
+#include "nodes/zero_one/root.hpp"
+#include "nodes/zero_one/tree.hpp"
+#include "problems/mixed_limit.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nodes::limit::MotionBounds;
+using nodes::limit::StaticCut;
+using problems::LimitModel;
+
+// What rank 0 knows of the search, for all.
+struct Found {
+  std::vector<double> motion;
+  double lower = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t programs = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& motion& lower& nodes& programs;
+  }
+};
+
+// gamma_j <= |y|'z + |k| as a row.
+void add_static_row(problems::LinearProgram& program, const LimitModel& model,
+                    const StaticCut& cut) {
+  std::vector<problems::LinearTerm> terms;
+  terms.push_back({model.free_count() + model.member_count() + cut.column, 1});
+  for (const auto& [member, force] : cut.forces) {
+    terms.push_back({model.free_count() + member, -std::abs(force)});
+  }
+  program.add_row({.upper = std::abs(cut.factor)}, terms);
+}
+
+}  // namespace
+
+MixedWorst solve_mixed(Session& session, const LimitOptions& options, const LimitModel& model,
+                       double alpha, const nodes::limit::Collapse& nominal,
+                       nodes::limit::LoadFactor& load_factor) {
+  const double infinity = problems::infinity;
+  const bool all = options.method == LimitMethod::all;
+  MixedWorst result;
+  nodes::ZeroOneRootOptions root_options{.tighten = all || options.method == LimitMethod::tightened,
+                                         .dive = false};
+  if (all || options.method == LimitMethod::disjunctive) {
+    root_options.cuts = nodes::ZeroOneCuts::disjunctive;
+  }
+  // Static cuts say which M is safe, and give a collapse: what "matters" means for an M.
+  nodes::limit::StaticPricing pricing(model);
+  const auto static_root =
+      nodes::limit::solve_root(model, alpha, nominal, load_factor,
+                               [&](const Eigen::VectorXd& z, std::span<const int> columns) {
+                                 return nodes::limit::price_alone(pricing, z, columns);
+                               });
+  if (static_root.status == nodes::limit::RootStatus::not_carried) {
+    throw WrongInput(
+        "--cuts: some admissible dead load is carried at no load factor, so that (29) has no "
+        "bound; "
+        "expected the default method, which says more");
+  }
+  const auto& known = static_root.worst;
+  const auto& cuts = static_root.cuts;
+  const std::optional<MotionBounds> bounds =
+      nodes::limit::motion_bounds(model, alpha, cuts, known->collapse.factor);
+  Eigen::VectorXd big_m;
+  Eigen::VectorXd most_motion = Eigen::VectorXd::Constant(model.free_count(), infinity);
+  Eigen::VectorXd most_elongation = Eigen::VectorXd::Constant(model.member_count(), infinity);
+  if (bounds) {
+    most_elongation = bounds->elongation;
+    for (int j = 0; j < model.uncertain_count(); ++j) {
+      most_motion(model.uncertain[static_cast<std::size_t>(j)].degree) = bounds->motion(j);
+    }
+    big_m = 2 * bounds->motion;
+  }
+  if (options.big_m) {
+    // Motions are in one over the unit of force there, f_R'u = 1.
+    const double unit = model.force_unit / model.factor_unit;
+    big_m.setConstant(model.uncertain_count(), *options.big_m * unit);
+  }
+  if (big_m.size() == 0) {
+    throw WrongInput("--cuts: no safe M was found; expected --big-m, or the default method");
+  }
+  result.largest_m = big_m.size() == 0 ? 0 : big_m.maxCoeff();
+  auto mixed = problems::worst_case_program(model, alpha, big_m, most_motion, most_elongation);
+  if (all) {
+    for (const StaticCut& cut : cuts) add_static_row(mixed.program, model, cut);
+    result.cuts = cuts.size();
+  }
+  if (root_options.tighten) {
+    root_options.start = problems::worst_case_point(model, known->collapse.motion);
+  }
+  auto root = nodes::prepare_root(std::move(mixed), root_options);
+  if (root.status != nodes::linear::LinearStatus::optimal) {
+    throw std::runtime_error("the relaxation of (29) was not solved");
+  }
+  result.cuts += root.counts.cuts;
+  result.cut_programs = root.counts.cut_programs;
+  const auto root_programs = root.counts.programs;
+  const auto start = root.point;
+  nodes::ZeroOneTree tree(std::move(root));
+  engine::Options search_options;
+  search_options.goal = engine::Goal::best;
+  const auto outcome = engine::search(tree, session.transport(), search_options);
+  const auto packed = session.on_first_rank([&]() -> std::string {
+    Found found;
+    nodes::ZeroOneTally total;
+    for (const auto& rank : outcome.ranks) total += rank.tally;
+    found.lower = tree.lower_bound(outcome.bound, total);
+    found.nodes = outcome.opened();
+    found.programs = root_programs + total.programs;
+    auto best = start;
+    if (!outcome.solutions.empty()) best = outcome.solutions.front().solution;
+    if (best) {
+      found.motion.assign(best->values.begin(), best->values.begin() + model.free_count());
+    }
+    const auto bytes = engine::pack(found);
+    return {bytes.begin(), bytes.end()};
+  });
+  const auto found = engine::unpack<Found>(std::span(packed.data(), packed.size()));
+  if (found.motion.empty()) throw std::runtime_error("(29) has no point; M is too small");
+  const Eigen::Map<const Eigen::VectorXd> motion(found.motion.data(), model.free_count());
+  Eigen::VectorXd zeta = nodes::limit::worst_for(model, alpha, motion, known->zeta);
+  auto worst = nodes::limit::descend(model, load_factor, alpha, zeta);
+  if (!worst) throw std::runtime_error("an admissible dead load is carried at no load factor");
+  result.worst = known->collapse.factor < worst->collapse.factor ? *known : *worst;
+  result.lower = found.lower;
+  result.proved = tree.proves();
+  if (all && static_root.lower > result.lower) {
+    // The static rows say so already; their exact proof belongs to the default method.
+    result.lower = static_root.lower;
+    result.proved = false;
+  }
+  result.nodes = found.nodes;
+  result.programs = found.programs;
+  return result;
+}
+
+}  // namespace kusabi::run

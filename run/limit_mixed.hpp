@@ -1,0 +1,35 @@
+// The worst case by the 0-1 program (29) of the limit paper: Algorithms 4.2 and 5.1 and what makes
+// them faster, to compare with static cuts.
+#pragma once
+
+#include <cstdint>
+
+#include "nodes/limit/worst_case.hpp"
+#include "problems/limit_analysis.hpp"
+#include "run/limit.hpp"
+#include "run/session.hpp"
+
+namespace kusabi::run {
+
+/// What came of it, in the scaled units of the model.
+struct MixedWorst {
+  nodes::limit::Worst worst;
+  double lower = 0;
+  bool proved = false;  ///< whether `lower` holds in spite of rounding
+  std::uint64_t nodes = 0;
+  std::uint64_t programs = 0;  ///< linear programs, at the root and in the tree
+  std::uint64_t cuts = 0;      ///< disjunctive ones kept, and static ones
+  std::uint64_t cut_programs = 0;
+  double largest_m = 0;  ///< the largest M, before it is tightened
+};
+
+/// Solves (29) on all ranks; the same on each.
+/// @param alpha scaled
+/// @param nominal the collapse without uncertainty
+/// @throws WrongInput if no safe M is found
+MixedWorst solve_mixed(Session& session, const LimitOptions& options,
+                       const problems::LimitModel& model, double alpha,
+                       const nodes::limit::Collapse& nominal,
+                       nodes::limit::LoadFactor& load_factor);
+
+}  // namespace kusabi::run

@@ -1,0 +1,283 @@
+// The answer for a person and for a program.
+#include "run/limit_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "problems/collapse_mode.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+using nodes::limit::CurvePiece;
+using nodes::limit::RootStatus;
+using problems::LimitProblem;
+
+std::vector<double> numbers(const Eigen::VectorXd& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+const std::string& node_name(const LimitProblem& problem, int node) {
+  return problem.node_names[static_cast<std::size_t>(node)];
+}
+
+// A load node by node, where it is not zero.
+ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load) {
+  auto list = ordered_json::array();
+  for (int node = 0; node < static_cast<int>(problem.node_names.size()); ++node) {
+    std::vector<double> force;
+    for (int axis = 0; axis < problem.dimension; ++axis) {
+      const int degree = problem.degrees.number(axis, node);
+      force.push_back(degree < 0 ? 0 : load(degree));
+    }
+    if (std::ranges::any_of(force, [](double each) { return each != 0; })) {
+      list.push_back({{"node", node_name(problem, node)}, {"force", force}});
+    }
+  }
+  return list;
+}
+
+ordered_json mode_json(const LimitProblem& problem, const LimitCollapse& collapse) {
+  const auto mode = problems::collapse_mode(problem, collapse.motion);
+  auto moving = ordered_json::array();
+  for (const auto& [node, velocity] : mode.moving) {
+    moving.push_back({{"node", node_name(problem, node)}, {"velocity", numbers(velocity)}});
+  }
+  auto yielding = ordered_json::array();
+  for (const auto& [member, elongation] : mode.yielding) {
+    const auto& bar = problem.members[static_cast<std::size_t>(member)];
+    yielding.push_back({{"member", {node_name(problem, bar.first), node_name(problem, bar.second)}},
+                        {"in", elongation > 0 ? "tension" : "compression"},
+                        {"elongation", elongation}});
+  }
+  return {{"sway", mode.sway}, {"moving", moving}, {"yielding", yielding}};
+}
+
+ordered_json curve_json(const LimitProblem& problem, const std::vector<CurvePiece>& curve) {
+  auto pieces = ordered_json::array();
+  for (const auto& piece : curve) {
+    const auto mode = problems::collapse_mode(problem, piece.from.motion);
+    std::vector<std::string> yielding;
+    for (const auto& each : mode.yielding) {
+      yielding.push_back(problems::member_name(problem, each.member));
+    }
+    pieces.push_back({{"from", piece.from.at},
+                      {"to", piece.to},
+                      {"factor_from", piece.from.factor},
+                      {"factor_to", piece.factor_at_end},
+                      {"sway", mode.sway},
+                      {"yielding", yielding}});
+  }
+  return pieces;
+}
+
+const char* status_text(RootStatus status) {
+  switch (status) {
+    case RootStatus::closed:
+      return "solved";
+    case RootStatus::not_carried:
+      return "not-carried";
+    case RootStatus::unbounded:
+      return "unbounded";
+    case RootStatus::open:
+      return "open";
+    case RootStatus::failed:
+      break;
+  }
+  return "failed";
+}
+
+const char* method_name(LimitMethod method) {
+  switch (method) {
+    case LimitMethod::fixed:
+      return "none";
+    case LimitMethod::disjunctive:
+      return "disjunctive";
+    case LimitMethod::tightened:
+      return "tighten";
+    case LimitMethod::all:
+      return "all";
+    case LimitMethod::static_cuts:
+      break;
+  }
+  return "static";
+}
+
+// Infinite numbers are null in JSON.
+ordered_json finite(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json();
+}
+
+void write_mode(std::string& text, const LimitProblem& problem, const LimitCollapse& collapse) {
+  const auto mode = problems::collapse_mode(problem, collapse.motion);
+  std::vector<std::string> tension;
+  std::vector<std::string> compression;
+  for (const auto& [member, elongation] : mode.yielding) {
+    (elongation > 0 ? tension : compression).push_back(problems::member_name(problem, member));
+  }
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "  collapse mode: {}, {} nodes move, {} members yield\n",
+                 mode.sway ? "sway" : "not sway", mode.moving.size(), mode.yielding.size());
+  if (!tension.empty()) fmt::format_to(out, "    in tension:     {}\n", fmt::join(tension, " "));
+  if (!compression.empty()) {
+    fmt::format_to(out, "    in compression: {}\n", fmt::join(compression, " "));
+  }
+}
+
+void write_critical_load(std::string& text, const LimitProblem& problem,
+                         const Eigen::VectorXd& zeta) {
+  const auto out = std::back_inserter(text);
+  text += "  critical part of the dead load:\n";
+  for (int axis = 0; axis < problem.dimension; ++axis) {
+    for (const bool positive : {true, false}) {
+      std::vector<std::string> names;
+      for (int j = 0; j < problem.uncertain_count(); ++j) {
+        const auto degree = problem.uncertain[static_cast<std::size_t>(j)].degree;
+        const auto& free = problem.degrees.free[static_cast<std::size_t>(degree)];
+        if (free.axis == axis && (zeta(j) >= 0) == positive) {
+          names.push_back(node_name(problem, free.node));
+        }
+      }
+      if (names.empty()) continue;
+      fmt::format_to(out, "    {}{} at {}\n", positive ? '+' : '-', problems::axis_name(axis),
+                     fmt::join(names, " "));
+    }
+  }
+}
+
+void write_curve(std::string& text, const LimitProblem& problem, const char* what,
+                 const std::vector<CurvePiece>& curve) {
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "\n{}\n        beta       factor  collapse mode from there on\n", what);
+  for (const auto& piece : curve) {
+    const auto mode = problems::collapse_mode(problem, piece.from.motion);
+    fmt::format_to(out, "  {:>10.6f} {:>12.6f}  {}, {} members yield\n", piece.from.at,
+                   piece.from.factor, mode.sway ? "sway" : "not sway", mode.yielding.size());
+  }
+  if (!curve.empty()) {
+    fmt::format_to(out, "  {:>10.6f} {:>12.6f}\n", curve.back().to, curve.back().factor_at_end);
+  }
+}
+
+}  // namespace
+
+std::string LimitReport::table() const {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  if (!answer.nominal) {
+    text += "the nominal dead load is carried at no load factor, of either sign\n";
+    return text;
+  }
+  fmt::format_to(out, "nominal load factor {:.10g}\n", answer.nominal->factor);
+  if (answer.nominal->factor < 0) {
+    text += "  negative: the dead load alone collapses the structure\n";
+  }
+  write_mode(text, problem, *answer.nominal);
+  if (answer.worst) {
+    const auto& worst = *answer.worst;
+    fmt::format_to(out, "\nworst case of {} uncertain components, alpha = {} {}\n",
+                   problem.uncertain_count(), *options.alpha, problem.units.force);
+    if (worst.status == RootStatus::not_carried) {
+      text += "  some admissible dead load is carried at no load factor, of either sign\n";
+      write_critical_load(text, problem, worst.zeta);
+    } else {
+      fmt::format_to(out, "  load factor {:.10g} ... {:.10g}{}\n", worst.lower, worst.upper,
+                     worst.proved ? ", proved" : "");
+      if (worst.upper < 0)
+        text += "  negative: an admissible dead load alone collapses the structure\n";
+      if (worst.collapse) write_mode(text, problem, *worst.collapse);
+      write_critical_load(text, problem, worst.zeta);
+    }
+    fmt::format_to(out,
+                   "  {} cuts, {} node{}; linear programs: {} load factors, {} relaxations, {} for "
+                   "cuts, {} in the tree\n",
+                   worst.cuts, worst.nodes, worst.nodes == 1 ? "" : "s", worst.counts.load_factors,
+                   worst.counts.relaxations, worst.counts.pricings, worst.tree_programs);
+  }
+  if (!answer.samples.empty()) {
+    const auto [least, greatest] = std::ranges::minmax(answer.samples);
+    double sum = 0;
+    for (const double factor : answer.samples) sum += factor;
+    fmt::format_to(out, "\n{} random dead loads: load factors {:.6g} ... {:.6g}, mean {:.6g}\n",
+                   answer.samples.size(), least, greatest,
+                   sum / static_cast<double>(answer.samples.size()));
+  }
+  if (options.curve && answer.worst) {
+    write_curve(text, problem, "the critical load in proportion, beta times", answer.curve);
+    write_curve(text, problem, "the worst case with beta times alpha", answer.worst_curve);
+  }
+  return text;
+}
+
+ordered_json LimitReport::json() const {
+  ordered_json result;
+  std::string status = answer.nominal ? "solved" : "not-carried";
+  result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
+  if (answer.nominal) {
+    result["nominal_mode"] = mode_json(problem, *answer.nominal);
+    result["nominal_forces"] = numbers(answer.nominal->forces);
+  }
+  if (answer.worst) {
+    const auto& worst = *answer.worst;
+    status = status_text(worst.status);
+    result["alpha"] = *options.alpha;
+    result["uncertain_components"] = problem.uncertain_count();
+    result["worst_case"] = {
+        {"lower", finite(worst.lower)}, {"upper", finite(worst.upper)}, {"proved", worst.proved}};
+    result["critical_load"] = load_json(problem, problems::dead_load(problem, worst.zeta));
+    if (worst.collapse) {
+      result["collapse_mode"] = mode_json(problem, *worst.collapse);
+      result["forces"] = numbers(worst.collapse->forces);
+    }
+    result["cuts"] = worst.cuts;
+    result["programs"] = {{"load_factors", worst.counts.load_factors},
+                          {"relaxations", worst.counts.relaxations},
+                          {"cuts", worst.counts.pricings},
+                          {"rounds", worst.counts.rounds}};
+  }
+  if (!answer.samples.empty()) {
+    auto factors = ordered_json::array();
+    for (const double factor : answer.samples) factors.push_back(finite(factor));
+    result["samples"] = {{"seed", options.seed},
+                         {"least", finite(*std::ranges::min_element(answer.samples))},
+                         {"factors", std::move(factors)}};
+  }
+  if (options.curve && answer.worst) {
+    result["curve"] = curve_json(problem, answer.curve);
+    result["worst_curve"] = curve_json(problem, answer.worst_curve);
+  }
+  ordered_json statistics{{"ranks", ranks}};
+  if (answer.worst) {
+    statistics["nodes"] = answer.worst->nodes;
+    statistics["tree_programs"] = answer.worst->tree_programs;
+  }
+  ordered_json chosen = ordered_json::object();
+  chosen["alpha"] = options.alpha ? ordered_json(*options.alpha) : ordered_json();
+  chosen["cuts"] = method_name(options.method);
+  chosen["big_m"] = options.big_m ? ordered_json(*options.big_m) : ordered_json();
+  chosen["samples"] = options.samples;
+  chosen["seed"] = options.seed;
+  chosen["curve"] = options.curve;
+  return {{"command", "limit"},
+          {"version", KUSABI_VERSION},
+          {"problem",
+           {{"file", options.file},
+            {"name", problem.name},
+            {"d", problem.dimension},
+            {"m", problem.uncertain_count()},
+            {"nodes", problem.node_names.size()},
+            {"members", problem.member_count()},
+            {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
+            {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}}},
+          {"options", std::move(chosen)},
+          {"status", status},
+          {"result", std::move(result)},
+          {"statistics", std::move(statistics)}};
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,93 @@
+// The proofs of verify/limit_proof, shared among the ranks, and what is said of them.
+#include "run/verify_limit.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include <boost/serialization/string.hpp>
+#include <fmt/format.h>
+
+#include "run/exit_code.hpp"
+#include "run/shared_work.hpp"
+#include "verify/limit_certificate.hpp"
+#include "verify/limit_proof.hpp"
+
+namespace kusabi::run {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// What became of the claim of one node.
+struct NodeVerdict {
+  double lower = -infinity;  // rounded down
+  std::string refusal;       // empty: proved
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& lower& refusal;
+  }
+};
+
+verify::LimitCertificate certificate_in(const std::string& text, const std::string& file) {
+  try {
+    return verify::read_limit_certificate(text, file);
+  } catch (const verify::CertificateError& error) {
+    throw WrongInput(error.what());
+  }
+}
+
+}  // namespace
+
+int verify_limit(Session& session, const VerifyOptions& options, const std::string& text) {
+  const auto certificate = certificate_in(text, options.certificate);
+  const verify::LimitProof proof(certificate);
+  std::vector<std::string> refusals;
+  if (!proof.stable()) refusals.emplace_back("the truss was not shown to be no mechanism");
+  const auto upper = proof.upper();
+  if (const auto* why = std::get_if<std::string>(&upper)) {
+    refusals.push_back("the upper end: " + *why);
+  }
+  if (const auto flaw = verify::flaw_of_sign_cover(certificate)) refusals.push_back(*flaw);
+  double lower = infinity;
+  if (proof.stable() && !certificate.nodes.empty()) {
+    const auto verdict = [&](std::uint64_t number) {
+      const auto bound = proof.lower(certificate.nodes[number]);
+      NodeVerdict found;
+      if (const auto* value = std::get_if<mpq_class>(&bound)) {
+        found.lower = verify::rounded_down(*value);
+      } else {
+        found.refusal = std::get<std::string>(bound);
+      }
+      return found;
+    };
+    const auto verdicts = share_work<NodeVerdict>(session, certificate.nodes.size(), verdict);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+      lower = std::min(lower, verdicts[i].lower);
+      if (!verdicts[i].refusal.empty()) {
+        refusals.push_back(
+            fmt::format("the node of line {}: {}", certificate.nodes[i].line, verdicts[i].refusal));
+      }
+    }
+  }
+  if (!session.speaks()) return refusals.empty() ? solved : failed;
+  for (const auto& refusal : refusals)
+    fmt::print("{}: refused: {}\n", options.certificate, refusal);
+  if (!options.quiet && refusals.empty()) {
+    const double above = verify::rounded_up(std::get<mpq_class>(upper));
+    fmt::print("{} cuts, {} nodes cover all loads\n", certificate.cuts.size(),
+               certificate.nodes.size());
+    fmt::print("PROVED: the least load factor for alpha = {} is between {:.17g} and {:.17g}\n",
+               certificate.alpha, std::min(lower, above), above);
+  } else if (!options.quiet) {
+    fmt::print("NOT PROVED\n");
+  }
+  if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+  return refusals.empty() ? solved : failed;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,228 @@
+// Writing and reading the file, section by section.
+#include "verify/limit_certificate.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "nodes/sha1.hpp"
+#include "verify/lines.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+/// More of anything than this is no truss but a damaged number, and would only cost memory.
+constexpr std::uint64_t most = 10'000'000;
+
+void put(std::string& text, double value) {
+  std::array<char, 64> digits{};
+  const bool negative = value < 0;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::abs(value),
+                                 std::chars_format::hex)
+                       .ptr;
+  text += negative ? " -0x" : " 0x";
+  text.append(digits.data(), end);
+}
+
+void put(std::string& text, std::size_t value) {
+  text += ' ';
+  text += std::to_string(value);
+}
+
+void put(std::string& text, const std::vector<double>& values) {
+  for (const double value : values) put(text, value);
+}
+
+void put(std::string& text, const Sparse& entries) {
+  put(text, entries.size());
+  for (const auto& [place, value] : entries) {
+    put(text, place);
+    put(text, value);
+  }
+}
+
+std::size_t count(Lines& lines, const std::string& keyword) {
+  const std::string what = "'" + keyword + "' and a number";
+  lines.next();
+  lines.expect_word(keyword, what);
+  const auto value = lines.integer(10, what);
+  if (value > most) lines.refuse(what + " of at most " + std::to_string(most));
+  lines.end_of_line(what);
+  return value;
+}
+
+std::size_t place(Lines& lines, std::size_t size, const std::string& what) {
+  const auto value = lines.integer(10, what);
+  if (value >= size) lines.refuse(what + " below " + std::to_string(size));
+  return value;
+}
+
+Sparse sparse(Lines& lines, std::size_t size, const std::string& what) {
+  Sparse entries(place(lines, size + 1, "the number of " + what));
+  for (auto& [at, value] : entries) {
+    at = place(lines, size, "the place of one of the " + what);
+    value = lines.number(what);
+  }
+  return entries;
+}
+
+std::vector<double> vector(Lines& lines, const std::string& keyword, std::size_t size) {
+  std::vector<double> values;
+  lines.next();
+  lines.expect_word(keyword, "'" + keyword + "' and its numbers");
+  lines.numbers(size, values, "numbers");
+  return values;
+}
+
+void read_problem(Lines& lines, LimitCertificate& certificate) {
+  lines.expect(limit_first_line);
+  certificate.displacements = count(lines, "displacements");
+  const auto members = count(lines, "members");
+  for (std::size_t i = 0; i < members; ++i) {
+    lines.next();
+    const std::string what = "'member', its yield forces, not negative, and its column of B";
+    lines.expect_word("member", what);
+    for (auto* yields : {&certificate.tension, &certificate.compression}) {
+      yields->push_back(lines.number(what));
+      if (yields->back() < 0) lines.refuse(what);
+    }
+    certificate.columns.push_back(sparse(lines, certificate.displacements, "entries of B"));
+    lines.end_of_line(what);
+  }
+  certificate.dead = vector(lines, "dead", certificate.displacements);
+  certificate.reference = vector(lines, "reference", certificate.displacements);
+  const auto uncertain = count(lines, "uncertain");
+  for (std::size_t j = 0; j < uncertain; ++j) {
+    lines.next();
+    const std::string what = "'column', a displacement and a weight above 0";
+    lines.expect_word("column", what);
+    const auto at = place(lines, certificate.displacements, what);
+    const double weight = lines.number(what);
+    if (weight <= 0) lines.refuse(what);
+    lines.end_of_line(what);
+    certificate.uncertain.emplace_back(at, weight);
+  }
+  certificate.alpha = vector(lines, "alpha", 1).front();
+  if (certificate.alpha < 0) lines.refuse("'alpha' and a number that is not negative");
+}
+
+LimitCut read_cut(Lines& lines, const LimitCertificate& certificate) {
+  const std::string what = "'cut', a column of T, a factor, and forces";
+  lines.expect_word("cut", what);
+  LimitCut cut;
+  cut.column = place(lines, certificate.uncertain.size(), what);
+  cut.factor = lines.number(what);
+  cut.forces = sparse(lines, certificate.members(), "forces");
+  lines.end_of_line(what);
+  return cut;
+}
+
+LimitNode read_node(Lines& lines, const LimitCertificate& certificate) {
+  const std::string what = "'node', signs, shares of cuts, a factor, and forces";
+  lines.expect_word("node", what);
+  LimitNode node;
+  node.line = lines.number();
+  node.signs.assign(certificate.uncertain.size(), 0);
+  node.one_sided.assign(certificate.uncertain.size(), 0);
+  const auto decided = place(lines, certificate.uncertain.size() + 1, "the number of signs");
+  for (std::size_t d = 0; d < decided; ++d) {
+    const auto at = place(lines, certificate.uncertain.size(), "a column of T");
+    const auto sign = lines.word();
+    if ((sign != "+" && sign != "-") || node.signs[at] != 0) {
+      lines.refuse("'+' or '-' for a column, once");
+    }
+    node.signs[at] = sign == "+" ? 1 : -1;
+    node.one_sided[at] = lines.number("a multiplier that is not negative");
+    if (node.one_sided[at] < 0) lines.refuse("a multiplier that is not negative");
+  }
+  node.shares = sparse(lines, certificate.cuts.size(), "shares of cuts");
+  for (const auto& [cut, share] : node.shares) {
+    if (share < 0) lines.refuse("shares of cuts that are not negative");
+  }
+  node.factor = lines.number("a factor");
+  lines.numbers(certificate.members(), node.forces, "forces");
+  return node;
+}
+
+}  // namespace
+
+std::string limit_certificate_text(const LimitCertificate& certificate) {
+  std::string text(limit_first_line);
+  text += "\ndisplacements " + std::to_string(certificate.displacements);
+  text += "\nmembers " + std::to_string(certificate.members());
+  for (std::size_t i = 0; i < certificate.members(); ++i) {
+    text += "\nmember";
+    put(text, certificate.tension[i]);
+    put(text, certificate.compression[i]);
+    put(text, certificate.columns[i]);
+  }
+  text += "\ndead";
+  put(text, certificate.dead);
+  text += "\nreference";
+  put(text, certificate.reference);
+  text += "\nuncertain " + std::to_string(certificate.uncertain.size());
+  for (const auto& [at, weight] : certificate.uncertain) {
+    text += "\ncolumn";
+    put(text, at);
+    put(text, weight);
+  }
+  text += "\nalpha";
+  put(text, certificate.alpha);
+  text += "\nload";
+  put(text, certificate.load);
+  text += "\nmotion";
+  put(text, certificate.motion);
+  text += "\ncuts " + std::to_string(certificate.cuts.size());
+  for (const auto& cut : certificate.cuts) {
+    text += "\ncut";
+    put(text, cut.column);
+    put(text, cut.factor);
+    put(text, cut.forces);
+  }
+  text += "\nnodes " + std::to_string(certificate.nodes.size());
+  for (const auto& node : certificate.nodes) {
+    std::size_t decided = 0;
+    for (const int sign : node.signs) decided += sign == 0 ? 0 : 1;
+    text += "\nnode";
+    put(text, decided);
+    for (std::size_t j = 0; j < node.signs.size(); ++j) {
+      if (node.signs[j] == 0) continue;
+      put(text, j);
+      text += node.signs[j] > 0 ? " +" : " -";
+      put(text, node.one_sided[j]);
+    }
+    put(text, node.shares);
+    put(text, node.factor);
+    put(text, node.forces);
+  }
+  text += "\nend\n";
+  text += "digest " + nodes::hexadecimal(nodes::sha1(text)) + "\n";
+  return text;
+}
+
+LimitCertificate read_limit_certificate(std::string_view text, const std::string& file) {
+  Lines(text, file).expect(limit_first_line);
+  Lines lines(without_digest(text, file), file);
+  LimitCertificate certificate;
+  read_problem(lines, certificate);
+  certificate.load = vector(lines, "load", certificate.uncertain.size());
+  certificate.motion = vector(lines, "motion", certificate.displacements);
+  const auto cuts = count(lines, "cuts");
+  for (std::size_t c = 0; c < cuts; ++c) {
+    lines.next();
+    certificate.cuts.push_back(read_cut(lines, certificate));
+  }
+  const auto nodes = count(lines, "nodes");
+  for (std::size_t n = 0; n < nodes; ++n) {
+    lines.next();
+    certificate.nodes.push_back(read_node(lines, certificate));
+  }
+  lines.expect("end");
+  if (!lines.done()) {
+    lines.next();
+    lines.refuse("the line 'digest …', the last one");
+  }
+  return certificate;
+}
+
+}  // namespace kusabi::verify

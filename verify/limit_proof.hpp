@@ -1,0 +1,53 @@
+// The proofs of a certificate of a worst-case limit load, in exact arithmetic. docs/theory.md,
+// section 6, derives what is checked here, with the same letters; nothing of the solver is used,
+// and nothing that it says is believed.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gmpxx.h>
+
+#include "verify/exact.hpp"
+#include "verify/limit_certificate.hpp"
+
+namespace kusabi::verify {
+
+class LimitProof {
+ public:
+  /// Begins with the bound of motions by elongations. The certificate must outlive this.
+  explicit LimitProof(const LimitCertificate& certificate);
+
+  /// Whether a motion is bounded by the elongations it makes, which shows that the truss is no
+  /// mechanism. If not, no lower end can be shown.
+  [[nodiscard]] bool stable() const { return !reach_.empty(); }
+
+  /// The kinematic principle for the recorded load and motion: no smaller than lambda_min, exactly.
+  /// Otherwise why it proves nothing.
+  [[nodiscard]] std::variant<mpq_class, std::string> upper() const;
+
+  /// A number that no admissible load of the node has a factor below; or why it is not shown.
+  /// @pre stable()
+  [[nodiscard]] std::variant<mpq_class, std::string> lower(const LimitNode& node) const;
+
+ private:
+  void bound_motions();
+  [[nodiscard]] Dyadic defect(const Sparse& forces, std::vector<Dyadic> load) const;
+
+  const LimitCertificate& certificate_;
+  std::vector<Dyadic> reach_;    // kappa: the largest |u_e| is at most the sum of kappa_i |b_i'u|
+  std::vector<Dyadic> defects_;  // |rho_c|_1 of each cut
+};
+
+/// What is wrong with the nodes as a cover of all signs; nothing if every combination of signs is
+/// below one of them.
+std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificate);
+
+/// A double that is not above, and one that is not below.
+double rounded_down(const mpq_class& value);
+double rounded_up(const mpq_class& value);
+
+}  // namespace kusabi::verify
