@@ -53,8 +53,8 @@ Eigen::SparseMatrix<double> equilibrium_matrix(const Structure& structure,
                                                const FreeDegrees& degrees) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t index = 0; index < structure.members.size(); ++index) {
-    for (const Elongation& entry :
-         elongation_vector(structure, degrees, structure.members[index])) {
+    for (const auto& entry :
+         elongation_vector<double>(structure, degrees, structure.members[index])) {
       if (entry.value == 0) continue;
       entries.emplace_back(entry.number, static_cast<int>(index), entry.value);
     }

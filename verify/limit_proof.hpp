@@ -1,5 +1,5 @@
 // The proofs of a certificate of a worst-case limit load, in exact arithmetic. docs/theory.md,
-// section 6, derives what is checked here, with the same letters; nothing of the solver is used,
+// section 8, derives what is checked here, with the same letters; nothing of the solver is used,
 // and nothing that it says is believed.
 #pragma once
 
