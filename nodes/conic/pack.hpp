@@ -1,0 +1,97 @@
+// Four numbers that are computed with at once. The cones of a node are taken four at a time, the
+// rows of its matrices too: a node program is too small for anything but registers to matter.
+//
+// Each lane rounds as a number by itself does, and sums have one order, whatever the machine: where
+// it has AVX2 an operation is one instruction, elsewhere two. Multiplications and additions are
+// never fused, so the bits are the same everywhere.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+
+// Functions with this mark are compiled for AVX2 too and chosen when the program starts; what they
+// call has to be inlined into them. AVX2 by itself has no fused multiply-add.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
+#define KUSABI_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default")))
+#else
+#define KUSABI_ALSO_FOR_AVX2
+#endif
+#define KUSABI_INLINE [[gnu::always_inline]] inline
+
+// How packs are passed to functions differs with AVX; no function of ours that takes one remains.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace kusabi::conic {
+
+using Pack = double __attribute__((vector_size(32)));
+
+/// What comparing two packs gives: all bits set for yes, none for no.
+using Answers = decltype(Pack{} > Pack{});
+
+constexpr int lanes = 4;
+
+/// The smallest multiple of four that is not below `size`.
+constexpr int padded(int size) {
+  return (size + lanes - 1) / lanes * lanes;
+}
+
+KUSABI_INLINE Pack load(const double* from) {
+  Pack pack;
+  std::memcpy(&pack, from, sizeof pack);
+  return pack;
+}
+
+KUSABI_INLINE void store(double* to, Pack pack) {
+  std::memcpy(to, &pack, sizeof pack);
+}
+
+KUSABI_INLINE Pack everywhere(double value) {
+  return Pack{value, value, value, value};
+}
+
+KUSABI_INLINE double root(double value) {
+  return std::sqrt(value);
+}
+
+KUSABI_INLINE Pack root(Pack pack) {
+  return Pack{std::sqrt(pack[0]), std::sqrt(pack[1]), std::sqrt(pack[2]), std::sqrt(pack[3])};
+}
+
+/// The larger one in each lane, b where they cannot be compared.
+KUSABI_INLINE Pack larger(Pack a, Pack b) {
+  return a > b ? a : b;
+}
+
+/// In each lane `yes` where the number at `chosen` is positive and `no` where it is not.
+KUSABI_INLINE Pack where(const double* chosen, Pack yes, Pack no) {
+  return load(chosen) > Pack{} ? yes : no;
+}
+
+/// The largest lane.
+KUSABI_INLINE double largest(Pack pack) {
+  const double even = pack[0] > pack[2] ? pack[0] : pack[2];
+  const double odd = pack[1] > pack[3] ? pack[1] : pack[3];
+  return even > odd ? even : odd;
+}
+
+/// The sum of the lanes.
+KUSABI_INLINE double total(Pack pack) {
+  return (pack[0] + pack[2]) + (pack[1] + pack[3]);
+}
+
+/// The sums of four packs, a lane each.
+KUSABI_INLINE Pack totals(const Pack (&packs)[lanes]) {
+  const Pack first = __builtin_shufflevector(packs[0], packs[1], 0, 4, 2, 6) +
+                     __builtin_shufflevector(packs[0], packs[1], 1, 5, 3, 7);
+  const Pack second = __builtin_shufflevector(packs[2], packs[3], 0, 4, 2, 6) +
+                      __builtin_shufflevector(packs[2], packs[3], 1, 5, 3, 7);
+  return __builtin_shufflevector(first, second, 0, 1, 4, 5) +
+         __builtin_shufflevector(first, second, 2, 3, 6, 7);
+}
+
+/// Whether the answer is yes in all lanes.
+KUSABI_INLINE bool all(Answers answers) {
+  return (answers[0] & answers[1] & answers[2] & answers[3]) != 0;
+}
+
+}  // namespace kusabi::conic
