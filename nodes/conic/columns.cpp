@@ -16,7 +16,7 @@ KUSABI_INLINE void product_of_rows(const Columns& matrix, const double* coeffici
     const double* column = matrix.data + d * matrix.stride * matrix.rows + row;
     const double* coefficient = coefficients + d * matrix.stride;
     for (int c = 0; c < matrix.count; ++c, column += matrix.rows) {
-      const Pack factor = everywhere(coefficient[c]);
+      const Pack factor = coefficient[c];
       for (int i = 0; i < Height; ++i) sums[i] += factor * load(column + lanes * i);
     }
   }

@@ -36,6 +36,21 @@ constexpr double diagonal_shift = 1e-15;
 // goes back far enough, or the digits are used up.
 constexpr int most_halvings = 8;
 
+// The columns of one cone of B = A W: the cone of this lane.
+template <int D>
+KUSABI_INLINE void scale_columns(const double* a, double* b, int distance, int rows,
+                                 const Scaling<D, Pack>& scaling, int lane) {
+  std::array<Point<D, Pack>, static_cast<std::size_t>(D)> w;
+  for (std::size_t i = 0; i < w.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) w[i][j] = w[j][i] = scaling.entry(i, j)[lane];
+  for (int row = 0; row < rows; row += lanes) {
+    Point<D, Pack> entries;
+    for (int d = 0; d < D; ++d) entries[static_cast<std::size_t>(d)] = load(a + d * distance + row);
+    for (int d = 0; d < D; ++d)
+      store(b + d * distance + row, dot(entries, w[static_cast<std::size_t>(d)]));
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -89,25 +104,24 @@ void InteriorPoint<D>::start(const NodeProgram<D>& program) {
 }
 
 template <int D>
-KUSABI_ALSO_FOR_AVX2 bool InteriorPoint<D>::refresh_dual(const NodeProgram<D>& program,
-                                                         const Eigen::VectorXd& y) {
+bool InteriorPoint<D>::refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y) {
   const Columns matrix = program.matrix();
   transposed_product(matrix, y.data(), products_.data());
-  Answers inside = Pack{} == Pack{};
+  Pack::Answers inside = Pack(1.0) > 0.0;
   for (int c = 0; c < matrix.count; c += lanes) {
     Cones z = load_cones(products_, c);
     z[0] = 1.0 - z[0];
     for (std::size_t d = 1; d < z.size(); ++d) z[d] = -z[d];
     store_cones(z_, c, z);
-    inside &= margin(z) > Pack{};
+    inside &= margin(z) > 0.0;
   }
   for (int i = 0; i < matrix.rows; i += lanes)
-    inside &= where(program.slack().data() + i, load(y.data() + i), everywhere(1)) > Pack{};
+    inside &= where(program.slack().data() + i, load(y.data() + i), 1.0) > 0.0;
   return all(inside);
 }
 
 template <int D>
-KUSABI_ALSO_FOR_AVX2 double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
+double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
   const Columns matrix = program.matrix();
   const int rows = matrix.rows;
   Pack widest = {}, product_sum = {};
@@ -119,29 +133,18 @@ KUSABI_ALSO_FOR_AVX2 double InteriorPoint<D>::scale(const NodeProgram<D>& progra
     widest = larger(widest, scaling.entry(0, 0) * present);
     product_sum += dot(lambda, lambda) * present;
     for (int lane = 0; lane < lanes && c + lane < matrix.count; ++lane) {
-      const double* a = matrix.data + (c + lane) * rows;
-      double* b = scaled_matrix_.data() + (c + lane) * rows;
-      const int component = matrix.stride * rows;
-      for (int i = 0; i < rows; i += lanes) {
-        Cones entries;
-        for (int d = 0; d < D; ++d)
-          entries[static_cast<std::size_t>(d)] = load(a + d * component + i);
-        for (int d = 0; d < D; ++d) {
-          Pack sum = {};
-          for (std::size_t e = 0; e < entries.size(); ++e)
-            sum += entries[e] * scaling.entry(e, static_cast<std::size_t>(d))[lane];
-          store(b + d * component + i, sum);
-        }
-      }
+      const auto first = static_cast<Eigen::Index>(c + lane) * rows;
+      scale_columns(matrix.data + first, scaled_matrix_.data() + first, matrix.stride * rows, rows,
+                    scaling, lane);
     }
   }
   product(matrix, x_.data(), trial_.data());
   for (int i = 0; i < rows; i += lanes) {
     const Pack v = load(v_.data() + i), y = load(y_.data() + i);
     const double* slack = program.slack().data() + i;
-    const Pack point = where(slack, root(v * y), everywhere(1));
-    product_sum += where(slack, v * y, Pack{});
-    store(slack_scale_.data() + i, where(slack, root(v / y), Pack{}));
+    const Pack point = where(slack, root(v * y), 1.0);
+    product_sum += where(slack, v * y, 0.0);
+    store(slack_scale_.data() + i, where(slack, root(v / y), 0.0));
     store(slack_point_.data() + i, point);
     const Pack b = load(program.right_side().data() + i);
     store(predictor_.data() + i, b);
@@ -183,8 +186,8 @@ const Points<D>& InteriorPoint<D>::project_again(const Eigen::VectorXd& discrepa
 }
 
 template <int D>
-KUSABI_ALSO_FOR_AVX2 void InteriorPoint<D>::shift_projected(const NodeProgram<D>& program,
-                                                            const Eigen::VectorXd& weights) {
+void InteriorPoint<D>::shift_projected(const NodeProgram<D>& program,
+                                       const Eigen::VectorXd& weights) {
   transposed_product(program.matrix(), weights.data(), products_.data());
   for (int c = 0; c < program.matrix().count; c += lanes) {
     const Cones shift = scaling(c).times(scaling(c).times(load_cones(products_, c)));
@@ -195,8 +198,8 @@ KUSABI_ALSO_FOR_AVX2 void InteriorPoint<D>::shift_projected(const NodeProgram<D>
 }
 
 template <int D>
-KUSABI_ALSO_FOR_AVX2 auto InteriorPoint<D>::directions(const NodeProgram<D>& program,
-                                                       const Eigen::VectorXd& dy) -> Reach {
+auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::VectorXd& dy)
+    -> Reach {
   const Columns matrix = program.matrix();
   transposed_product(matrix, dy.data(), products_.data());
   Pack dual = {}, primal = {};
@@ -220,7 +223,7 @@ KUSABI_ALSO_FOR_AVX2 auto InteriorPoint<D>::directions(const NodeProgram<D>& pro
     const Pack change = load(dy.data() + i);
     const Pack point = load(slack_point_.data() + i);
     const Pack step_y = load(slack_scale_.data() + i) * change;
-    const Pack step_v = where(slack, load(step_v_.data() + i) - point - step_y, Pack{});
+    const Pack step_v = where(slack, load(step_v_.data() + i) - point - step_y, 0.0);
     store(step_y_.data() + i, step_y);
     store(step_v_.data() + i, step_v);
     dual = larger(dual, -step_y / point);
@@ -230,8 +233,7 @@ KUSABI_ALSO_FOR_AVX2 auto InteriorPoint<D>::directions(const NodeProgram<D>& pro
 }
 
 template <int D>
-KUSABI_ALSO_FOR_AVX2 void InteriorPoint<D>::correct(const NodeProgram<D>& program, double target,
-                                                    double share) {
+void InteriorPoint<D>::correct(const NodeProgram<D>& program, double target, double share) {
   const Columns matrix = program.matrix();
   for (int c = 0; c < matrix.count; c += lanes) {
     Cones right_side = jordan_product(load_cones(step_x_, c), load_cones(step_z_, c));
@@ -275,22 +277,21 @@ bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
 }
 
 template <int D>
-KUSABI_ALSO_FOR_AVX2 bool InteriorPoint<D>::move_primal(const NodeProgram<D>& program,
-                                                        double step) {
+bool InteriorPoint<D>::move_primal(const NodeProgram<D>& program, double step) {
   const Columns matrix = program.matrix();
-  Answers inside = Pack{} == Pack{};
+  Pack::Answers inside = Pack(1.0) > 0.0;
   for (int c = 0; c < matrix.count; c += lanes) {
     const Cones change = scaling(c).times(load_cones(step_x_, c));
     Cones x = load_cones(x_, c);
     for (std::size_t d = 0; d < x.size(); ++d) x[d] += step * change[d];
     store_cones(x_, c, x);
-    inside &= margin(x) > Pack{};
+    inside &= margin(x) > 0.0;
   }
   for (int i = 0; i < matrix.rows; i += lanes) {
     const Pack change = load(slack_scale_.data() + i) * load(step_v_.data() + i);
     const Pack v = load(v_.data() + i) + step * change;
     store(v_.data() + i, v);
-    inside &= where(program.slack().data() + i, v, everywhere(1)) > Pack{};
+    inside &= where(program.slack().data() + i, v, 1.0) > 0.0;
   }
   return all(inside);
 }

@@ -69,18 +69,19 @@ class InteriorPoint {
   }
 
   // Adds W^2 A' weights to the projected point.
-  void shift_projected(const NodeProgram<D>& program, const Eigen::VectorXd& weights);
+  KUSABI_ALSO_FOR_AVX2 void shift_projected(const NodeProgram<D>& program,
+                                            const Eigen::VectorXd& weights);
   // z = c - A'y; whether it is inside the cones and y > 0 on the rows with a slack.
-  bool refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y);
+  KUSABI_ALSO_FOR_AVX2 bool refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y);
   // Scales x, z and A in all cones, v and y in all rows; sets the missing part b - A x + v.
   // Returns the largest entry on the diagonals of W.
-  double scale(const NodeProgram<D>& program);
+  KUSABI_ALSO_FOR_AVX2 double scale(const NodeProgram<D>& program);
   // W dz = -W A' dy and W^-1 dx = q - lambda - W dz in both kinds of cone, where step_x_ and
   // step_v_ hold q.
-  Reach directions(const NodeProgram<D>& program, const Eigen::VectorXd& dy);
+  KUSABI_ALSO_FOR_AVX2 Reach directions(const NodeProgram<D>& program, const Eigen::VectorXd& dy);
   // The q of the corrector, into step_x_ and step_v_, and the right side A W q into trial_.
-  void correct(const NodeProgram<D>& program, double target, double share);
-  bool move_primal(const NodeProgram<D>& program, double step);
+  KUSABI_ALSO_FOR_AVX2 void correct(const NodeProgram<D>& program, double target, double share);
+  KUSABI_ALSO_FOR_AVX2 bool move_primal(const NodeProgram<D>& program, double step);
   bool move_dual(const NodeProgram<D>& program, double step);
 
   Points<D> x_, z_, projected_;

@@ -18,7 +18,7 @@ KUSABI_INLINE void add_products(const double* x, int distance, int count, int ro
     Pack left[Height];
     for (int i = 0; i < Height; ++i) left[i] = load(x + row + lanes * i);
     for (int j = 0; j < lanes; ++j) {
-      const Pack right = everywhere(x[column + j]);
+      const Pack right = x[column + j];
       for (int i = 0; i < Height; ++i) sums[j][i] += left[i] * right;
     }
   }
@@ -81,7 +81,7 @@ KUSABI_INLINE void substitute_back(const double* factor, int distance, int rows,
                             inverse[column + 1];
       const double first =
           (rest[0] - block[3] * last - block[2] * third - block[1] * second) * inverse[column];
-      store(sides[n] + column, Pack{first, second, third, last});
+      store(sides[n] + column, Pack::Lanes{first, second, third, last});
     }
   }
 }
@@ -110,7 +110,8 @@ KUSABI_ALSO_FOR_AVX2
 bool NormalEquations::factorise(double* first, double* second) {
   double* const matrix = matrix_.data();
   for (int column = 0; column < padded_rows_; ++column)
-    store(matrix + column * height_ + padded_rows_, Pack{first[column], second[column], 0, 0});
+    store(matrix + column * height_ + padded_rows_,
+          Pack::Lanes{first[column], second[column], 0, 0});
   for (int column = 0; column < padded_rows_; column += lanes) {
     int row = column;
     for (; row + 2 * lanes <= height_; row += 2 * lanes)

@@ -18,15 +18,10 @@
 #endif
 #define KUSABI_INLINE [[gnu::always_inline]] inline
 
-// How packs are passed to functions differs with AVX; no function of ours that takes one remains.
+// How a vector is passed to a function differs with AVX; all functions that take one are inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace kusabi::conic {
-
-using Pack = double __attribute__((vector_size(32)));
-
-/// What comparing two packs gives: all bits set for yes, none for no.
-using Answers = decltype(Pack{} > Pack{});
 
 constexpr int lanes = 4;
 
@@ -35,18 +30,38 @@ constexpr int padded(int size) {
   return (size + lanes - 1) / lanes * lanes;
 }
 
+/// Four numbers; a number by itself stands for four equal ones.
+struct alignas(32) Pack {
+  using Lanes = double __attribute__((vector_size(32)));
+  /// What comparing gives: all bits set for yes, none for no.
+  using Answers = decltype(Lanes{} > Lanes{});
+
+  Pack() = default;
+  KUSABI_INLINE Pack(Lanes four) : values(four) {}
+  KUSABI_INLINE Pack(double one) : values(Lanes{1, 1, 1, 1} * one) {}
+
+  KUSABI_INLINE double operator[](int lane) const { return values[lane]; }
+  KUSABI_INLINE Pack operator-() const { return -values; }
+  KUSABI_INLINE Pack& operator+=(Pack other) { return *this = values + other.values; }
+  KUSABI_INLINE Pack& operator-=(Pack other) { return *this = values - other.values; }
+  KUSABI_INLINE Pack& operator*=(Pack other) { return *this = values * other.values; }
+  KUSABI_INLINE friend Pack operator+(Pack a, Pack b) { return a.values + b.values; }
+  KUSABI_INLINE friend Pack operator-(Pack a, Pack b) { return a.values - b.values; }
+  KUSABI_INLINE friend Pack operator*(Pack a, Pack b) { return a.values * b.values; }
+  KUSABI_INLINE friend Pack operator/(Pack a, Pack b) { return a.values / b.values; }
+  KUSABI_INLINE friend Answers operator>(Pack a, Pack b) { return a.values > b.values; }
+
+  Lanes values;
+};
+
 KUSABI_INLINE Pack load(const double* from) {
   Pack pack;
-  std::memcpy(&pack, from, sizeof pack);
+  std::memcpy(&pack.values, from, sizeof pack.values);
   return pack;
 }
 
 KUSABI_INLINE void store(double* to, Pack pack) {
-  std::memcpy(to, &pack, sizeof pack);
-}
-
-KUSABI_INLINE Pack everywhere(double value) {
-  return Pack{value, value, value, value};
+  std::memcpy(to, &pack.values, sizeof pack.values);
 }
 
 KUSABI_INLINE double root(double value) {
@@ -54,17 +69,18 @@ KUSABI_INLINE double root(double value) {
 }
 
 KUSABI_INLINE Pack root(Pack pack) {
-  return Pack{std::sqrt(pack[0]), std::sqrt(pack[1]), std::sqrt(pack[2]), std::sqrt(pack[3])};
+  return Pack::Lanes{std::sqrt(pack[0]), std::sqrt(pack[1]), std::sqrt(pack[2]),
+                     std::sqrt(pack[3])};
 }
 
 /// The larger one in each lane, b where they cannot be compared.
 KUSABI_INLINE Pack larger(Pack a, Pack b) {
-  return a > b ? a : b;
+  return a > b ? a.values : b.values;
 }
 
 /// In each lane `yes` where the number at `chosen` is positive and `no` where it is not.
 KUSABI_INLINE Pack where(const double* chosen, Pack yes, Pack no) {
-  return load(chosen) > Pack{} ? yes : no;
+  return load(chosen) > 0.0 ? yes.values : no.values;
 }
 
 /// The largest lane.
@@ -81,16 +97,17 @@ KUSABI_INLINE double total(Pack pack) {
 
 /// The sums of four packs, a lane each.
 KUSABI_INLINE Pack totals(const Pack (&packs)[lanes]) {
-  const Pack first = __builtin_shufflevector(packs[0], packs[1], 0, 4, 2, 6) +
-                     __builtin_shufflevector(packs[0], packs[1], 1, 5, 3, 7);
-  const Pack second = __builtin_shufflevector(packs[2], packs[3], 0, 4, 2, 6) +
-                      __builtin_shufflevector(packs[2], packs[3], 1, 5, 3, 7);
-  return __builtin_shufflevector(first, second, 0, 1, 4, 5) +
-         __builtin_shufflevector(first, second, 2, 3, 6, 7);
+  const Pack::Lanes a = packs[0].values, b = packs[1].values;
+  const Pack::Lanes c = packs[2].values, d = packs[3].values;
+  const Pack::Lanes ab =
+      __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Pack::Lanes cd =
+      __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
 /// Whether the answer is yes in all lanes.
-KUSABI_INLINE bool all(Answers answers) {
+KUSABI_INLINE bool all(Pack::Answers answers) {
   return (answers[0] & answers[1] & answers[2] & answers[3]) != 0;
 }
 
