@@ -46,18 +46,37 @@ KUSABI_INLINE void reduce_block(double* matrix, int distance, int row, int colum
     }
 }
 
-// Factorises the block on the diagonal; false when a pivot is not positive.
+// Factorises the block on the diagonal; false when a pivot is not positive. Without square roots
+// first, since each pivot has to wait for the one before.
 KUSABI_INLINE bool factorise_block(double* block, int distance, double* inverse) {
+  double a[lanes][lanes];
+  for (int j = 0; j < lanes; ++j)
+    for (int i = j; i < lanes; ++i) a[j][i] = block[j * distance + i];
+  bool sound = true;
   for (int j = 0; j < lanes; ++j) {
-    double* column = block + j * distance;
-    for (int k = 0; k < j; ++k)
-      for (int i = j; i < lanes; ++i)
-        column[i] -= block[k * distance + i] * block[k * distance + j];
-    if (!(column[j] > 0)) return false;
-    inverse[j] = 1 / std::sqrt(column[j]);
-    for (int i = j; i < lanes; ++i) column[i] *= inverse[j];
+    sound = sound && a[j][j] > 0;
+    const double reciprocal = 1 / a[j][j];
+    for (int k = j + 1; k < lanes; ++k) {
+      const double share = a[j][k] * reciprocal;
+      for (int i = k; i < lanes; ++i) a[k][i] -= share * a[j][i];
+    }
   }
-  return true;
+  store(inverse, 1.0 / root(Pack::Lanes{a[0][0], a[1][1], a[2][2], a[3][3]}));
+  for (int j = 0; j < lanes; ++j)
+    for (int i = j + 1; i < lanes; ++i) block[j * distance + i] = a[j][i] * inverse[j];
+  return sound;
+}
+
+// The columns of the factor below its block on the diagonal.
+KUSABI_INLINE void divide_by_block(double* panel, int distance, int row, const double* block,
+                                   const double* inverse) {
+  Pack columns[lanes];
+  for (int j = 0; j < lanes; ++j) {
+    columns[j] = load(panel + j * distance + row);
+    for (int k = 0; k < j; ++k) columns[j] -= columns[k] * block[k * distance + j];
+    columns[j] *= inverse[j];
+  }
+  for (int j = 0; j < lanes; ++j) store(panel + j * distance + row, columns[j]);
 }
 
 // Solves with the transpose of the factor, Count right sides in place.
@@ -122,12 +141,7 @@ bool NormalEquations::factorise(double* first, double* second) {
     double* const inverse = inverse_.data() + column;
     if (!factorise_block(panel + column, height_, inverse)) return false;
     for (int i = column + lanes; i < height_; i += lanes)
-      for (int j = 0; j < lanes; ++j) {
-        Pack entries = load(panel + j * height_ + i);
-        for (int k = 0; k < j; ++k)
-          entries -= load(panel + k * height_ + i) * panel[k * height_ + column + j];
-        store(panel + j * height_ + i, entries * inverse[j]);
-      }
+      divide_by_block(panel, height_, i, panel + column, inverse);
   }
   for (int column = 0; column < padded_rows_; ++column) {
     first[column] = matrix[column * height_ + padded_rows_];
