@@ -107,7 +107,7 @@ template <int D>
 bool InteriorPoint<D>::refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y) {
   const Columns matrix = program.matrix();
   transposed_product(matrix, y.data(), products_.data());
-  Pack::Answers inside = Pack(1.0) > 0.0;
+  Answers inside = Pack(1.0) > 0.0;
   for (int c = 0; c < matrix.count; c += lanes) {
     Cones z = load_cones(products_, c);
     z[0] = 1.0 - z[0];
@@ -279,7 +279,7 @@ bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
 template <int D>
 bool InteriorPoint<D>::move_primal(const NodeProgram<D>& program, double step) {
   const Columns matrix = program.matrix();
-  Pack::Answers inside = Pack(1.0) > 0.0;
+  Answers inside = Pack(1.0) > 0.0;
   for (int c = 0; c < matrix.count; c += lanes) {
     const Cones change = scaling(c).times(load_cones(step_x_, c));
     Cones x = load_cones(x_, c);

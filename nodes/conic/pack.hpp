@@ -18,9 +18,6 @@
 #endif
 #define KUSABI_INLINE [[gnu::always_inline]] inline
 
-// How a vector is passed to a function differs with AVX; all functions that take one are inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace kusabi::conic {
 
 constexpr int lanes = 4;
@@ -33,26 +30,37 @@ constexpr int padded(int size) {
 /// Four numbers; a number by itself stands for four equal ones.
 struct alignas(32) Pack {
   using Lanes = double __attribute__((vector_size(32)));
-  /// What comparing gives: all bits set for yes, none for no.
-  using Answers = decltype(Lanes{} > Lanes{});
 
   Pack() = default;
-  KUSABI_INLINE Pack(Lanes four) : values(four) {}
+  KUSABI_INLINE Pack(const Lanes& four) : values(four) {}
   KUSABI_INLINE Pack(double one) : values(Lanes{1, 1, 1, 1} * one) {}
 
   KUSABI_INLINE double operator[](int lane) const { return values[lane]; }
   KUSABI_INLINE Pack operator-() const { return -values; }
-  KUSABI_INLINE Pack& operator+=(Pack other) { return *this = values + other.values; }
-  KUSABI_INLINE Pack& operator-=(Pack other) { return *this = values - other.values; }
-  KUSABI_INLINE Pack& operator*=(Pack other) { return *this = values * other.values; }
-  KUSABI_INLINE friend Pack operator+(Pack a, Pack b) { return a.values + b.values; }
-  KUSABI_INLINE friend Pack operator-(Pack a, Pack b) { return a.values - b.values; }
-  KUSABI_INLINE friend Pack operator*(Pack a, Pack b) { return a.values * b.values; }
-  KUSABI_INLINE friend Pack operator/(Pack a, Pack b) { return a.values / b.values; }
-  KUSABI_INLINE friend Answers operator>(Pack a, Pack b) { return a.values > b.values; }
+  KUSABI_INLINE Pack& operator+=(const Pack& other) { return *this = values + other.values; }
+  KUSABI_INLINE Pack& operator-=(const Pack& other) { return *this = values - other.values; }
+  KUSABI_INLINE Pack& operator*=(const Pack& other) { return *this = values * other.values; }
+  KUSABI_INLINE friend Pack operator+(const Pack& a, const Pack& b) { return a.values + b.values; }
+  KUSABI_INLINE friend Pack operator-(const Pack& a, const Pack& b) { return a.values - b.values; }
+  KUSABI_INLINE friend Pack operator*(const Pack& a, const Pack& b) { return a.values * b.values; }
+  KUSABI_INLINE friend Pack operator/(const Pack& a, const Pack& b) { return a.values / b.values; }
 
   Lanes values;
 };
+
+/// What comparing two packs gives, in each lane all bits set for yes and none for no.
+struct alignas(32) Answers {
+  KUSABI_INLINE Answers& operator&=(const Answers& others) {
+    bits &= others.bits;
+    return *this;
+  }
+
+  decltype(Pack::Lanes{} > Pack::Lanes{}) bits;
+};
+
+KUSABI_INLINE Answers operator>(const Pack& a, const Pack& b) {
+  return {a.values > b.values};
+}
 
 KUSABI_INLINE Pack load(const double* from) {
   Pack pack;
@@ -60,7 +68,7 @@ KUSABI_INLINE Pack load(const double* from) {
   return pack;
 }
 
-KUSABI_INLINE void store(double* to, Pack pack) {
+KUSABI_INLINE void store(double* to, const Pack& pack) {
   std::memcpy(to, &pack.values, sizeof pack.values);
 }
 
@@ -68,30 +76,30 @@ KUSABI_INLINE double root(double value) {
   return std::sqrt(value);
 }
 
-KUSABI_INLINE Pack root(Pack pack) {
+KUSABI_INLINE Pack root(const Pack& pack) {
   return Pack::Lanes{std::sqrt(pack[0]), std::sqrt(pack[1]), std::sqrt(pack[2]),
                      std::sqrt(pack[3])};
 }
 
 /// The larger one in each lane, b where they cannot be compared.
-KUSABI_INLINE Pack larger(Pack a, Pack b) {
-  return a > b ? a.values : b.values;
+KUSABI_INLINE Pack larger(const Pack& a, const Pack& b) {
+  return (a > b).bits ? a.values : b.values;
 }
 
 /// In each lane `yes` where the number at `chosen` is positive and `no` where it is not.
-KUSABI_INLINE Pack where(const double* chosen, Pack yes, Pack no) {
-  return load(chosen) > 0.0 ? yes.values : no.values;
+KUSABI_INLINE Pack where(const double* chosen, const Pack& yes, const Pack& no) {
+  return (load(chosen) > 0.0).bits ? yes.values : no.values;
 }
 
 /// The largest lane.
-KUSABI_INLINE double largest(Pack pack) {
+KUSABI_INLINE double largest(const Pack& pack) {
   const double even = pack[0] > pack[2] ? pack[0] : pack[2];
   const double odd = pack[1] > pack[3] ? pack[1] : pack[3];
   return even > odd ? even : odd;
 }
 
 /// The sum of the lanes.
-KUSABI_INLINE double total(Pack pack) {
+KUSABI_INLINE double total(const Pack& pack) {
   return (pack[0] + pack[2]) + (pack[1] + pack[3]);
 }
 
@@ -107,8 +115,8 @@ KUSABI_INLINE Pack totals(const Pack (&packs)[lanes]) {
 }
 
 /// Whether the answer is yes in all lanes.
-KUSABI_INLINE bool all(Pack::Answers answers) {
-  return (answers[0] & answers[1] & answers[2] & answers[3]) != 0;
+KUSABI_INLINE bool all(const Answers& answers) {
+  return (answers.bits[0] & answers.bits[1] & answers.bits[2] & answers.bits[3]) != 0;
 }
 
 }  // namespace kusabi::conic

@@ -155,6 +155,31 @@ TYPED_TEST(Cone, StepAlongTheConeIsUnbounded) {
   EXPECT_GT(scaling.inverse_step(point<D>(-this->interior(0.5))), 0);
 }
 
+TYPED_TEST(Cone, FourAtOnceHaveTheBitsOfEach) {
+  constexpr int D = TestFixture::dimension;
+  Point<D, Pack> x, z;
+  std::array<Point<D>, lanes> each_x, each_z;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    each_x[lane] = point<D>(this->interior(depths[lane]));
+    each_z[lane] = point<D>(this->interior(depths[lanes - 1 - lane]));
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = Pack::Lanes{each_x[0][i], each_x[1][i], each_x[2][i], each_x[3][i]};
+    z[i] = Pack::Lanes{each_z[0][i], each_z[1][i], each_z[2][i], each_z[3][i]};
+  }
+  const Scaling<D, Pack> scaling(x, z);
+  for (int lane = 0; lane < lanes; ++lane) {
+    const auto at = static_cast<std::size_t>(lane);
+    const Scaling<D> alone(each_x[at], each_z[at]);
+    EXPECT_EQ(scaling.inverse_step(z)[lane], alone.inverse_step(each_z[at]));
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      EXPECT_EQ(scaling.point()[i][lane], alone.point()[i]);
+      EXPECT_EQ(scaling.times(x)[i][lane], alone.times(each_x[at])[i]);
+      EXPECT_EQ(scaling.jordan_divide(x)[i][lane], alone.jordan_divide(each_x[at])[i]);
+    }
+  }
+}
+
 TEST(ConeDeterminant, KeepsItsDigitsNearTheBoundary) {
   // x = (5 + 2^-40, 3, 4): det = 2^-40 (10 + 2^-40), where x_0^2 rounds away what matters.
   const double little = std::ldexp(1.0, -40);
