@@ -4,40 +4,63 @@
 //
 // that an interior-point method needs: Jordan product, step to the boundary, Nesterov-Todd scaling.
 // A friction cone with d - 1 tangents is Q_d (the wedged paper, equation (4), in scaled form).
-// D is a template argument because the cones are tiny (2 or 3): every operation unrolls.
+// D is a template argument because the cones are tiny (2 or 3): every operation unrolls. Real is
+// double, or Pack for four cones at once.
 #pragma once
 
-#include <cmath>
+#include <array>
 
-#include <Eigen/Core>
+#include "nodes/conic/pack.hpp"
 
 namespace kusabi::conic {
 
 /// A point of R^D; the head is entry 0.
-template <int D>
-using Point = Eigen::Matrix<double, D, 1>;
+template <int D, class Real = double>
+using Point = std::array<Real, static_cast<std::size_t>(D)>;
+
+/// x'y.
+template <std::size_t D, class Real>
+KUSABI_INLINE Real dot(const std::array<Real, D>& x, const std::array<Real, D>& y) {
+  Real sum = x[0] * y[0];
+  for (std::size_t i = 1; i < D; ++i) sum += x[i] * y[i];
+  return sum;
+}
+
+/// x_1'y_1.
+template <std::size_t D, class Real>
+KUSABI_INLINE Real tail_dot(const std::array<Real, D>& x, const std::array<Real, D>& y) {
+  Real sum = x[1] * y[1];
+  for (std::size_t i = 2; i < D; ++i) sum += x[i] * y[i];
+  return sum;
+}
+
+/// ||x_1||.
+template <std::size_t D, class Real>
+KUSABI_INLINE Real radius(const std::array<Real, D>& x) {
+  return root(tail_dot(x, x));
+}
+
+/// How far inside Q_D x is, x_0 - ||x_1||: positive exactly in the interior.
+template <std::size_t D, class Real>
+KUSABI_INLINE Real margin(const std::array<Real, D>& x) {
+  return x[0] - radius(x);
+}
 
 /// x_0^2 - ||x_1||^2, as a product of two factors because the difference of squares would lose
 /// its digits near the boundary. Positive with x_0 > 0 exactly when x is inside the cone.
-template <int D>
-double determinant(const Point<D>& x) {
-  const double radius = x.template tail<D - 1>().norm();
-  return (x[0] - radius) * (x[0] + radius);
-}
-
-/// Whether x lies in the interior of Q_D. False for a point that is not a number.
-template <int D>
-bool inside(const Point<D>& x) {
-  return x[0] > x.template tail<D - 1>().norm();
+template <std::size_t D, class Real>
+KUSABI_INLINE Real determinant(const std::array<Real, D>& x) {
+  const Real around = radius(x);
+  return (x[0] - around) * (x[0] + around);
 }
 
 /// The Jordan product x o y = (x'y, x_0 y_1 + y_0 x_1). Its identity is e = (1, 0).
-template <int D>
-Point<D> jordan_product(const Point<D>& x, const Point<D>& y) {
-  Point<D> product;
-  product[0] = x.dot(y);
-  product.template tail<D - 1>() =
-      x[0] * y.template tail<D - 1>() + y[0] * x.template tail<D - 1>();
+template <std::size_t D, class Real>
+KUSABI_INLINE std::array<Real, D> jordan_product(const std::array<Real, D>& x,
+                                                 const std::array<Real, D>& y) {
+  std::array<Real, D> product;
+  product[0] = dot(x, y);
+  for (std::size_t i = 1; i < D; ++i) product[i] = x[0] * y[i] + y[0] * x[i];
   return product;
 }
 
@@ -45,74 +68,97 @@ Point<D> jordan_product(const Point<D>& x, const Point<D>& y) {
 /// W z = W^-1 x = lambda, and what the iteration does in the scaled space.
 /// With the determinants taken out, w = (x + J z) / |x + J z| and W = sqrt(det x / det z)^(1/2)
 /// V(w) where V(w) = [w_0, w_1'; w_1, I + w_1 w_1' / (1 + w_0)].
-template <int D>
+template <int D, class Real = double>
 class Scaling {
+  static constexpr std::size_t size = D;
+
  public:
+  using Vector = Point<D, Real>;
+
   Scaling() = default;
 
   /// Both points must be inside the cone.
-  Scaling(const Point<D>& x, const Point<D>& z) {
-    const double root_x = std::sqrt(determinant<D>(x));
-    const double root_z = std::sqrt(determinant<D>(z));
-    const Point<D> x_unit = x * (1 / root_x);
-    const Point<D> z_unit = z * (1 / root_z);
-    const auto x_tail = x_unit.template tail<D - 1>();
-    const auto z_tail = z_unit.template tail<D - 1>();
-    const double half = std::sqrt((1 + x_unit.dot(z_unit)) / 2);
-
-    const double w_head = (x_unit[0] + z_unit[0]) / (2 * half);
-    const double size = std::sqrt(root_x / root_z);
-    const Eigen::Matrix<double, D - 1, 1> w_tail = (x_tail - z_tail) * (1 / (2 * half));
-    const Eigen::Matrix<double, D - 1, 1> scaled_tail = size * w_tail;
-    matrix_(0, 0) = size * w_head;
-    matrix_.template bottomLeftCorner<D - 1, 1>() = scaled_tail;
-    matrix_.template topRightCorner<1, D - 1>() = scaled_tail.transpose();
-    matrix_.template bottomRightCorner<D - 1, D - 1>().noalias() =
-        (scaled_tail * (1 / (1 + w_head))) * w_tail.transpose();
-    matrix_.template bottomRightCorner<D - 1, D - 1>().diagonal().array() += size;
+  KUSABI_INLINE Scaling(const Vector& x, const Vector& z) {
+    const Real root_x = root(determinant(x));
+    const Real root_z = root(determinant(z));
+    const Real inverse_x = 1.0 / root_x;
+    const Real inverse_z = 1.0 / root_z;
+    Vector x_unit, z_unit;
+    for (std::size_t i = 0; i < size; ++i) {
+      x_unit[i] = x[i] * inverse_x;
+      z_unit[i] = z[i] * inverse_z;
+    }
+    const Real half = root((1.0 + dot(x_unit, z_unit)) * 0.5);
+    const Real stretch = root(root_x * inverse_z);
+    const Real normaliser = 0.5 / half;
+    const Real w_head = (x_unit[0] + z_unit[0]) * normaliser;
+    const Real tail_share = stretch / (1.0 + w_head);
+    std::array<Real, size> w;
+    for (std::size_t i = 1; i < size; ++i) w[i] = (x_unit[i] - z_unit[i]) * normaliser;
+    matrix_[0][0] = stretch * w_head;
+    for (std::size_t i = 1; i < size; ++i) {
+      matrix_[i][0] = matrix_[0][i] = stretch * w[i];
+      for (std::size_t j = 1; j <= i; ++j) matrix_[i][j] = matrix_[j][i] = tail_share * w[i] * w[j];
+      matrix_[i][i] += stretch;
+    }
 
     // lambda in closed form: W z would cancel near the boundary.
-    root_ = root_z * size;
-    inverse_root_ = 1 / root_;
+    root_ = root_z * stretch;
+    inverse_root_ = 1.0 / root_;
     unit_[0] = half;
-    unit_.template tail<D - 1>() = ((half + z_unit[0]) * x_tail + (half + x_unit[0]) * z_tail) *
-                                   (1 / (x_unit[0] + z_unit[0] + 2 * half));
-    inverse_shift_ = 1 / (1 + half);
+    const Real share = 1.0 / (x_unit[0] + z_unit[0] + 2.0 * half);
+    for (std::size_t i = 1; i < size; ++i)
+      unit_[i] = ((half + z_unit[0]) * x_unit[i] + (half + x_unit[0]) * z_unit[i]) * share;
+    inverse_head_ = 2.0 * normaliser;
+    inverse_shift_ = 1.0 / (1.0 + half);
   }
 
-  /// W, D x D, symmetric positive definite.
-  const Eigen::Matrix<double, D, D>& matrix() const { return matrix_; }
+  /// W_ij; W is symmetric positive definite.
+  KUSABI_INLINE Real entry(std::size_t i, std::size_t j) const { return matrix_[i][j]; }
+
+  /// W p.
+  KUSABI_INLINE Vector times(const Vector& p) const {
+    Vector product;
+    for (std::size_t i = 0; i < size; ++i) product[i] = dot(matrix_[i], p);
+    return product;
+  }
 
   /// The scaled point lambda = W z = W^-1 x.
-  Point<D> point() const { return root_ * unit_; }
+  KUSABI_INLINE Vector point() const {
+    Vector lambda;
+    for (std::size_t i = 0; i < size; ++i) lambda[i] = root_ * unit_[i];
+    return lambda;
+  }
 
   /// The solution q of lambda o q = right_side.
-  Point<D> jordan_divide(const Point<D>& right_side) const {
-    const auto unit_tail = unit_.template tail<D - 1>();
-    Point<D> quotient;
-    quotient[0] = unit_[0] * right_side[0] - unit_tail.dot(right_side.template tail<D - 1>());
-    quotient.template tail<D - 1>() =
-        (right_side.template tail<D - 1>() - quotient[0] * unit_tail) / unit_[0];
-    return quotient * inverse_root_;
+  KUSABI_INLINE Vector jordan_divide(const Vector& right_side) const {
+    const Real head = unit_[0] * right_side[0] - tail_dot(unit_, right_side);
+    Vector quotient;
+    quotient[0] = head * inverse_root_;
+    const Real share = inverse_head_ * inverse_root_;
+    for (std::size_t i = 1; i < size; ++i) quotient[i] = (right_side[i] - head * unit_[i]) * share;
+    return quotient;
   }
 
   /// The reciprocal of the largest step a with lambda + a direction in the cone; not positive when
   /// no step leaves it. The reciprocals of several cones combine by their maximum.
   /// Turns lambda into the identity e first, where the reciprocal is ||d_1|| - d_0.
-  double inverse_step(const Point<D>& direction) const {
-    const auto unit_tail = unit_.template tail<D - 1>();
-    const auto tail = direction.template tail<D - 1>();
-    const double head = unit_[0] * direction[0] - unit_tail.dot(tail);
-    const double radius = (tail - (head + direction[0]) * inverse_shift_ * unit_tail).norm();
-    return (radius - head) * inverse_root_;
+  KUSABI_INLINE Real inverse_step(const Vector& direction) const {
+    const Real head = unit_[0] * direction[0] - tail_dot(unit_, direction);
+    const Real share = (head + direction[0]) * inverse_shift_;
+    Vector turned;
+    turned[0] = head;
+    for (std::size_t i = 1; i < size; ++i) turned[i] = direction[i] - share * unit_[i];
+    return -margin(turned) * inverse_root_;
   }
 
  private:
-  Eigen::Matrix<double, D, D> matrix_;  // W
-  Point<D> unit_;                       // lambda / sqrt(det lambda)
-  double root_ = 0;                     // sqrt(det lambda)
-  double inverse_root_ = 0;
-  double inverse_shift_ = 0;  // 1 / (unit_[0] + 1)
+  std::array<Vector, size> matrix_;  // W
+  Vector unit_;                      // lambda / sqrt(det lambda)
+  Real root_;                        // sqrt(det lambda)
+  Real inverse_root_;
+  Real inverse_head_;   // 1 / unit_[0]
+  Real inverse_shift_;  // 1 / (unit_[0] + 1)
 };
 
 }  // namespace kusabi::conic

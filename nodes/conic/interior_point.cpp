@@ -36,199 +36,264 @@ constexpr double diagonal_shift = 1e-15;
 // goes back far enough, or the digits are used up.
 constexpr int most_halvings = 8;
 
+// The columns of one cone of B = A W: the cone of this lane.
+template <int D>
+KUSABI_INLINE void scale_columns(const double* a, double* b, int distance, int rows,
+                                 const Scaling<D, Pack>& scaling, int lane) {
+  std::array<Point<D, Pack>, static_cast<std::size_t>(D)> w;
+  for (std::size_t i = 0; i < w.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) w[i][j] = w[j][i] = scaling.entry(i, j)[lane];
+  for (int row = 0; row < rows; row += lanes) {
+    Point<D, Pack> entries;
+    for (int d = 0; d < D; ++d) entries[static_cast<std::size_t>(d)] = load(a + d * distance + row);
+    for (int d = 0; d < D; ++d)
+      store(b + d * distance + row, dot(entries, w[static_cast<std::size_t>(d)]));
+  }
+}
+
 }  // namespace
 
 template <int D>
-InteriorPoint<D>::InteriorPoint(int candidates, int most_cones) {
-  const Eigen::Index m = candidates;
-  const Eigen::Index cones = most_cones;
-  for (Points* points : {&x_, &z_, &projected_, &step_x_, &step_z_}) points->setZero(D, cones);
-  for (Eigen::VectorXd* rows : {&v_, &y_, &slack_scale_, &slack_point_, &predictor_, &correction_,
-                                &dy_, &trial_, &step_v_, &step_y_})
-    rows->setZero(m);
-  scaling_.resize(static_cast<std::size_t>(most_cones));
-  scaled_matrix_.setZero(m, D * cones);
-  normal_matrix_.setZero(m, m);
-  factor_ = Eigen::LLT<Eigen::MatrixXd>(m);
+InteriorPoint<D>::InteriorPoint(int candidates, int most_cones) : normal_equations_(candidates) {
+  const Eigen::Index rows = padded(candidates);
+  const Eigen::Index cones = padded(most_cones);
+  for (Points<D>* points : {&x_, &z_, &projected_, &step_x_, &step_z_, &products_})
+    points->setZero(cones, D);
+  for (Eigen::VectorXd* numbers : {&v_, &y_, &slack_scale_, &slack_point_, &predictor_,
+                                   &correction_, &dy_, &trial_, &step_v_, &step_y_})
+    numbers->setZero(rows);
+  present_.setZero(cones);
+  scaling_.resize(static_cast<std::size_t>(cones / lanes));
+  scaled_matrix_.setZero(rows, D * cones);
+}
+
+template <int D>
+KUSABI_INLINE auto InteriorPoint<D>::load_cones(const Points<D>& points, int cone) -> Cones {
+  Cones values;
+  for (std::size_t d = 0; d < values.size(); ++d)
+    values[d] = load(points.data() + static_cast<Eigen::Index>(d) * points.rows() + cone);
+  return values;
+}
+
+template <int D>
+KUSABI_INLINE void InteriorPoint<D>::store_cones(Points<D>& points, int cone, const Cones& values) {
+  for (std::size_t d = 0; d < values.size(); ++d)
+    store(points.data() + static_cast<Eigen::Index>(d) * points.rows() + cone, values[d]);
 }
 
 template <int D>
 void InteriorPoint<D>::start(const NodeProgram<D>& program) {
-  const auto count = static_cast<Eigen::Index>(program.cones().size());
-  const auto matrix = program.matrix();
-  v_.setZero();
-  y_.setZero();
-  for (const int j : program.gap_rows()) y_[j] = 1;
+  const auto count = static_cast<int>(program.cones().size());
+  y_ = program.slack();
+  transposed_product(program.matrix(), y_.data(), products_.data());
   double size = start_limit;
-  for (Eigen::Index c = 0; c < count; ++c) {
-    const Point<D> push = matrix.template middleCols<D>(D * c).transpose() * y_;
-    const double outward = push[0] + push.template tail<D - 1>().norm();
+  for (int c = 0; c < count; ++c) {
+    Point<D> push;
+    for (std::size_t d = 0; d < push.size(); ++d)
+      push[d] = products_(c, static_cast<Eigen::Index>(d));
+    const double outward = push[0] + radius(push);
     if (outward * size > start_share) size = start_share / outward;
   }
   y_ *= size;
-  x_.leftCols(count).setZero();
-  x_.row(0).head(count).setConstant(start_point / static_cast<double>(count));
-  for (const int j : program.gap_rows()) v_[j] = start_slack / static_cast<double>(count);
+  x_.setZero();
+  x_.col(0).setConstant(start_point / static_cast<double>(count));
+  v_ = start_slack / static_cast<double>(count) * program.slack();
+  present_.setZero();
+  present_.head(count).setOnes();
   refresh_dual(program, y_);
 }
 
 template <int D>
 bool InteriorPoint<D>::refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y) {
-  const auto count = static_cast<Eigen::Index>(program.cones().size());
-  Eigen::Map<Eigen::VectorXd> flat(z_.data(), D * count);
-  z_.leftCols(count).setZero();
-  z_.row(0).head(count).setOnes();
-  flat.noalias() -= program.matrix().transpose() * y;
-  bool feasible = true;
-  for (Eigen::Index c = 0; c < count; ++c) feasible = feasible && inside<D>(z_.col(c));
-  for (const int j : program.gap_rows()) feasible = feasible && y[j] > 0;
-  return feasible;
+  const Columns matrix = program.matrix();
+  transposed_product(matrix, y.data(), products_.data());
+  Answers inside = Pack(1.0) > 0.0;
+  for (int c = 0; c < matrix.count; c += lanes) {
+    Cones z = load_cones(products_, c);
+    z[0] = 1.0 - z[0];
+    for (std::size_t d = 1; d < z.size(); ++d) z[d] = -z[d];
+    store_cones(z_, c, z);
+    inside &= margin(z) > 0.0;
+  }
+  for (int i = 0; i < matrix.rows; i += lanes)
+    inside &= where(program.slack().data() + i, load(y.data() + i), 1.0) > 0.0;
+  return all(inside);
+}
+
+template <int D>
+double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
+  const Columns matrix = program.matrix();
+  const int rows = matrix.rows;
+  Pack widest = {}, product_sum = {};
+  for (int c = 0; c < matrix.count; c += lanes) {
+    const Scaling<D, Pack> scaling(load_cones(x_, c), load_cones(z_, c));
+    scaling_[static_cast<std::size_t>(c / lanes)] = scaling;
+    const Cones lambda = scaling.point();
+    const Pack present = load(present_.data() + c);
+    widest = larger(widest, scaling.entry(0, 0) * present);
+    product_sum += dot(lambda, lambda) * present;
+    for (int lane = 0; lane < lanes && c + lane < matrix.count; ++lane) {
+      const auto first = static_cast<Eigen::Index>(c + lane) * rows;
+      scale_columns(matrix.data + first, scaled_matrix_.data() + first, matrix.stride * rows, rows,
+                    scaling, lane);
+    }
+  }
+  product(matrix, x_.data(), trial_.data());
+  for (int i = 0; i < rows; i += lanes) {
+    const Pack v = load(v_.data() + i), y = load(y_.data() + i);
+    const double* slack = program.slack().data() + i;
+    const Pack point = where(slack, root(v * y), 1.0);
+    product_sum += where(slack, v * y, 0.0);
+    store(slack_scale_.data() + i, where(slack, root(v / y), 0.0));
+    store(slack_point_.data() + i, point);
+    const Pack b = load(program.right_side().data() + i);
+    store(predictor_.data() + i, b);
+    store(correction_.data() + i, b + v - load(trial_.data() + i));
+  }
+  complementarity_ = total(product_sum);
+  return largest(widest);
 }
 
 template <int D>
 bool InteriorPoint<D>::factorise(const NodeProgram<D>& program) {
-  const auto count = static_cast<Eigen::Index>(program.cones().size());
-  const auto matrix = program.matrix();
-  double widest = 0;
-  for (Eigen::Index c = 0; c < count; ++c) {
-    Scaling<D>& scaling = scaling_[static_cast<std::size_t>(c)];
-    scaling = Scaling<D>(x_.col(c), z_.col(c));
-    widest = std::max(widest, scaling.matrix()(0, 0));
-    scaled_matrix_.template middleCols<D>(D * c).noalias() =
-        matrix.template middleCols<D>(D * c).lazyProduct(scaling.matrix());
-  }
-  normal_matrix_.template triangularView<Eigen::Lower>().setZero();
-  normal_matrix_.template selfadjointView<Eigen::Lower>().rankUpdate(
-      scaled_matrix_.leftCols(D * count));
-  const double largest = std::max(normal_matrix_.diagonal().maxCoeff(),
-                                  widest * widest * program.right_side().cwiseAbs2().maxCoeff());
-  normal_matrix_.diagonal().array() += diagonal_shift * largest;
-  for (const int j : program.gap_rows()) {
-    slack_scale_[j] = std::sqrt(v_[j] / y_[j]);
-    slack_point_[j] = std::sqrt(v_[j] * y_[j]);
-    normal_matrix_(j, j) += v_[j] / y_[j];
-  }
-  factor_.compute(normal_matrix_);
-  return factor_.info() == Eigen::Success;
+  const int m = program.candidates();
+  const double widest = scale(program);
+  Columns scaled = program.matrix();
+  scaled.data = scaled_matrix_.data();
+  normal_equations_.assemble(scaled);
+  double largest = widest * widest * program.right_side().cwiseAbs2().maxCoeff();
+  for (int i = 0; i < m; ++i) largest = std::max(largest, normal_equations_.diagonal(i));
+  for (int i = 0; i < m; ++i)
+    normal_equations_.add_to_diagonal(i,
+                                      diagonal_shift * largest + slack_scale_[i] * slack_scale_[i]);
+  return normal_equations_.factorise(predictor_.data(), correction_.data());
 }
 
 template <int D>
-const typename InteriorPoint<D>::Points& InteriorPoint<D>::project(const NodeProgram<D>& program) {
-  const auto count = static_cast<Eigen::Index>(program.cones().size());
-  const Eigen::Map<const Eigen::VectorXd> x(x_.data(), D * count);
-  correction_ = program.right_side() + v_;
-  correction_.noalias() -= program.matrix() * x;
-  factor_.solveInPlace(correction_);
-  projected_.leftCols(count) = x_.leftCols(count);
-  shift_projected(correction_, count);
+const Points<D>& InteriorPoint<D>::project(const NodeProgram<D>& program) {
+  projected_ = x_;
+  shift_projected(program, correction_);
   return projected_;
 }
 
 template <int D>
-const typename InteriorPoint<D>::Points& InteriorPoint<D>::project_again(
-    const Eigen::VectorXd& discrepancy, const NodeProgram<D>& program) {
+const Points<D>& InteriorPoint<D>::project_again(const Eigen::VectorXd& discrepancy,
+                                                 const NodeProgram<D>& program) {
   trial_ = discrepancy;
-  factor_.solveInPlace(trial_);
-  shift_projected(trial_, static_cast<Eigen::Index>(program.cones().size()));
+  normal_equations_.solve(trial_.data());
+  shift_projected(program, trial_);
   return projected_;
 }
 
 template <int D>
-void InteriorPoint<D>::shift_projected(const Eigen::VectorXd& weights, Eigen::Index count) {
-  Eigen::Map<Eigen::VectorXd> scaled(step_x_.data(), D * count);
-  scaled.noalias() = scaled_matrix_.leftCols(D * count).transpose() * weights;
-  for (Eigen::Index c = 0; c < count; ++c)
-    projected_.col(c).noalias() += scaling_[static_cast<std::size_t>(c)].matrix() * step_x_.col(c);
+void InteriorPoint<D>::shift_projected(const NodeProgram<D>& program,
+                                       const Eigen::VectorXd& weights) {
+  transposed_product(program.matrix(), weights.data(), products_.data());
+  for (int c = 0; c < program.matrix().count; c += lanes) {
+    const Cones shift = scaling(c).times(scaling(c).times(load_cones(products_, c)));
+    Cones point = load_cones(projected_, c);
+    for (std::size_t d = 0; d < point.size(); ++d) point[d] += shift[d];
+    store_cones(projected_, c, point);
+  }
 }
 
 template <int D>
-double InteriorPoint<D>::dual_direction(const NodeProgram<D>& program, const Eigen::VectorXd& dy) {
-  const auto count = static_cast<Eigen::Index>(program.cones().size());
-  Eigen::Map<Eigen::VectorXd> flat(step_z_.data(), D * count);
-  flat.setZero();
-  flat.noalias() -= scaled_matrix_.leftCols(D * count).transpose() * dy;
-  double inverse = 0;
-  for (Eigen::Index c = 0; c < count; ++c)
-    inverse = std::max(inverse, scaling_[static_cast<std::size_t>(c)].inverse_step(step_z_.col(c)));
-  for (const int j : program.gap_rows()) {
-    step_y_[j] = slack_scale_[j] * dy[j];
-    inverse = std::max(inverse, -dy[j] / y_[j]);
+auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::VectorXd& dy)
+    -> Reach {
+  const Columns matrix = program.matrix();
+  transposed_product(matrix, dy.data(), products_.data());
+  Pack dual = {}, primal = {};
+  for (int c = 0; c < matrix.count; c += lanes) {
+    const Scaling<D, Pack>& scaling = this->scaling(c);
+    const Cones lambda = scaling.point();
+    const Pack present = load(present_.data() + c);
+    Cones dz = scaling.times(load_cones(products_, c));
+    Cones dx = load_cones(step_x_, c);
+    for (std::size_t d = 0; d < dz.size(); ++d) {
+      dz[d] = -dz[d];
+      dx[d] = (dx[d] - lambda[d] - dz[d]) * present;
+    }
+    store_cones(step_z_, c, dz);
+    store_cones(step_x_, c, dx);
+    dual = larger(dual, scaling.inverse_step(dz));
+    primal = larger(primal, scaling.inverse_step(dx));
   }
-  return inverse;
+  for (int i = 0; i < matrix.rows; i += lanes) {
+    const double* slack = program.slack().data() + i;
+    const Pack change = load(dy.data() + i);
+    const Pack point = load(slack_point_.data() + i);
+    const Pack step_y = load(slack_scale_.data() + i) * change;
+    const Pack step_v = where(slack, load(step_v_.data() + i) - point - step_y, 0.0);
+    store(step_y_.data() + i, step_y);
+    store(step_v_.data() + i, step_v);
+    dual = larger(dual, -step_y / point);
+    primal = larger(primal, -step_v / point);
+  }
+  return {largest(dual), largest(primal)};
 }
 
 template <int D>
-double InteriorPoint<D>::primal_direction(const NodeProgram<D>& program) {
-  const auto count = static_cast<Eigen::Index>(program.cones().size());
-  double inverse = 0;
-  for (Eigen::Index c = 0; c < count; ++c) {
-    const auto& scaling = scaling_[static_cast<std::size_t>(c)];
-    step_x_.col(c) -= scaling.point() + step_z_.col(c);
-    inverse = std::max(inverse, scaling.inverse_step(step_x_.col(c)));
+void InteriorPoint<D>::correct(const NodeProgram<D>& program, double target, double share) {
+  const Columns matrix = program.matrix();
+  for (int c = 0; c < matrix.count; c += lanes) {
+    Cones right_side = jordan_product(load_cones(step_x_, c), load_cones(step_z_, c));
+    for (Pack& component : right_side) component *= -share;
+    right_side[0] += target;
+    const Cones q = scaling(c).jordan_divide(right_side);
+    store_cones(step_x_, c, q);
+    store_cones(products_, c, scaling(c).times(q));
   }
-  for (const int j : program.gap_rows()) {
-    step_v_[j] -= slack_point_[j] + step_y_[j];
-    inverse = std::max(inverse, -step_v_[j] / slack_point_[j]);
+  product(matrix, products_.data(), trial_.data());
+  for (int i = 0; i < matrix.rows; i += lanes) {
+    const Pack q = (target - share * load(step_v_.data() + i) * load(step_y_.data() + i)) /
+                   load(slack_point_.data() + i);
+    store(step_v_.data() + i, q);
+    store(trial_.data() + i, load(trial_.data() + i) - load(slack_scale_.data() + i) * q);
   }
-  return inverse;
 }
 
 template <int D>
 bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
-  const auto count = static_cast<Eigen::Index>(program.cones().size());
-  const auto& gap_rows = program.gap_rows();
-
   // Predictor: W^-1 dx + W dz = -lambda and A dx = b - A x reduce to M dy = b.
-  predictor_ = program.right_side();
-  factor_.solveInPlace(predictor_);
-  step_x_.leftCols(count).setZero();
+  step_x_.setZero();
   step_v_.setZero();
-  const double dual_inverse = dual_direction(program, predictor_);
-  const double reach = 1 / std::max({1.0, dual_inverse, primal_direction(program)});
+  const Reach predicted = directions(program, predictor_);
+  const double reach = 1 / std::max({1.0, predicted.dual, predicted.primal});
 
   // Corrector: W^-1 dx + W dz = -lambda + q with lambda o q = target e - reach dx~ o dz~, and
   // A dx = (1 - centring) (b - A x), hence M dy = b - centring (b - A x) - B q. Mehrotra's method
   // has the second-order term in full; where the predictor gets nowhere it is out of proportion,
   // and the iteration can cycle.
-  double product = 0;  // x'z + v'y
-  for (Eigen::Index c = 0; c < count; ++c)
-    product += scaling_[static_cast<std::size_t>(c)].point().squaredNorm();
-  for (const int j : gap_rows) product += slack_point_[j] * slack_point_[j];
-  const auto degree = static_cast<double>(static_cast<std::size_t>(count) + gap_rows.size());
+  const auto degree = static_cast<double>(program.cones().size() + program.gap_rows().size());
   const double centring = (1 - reach) * (1 - reach) * (1 - reach);
-  const double target = centring * product / degree;
-  for (Eigen::Index c = 0; c < count; ++c) {
-    Point<D> right_side = -reach * jordan_product<D>(step_x_.col(c), step_z_.col(c));
-    right_side[0] += target;
-    step_x_.col(c) = scaling_[static_cast<std::size_t>(c)].jordan_divide(right_side);
-  }
-  trial_.noalias() =
-      scaled_matrix_.leftCols(D * count) * Eigen::Map<Eigen::VectorXd>(step_x_.data(), D * count);
-  for (const int j : gap_rows) {
-    step_v_[j] = (target - reach * step_v_[j] * step_y_[j]) / slack_point_[j];
-    trial_[j] -= slack_scale_[j] * step_v_[j];
-  }
-  factor_.solveInPlace(trial_);
+  correct(program, centring * complementarity_ / degree, reach);
+  normal_equations_.solve(trial_.data());
   dy_ = predictor_ - trial_ - centring * correction_;
-  const double dual_step = boundary_share / std::max(boundary_share, dual_direction(program, dy_));
-  const double primal_step = boundary_share / std::max(boundary_share, primal_direction(program));
+  const Reach corrected = directions(program, dy_);
+  const double dual_step = boundary_share / std::max(boundary_share, corrected.dual);
+  const double primal_step = boundary_share / std::max(boundary_share, corrected.primal);
   return std::max(primal_step, dual_step) > shortest_step && move_primal(program, primal_step) &&
          move_dual(program, dual_step);
 }
 
 template <int D>
 bool InteriorPoint<D>::move_primal(const NodeProgram<D>& program, double step) {
-  const auto count = static_cast<Eigen::Index>(program.cones().size());
-  bool feasible = true;
-  for (Eigen::Index c = 0; c < count; ++c) {
-    x_.col(c).noalias() += step * scaling_[static_cast<std::size_t>(c)].matrix() * step_x_.col(c);
-    feasible = feasible && inside<D>(x_.col(c));
+  const Columns matrix = program.matrix();
+  Answers inside = Pack(1.0) > 0.0;
+  for (int c = 0; c < matrix.count; c += lanes) {
+    const Cones change = scaling(c).times(load_cones(step_x_, c));
+    Cones x = load_cones(x_, c);
+    for (std::size_t d = 0; d < x.size(); ++d) x[d] += step * change[d];
+    store_cones(x_, c, x);
+    inside &= margin(x) > 0.0;
   }
-  for (const int j : program.gap_rows()) {
-    v_[j] += step * slack_scale_[j] * step_v_[j];
-    feasible = feasible && v_[j] > 0;
+  for (int i = 0; i < matrix.rows; i += lanes) {
+    const Pack change = load(slack_scale_.data() + i) * load(step_v_.data() + i);
+    const Pack v = load(v_.data() + i) + step * change;
+    store(v_.data() + i, v);
+    inside &= where(program.slack().data() + i, v, 1.0) > 0.0;
   }
-  return feasible;
+  return all(inside);
 }
 
 template <int D>

@@ -11,22 +11,23 @@
 
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "nodes/conic/cone.hpp"
 #include "nodes/conic/node_program.hpp"
+#include "nodes/conic/normal_equations.hpp"
+#include "nodes/conic/pack.hpp"
 
 namespace kusabi::conic {
 
 /// One run of the iteration at a time, on storage that is allocated once for the largest node.
 /// Per iteration call dual_value(), factorise(), project() where wanted, advance().
+///
+/// Cones and rows are taken four at a time. The last four are filled up by cones and rows without
+/// coefficients, whose z stays at the identity and whose x and y do not move.
 template <int D>
 class InteriorPoint {
  public:
-  /// Points of the cones, one cone a column; only the first |C| columns are in use.
-  using Points = Eigen::Matrix<double, D, Eigen::Dynamic>;
-
   InteriorPoint(int candidates, int most_cones);
 
   /// Takes the start: x and v from the identity, y on the rows with a slack so small that z is
@@ -36,7 +37,7 @@ class InteriorPoint {
   /// b'y, a lower bound of the optimal value: y is dual feasible.
   double dual_value(const NodeProgram<D>& program) const { return program.right_side().dot(y_); }
   /// y, m numbers.
-  const Eigen::VectorXd& multipliers() const { return y_; }
+  auto multipliers(const NodeProgram<D>& program) const { return y_.head(program.candidates()); }
 
   /// Scales at the present point and factorises the normal equations.
   /// @return false when rounding has used up the digits of M
@@ -44,38 +45,57 @@ class InteriorPoint {
 
   /// x + W^2 A' M^-1 (b - A x + v): the point that satisfies the equations and is nearest to x in
   /// the norm of the scaling. It may lie outside the cones. Call after factorise().
-  const Points& project(const NodeProgram<D>& program);
-  /// The same for an already projected point whose equations still miss by `discrepancy` (m):
-  /// near the end M is ill-conditioned and one projection leaves a visible error.
-  const Points& project_again(const Eigen::VectorXd& discrepancy, const NodeProgram<D>& program);
+  const Points<D>& project(const NodeProgram<D>& program);
+  /// The same for an already projected point whose equations still miss by `discrepancy` (m,
+  /// padded): near the end M is ill-conditioned and one projection leaves a visible error.
+  const Points<D>& project_again(const Eigen::VectorXd& discrepancy, const NodeProgram<D>& program);
 
-  /// One predictor-corrector step. Call after project().
+  /// One predictor-corrector step. Call after factorise().
   /// @return false when the step is too short to matter
   bool advance(const NodeProgram<D>& program);
 
  private:
-  // Adds W^2 A' weights = W B' weights to the projected point.
-  void shift_projected(const Eigen::VectorXd& weights, Eigen::Index count);
+  using Cones = Point<D, Pack>;  // a point of four cones
+
+  // Reciprocals of the largest steps that stay inside, or zero when all do.
+  struct Reach {
+    double dual, primal;
+  };
+
+  static Cones load_cones(const Points<D>& points, int cone);
+  static void store_cones(Points<D>& points, int cone, const Cones& values);
+  const Scaling<D, Pack>& scaling(int cone) const {
+    return scaling_[static_cast<std::size_t>(cone / lanes)];
+  }
+
+  // Adds W^2 A' weights to the projected point.
+  KUSABI_ALSO_FOR_AVX2 void shift_projected(const NodeProgram<D>& program,
+                                            const Eigen::VectorXd& weights);
   // z = c - A'y; whether it is inside the cones and y > 0 on the rows with a slack.
-  bool refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y);
-  // W dz = -W A' dy, in both kinds of cone. Like the next one it returns the reciprocal of the
-  // largest step that stays inside, or zero when all do.
-  double dual_direction(const NodeProgram<D>& program, const Eigen::VectorXd& dy);
-  // W^-1 dx = q - lambda - W dz, where step_x_ and step_v_ hold q.
-  double primal_direction(const NodeProgram<D>& program);
-  bool move_primal(const NodeProgram<D>& program, double step);
+  KUSABI_ALSO_FOR_AVX2 bool refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y);
+  // Scales x, z and A in all cones, v and y in all rows; sets the missing part b - A x + v.
+  // Returns the largest entry on the diagonals of W.
+  KUSABI_ALSO_FOR_AVX2 double scale(const NodeProgram<D>& program);
+  // W dz = -W A' dy and W^-1 dx = q - lambda - W dz in both kinds of cone, where step_x_ and
+  // step_v_ hold q.
+  KUSABI_ALSO_FOR_AVX2 Reach directions(const NodeProgram<D>& program, const Eigen::VectorXd& dy);
+  // The q of the corrector, into step_x_ and step_v_, and the right side A W q into trial_.
+  KUSABI_ALSO_FOR_AVX2 void correct(const NodeProgram<D>& program, double target, double share);
+  KUSABI_ALSO_FOR_AVX2 bool move_primal(const NodeProgram<D>& program, double step);
   bool move_dual(const NodeProgram<D>& program, double step);
 
-  Points x_, z_, projected_;
+  Points<D> x_, z_, projected_;
   Eigen::VectorXd v_, y_;                      // by row; v is used on the rows with a slack only
-  std::vector<Scaling<D>> scaling_;            // of the cones
+  std::vector<Scaling<D, Pack>> scaling_;      // of the cones
+  Eigen::VectorXd present_;                    // one for each cone, zero for the padding
   Eigen::VectorXd slack_scale_, slack_point_;  // w = sqrt(v / y) and lambda = sqrt(v y), by row
-  Eigen::MatrixXd scaled_matrix_;              // B = A W, m x Dk
-  Eigen::MatrixXd normal_matrix_;              // M = B B' + diag(w^2), lower half
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::MatrixXd scaled_matrix_;              // B = A W
+  NormalEquations normal_equations_;           // M = B B' + diag(w^2)
   Eigen::VectorXd predictor_, correction_, dy_, trial_;  // m
-  Points step_x_, step_z_;                               // scaled: W^-1 dx, W dz
+  Points<D> step_x_, step_z_;                            // scaled: W^-1 dx, W dz
+  Points<D> products_;                                   // A' dy, W q and the like
   Eigen::VectorXd step_v_, step_y_;                      // scaled, by row
+  double complementarity_ = 0;                           // x'z + v'y
 };
 
 extern template class InteriorPoint<2>;

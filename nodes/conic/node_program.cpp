@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "nodes/conic/pack.hpp"
+
 namespace kusabi::conic {
 
 namespace {
@@ -70,14 +72,15 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
                             std::vector<int> owners)
     : friction_(friction.begin(), friction.end()), owners_(std::move(owners)) {
   check(compliance, friction, owners_, D);
-  const Eigen::Index m = owners_.back() + 1;
+  const int m = owners_.back() + 1;
   compliance_ = compliance;
-  normal_compliance_.resize(m, compliance.cols());
+  normal_compliance_.setZero(padded(m), compliance.cols());
   for (std::size_t k = 0; k < owners_.size(); ++k)
     normal_compliance_.row(owners_[k]) = compliance.row(D * static_cast<Eigen::Index>(k));
-  matrix_.resize(m, compliance.cols());
-  right_side_.resize(m);
-  gap_.resize(m);
+  matrix_.setZero(padded(m), D * padded(most_cones()));
+  right_side_.setZero(padded(m));
+  slack_.setZero(padded(m));
+  gap_.setZero(padded(m));
   cones_.reserve(friction.size());
   gap_rows_.reserve(static_cast<std::size_t>(m));
   contact_rows_.reserve(static_cast<std::size_t>(m));
@@ -119,29 +122,32 @@ void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated) {
   right_side_.setZero();
   for (const int k : cones_)
     right_side_ += normal_compliance_.col(D * k) / friction_[static_cast<std::size_t>(k)];
-  for (const int j : gap_rows_) right_side_[j] -= 1;
-  right_side_ /= -weight_;
-  Eigen::Index column = 0;
+  slack_.setZero();
+  for (const int j : gap_rows_) slack_[j] = 1;
+  right_side_ = (right_side_ - slack_) / -weight_;
+  const Eigen::Index stride = padded(most_cones());
+  Eigen::Index c = 0;
   for (const int k : cones_) {
-    matrix_.col(column) = normal_compliance_.col(D * k) + right_side_;
-    matrix_.template middleCols<D - 1>(column + 1) =
-        friction_[static_cast<std::size_t>(k)] *
-        normal_compliance_.template middleCols<D - 1>(D * k + 1);
-    column += D;
+    matrix_.col(c) = normal_compliance_.col(D * k) + right_side_;
+    for (Eigen::Index d = 1; d < D; ++d)
+      matrix_.col(d * stride + c) =
+          friction_[static_cast<std::size_t>(k)] * normal_compliance_.col(D * k + d);
+    ++c;
   }
+  const Eigen::Index absent = padded(static_cast<int>(c)) - c;
+  for (Eigen::Index d = 0; d < D; ++d) matrix_.middleCols(d * stride + c, absent).setZero();
 }
 
 template <int D>
-void NodeProgram<D>::reaction(const Eigen::Matrix<double, D, Eigen::Dynamic>& x,
-                              Eigen::VectorXd& r) const {
+void NodeProgram<D>::reaction(const Points<D>& x, Eigen::VectorXd& r) const {
   r.setZero();
   const auto count = static_cast<Eigen::Index>(cones_.size());
-  const double t = level(x.row(0).head(count).sum());
+  const double t = level(x.col(0).head(count).sum());
   for (Eigen::Index c = 0; c < count; ++c) {
     const auto k = static_cast<std::size_t>(cones_[static_cast<std::size_t>(c)]);
     const auto at = D * static_cast<Eigen::Index>(k);
-    r[at] = x(0, c) + t / friction_[k];
-    r.template segment<D - 1>(at + 1) = friction_[k] * x.col(c).template tail<D - 1>();
+    r[at] = x(c, 0) + t / friction_[k];
+    for (Eigen::Index d = 1; d < D; ++d) r[at + d] = friction_[k] * x(c, d);
   }
 }
 
@@ -161,7 +167,9 @@ typename NodeProgram<D>::Evidence NodeProgram<D>::examine(const Eigen::VectorXd&
   double t = friction_level(r);
   double sum = 0;
   for (const int k : cones_) sum += r[D * k];
-  gap_.noalias() = normal_compliance_ * r;
+  const auto size = static_cast<int>(r.size());
+  product({normal_compliance_.data(), static_cast<int>(gap_.size()), 1, size, size}, r.data(),
+          gap_.data());
   for (const int j : gap_rows_) {
     t = std::min(t, gap_[j]);
     gap_[j] = 0;

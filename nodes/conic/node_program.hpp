@@ -26,9 +26,14 @@
 
 #include <Eigen/Core>
 
-#include "nodes/conic/cone.hpp"
+#include "nodes/conic/columns.hpp"
 
 namespace kusabi::conic {
+
+/// Points of the cones: component d of cone c at (c, d). The rows are padded to a multiple of four;
+/// those of absent cones are no part of the point.
+template <int D>
+using Points = Eigen::Matrix<double, Eigen::Dynamic, D>;
 
 /// The data of the node programs of one contact problem, and the standard form of the node that
 /// was selected last. Owns all its storage: select() does not allocate.
@@ -55,7 +60,7 @@ class NodeProgram {
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
   void select(std::uint64_t contact, std::uint64_t separated);
 
-  int candidates() const { return static_cast<int>(normal_compliance_.rows()); }
+  int candidates() const { return owners_.back() + 1; }
   /// Those of all candidates: m unless a candidate has several.
   int most_cones() const { return static_cast<int>(friction_.size()); }
 
@@ -67,17 +72,22 @@ class NodeProgram {
   /// U, the rows without a slack.
   const std::vector<int>& contact_rows() const { return contact_rows_; }
 
-  /// The cone columns of A, m x D|C|.
-  auto matrix() const { return matrix_.leftCols(D * static_cast<Eigen::Index>(cones_.size())); }
-  /// b, m numbers.
+  /// The cone columns of A, m x D|C|, rows and cones padded with zeros.
+  Columns matrix() const {
+    return {matrix_.data(), static_cast<int>(matrix_.rows()), D, static_cast<int>(cones_.size()),
+            static_cast<int>(matrix_.cols()) / D};
+  }
+  /// b, m numbers padded with zeros.
   const Eigen::VectorXd& right_side() const { return right_side_; }
+  /// One for each row with a slack, zero for the others and the padding.
+  const Eigen::VectorXd& slack() const { return slack_; }
 
   /// t = (1 - value) / sigma: what a value of the objective c'x, or of the dual objective b'y, is
   /// worth in the node program.
   double level(double value) const { return (1 - value) / weight_; }
 
-  /// The reaction r (Dm, zero on R) of a point x of the cones (D x |C|, one cone a column).
-  void reaction(const Eigen::Matrix<double, D, Eigen::Dynamic>& x, Eigen::VectorXd& r) const;
+  /// The reaction r (Dm, zero on R) of a point x of the cones.
+  void reaction(const Points<D>& x, Eigen::VectorXd& r) const;
 
   /// The largest t the friction cones allow a reaction: min over C of mu_i r_{n,i} - ||r_{t,i}||.
   double friction_level(const Eigen::VectorXd& r) const;
@@ -88,7 +98,8 @@ class NodeProgram {
     double residual;  ///< largest error of its equations: u_n = 0 on U and the sum
   };
   Evidence examine(const Eigen::VectorXd& r);
-  /// What (F r)_n of the reaction examined last must change by: m numbers, zero outside U.
+  /// What (F r)_n of the reaction examined last must change by: m numbers padded with zeros, zero
+  /// outside U.
   const Eigen::VectorXd& discrepancy() const { return gap_; }
 
   /// u = F r, Dm.
@@ -98,14 +109,15 @@ class NodeProgram {
 
  private:
   Eigen::MatrixXd compliance_;         // F
-  Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, m x Dm
+  Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, m x Dm, rows padded with zeros
   std::vector<double> friction_;       // by cone, like the next
   std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;
-  Eigen::MatrixXd matrix_;      // A, room for m x Dm
+  Eigen::MatrixXd matrix_;      // A, room for all cones
   Eigen::VectorXd right_side_;  // b
-  Eigen::VectorXd gap_;         // normal displacements, then the discrepancy
-  double weight_ = 0;           // sigma
+  Eigen::VectorXd slack_;
+  Eigen::VectorXd gap_;  // normal displacements, then the discrepancy
+  double weight_ = 0;    // sigma
 };
 
 extern template class NodeProgram<2>;

@@ -88,7 +88,7 @@ void NodeSolver<D>::sink_upper(Answer& answer) {
   const double upper = program_.level(iteration_.dual_value(program_));
   if (upper < answer.upper) {
     answer.upper = upper;
-    multipliers_ = iteration_.multipliers();
+    multipliers_ = iteration_.multipliers(program_);
   }
 }
 

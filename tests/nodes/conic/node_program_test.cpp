@@ -28,15 +28,16 @@ void expect_same_rows_and_levels() {
     const auto count = static_cast<Eigen::Index>(program.cones().size());
 
     // Any x at all: r and t follow from it, and row i of A x - b is u_n - t, or u_n on U.
-    const Eigen::Matrix<double, D, Eigen::Dynamic> x =
-        Eigen::Matrix<double, D, Eigen::Dynamic>::Random(D, count);
+    const Columns matrix = program.matrix();
+    Points<D> x = Points<D>::Zero(matrix.stride, D);
+    x.topRows(count).setRandom();
     Eigen::VectorXd r(D * m);
     program.reaction(x, r);
-    const double t = program.level(x.row(0).sum());
+    const double t = program.level(x.col(0).sum());
     const Eigen::VectorXd u = problem.compliance * r;
-    const Eigen::VectorXd rows =
-        program.matrix() * Eigen::Map<const Eigen::VectorXd>(x.data(), D * count) -
-        program.right_side();
+    Eigen::VectorXd rows(matrix.rows);
+    product(matrix, x.data(), rows.data());
+    rows -= program.right_side();
     double sum = 0;
     for (int i = 0; i < m; ++i) {
       sum += r[D * i];
@@ -50,7 +51,7 @@ void expect_same_rows_and_levels() {
     for (Eigen::Index c = 0; c < count; ++c) {
       const int i = program.cones()[static_cast<std::size_t>(c)];
       const double mu = problem.friction[static_cast<std::size_t>(i)];
-      EXPECT_NEAR(mu * (x(0, c) - x.col(c).tail(D - 1).norm()),
+      EXPECT_NEAR(mu * (x(c, 0) - x.row(c).tail(D - 1).norm()),
                   mu * r[D * i] - r.segment(D * i + 1, D - 1).norm() - t, rounding);
     }
     EXPECT_NEAR(program.examine(r).level, testing::level(problem, masks, r), rounding * m);

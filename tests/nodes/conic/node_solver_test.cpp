@@ -157,7 +157,7 @@ TEST(StopEarly, OnDeadOnlyStillGivesTheFullValueOfTheLiving) {
 TEST(Limit, OfIterationsLeavesADoubtADoubt) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
   compliance(0, 1) = compliance(1, 0) = 0.5;
-  NodeSolver<2> solver(compliance, std::array{3.0, 0.1}, {.iterations = 1});
+  NodeSolver<2> solver(compliance, std::array{3.0, 0.1}, Tolerances{.iterations = 1});
   const Answer answer = solver.solve(0b01, 0b10, never);  // t* = 0
   EXPECT_EQ(answer.iterations, 1);
   EXPECT_EQ(answer.sign, Sign::marginal);

@@ -1,0 +1,44 @@
+// The normal equations of the interior-point iteration, M = B B' + diagonal, by Cholesky: of a size
+// (at most 64) at which a general library spends most of its time on dispatch and packing.
+#pragma once
+
+#include <vector>
+
+#include "nodes/conic/columns.hpp"
+
+namespace kusabi::conic {
+
+/// M and its factor, on storage that is allocated once. All vectors have padded_rows() entries.
+class NormalEquations {
+ public:
+  explicit NormalEquations(int rows);
+
+  /// The rows of M with those that fill it up to a multiple of four, where M is the identity.
+  int padded_rows() const { return padded_rows_; }
+
+  /// M = B B'.
+  void assemble(const Columns& b);
+
+  double diagonal(int row) const { return matrix_[place(row, row)]; }
+  void add_to_diagonal(int row, double value) { matrix_[place(row, row)] += value; }
+
+  /// Factorises M in place and solves it for two right sides, which ride along as rows below M:
+  /// that is their forward substitution.
+  /// @return false when a pivot is not positive
+  bool factorise(double* first, double* second);
+
+  /// Solves for one more right side, in place.
+  void solve(double* right_side) const;
+
+ private:
+  std::size_t place(int row, int column) const {
+    return static_cast<std::size_t>(column * height_ + row);
+  }
+
+  int rows_, padded_rows_;
+  int height_;  // of a column: padded_rows_ and a pack of right sides
+  std::vector<double> matrix_;
+  std::vector<double> inverse_;  // of the diagonal of the factor
+};
+
+}  // namespace kusabi::conic

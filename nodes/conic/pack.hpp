@@ -1,0 +1,122 @@
+// Four numbers that are computed with at once. The cones of a node are taken four at a time, the
+// rows of its matrices too: a node program is too small for anything but registers to matter.
+//
+// Each lane rounds as a number by itself does, and sums have one order, whatever the machine: where
+// it has AVX2 an operation is one instruction, elsewhere two. Multiplications and additions are
+// never fused, so the bits are the same everywhere.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+
+// Functions with this mark are compiled for AVX2 too and chosen when the program starts; what they
+// call has to be inlined into them. AVX2 by itself has no fused multiply-add.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
+#define KUSABI_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default")))
+#else
+#define KUSABI_ALSO_FOR_AVX2
+#endif
+#define KUSABI_INLINE [[gnu::always_inline]] inline
+
+namespace kusabi::conic {
+
+constexpr int lanes = 4;
+
+/// The smallest multiple of four that is not below `size`.
+constexpr int padded(int size) {
+  return (size + lanes - 1) / lanes * lanes;
+}
+
+/// Four numbers; a number by itself stands for four equal ones.
+struct alignas(32) Pack {
+  using Lanes = double __attribute__((vector_size(32)));
+
+  Pack() = default;
+  KUSABI_INLINE Pack(const Lanes& four) : values(four) {}
+  KUSABI_INLINE Pack(double one) : values(Lanes{1, 1, 1, 1} * one) {}
+
+  KUSABI_INLINE double operator[](int lane) const { return values[lane]; }
+  KUSABI_INLINE Pack operator-() const { return -values; }
+  KUSABI_INLINE Pack& operator+=(const Pack& other) { return *this = values + other.values; }
+  KUSABI_INLINE Pack& operator-=(const Pack& other) { return *this = values - other.values; }
+  KUSABI_INLINE Pack& operator*=(const Pack& other) { return *this = values * other.values; }
+  KUSABI_INLINE friend Pack operator+(const Pack& a, const Pack& b) { return a.values + b.values; }
+  KUSABI_INLINE friend Pack operator-(const Pack& a, const Pack& b) { return a.values - b.values; }
+  KUSABI_INLINE friend Pack operator*(const Pack& a, const Pack& b) { return a.values * b.values; }
+  KUSABI_INLINE friend Pack operator/(const Pack& a, const Pack& b) { return a.values / b.values; }
+
+  Lanes values;
+};
+
+/// What comparing two packs gives, in each lane all bits set for yes and none for no.
+struct alignas(32) Answers {
+  KUSABI_INLINE Answers& operator&=(const Answers& others) {
+    bits &= others.bits;
+    return *this;
+  }
+
+  decltype(Pack::Lanes{} > Pack::Lanes{}) bits;
+};
+
+KUSABI_INLINE Answers operator>(const Pack& a, const Pack& b) {
+  return {a.values > b.values};
+}
+
+KUSABI_INLINE Pack load(const double* from) {
+  Pack pack;
+  std::memcpy(&pack.values, from, sizeof pack.values);
+  return pack;
+}
+
+KUSABI_INLINE void store(double* to, const Pack& pack) {
+  std::memcpy(to, &pack.values, sizeof pack.values);
+}
+
+KUSABI_INLINE double root(double value) {
+  return std::sqrt(value);
+}
+
+KUSABI_INLINE Pack root(const Pack& pack) {
+  return Pack::Lanes{std::sqrt(pack[0]), std::sqrt(pack[1]), std::sqrt(pack[2]),
+                     std::sqrt(pack[3])};
+}
+
+/// The larger one in each lane, b where they cannot be compared.
+KUSABI_INLINE Pack larger(const Pack& a, const Pack& b) {
+  return (a > b).bits ? a.values : b.values;
+}
+
+/// In each lane `yes` where the number at `chosen` is positive and `no` where it is not.
+KUSABI_INLINE Pack where(const double* chosen, const Pack& yes, const Pack& no) {
+  return (load(chosen) > 0.0).bits ? yes.values : no.values;
+}
+
+/// The largest lane.
+KUSABI_INLINE double largest(const Pack& pack) {
+  const double even = pack[0] > pack[2] ? pack[0] : pack[2];
+  const double odd = pack[1] > pack[3] ? pack[1] : pack[3];
+  return even > odd ? even : odd;
+}
+
+/// The sum of the lanes.
+KUSABI_INLINE double total(const Pack& pack) {
+  return (pack[0] + pack[2]) + (pack[1] + pack[3]);
+}
+
+/// The sums of four packs, a lane each.
+KUSABI_INLINE Pack totals(const Pack (&packs)[lanes]) {
+  const Pack::Lanes a = packs[0].values, b = packs[1].values;
+  const Pack::Lanes c = packs[2].values, d = packs[3].values;
+  const Pack::Lanes ab =
+      __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Pack::Lanes cd =
+      __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
+
+/// Whether the answer is yes in all lanes.
+KUSABI_INLINE bool all(const Answers& answers) {
+  return (answers.bits[0] & answers.bits[1] & answers.bits[2] & answers.bits[3]) != 0;
+}
+
+}  // namespace kusabi::conic
