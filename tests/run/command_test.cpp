@@ -1039,7 +1039,7 @@ std::string example_file(const std::string& name) {
 TEST_F(Command, FindsTheSameWorstCaseOnOneAndTwoRanks) {
   // One that the root closes, with enough columns for ranks to share, and one for the tree.
   for (const std::string& call : {example_file("grid-4x4.toml") + " --alpha 40",
-                                 example_file("static-gap.toml") + " --alpha 0.45"}) {
+                                  example_file("static-gap.toml") + " --alpha 0.45"}) {
     const auto options = " limit " + call + " --samples 40 --curve --output " +
                          argument("out.json") + " --certificate " + argument("cert");
     nlohmann::json alone;
