@@ -1032,6 +1032,8 @@ TEST_F(Command, WritesPlaneTrussesOfAnyShape) {
   const auto refused = shell(command + " example plane-truss --lean 89");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.output, HasSubstr("expected 0 to 80 degrees"));
+}
+
 std::string example_file(const std::string& name) {
   return quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
 }
