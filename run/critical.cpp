@@ -22,10 +22,9 @@
 #include "run/exit_code.hpp"
 #include "run/patterns_report.hpp"
 #include "run/problem_summary.hpp"
-#include "run/progress_line.hpp"
 #include "run/rank_table.hpp"
 #include "run/result_file.hpp"
-#include "run/signals.hpp"
+#include "run/shown_search.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -45,20 +44,6 @@ void announce(const CriticalOptions& options, const problems::WedgedProblem& pro
              ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
-// engine::search with the command's limits, its signals and its progress.
-template <class Tree>
-engine::Outcome<Tree> searched(Session& session, const CriticalOptions& options, Tree& tree,
-                               engine::Options search_options) {
-  search_options.limits = options.limits;
-  search_options.interrupt = asked_by_signal;
-  std::optional<ProgressLine> progress;
-  if (session.speaks() && !options.quiet) {
-    progress.emplace(search_options.goal);
-    search_options.progress = [&](const auto& state) { progress->show(state); };
-  }
-  return engine::search(tree, session.transport(), search_options);
-}
-
 std::int64_t multiples(double most, double width) {
   return static_cast<std::int64_t>(std::llround(most / width));
 }
@@ -70,7 +55,7 @@ CriticalFindings global(Session& session, const CriticalOptions& options,
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
   search_options.order = engine::Order::best_first;
-  const auto outcome = searched(session, options, tree, search_options);
+  const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
   CriticalFindings findings;
   if (!session.speaks()) return findings;
 
@@ -114,7 +99,7 @@ std::vector<nodes::SignPattern> living_patterns(Session& session, const Critical
   std::vector<double> friction = problem.friction;
   for (double& mu : friction) mu *= *options.most;
   nodes::SignPatternTree tree(problem, friction);
-  const auto outcome = searched(session, options, tree, {});
+  const auto outcome = shown_search(session, tree, {}, options.limits, options.quiet);
   const auto packed = session.on_first_rank([&] {
     std::string line = status_name(outcome.status);
     for (const auto& found : outcome.solutions) {
@@ -143,7 +128,7 @@ CriticalFindings pattern_by_pattern(Session& session, const CriticalOptions& opt
       options.way == CriticalWay::newton ? nodes::CriticalMethod::newton
                                          : nodes::CriticalMethod::bisection,
       sections);
-  const auto outcome = searched(session, options, tree, {});
+  const auto outcome = shown_search(session, tree, {}, options.limits, options.quiet);
   if (!session.speaks()) return findings;
 
   findings.status = status_name(outcome.status);
@@ -181,7 +166,7 @@ void certify(Session& session, const CriticalOptions& options,
   fingerprint.add(factor);
   CertificateFile certificate(session, file, options.file, fingerprint.value(), false);
   tree.report_to([&](const auto& evidence) { certificate.add(evidence); });
-  const auto outcome = searched(session, options, tree, {});
+  const auto outcome = shown_search(session, tree, {}, options.limits, options.quiet);
   certificate.close();
   if (!session.speaks()) return;
   if (outcome.status == engine::Status::solved) {
@@ -232,7 +217,6 @@ int critical(Session& session, const CriticalOptions& options) {
   });
   const auto problem = problems::wedged_problem(problems::read_structure(text, options.file));
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  heed_signals();
   const auto findings = options.way == CriticalWay::global
                             ? global(session, options, problem)
                             : pattern_by_pattern(session, options, problem);

@@ -3,12 +3,16 @@
 #include "run/limit.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
+#include <boost/serialization/utility.hpp>
 #include <fmt/format.h>
 
 #include "nodes/limit/load_curve.hpp"
@@ -23,6 +27,7 @@
 #include "run/output_file.hpp"
 #include "run/result_file.hpp"
 #include "run/shared_work.hpp"
+#include "run/shown_search.hpp"
 #include "verify/limit_proof.hpp"
 
 namespace kusabi::run {
@@ -72,6 +77,7 @@ class LimitRun {
  private:
   [[nodiscard]] LimitCollapse in_units(const Collapse& collapse) const;
   std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
+  void say_round(std::size_t columns);
   RootResult root(double alpha);
   LimitWorstCase worst_case();
   LimitWorstCase mixed_worst_case();
@@ -90,6 +96,7 @@ class LimitRun {
   StaticPricing pricing_;
   Collapse nominal_;
   std::optional<verify::LimitCertificate> certificate_;
+  std::chrono::steady_clock::time_point said_ = std::chrono::steady_clock::now();
 };
 
 LimitCollapse LimitRun::in_units(const Collapse& collapse) const {
@@ -101,6 +108,7 @@ LimitCollapse LimitRun::in_units(const Collapse& collapse) const {
 // The cuts do not hang on who makes them: see pricing_block.
 std::vector<StaticCut> LimitRun::price(const Eigen::VectorXd& z, std::span<const int> columns) {
   using nodes::limit::pricing_block;
+  say_round(columns.size());
   if (session_.ranks() == 1 || columns.size() <= pricing_block) {
     return price_alone(pricing_, z, columns);
   }
@@ -118,6 +126,15 @@ std::vector<StaticCut> LimitRun::price(const Eigen::VectorXd& z, std::span<const
   return cuts;
 }
 
+// What a long root is doing, every other second.
+void LimitRun::say_round(std::size_t columns) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!session_.speaks() || options_.quiet || now - said_ < std::chrono::seconds(2)) return;
+  said_ = now;
+  fmt::print(stderr, "at the root: {} of {} uncertain components are looked at for cuts\n", columns,
+             model_.uncertain_count());
+}
+
 RootResult LimitRun::root(double alpha) {
   load_factor_.restart();
   return solve_root(
@@ -131,7 +148,8 @@ void LimitRun::tree(RootResult& root, double alpha, LimitWorstCase& worst,
   SignTree tree(model_, alpha, root, true);
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
-  const auto outcome = engine::search(tree, session_.transport(), search_options);
+  const auto outcome =
+      shown_search(session_, tree, search_options, options_.limits, options_.quiet);
   const auto told = session_.on_first_rank([&]() -> std::string {
     worst.nodes = outcome.opened();
     for (const auto& rank : outcome.ranks) {
@@ -142,11 +160,13 @@ void LimitRun::tree(RootResult& root, double alpha, LimitWorstCase& worst,
     std::ranges::sort(nodes, {}, &ClosedNode::signs);
     std::vector<SignTree::Solution> best;
     if (!outcome.solutions.empty()) best.push_back(outcome.solutions.front().solution);
-    const auto bytes = engine::pack(best);
+    const auto bytes = engine::pack(std::pair(best, outcome.status));
     return {bytes.begin(), bytes.end()};
   });
-  const auto best =
-      engine::unpack<std::vector<SignTree::Solution>>(std::span(told.data(), told.size()));
+  std::vector<SignTree::Solution> best;
+  std::tie(best, worst.search) =
+      engine::unpack<std::pair<std::vector<SignTree::Solution>, engine::Status>>(
+          std::span(told.data(), told.size()));
   if (!best.empty()) {
     const auto vector = [](const std::vector<double>& values) {
       return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
@@ -208,6 +228,8 @@ LimitWorstCase LimitRun::worst_case() {
   if (result.status == RootStatus::closed) nodes.push_back(closed_node(result.proof, {}));
   if (result.status == RootStatus::open) {
     tree(result, alpha, worst, nodes);
+    // Nodes that do not cover all signs prove nothing, but the root still does.
+    if (worst.search != engine::Status::solved) nodes = {closed_node(result.proof, {})};
     worst.status = RootStatus::closed;
   }
   const bool proved = prove(result, nodes, worst);
@@ -235,6 +257,7 @@ LimitWorstCase LimitRun::mixed_worst_case() {
   worst.upper = value == nullptr ? worst.collapse->factor : verify::rounded_up(*value);
   worst.lower = std::min(found.lower * model_.factor_unit, worst.upper);
   worst.proved = found.proved;
+  worst.search = found.status;
   return worst;
 }
 
@@ -363,7 +386,8 @@ int limit(Session& session, const LimitOptions& options) {
   LimitRun run(session, options, problem);
   const auto answer = run.answer();
   const bool open = answer.worst && (answer.worst->status == RootStatus::open ||
-                                     answer.worst->status == RootStatus::unbounded);
+                                     answer.worst->status == RootStatus::unbounded ||
+                                     answer.worst->search != engine::Status::solved);
   if (session.speaks()) {
     const LimitReport report{options, problem, answer, session.ranks()};
     if (!options.quiet) fmt::print("{}", report.table());

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/options.hpp"
 #include "run/session.hpp"
 
 namespace kusabi::run {
@@ -27,6 +28,7 @@ struct LimitOptions {
   std::uint64_t samples = 0;    ///< random dead loads to compare with
   std::uint64_t seed = 1;       ///< of those
   bool curve = false;           ///< how the factor falls as the uncertainty grows
+  engine::Limits limits;        ///< where the search of a tree stops early
   std::string output;           ///< the result file; empty: none
   std::string certificate;      ///< the evidence goes here; empty: nowhere
   bool quiet = false;

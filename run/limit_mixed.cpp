@@ -13,6 +13,7 @@
 #include "nodes/zero_one/root.hpp"
 #include "nodes/zero_one/tree.hpp"
 #include "problems/mixed_limit.hpp"
+#include "run/shown_search.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -27,10 +28,11 @@ struct Found {
   double lower = 0;
   std::uint64_t nodes = 0;
   std::uint64_t programs = 0;
+  engine::Status status = engine::Status::solved;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& motion& lower& nodes& programs;
+    archive& motion& lower& nodes& programs& status;
   }
 };
 
@@ -113,13 +115,14 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   nodes::ZeroOneTree tree(std::move(root));
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
-  const auto outcome = engine::search(tree, session.transport(), search_options);
+  const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
   const auto packed = session.on_first_rank([&]() -> std::string {
     Found found;
     nodes::ZeroOneTally total;
     for (const auto& rank : outcome.ranks) total += rank.tally;
     found.lower = tree.lower_bound(outcome.bound, total);
     found.nodes = outcome.opened();
+    found.status = outcome.status;
     found.programs = root_programs + total.programs;
     auto best = start;
     if (!outcome.solutions.empty()) best = outcome.solutions.front().solution;
@@ -130,7 +133,16 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
     return {bytes.begin(), bytes.end()};
   });
   const auto found = engine::unpack<Found>(std::span(packed.data(), packed.size()));
-  if (found.motion.empty()) throw std::runtime_error("(29) has no point; M is too small");
+  result.status = found.status;
+  if (found.motion.empty()) {
+    if (found.status == engine::Status::solved)
+      throw std::runtime_error("(29) has no point; M is too small");
+    result.worst = *known;
+    result.lower = found.lower;
+    result.nodes = found.nodes;
+    result.programs = found.programs;
+    return result;
+  }
   const Eigen::Map<const Eigen::VectorXd> motion(found.motion.data(), model.free_count());
   Eigen::VectorXd zeta = nodes::limit::worst_for(model, alpha, motion, known->zeta);
   auto worst = nodes::limit::descend(model, load_factor, alpha, zeta);

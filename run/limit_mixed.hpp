@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "engine/outcome.hpp"
 #include "nodes/limit/worst_case.hpp"
 #include "problems/limit_analysis.hpp"
 #include "run/limit.hpp"
@@ -20,7 +21,8 @@ struct MixedWorst {
   std::uint64_t programs = 0;  ///< linear programs, at the root and in the tree
   std::uint64_t cuts = 0;      ///< disjunctive ones kept, and static ones
   std::uint64_t cut_programs = 0;
-  double largest_m = 0;  ///< the largest M, before it is tightened
+  engine::Status status = engine::Status::solved;  ///< why the search ended
+  double largest_m = 0;                            ///< the largest M, before it is tightened
 };
 
 /// Solves (29) on all ranks; the same on each.

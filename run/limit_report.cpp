@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/collapse_mode.hpp"
+#include "run/patterns_report.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -188,6 +189,8 @@ std::string LimitReport::table() const {
     } else {
       fmt::format_to(out, "  load factor {:.10g} ... {:.10g}{}\n", worst.lower, worst.upper,
                      worst.proved ? ", proved" : "");
+      if (worst.search != engine::Status::solved)
+        fmt::format_to(out, "  stopped early ({})\n", status_name(worst.search));
       if (worst.upper < 0)
         text += "  negative: an admissible dead load alone collapses the structure\n";
       if (worst.collapse) write_mode(text, problem, *worst.collapse);
@@ -224,7 +227,8 @@ ordered_json LimitReport::json() const {
   }
   if (answer.worst) {
     const auto& worst = *answer.worst;
-    status = status_text(worst.status);
+    status = worst.search == engine::Status::solved ? status_text(worst.status)
+                                                    : status_name(worst.search);
     result["alpha"] = *options.alpha;
     result["uncertain_components"] = problem.uncertain_count();
     result["worst_case"] = {

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/outcome.hpp"
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
 #include "problems/limit_problem.hpp"
@@ -34,6 +35,7 @@ struct LimitWorstCase {
   std::uint64_t nodes = 1;          ///< of the tree of signs, and
   std::uint64_t tree_programs = 0;  ///< its linear programs: they hang on the number of ranks
   nodes::limit::WorstCaseCounts counts;
+  engine::Status search = engine::Status::solved;  ///< why the search of a tree ended
 };
 
 struct LimitAnswer {

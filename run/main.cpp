@@ -247,6 +247,13 @@ void add_limit(CLI::App& app, Action& action, bool& serial) {
       .add_flag("--curve", options->curve,
                 "how the load factor falls as the critical load, or alpha, grows from zero")
       ->needs(alpha);
+  command
+      .add_option("--time-limit", options->limits.seconds,
+                  "stop the search of a tree after so many seconds")
+      ->check(positive);
+  command
+      .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")
+      ->check(CLI::PositiveNumber);
   command.add_option("--output", options->output, "write the result to this JSON file");
   command
       .add_option("--certificate", options->certificate,
