@@ -99,7 +99,8 @@ TEST(Rays, OfTheFiveRowTrussAreThoseOfTheReference) {
 
 // W (10): as friction grows through the critical coefficient of a pattern, its cone appears.
 TEST(Rays, OfAPatternAppearAtItsCriticalFriction) {
-  for (const auto& entry : reference("plane-truss.json")["five"]["critical_at_1"]) {
+  const auto known = reference("plane-truss.json")["five"]["critical_at_1"];
+  for (const auto& entry : known) {
     const double critical = entry[0];
     Candidates contact = 0;
     for (const int i : entry[1]) contact |= bit(i);
