@@ -13,10 +13,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// As far as double precision goes: t* near the critical coefficient is its distance from it times a
-// slope of the order of a reaction, and a bracket of 1e-8 asks for t* to better than 1e-10.
-constexpr conic::Tolerances sharp{.sign = 1e-13, .value = 1e-14, .iterations = 100};
-
 // A proof for another coefficient is taken to hold only this far from its very end, relatively:
 // several times the rounding of the products in it.
 constexpr double rounding = 1e-13;
@@ -68,46 +64,25 @@ class Sides {
 }  // namespace
 
 CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, double width)
-    : dimension_(problem.dimension),
-      unit_(problems::mean_normal_compliance(problem)),
-      width_(width),
+    : width_(width),
       own_(problem.friction.empty() ? std::vector<double>(problem.contact_names.size(), 1)
                                     : problem.friction),
       friction_(own_),
-      solver_([&]() -> decltype(solver_) {
-        const Eigen::MatrixXd scaled = problem.compliance / unit_;
-        if (problem.dimension == 2) return conic::NodeSolver<2>(scaled, own_, sharp);
-        return conic::NodeSolver<3>(scaled, own_, sharp);
-      }()) {
+      solver_(problem, own_, tolerances) {
   if (!(width > 0)) throw std::invalid_argument("the width of a bracket must be positive");
   const auto m = static_cast<Eigen::Index>(own_.size());
   normal_compliance_.resize(m, problem.compliance.cols());
   for (Eigen::Index i = 0; i < m; ++i)
-    normal_compliance_.row(i) = problem.compliance.row(dimension_ * i) / unit_;
-}
-
-const Eigen::VectorXd& CriticalFriction::reaction() const {
-  return std::visit([](const auto& solver) -> const Eigen::VectorXd& { return solver.reaction(); },
-                    solver_);
-}
-
-const Eigen::VectorXd& CriticalFriction::displacement() const {
-  return std::visit(
-      [](const auto& solver) -> const Eigen::VectorXd& { return solver.displacement(); }, solver_);
+    normal_compliance_.row(i) = problem.compliance.row(problem.dimension * i) / solver_.unit();
 }
 
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
                                       conic::StopEarly stop) {
   ++programs_;
   for (std::size_t i = 0; i < own_.size(); ++i) friction_[i] = factor * own_[i];
-  const auto answer = std::visit(
-      [&](auto& solver) {
-        solver.set_friction(friction_);
-        const auto result = solver.solve(node.contact, node.separated, stop);
-        pull_.noalias() = normal_compliance_.transpose() * solver.multipliers();
-        return result;
-      },
-      solver_);
+  solver_.set_friction(friction_);
+  const auto answer = solver_.solve(node.contact, node.separated, stop);
+  pull_.noalias() = normal_compliance_.transpose() * solver_.multipliers();
   FrictionProbe probe{.sign = answer.sign,
                       .dead_below = infinity,
                       .alive_from = 0,
@@ -123,9 +98,9 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   bool carries = answer.has_point;
   for (std::size_t i = 0; i < own_.size(); ++i) {
     if ((node.separated >> i & 1U) != 0) continue;
-    const auto at = dimension_ * static_cast<Eigen::Index>(i);
-    const auto tangents = dimension_ - 1;
-    const double normal = reaction()[at];
+    const auto at = solver_.normal(static_cast<int>(i));
+    const auto tangents = solver_.dimension() - 1;
+    const double normal = solver_.reaction()[at];
     const double pull = pull_.segment(at + 1, tangents).norm();
     const double down = -pull_[at];
     const double reach = down <= 0 ? 0 : (pull * own_[i] > 0 ? down / (pull * own_[i]) : infinity);
@@ -133,13 +108,13 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
     sigma += 1 / friction_[i];
     weighted += down * normal;
     carries = carries && normal > 0;
-    probe.alive_from =
-        std::max(probe.alive_from,
-                 (reaction().segment(at + 1, tangents).norm() + sharp.sign) / (own_[i] * normal));
+    probe.alive_from = std::max(
+        probe.alive_from, (solver_.reaction().segment(at + 1, tangents).norm() + tolerances.sign) /
+                              (own_[i] * normal));
   }
   for (std::size_t i = 0; i < own_.size() && carries; ++i) {
     if ((node.contact >> i & 1U) == 0)
-      carries = displacement()[dimension_ * static_cast<Eigen::Index>(i)] > sharp.sign;
+      carries = solver_.normal_displacement(static_cast<int>(i)) > tolerances.sign;
   }
   if (!carries) probe.alive_from = infinity;
   probe.dead_below = std::max(0.0, probe.dead_below * (1 - rounding));
@@ -241,7 +216,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     // On the side of the living t* is often flat and the tangent leads too far; where the dead end
     // was proved from afar, t* is steep and the tangent is better.
     if (next <= floor && floor > sides.dead())
-      next = floor + 0 * width_;
+      next = floor;
     else if (!inside(next))
       next = sides.secant();
     if (!inside(next) || (step > trusted_steps && step % 3 == 0))

@@ -9,10 +9,9 @@
 #pragma once
 
 #include <cstdint>
-#include <variant>
 #include <vector>
 
-#include "nodes/conic/node_solver.hpp"
+#include "nodes/contact_solver.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/wedged_problem.hpp"
 
@@ -50,6 +49,11 @@ enum class CriticalMethod { bisection, newton };
 /// Results depend on the arguments only.
 class CriticalFriction {
  public:
+  /// As far as double precision goes: t* near the critical coefficient is its distance from it
+  /// times a slope of the order of a reaction, and a bracket of 1e-8 asks for t* to better than
+  /// 1e-10.
+  static constexpr conic::Tolerances tolerances{.sign = 1e-13, .value = 1e-14, .iterations = 100};
+
   /// The least coefficient at which a cone program is solved: for less the cones are needles.
   static constexpr double least = 1e-3;
 
@@ -81,10 +85,8 @@ class CriticalFriction {
   /// @param from what is known already  @param cutoff further than this nobody asks
   double bound(const SignPattern& node, double from, double cutoff);
 
-  /// r and u = F r of the node and coefficient solved last; F is scaled by unit().
-  [[nodiscard]] const Eigen::VectorXd& reaction() const;
-  [[nodiscard]] const Eigen::VectorXd& displacement() const;
-  [[nodiscard]] double unit() const { return unit_; }
+  /// What was solved last.
+  [[nodiscard]] const ContactSolver& solver() const { return solver_; }
   [[nodiscard]] double width() const { return width_; }
   [[nodiscard]] double at(std::int64_t multiple) const {
     return width_ * static_cast<double>(multiple);
@@ -102,11 +104,10 @@ class CriticalFriction {
   void surround(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);
   void narrow(CriticalCell& cell, const FrictionProbe& probe, std::int64_t most) const;
 
-  int dimension_;
-  double unit_, width_;
+  double width_;
   std::vector<double> own_, friction_;  // phi_i; mu_i of the last probe
   Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, m x dm
-  std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>> solver_;
+  ContactSolver solver_;
   Eigen::VectorXd pull_;  // w of the multipliers, dm
   std::uint64_t programs_ = 0;
 };

@@ -2,7 +2,6 @@
 #include "nodes/critical_tree.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace kusabi::nodes {
 
@@ -18,10 +17,7 @@ CriticalTree::Tally& CriticalTree::Tally::operator+=(const Tally& other) {
 
 CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most)
     : critical_(problem, width),
-      dimension_(problem.dimension),
-      candidates_(problem.contact_names.size() == 64
-                      ? ~std::uint64_t{0}
-                      : (std::uint64_t{1} << problem.contact_names.size()) - 1),
+      candidates_(all_candidates(problem)),
       most_(most),
       weight_(branching_weights(problem, std::vector<double>(problem.contact_names.size(), 1),
                                 Branching::relative)) {}
@@ -46,7 +42,11 @@ void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
   if ((node.pattern.contact | node.pattern.separated) == candidates_)
     return close_leaf({node.pattern, bound}, out);
   ++tally_.branched;
-  const auto split = std::uint64_t{1} << static_cast<unsigned>(branching_candidate(node.pattern));
+  // By the point at the last coefficient of the bound.
+  const auto free = candidates_ & ~(node.pattern.contact | node.pattern.separated);
+  const int candidate =
+      branching_candidate(free, weight_, [this](int i) { return critical_.solver().violation(i); });
+  const auto split = std::uint64_t{1} << static_cast<unsigned>(candidate);
   out.branch({{node.pattern.contact | split, node.pattern.separated}, bound});
   out.branch({{node.pattern.contact, node.pattern.separated | split}, bound});
 }
@@ -66,27 +66,10 @@ void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>&
   }
   ++tally_.leaves;
   critical_.probe(node.pattern, critical_.at(cell.alive));
-  const Eigen::VectorXd& r = critical_.reaction();
-  const Eigen::VectorXd u = critical_.unit() * critical_.displacement();
+  const auto& solver = critical_.solver();
+  const Eigen::VectorXd& r = solver.reaction();
+  const Eigen::VectorXd u = solver.unit() * solver.displacement();
   out.solution({node.pattern, cell, {r.begin(), r.end()}, {u.begin(), u.end()}});
-}
-
-// The candidate that violates complementarity most, at the last coefficient of the bound.
-int CriticalTree::branching_candidate(const SignPattern& pattern) const {
-  const auto open = candidates_ & ~(pattern.contact | pattern.separated);
-  int best = std::countr_zero(open);
-  double largest = -1;
-  for (auto rest = open; rest != 0; rest &= rest - 1) {
-    const int i = std::countr_zero(rest);
-    const Eigen::Index normal = Eigen::Index{dimension_} * i;
-    const double product = critical_.displacement()[normal] * critical_.reaction()[normal] *
-                           weight_[static_cast<std::size_t>(i)];
-    if (product > largest) {
-      largest = product;
-      best = i;
-    }
-  }
-  return best;
 }
 
 }  // namespace kusabi::nodes

@@ -73,10 +73,8 @@ class CriticalTree {
 
  private:
   void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);
-  [[nodiscard]] int branching_candidate(const SignPattern& pattern) const;
 
   CriticalFriction critical_;
-  int dimension_;
   std::uint64_t candidates_;
   std::int64_t most_;
   std::vector<double> weight_;  // of u_n r_n when a node is split, by candidate

@@ -50,28 +50,19 @@ std::optional<std::uint64_t> zeros(std::vector<Entry>& entries) {
 }  // namespace
 
 FaceFinder::FaceFinder(const problems::WedgedProblem& problem, std::span<const double> friction)
-    : dimension_(problem.dimension), solver_([&]() -> decltype(solver_) {
-        const Eigen::MatrixXd scaled =
-            problem.compliance / problems::mean_normal_compliance(problem);
-        if (problem.dimension == 2) return conic::NodeSolver<2>(scaled, friction, sharp);
-        return conic::NodeSolver<3>(scaled, friction, sharp);
-      }()) {}
+    : solver_(problem, friction, sharp) {}
 
 std::optional<Face> FaceFinder::find(const SignPattern& leaf,
                                      std::span<const std::uint64_t> living) {
+  solver_.solve(leaf.contact, leaf.separated, {.when_dead = false, .when_alive = false});
   std::vector<Entry> entries;
-  std::visit(
-      [&](auto& solver) {
-        solver.solve(leaf.contact, leaf.separated, {.when_dead = false, .when_alive = false});
-        for (auto rest = leaf.contact | leaf.separated; rest != 0; rest &= rest - 1) {
-          const auto candidate = rest & ~(rest - 1);
-          const Eigen::Index normal = dimension_ * std::countr_zero(rest);
-          const bool touches = (leaf.contact & candidate) != 0;
-          entries.push_back(
-              {touches ? solver.reaction()[normal] : solver.displacement()[normal], candidate});
-        }
-      },
-      solver_);
+  for (auto rest = leaf.contact | leaf.separated; rest != 0; rest &= rest - 1) {
+    const auto candidate = rest & ~(rest - 1);
+    const int i = std::countr_zero(rest);
+    const bool touches = (leaf.contact & candidate) != 0;
+    entries.push_back(
+        {touches ? solver_.normal_reaction(i) : solver_.normal_displacement(i), candidate});
+  }
   const auto zero = zeros(entries);
   if (!zero) return std::nullopt;
   const auto loaded = leaf.contact & ~*zero;                     // must be in contact

@@ -9,9 +9,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <variant>
 
-#include "nodes/conic/node_solver.hpp"
+#include "nodes/contact_solver.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/wedged_problem.hpp"
 
@@ -39,8 +38,7 @@ class FaceFinder {
   std::optional<Face> find(const SignPattern& leaf, std::span<const std::uint64_t> living);
 
  private:
-  int dimension_;
-  std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>> solver_;
+  ContactSolver solver_;
 };
 
 }  // namespace kusabi::nodes

@@ -21,13 +21,13 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
 
 #include "engine/search.hpp"
-#include "nodes/conic/node_solver.hpp"
+#include "nodes/branching.hpp"
+#include "nodes/contact_solver.hpp"
 #include "nodes/facets.hpp"
 #include "problems/wedged_problem.hpp"
 
@@ -57,9 +57,9 @@ enum class LeafState {
 struct Configuration {
   SignPattern pattern;
   LeafState state = LeafState::alive;
-  double lower = 0;              ///< lower <= t* <= upper, in scaled units (see SignPatternTree);
-  double upper = 0;              ///< `lower` is the value of the configuration below
-  std::vector<double> reaction;  ///< r, dm, force; sum of its normal parts 1
+  double lower = 0;                  ///< lower <= t* <= upper, in scaled units (see ContactSolver);
+  double upper = 0;                  ///< `lower` is the value of the configuration below
+  std::vector<double> reaction;      ///< r, dm, force; sum of its normal parts 1
   std::vector<double> displacement;  ///< u = K^-1 r, dm, length
 
   template <class Archive>
@@ -102,21 +102,6 @@ struct SignPatternTally {
   }
 };
 
-/// Which undecided candidate a node is split by. Any gives the same patterns.
-enum class Branching {
-  /// The largest u_n r_n: Remark 5.5 of the paper.
-  product,
-  /// The largest u_n r_n / c, where c = F_nn + mu |F_nt| is the largest normal displacement that
-  /// the candidate's own reaction can bring for each unit of r_n. No unit is left in this product,
-  /// and stiff candidates have as much say as soft ones: up to ten times fewer nodes.
-  relative,
-};
-
-/// 1 / c of Branching::relative for each candidate (the unit of F, alike for all, makes no
-/// difference), or ones.
-std::vector<double> branching_weights(const problems::WedgedProblem& problem,
-                                      std::span<const double> friction, Branching branching);
-
 /// How the tree is searched. Whatever is chosen, the patterns are the same.
 struct SignPatternOptions {
   conic::Tolerances tolerances;
@@ -128,9 +113,6 @@ struct SignPatternOptions {
 };
 
 /// The problem type that engine::search searches.
-///
-/// The compliance is scaled so that the mean diagonal of its normal part F_nn is 1: t compares
-/// reactions with displacements, so its size (not its sign) hangs on the units.
 class SignPatternTree {
  public:
   using Node = SignPattern;
@@ -163,27 +145,20 @@ class SignPatternTree {
   void report_to(Witness witness) { witness_ = std::move(witness); }
 
  private:
-  using Solver = std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>>;
-
-  conic::Answer solve(const Node& node, conic::StopEarly stop);
   void prune(const Node& node, const Eigen::VectorXd& multipliers);
   [[nodiscard]] std::uint64_t free_candidates(const Node& node) const {
     return candidates_ & ~(node.contact | node.separated);
   }
-  [[nodiscard]] const Eigen::VectorXd& multipliers() const;
   /// u_n r_n of a candidate at the node that was solved last.
   [[nodiscard]] double violation(int candidate) const;
-  [[nodiscard]] int branching_candidate(const Node& node) const;
   [[nodiscard]] LeafState leaf_state(const conic::Answer& answer) const;
   [[nodiscard]] Configuration configuration(const Node& node, const conic::Answer& answer) const;
   void report_leaf(const Configuration& leaf) const;
 
-  int dimension_;
   std::uint64_t candidates_;  // a bit for each
-  double unit_;               // of the scaled compliance, length/force
   conic::Tolerances tolerances_;
   std::vector<double> weight_;  // of u_n r_n when a node is split, by candidate
-  Solver solver_;
+  ContactSolver solver_;
   std::optional<FacetBound> outer_;  // of Algorithm 5.8
   Tally tally_;
   Witness witness_;

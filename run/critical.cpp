@@ -20,11 +20,11 @@
 #include "run/certificate_file.hpp"
 #include "run/critical_report.hpp"
 #include "run/exit_code.hpp"
-#include "run/patterns_report.hpp"
 #include "run/problem_summary.hpp"
 #include "run/rank_table.hpp"
 #include "run/result_file.hpp"
 #include "run/shown_search.hpp"
+#include "run/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -33,9 +33,6 @@ using nlohmann::ordered_json;
 
 /// How far the global search looks unless told: obstacles are not rougher.
 constexpr double usual_most = 1000;
-
-/// Of the two searches that prove the ends: near a critical coefficient t* is small.
-constexpr conic::Tolerances sharp{.sign = 1e-13, .value = 1e-14, .iterations = 100};
 
 void announce(const CriticalOptions& options, const problems::WedgedProblem& problem, int ranks) {
   fmt::print(stderr, "kusabi {} · critical · {}\n{}; up to a friction coefficient of {}{}; {}\n",
@@ -46,6 +43,13 @@ void announce(const CriticalOptions& options, const problems::WedgedProblem& pro
 
 std::int64_t multiples(double most, double width) {
   return static_cast<std::int64_t>(std::llround(most / width));
+}
+
+CriticalEntry entry_of(const nodes::SignPattern& pattern, const nodes::CriticalCell& cell,
+                       double width, std::vector<double> reaction,
+                       std::vector<double> displacement) {
+  return {pattern, width * static_cast<double>(cell.dead), width * static_cast<double>(cell.alive),
+          std::move(reaction), std::move(displacement)};
 }
 
 CriticalFindings global(Session& session, const CriticalOptions& options,
@@ -61,26 +65,22 @@ CriticalFindings global(Session& session, const CriticalOptions& options,
 
   findings.status = status_name(outcome.status);
   RankTable table({"branched", "pruned", "leaves", "programs"});
-  auto ranks = ordered_json::array();
   nodes::CriticalTree::Tally total;
   for (const auto& [statistics, tally] : outcome.ranks) {
     total += tally;
     table.add(statistics, {tally.branched, tally.dead, tally.leaves, tally.programs});
-    ordered_json rank = {{"branched", tally.branched},
-                         {"dead", tally.dead},
-                         {"leaves", tally.leaves},
-                         {"programs", tally.programs}};
-    add_statistics(rank, statistics);
-    ranks.push_back(std::move(rank));
   }
-  findings.statistics = {{"ranks", std::move(ranks)}};
+  findings.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {
+                            return ordered_json{{"branched", tally.branched},
+                                                {"dead", tally.dead},
+                                                {"leaves", tally.leaves},
+                                                {"programs", tally.programs}};
+                          })}};
   findings.ranks = table.text();
-  const double width = options.width;
   for (const auto& found : outcome.solutions) {
     const auto& best = found.solution;
-    findings.patterns.push_back({best.pattern, width * static_cast<double>(best.cell.dead),
-                                 width * static_cast<double>(best.cell.alive), best.reaction,
-                                 best.displacement});
+    findings.patterns.push_back(
+        entry_of(best.pattern, best.cell, options.width, best.reaction, best.displacement));
   }
   const bool whole = outcome.status == engine::Status::solved;
   findings.conclude(whole ? most : std::min(most, std::max(0.0, outcome.bound)));
@@ -133,22 +133,14 @@ CriticalFindings pattern_by_pattern(Session& session, const CriticalOptions& opt
 
   findings.status = status_name(outcome.status);
   RankTable table({"programs"});
-  auto ranks = ordered_json::array();
-  for (const auto& [statistics, tally] : outcome.ranks) {
-    table.add(statistics, {tally.programs});
-    ordered_json rank = {{"programs", tally.programs}};
-    add_statistics(rank, statistics);
-    ranks.push_back(std::move(rank));
-  }
-  findings.statistics = {{"ranks", std::move(ranks)}};
+  for (const auto& [statistics, tally] : outcome.ranks) table.add(statistics, {tally.programs});
+  findings.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {
+                            return ordered_json{{"programs", tally.programs}};
+                          })}};
   findings.ranks = table.text();
   for (const auto& found : outcome.solutions) {
     const auto& [number, cell] = found.solution;
-    findings.patterns.push_back({patterns[number],
-                                 options.width * static_cast<double>(cell.dead),
-                                 options.width * static_cast<double>(cell.alive),
-                                 {},
-                                 {}});
+    findings.patterns.push_back(entry_of(patterns[number], cell, options.width, {}, {}));
   }
   findings.conclude(*options.most);
   if (findings.status != "solved") findings.lower = 0;
@@ -160,7 +152,8 @@ void certify(Session& session, const CriticalOptions& options,
              const problems::WedgedProblem& problem, double factor, const std::string& file) {
   std::vector<double> friction = problem.friction;
   for (double& mu : friction) mu *= factor;
-  nodes::SignPatternTree tree(problem, friction, {.tolerances = sharp});
+  nodes::SignPatternTree tree(problem, friction,
+                              {.tolerances = nodes::CriticalFriction::tolerances});
   problems::Fingerprint fingerprint;
   fingerprint.add(problem.fingerprint);
   fingerprint.add(factor);
@@ -171,7 +164,7 @@ void certify(Session& session, const CriticalOptions& options,
   if (!session.speaks()) return;
   if (outcome.status == engine::Status::solved) {
     certificate.put_in_place(certificate_header(problem, friction));
-    if (!options.quiet) fmt::print(stderr, "wrote {}\n", file);
+    if (!options.quiet) tell_written({file});
   } else {
     certificate.drop();
     fmt::print(stderr, "no certificate {}: stopped early\n", file);
@@ -222,9 +215,9 @@ int critical(Session& session, const CriticalOptions& options) {
                             : pattern_by_pattern(session, options, problem);
   if (session.speaks()) {
     if (!options.quiet) fmt::print("{}", critical_table(options, problem, findings));
-    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+    flush_standard_output();
     result_file->write(critical_json(options, problem, findings));
-    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", options.output);
+    if (!options.quiet) tell_written({options.output});
     if (findings.status != "solved") {
       fmt::print(stderr, "stopped early ({}): nothing lives below {:.10g}; more is not proved\n",
                  findings.status, findings.lower);

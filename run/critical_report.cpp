@@ -2,7 +2,6 @@
 #include "run/critical_report.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -14,13 +13,6 @@ namespace kusabi::run {
 namespace {
 
 using nlohmann::ordered_json;
-
-std::vector<std::string> names(const problems::WedgedProblem& problem, std::uint64_t set) {
-  std::vector<std::string> list;
-  for (; set != 0; set &= set - 1)
-    list.push_back(problem.contact_names[static_cast<std::size_t>(std::countr_zero(set))]);
-  return list;
-}
 
 const char* way_name(CriticalWay way) {
   switch (way) {
@@ -35,8 +27,8 @@ const char* way_name(CriticalWay way) {
 }
 
 ordered_json entry_json(const problems::WedgedProblem& problem, const CriticalEntry& entry) {
-  ordered_json json = {{"contact", names(problem, entry.pattern.contact)},
-                       {"separated", names(problem, entry.pattern.separated)},
+  ordered_json json = {{"contact", candidate_names(problem, entry.pattern.contact)},
+                       {"separated", candidate_names(problem, entry.pattern.separated)},
                        {"lower", entry.lower},
                        {"upper", entry.upper}};
   if (entry.reaction.empty()) return json;
@@ -68,7 +60,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   }
   std::size_t number = 0;
   for (const auto& entry : findings.patterns) {
-    const auto contact = names(problem, entry.pattern.contact);
+    const auto contact = candidate_names(problem, entry.pattern.contact);
     fmt::format_to(out, "{:>5}  {:>14.10g}  {:>14.10g}  {}\n", ++number, entry.lower, entry.upper,
                    fmt::join(contact, " "));
   }

@@ -28,6 +28,8 @@
 #include "run/result_file.hpp"
 #include "run/shared_work.hpp"
 #include "run/shown_search.hpp"
+#include "run/standard_output.hpp"
+#include "run/told.hpp"
 #include "verify/limit_proof.hpp"
 
 namespace kusabi::run {
@@ -150,7 +152,8 @@ void LimitRun::tree(RootResult& root, double alpha, LimitWorstCase& worst,
   search_options.goal = engine::Goal::best;
   const auto outcome =
       shown_search(session_, tree, search_options, options_.limits, options_.quiet);
-  const auto told = session_.on_first_rank([&]() -> std::string {
+  std::vector<SignTree::Solution> best;
+  std::tie(best, worst.search) = told_by_first_rank(session_, [&] {
     worst.nodes = outcome.opened();
     for (const auto& rank : outcome.ranks) {
       const auto& [branched, closed, counts, evidence] = rank.tally;
@@ -158,15 +161,10 @@ void LimitRun::tree(RootResult& root, double alpha, LimitWorstCase& worst,
       nodes.insert(nodes.end(), evidence.begin(), evidence.end());
     }
     std::ranges::sort(nodes, {}, &ClosedNode::signs);
-    std::vector<SignTree::Solution> best;
-    if (!outcome.solutions.empty()) best.push_back(outcome.solutions.front().solution);
-    const auto bytes = engine::pack(std::pair(best, outcome.status));
-    return {bytes.begin(), bytes.end()};
+    std::vector<SignTree::Solution> found;
+    if (!outcome.solutions.empty()) found.push_back(outcome.solutions.front().solution);
+    return std::pair(found, outcome.status);
   });
-  std::vector<SignTree::Solution> best;
-  std::tie(best, worst.search) =
-      engine::unpack<std::pair<std::vector<SignTree::Solution>, engine::Status>>(
-          std::span(told.data(), told.size()));
   if (!best.empty()) {
     const auto vector = [](const std::vector<double>& values) {
       return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
@@ -391,15 +389,13 @@ int limit(Session& session, const LimitOptions& options) {
   if (session.speaks()) {
     const LimitReport report{options, problem, answer, session.ranks()};
     if (!options.quiet) fmt::print("{}", report.table());
-    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+    flush_standard_output();
     result_file->write(report.json());
     if (certificate_file->wanted() && run.certificate()) {
       certificate_file->stream() << limit_certificate_text(*run.certificate());
       certificate_file->put_in_place();
     }
-    for (const auto& file : {options.output, options.certificate}) {
-      if (!file.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", file);
-    }
+    if (!options.quiet) tell_written({options.output, options.certificate});
   }
   return open ? stopped_early : solved;
 }

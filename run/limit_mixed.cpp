@@ -3,17 +3,16 @@
 
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <stdexcept>
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/wire.hpp"
 #include "nodes/limit/motion_bounds.hpp"
 #include "nodes/zero_one/root.hpp"
 #include "nodes/zero_one/tree.hpp"
 #include "problems/mixed_limit.hpp"
 #include "run/shown_search.hpp"
+#include "run/told.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -116,23 +115,21 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
   const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
-  const auto packed = session.on_first_rank([&]() -> std::string {
-    Found found;
+  const auto found = told_by_first_rank(session, [&] {
+    Found known_here;
     nodes::ZeroOneTally total;
     for (const auto& rank : outcome.ranks) total += rank.tally;
-    found.lower = tree.lower_bound(outcome.bound, total);
-    found.nodes = outcome.opened();
-    found.status = outcome.status;
-    found.programs = root_programs + total.programs;
+    known_here.lower = tree.lower_bound(outcome.bound, total);
+    known_here.nodes = outcome.opened();
+    known_here.status = outcome.status;
+    known_here.programs = root_programs + total.programs;
     auto best = start;
     if (!outcome.solutions.empty()) best = outcome.solutions.front().solution;
     if (best) {
-      found.motion.assign(best->values.begin(), best->values.begin() + model.free_count());
+      known_here.motion.assign(best->values.begin(), best->values.begin() + model.free_count());
     }
-    const auto bytes = engine::pack(found);
-    return {bytes.begin(), bytes.end()};
+    return known_here;
   });
-  const auto found = engine::unpack<Found>(std::span(packed.data(), packed.size()));
   result.status = found.status;
   if (found.motion.empty()) {
     if (found.status == engine::Status::solved)

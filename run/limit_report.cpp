@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/collapse_mode.hpp"
-#include "run/patterns_report.hpp"
+#include "run/rank_table.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -3,22 +3,22 @@
 
 #include <cstdio>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "engine/wire.hpp"
 #include "nodes/linear/program_file.hpp"
 #include "problems/fingerprint.hpp"
 #include "run/exit_code.hpp"
 #include "run/mip_report.hpp"
-#include "run/patterns_report.hpp"
-#include "run/progress_line.hpp"
+#include "run/rank_table.hpp"
 #include "run/restart.hpp"
 #include "run/result_file.hpp"
+#include "run/shown_search.hpp"
 #include "run/signals.hpp"
+#include "run/standard_output.hpp"
+#include "run/told.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -39,12 +39,11 @@ void announce(const MipOptions& options, const ProgramFile& program, int ranks) 
 // Rank 0 reads; the others get what it read.
 ProgramFile read_on_first_rank(Session& session, const MipOptions& options,
                                std::optional<ResultFile>& result_file) {
-  const std::string packed = session.on_first_rank([&] {
-    const auto bytes = engine::pack(nodes::linear::read_program(options.file));
+  return told_by_first_rank(session, [&] {
+    auto program = nodes::linear::read_program(options.file);
     result_file.emplace(options.output, options.file);
-    return std::string(bytes.begin(), bytes.end());
+    return program;
   });
-  return engine::unpack<ProgramFile>(std::span<const char>(packed));
 }
 
 std::uint64_t program_fingerprint(const ProgramFile& file) {
@@ -116,37 +115,29 @@ int mip(Session& session, const MipOptions& options) {
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
   search_options.order = options.order;
-  search_options.limits = options.limits;
   auto& checkpoint = search_options.checkpoint;
   checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
   checkpoint.interval = options.checkpoint_interval;
   checkpoint.problem = tree_fingerprint(fingerprint, options);
   checkpoint.resume_from =
       restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
-  search_options.interrupt = asked_by_signal;
   search_options.warn = warn;
-  std::optional<ProgressLine> progress;
-  if (session.speaks() && !options.quiet) {
-    announce(options, program, session.ranks());
-    progress.emplace(search_options.goal);
-    search_options.progress = [&](const auto& state) { progress->show(state); };
-  }
-  heed_signals();
+  if (session.speaks() && !options.quiet) announce(options, program, session.ranks());
+  heed_signals();  // one that comes while the root is prepared stops the search at its beginning
   const nodes::ZeroOneRootOptions root_options{
       .cuts = options.cuts, .tighten = options.tighten, .dive = options.dive};
   auto root = nodes::prepare_root(program.mixed, root_options);
   const bool unbounded = without_bound(root, program, root_options);
   nodes::ZeroOneTree tree(std::move(root), options.branching);
-  const auto outcome = engine::search(tree, session.transport(), search_options);
-  progress.reset();
+  const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
 
   const bool whole = outcome.status == engine::Status::solved;
   if (session.speaks()) {
     const MipReport report{options, program, fingerprint, tree, outcome, unbounded};
     if (!options.quiet) fmt::print("{}", report.table());
-    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+    flush_standard_output();
     result_file->write(report.json());
-    if (!options.output.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", options.output);
+    if (!options.quiet) tell_written({options.output});
     if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
   }
   return whole ? solved : stopped_early;

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "run/patterns_report.hpp"
 #include "run/rank_table.hpp"
 
 namespace kusabi::run {
@@ -51,16 +50,6 @@ ordered_json tally_json(const nodes::ZeroOneTally& tally) {
           {"held", tally.held},
           {"programs", tally.programs},
           {"iterations", tally.iterations}};
-}
-
-ordered_json rank_reports(const std::vector<engine::RankReport<nodes::ZeroOneTree>>& reports) {
-  auto list = ordered_json::array();
-  for (const auto& [statistics, tally] : reports) {
-    ordered_json rank = tally_json(tally);
-    add_statistics(rank, statistics);
-    list.push_back(std::move(rank));
-  }
-  return list;
 }
 
 }  // namespace
@@ -214,8 +203,8 @@ ordered_json MipReport::json() const {
       {"statistics",
        {{"opened", outcome.opened()},
         {"open", outcome.open},
-        {"ranks", rank_reports(outcome.ranks)},
-        {"earlier_runs", rank_reports(outcome.earlier)}}}};
+        {"ranks", rank_reports(outcome.ranks, tally_json)},
+        {"earlier_runs", rank_reports(outcome.earlier, tally_json)}}}};
 }
 
 }  // namespace kusabi::run

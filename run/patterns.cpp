@@ -17,10 +17,11 @@
 #include "run/output_file.hpp"
 #include "run/patterns_report.hpp"
 #include "run/problem_summary.hpp"
-#include "run/progress_line.hpp"
+#include "run/rank_table.hpp"
 #include "run/restart.hpp"
 #include "run/result_file.hpp"
-#include "run/signals.hpp"
+#include "run/shown_search.hpp"
+#include "run/standard_output.hpp"
 #include "run/trace_file.hpp"
 
 namespace kusabi::run {
@@ -69,7 +70,7 @@ void end_certificate(Session& session, CertificateFile& certificate, const std::
   if (!session.speaks()) return;
   if (whole) {
     certificate.put_in_place(header);
-    if (!options.quiet) fmt::print(stderr, "wrote {}\n", options.certificate);
+    if (!options.quiet) tell_written({options.certificate});
   } else if (goes_on) {
     fmt::print(stderr, "what is proved so far is in {}.part.*\n", options.certificate);
   } else {
@@ -105,7 +106,6 @@ int patterns(Session& session, const PatternsOptions& options) {
                                .facets = options.facets});
 
   engine::Options search_options;
-  search_options.limits = options.limits;
   auto& checkpoint = search_options.checkpoint;
   checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
   checkpoint.interval = options.checkpoint_interval;
@@ -116,32 +116,22 @@ int patterns(Session& session, const PatternsOptions& options) {
                               !options.restart.empty());
   if (certificate.wanted())
     tree.report_to([&](const auto& evidence) { certificate.add(evidence); });
-  search_options.interrupt = asked_by_signal;
   if (!options.trace.empty()) search_options.trace_events = trace_events_a_rank(session.ranks());
   search_options.warn = warn;
-  std::optional<ProgressLine> progress;
-  if (session.speaks() && !options.quiet) {
-    announce(options, problem, session.ranks());
-    progress.emplace(search_options.goal);
-    search_options.progress = [&](const auto& state) { progress->show(state); };
-  }
-  heed_signals();
-  const auto outcome = engine::search(tree, session.transport(), search_options);
-  progress.reset();
+  if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
+  const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
 
   const bool whole = outcome.status == engine::Status::solved;
   if (session.speaks()) {
     const PatternsReport report(options, problem, friction, outcome);
     if (!options.quiet) fmt::print("{}", report.table());
-    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+    flush_standard_output();
     result_file->write(report.json());
     if (trace_file->wanted()) {
       write_trace(trace_file->stream(), outcome.traces);
       trace_file->put_in_place();
     }
-    for (const auto& file : {options.output, options.trace}) {
-      if (!file.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", file);
-    }
+    if (!options.quiet) tell_written({options.output, options.trace});
     if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
   }
   const bool goes_on = !checkpoint.file.empty() && engine::checkpoint_exists(checkpoint.file);

@@ -47,21 +47,6 @@ std::string state_name(const PatternsReport::Entry& entry) {
   return names[kind(entry)];
 }
 
-ordered_json rank_reports(const std::vector<engine::RankReport<nodes::SignPatternTree>>& reports) {
-  auto list = ordered_json::array();
-  for (const auto& [statistics, tally] : reports) {
-    ordered_json rank = tally_json(tally);
-    add_statistics(rank, statistics);
-    list.push_back(std::move(rank));
-  }
-  return list;
-}
-
-// Node names as one cell of the table.
-std::string listed(const std::vector<std::string>& words) {
-  return words.empty() ? "-" : fmt::format("{}", fmt::join(words, " "));
-}
-
 }  // namespace
 
 ordered_json tally_json(const nodes::SignPatternTally& tally) {
@@ -73,24 +58,6 @@ ordered_json tally_json(const nodes::SignPatternTally& tally) {
           {"doubtful_branched", tally.doubtful},
           {"iterations", tally.iterations},
           {"candidates", tally.candidates}};
-}
-
-const char* status_name(engine::Status status) {
-  switch (status) {
-    case engine::Status::solved:
-      return "solved";
-    case engine::Status::time_limit:
-      return "time-limit";
-    case engine::Status::node_limit:
-      return "node-limit";
-    case engine::Status::solution_limit:
-      return "solution-limit";
-    case engine::Status::gap_limit:
-      return "gap-limit";
-    case engine::Status::interrupted:
-      break;
-  }
-  return "interrupted";
 }
 
 PatternsReport::PatternsReport(const PatternsOptions& options_,
@@ -124,14 +91,6 @@ nodes::SignPatternTally PatternsReport::total() const {
   return sum;
 }
 
-std::vector<std::string> PatternsReport::names(std::uint64_t candidates) const {
-  std::vector<std::string> list;
-  for (; candidates != 0; candidates &= candidates - 1) {
-    list.push_back(problem.contact_names[static_cast<std::size_t>(std::countr_zero(candidates))]);
-  }
-  return list;
-}
-
 // The number in the table of the living pattern with this contact set.
 std::size_t PatternsReport::place_of(std::uint64_t contact) const {
   const auto found = std::find_if(sorted.begin(), sorted.end(), [&](const Entry& entry) {
@@ -147,7 +106,8 @@ std::string PatternsReport::table() const {
 
   std::size_t contact_width = std::string_view("in contact (U)").size();
   for (const auto& [leaf, face] : sorted) {
-    contact_width = std::max(contact_width, listed(names(leaf->pattern.contact)).size());
+    contact_width =
+        std::max(contact_width, listed(candidate_names(problem, leaf->pattern.contact)).size());
   }
   if (!sorted.empty()) {
     fmt::format_to(out, "\n{:>5}  {:>10}  {:<{}}  {}\n", "", "margin t*", "in contact (U)",
@@ -159,8 +119,8 @@ std::string PatternsReport::table() const {
     fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}{}\n", ++number,
                    leaf->state == nodes::LeafState::alive ? fmt::format("{:.3e}", leaf->lower)
                                                           : state_name(entry),
-                   listed(names(leaf->pattern.contact)), contact_width,
-                   listed(names(leaf->pattern.separated)),
+                   listed(candidate_names(problem, leaf->pattern.contact)), contact_width,
+                   listed(candidate_names(problem, leaf->pattern.separated)),
                    face ? fmt::format("  (within {})", place_of(face->within)) : "");
   }
   fmt::format_to(out,
@@ -199,17 +159,17 @@ ordered_json PatternsReport::json() const {
   for (const auto& entry : sorted) {
     const auto& [leaf, face] = entry;
     ordered_json pattern = {
-        {"contact", names(leaf->pattern.contact)},
-        {"separated", names(leaf->pattern.separated)},
+        {"contact", candidate_names(problem, leaf->pattern.contact)},
+        {"separated", candidate_names(problem, leaf->pattern.separated)},
         {"state", state_name(entry)},
         {"margin", leaf->lower},
         {"margin_upper", leaf->upper},
         {"reaction", candidate_rows(leaf->reaction, problem.dimension)},
         {"displacement", candidate_rows(leaf->displacement, problem.dimension)}};
     if (face) {
-      pattern["within"] = names(face->within);
-      pattern["unloaded"] = names(face->unloaded);
-      pattern["unmoved"] = names(face->unmoved);
+      pattern["within"] = candidate_names(problem, face->within);
+      pattern["unloaded"] = candidate_names(problem, face->unloaded);
+      pattern["unmoved"] = candidate_names(problem, face->unmoved);
     }
     patterns.push_back(std::move(pattern));
   }
@@ -218,28 +178,28 @@ ordered_json PatternsReport::json() const {
   tree["open"] = outcome.open;
   tree["fingerprint"] = fmt::format("{:016x}", outcome.fingerprint());
 
-  return {
-      {"command", "patterns"},
-      {"version", KUSABI_VERSION},
-      {"problem", problem_json(problem, options.file)},
-      {"options",
-       {{"mu", options.friction},
-        {"tolerance", options.tolerance},
-        {"method", options.facets == 0 ? "cones" : "polyhedral"},
-        {"facets", options.facets},
-        {"branching", options.branching == nodes::Branching::product ? "paper" : "relative"}}},
-      {"status", status_name(outcome.status)},
-      {"result",
-       {{"friction", options.friction},
-        {"tolerance", options.tolerance},
-        {"count", tally.found},
-        {"degenerate", degenerate},
-        {"marginal", tally.marginal - degenerate},
-        {"undecided", tally.undecided},
-        {"tree", std::move(tree)},
-        {"patterns", std::move(patterns)}}},
-      {"statistics",
-       {{"ranks", rank_reports(outcome.ranks)}, {"earlier_runs", rank_reports(outcome.earlier)}}}};
+  return {{"command", "patterns"},
+          {"version", KUSABI_VERSION},
+          {"problem", problem_json(problem, options.file)},
+          {"options",
+           {{"mu", options.friction},
+            {"tolerance", options.tolerance},
+            {"method", options.facets == 0 ? "cones" : "polyhedral"},
+            {"facets", options.facets},
+            {"branching", options.branching == nodes::Branching::product ? "paper" : "relative"}}},
+          {"status", status_name(outcome.status)},
+          {"result",
+           {{"friction", options.friction},
+            {"tolerance", options.tolerance},
+            {"count", tally.found},
+            {"degenerate", degenerate},
+            {"marginal", tally.marginal - degenerate},
+            {"undecided", tally.undecided},
+            {"tree", std::move(tree)},
+            {"patterns", std::move(patterns)}}},
+          {"statistics",
+           {{"ranks", rank_reports(outcome.ranks, tally_json)},
+            {"earlier_runs", rank_reports(outcome.earlier, tally_json)}}}};
 }
 
 }  // namespace kusabi::run

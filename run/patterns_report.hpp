@@ -17,9 +17,6 @@
 
 namespace kusabi::run {
 
-/// As the result file calls it: "solved", "time-limit", ...
-const char* status_name(engine::Status status);
-
 /// What became of the nodes of a tree of sign patterns.
 nlohmann::ordered_json tally_json(const nodes::SignPatternTally& tally);
 
@@ -54,7 +51,6 @@ struct PatternsReport {
 
  private:
   [[nodiscard]] std::size_t place_of(std::uint64_t contact) const;
-  [[nodiscard]] std::vector<std::string> names(std::uint64_t candidates) const;
 };
 
 }  // namespace kusabi::run

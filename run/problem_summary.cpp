@@ -1,10 +1,12 @@
 // The problem as a line and as JSON.
 #include "run/problem_summary.hpp"
 
+#include <bit>
 #include <cstddef>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace kusabi::run {
 namespace {
@@ -49,6 +51,18 @@ ordered_json problem_json(const problems::WedgedProblem& problem, const std::str
           {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
           {"contact", contact_frames(problem)},
           {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}};
+}
+
+std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
+                                         std::uint64_t candidates) {
+  std::vector<std::string> names;
+  for (; candidates != 0; candidates &= candidates - 1)
+    names.push_back(problem.contact_names[static_cast<std::size_t>(std::countr_zero(candidates))]);
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  return words.empty() ? "-" : fmt::format("{}", fmt::join(words, " "));
 }
 
 ordered_json candidate_rows(std::span<const double> values, int dimension) {

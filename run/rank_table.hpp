@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -41,7 +42,22 @@ class RankTable {
   std::vector<Row> earlier_;
 };
 
+/// As the result file calls it: "solved", "time-limit", ...
+const char* status_name(engine::Status status);
+
 /// The engine's statistics of one rank, added to an object of the result file.
 void add_statistics(nlohmann::ordered_json& rank, const engine::RankStatistics& statistics);
+
+/// Of each rank of a run, in their order: what `own` makes of its tally, and its statistics.
+template <class Reports, class Own>
+nlohmann::ordered_json rank_reports(const Reports& reports, Own own) {
+  auto list = nlohmann::ordered_json::array();
+  for (const auto& [statistics, tally] : reports) {
+    nlohmann::ordered_json rank = own(tally);
+    add_statistics(rank, statistics);
+    list.push_back(std::move(rank));
+  }
+  return list;
+}
 
 }  // namespace kusabi::run

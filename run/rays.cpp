@@ -19,11 +19,11 @@
 #include "run/output_file.hpp"
 #include "run/patterns_report.hpp"
 #include "run/problem_summary.hpp"
-#include "run/progress_line.hpp"
 #include "run/rank_table.hpp"
 #include "run/rays_report.hpp"
 #include "run/result_file.hpp"
-#include "run/signals.hpp"
+#include "run/shown_search.hpp"
+#include "run/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -70,14 +70,7 @@ RaysFound gathered(engine::Outcome<nodes::RayTree>& outcome) {
   found.method = RayMethod::tree;
   found.status = status_name(outcome.status);
   nodes::RayTally total;
-  auto reports = ordered_json::array();
-  for (const auto& [statistics, tally] : outcome.ranks) {
-    total += tally;
-    ordered_json rank = tally_json(tally.patterns);
-    rank.update(effort_json(tally.effort));
-    add_statistics(rank, statistics);
-    reports.push_back(std::move(rank));
-  }
+  for (const auto& rank : outcome.ranks) total += rank.tally;
   for (auto& leaf : outcome.solutions) {
     auto& own = leaf.solution.rays;
     found.rays.insert(found.rays.end(), own.begin(), own.end());
@@ -88,7 +81,11 @@ RaysFound gathered(engine::Outcome<nodes::RayTree>& outcome) {
   found.tree["opened"] = outcome.opened();
   found.tree["open"] = outcome.open;
   found.tree["fingerprint"] = fmt::format("{:016x}", outcome.fingerprint());
-  found.statistics = {{"ranks", std::move(reports)}};
+  found.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {
+                         auto own = tally_json(tally.patterns);
+                         own.update(effort_json(tally.effort));
+                         return own;
+                       })}};
   return found;
 }
 
@@ -97,16 +94,7 @@ std::optional<RaysFound> by_tree(Session& session, const RaysOptions& options,
                                  const std::vector<double>& friction,
                                  const rays::ReactionCone& cone) {
   nodes::RayTree tree(nodes::SignPatternTree(problem, friction), cone);
-  engine::Options search_options;
-  search_options.limits = options.limits;
-  search_options.interrupt = asked_by_signal;
-  std::optional<ProgressLine> progress;
-  if (session.speaks() && !options.quiet) {
-    progress.emplace(search_options.goal);
-    search_options.progress = [&](const auto& state) { progress->show(state); };
-  }
-  heed_signals();
-  auto outcome = engine::search(tree, session.transport(), search_options);
+  auto outcome = shown_search(session, tree, {}, options.limits, options.quiet);
   if (!session.speaks()) return std::nullopt;
   return gathered(outcome);
 }
@@ -147,9 +135,7 @@ int report(const RaysOptions& options, const problems::WedgedProblem& problem,
     report.draw(dot.stream());
     dot.put_in_place();
   }
-  for (const auto& file : {options.output, options.csv, options.dot}) {
-    if (!file.empty() && !options.quiet) fmt::print(stderr, "wrote {}\n", file);
-  }
+  if (!options.quiet) tell_written({options.output, options.csv, options.dot});
   if (!found.health.sound()) {
     fmt::print(stderr,
                "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "

@@ -2,7 +2,6 @@
 #include "run/rays_report.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <iterator>
 
@@ -52,10 +51,6 @@ std::vector<double> list(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  return words.empty() ? "-" : fmt::format("{}", fmt::join(words, " "));
-}
-
 }  // namespace
 
 std::string method_name(RayMethod method) {
@@ -66,14 +61,6 @@ std::string RaysReport::states(std::size_t number) const {
   std::string letters;
   for (int i = 0; i < cone_.candidates(); ++i) letters += state_of(supports(number), i).letter;
   return letters;
-}
-
-std::vector<std::string> RaysReport::names(Candidates candidates) const {
-  std::vector<std::string> words;
-  for (; candidates != 0; candidates &= candidates - 1) {
-    words.push_back(problem_.contact_names[static_cast<std::size_t>(std::countr_zero(candidates))]);
-  }
-  return words;
 }
 
 void RaysReport::write(std::ostream* table, std::ostream* csv, ResultFile& json_file) {
@@ -140,7 +127,8 @@ std::string RaysReport::summary() const {
           return belongs({zero, cone_.all()}, each);
         });
     fmt::format_to(out, "{:>7}  {:>6}  {} | {}\n", number + 1, count,
-                   listed(names(cone_.all() & ~each.separated)), listed(names(each.separated)));
+                   listed(candidate_names(problem_, cone_.all() & ~each.separated)),
+                   listed(candidate_names(problem_, each.separated)));
   }
   if (found_.cones.size() > longest_table) {
     fmt::format_to(out, "        and {} more (--output)\n", found_.cones.size() - longest_table);
@@ -191,9 +179,9 @@ ordered_json RaysReport::cone_json(const rays::Cone& each) const {
   for (std::size_t number = 0; number < found_.rays.size(); ++number) {
     if (belongs(supports(number), each)) numbers.push_back(number + 1);
   }
-  return {{"contact", names(cone_.all() & ~each.separated)},
-          {"separated", names(each.separated)},
-          {"idle", names(cone_.all() & ~(each.separated | each.reaction))},
+  return {{"contact", candidate_names(problem_, cone_.all() & ~each.separated)},
+          {"separated", candidate_names(problem_, each.separated)},
+          {"idle", candidate_names(problem_, cone_.all() & ~(each.separated | each.reaction))},
           {"rays", numbers}};
 }
 

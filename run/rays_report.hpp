@@ -54,7 +54,6 @@ class RaysReport {
     return {found_.rays[number], cone_.all()};
   }
   [[nodiscard]] std::string states(std::size_t number) const;
-  [[nodiscard]] std::vector<std::string> names(rays::Candidates candidates) const;
   [[nodiscard]] nlohmann::ordered_json json() const;
   [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;
   [[nodiscard]] nlohmann::ordered_json cone_json(const rays::Cone& cone) const;

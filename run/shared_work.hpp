@@ -5,15 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
 
 #include "engine/search.hpp"
+#include "run/index_range.hpp"
 #include "run/session.hpp"
+#include "run/told.hpp"
 
 namespace kusabi::run {
 
@@ -22,16 +22,7 @@ namespace kusabi::run {
 template <class Result>
 class SharedWork {
  public:
-  /// Pieces `first` to `last` - 1.
-  struct Node {
-    std::uint64_t first = 0;
-    std::uint64_t last = 0;
-
-    template <class Archive>
-    void serialize(Archive& archive, unsigned /*version*/) {
-      archive& first& last;
-    }
-  };
+  using Node = IndexRange;  ///< of pieces
   using Solution = Result;
 
   /// @param piece must hang on its number alone, whatever rank it is done on and in what order
@@ -41,13 +32,13 @@ class SharedWork {
   Node root() const { return {0, pieces_}; }
 
   void expand(Node&& node, engine::Expansion<SharedWork>& out) {
-    if (node.last - node.first == 1) {
+    if (node.size() == 1) {
       out.solution(piece_(node.first));
       return;
     }
-    const auto middle = node.first + (node.last - node.first) / 2;
-    out.branch({node.first, middle});
-    out.branch({middle, node.last});
+    const auto [lower, upper] = node.halves();
+    out.branch(lower);
+    out.branch(upper);
   }
 
  private:
@@ -66,15 +57,10 @@ std::vector<Result> share_work(Session& session, std::uint64_t pieces,
   }
   SharedWork<Result> work(pieces, std::move(piece));
   auto outcome = engine::search(work, session.transport());
-  const std::string packed = session.on_first_rank([&]() -> std::string {
+  return told_by_first_rank(session, [&] {
     for (auto& found : outcome.solutions) results.push_back(std::move(found.solution));
-    const auto bytes = engine::pack(results);
-    return {bytes.begin(), bytes.end()};
+    return results;
   });
-  if (!session.speaks()) {
-    results = engine::unpack<std::vector<Result>>(std::span(packed.data(), packed.size()));
-  }
-  return results;
 }
 
 }  // namespace kusabi::run

@@ -14,10 +14,10 @@ Verification::Tally& Verification::Tally::operator+=(const Tally& other) {
 
 void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
   constexpr std::uint64_t few = 16;
-  if (node.last - node.first > few) {
-    const auto middle = node.first + (node.last - node.first) / 2;
-    out.branch({node.first, middle});
-    out.branch({middle, node.last});
+  if (node.size() > few) {
+    const auto [lower, upper] = node.halves();
+    out.branch(lower);
+    out.branch(upper);
     return;
   }
   for (auto number = node.first; number < node.last; ++number) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/search.hpp"
+#include "run/index_range.hpp"
 #include "verify/certificate.hpp"
 #include "verify/proof.hpp"
 
@@ -14,16 +15,7 @@ namespace kusabi::run {
 /// The problem type that engine::search searches.
 class Verification {
  public:
-  /// Records `first` to `last` - 1.
-  struct Node {
-    std::uint64_t first = 0;
-    std::uint64_t last = 0;
-
-    template <class Archive>
-    void serialize(Archive& archive, unsigned /*version*/) {
-      archive& first& last;
-    }
-  };
+  using Node = IndexRange;  ///< of records
 
   /// A record that does not prove what it claims.
   struct Solution {

@@ -14,6 +14,7 @@
 
 #include "run/exit_code.hpp"
 #include "run/progress_line.hpp"
+#include "run/standard_output.hpp"
 #include "run/verification.hpp"
 #include "run/verify_limit.hpp"
 #include "verify/certificate.hpp"
@@ -133,7 +134,7 @@ int verify(Session& session, const VerifyOptions& options) {
     print_summary(certificate, proof, !flaw, proved);
     print_verdict(refused, proved);
   }
-  if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+  flush_standard_output();
   return refused ? failed : solved;
 }
 

@@ -14,6 +14,7 @@
 
 #include "run/exit_code.hpp"
 #include "run/shared_work.hpp"
+#include "run/standard_output.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/limit_proof.hpp"
 
@@ -86,7 +87,7 @@ int verify_limit(Session& session, const VerifyOptions& options, const std::stri
   } else if (!options.quiet) {
     fmt::print("NOT PROVED\n");
   }
-  if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+  flush_standard_output();
   return refusals.empty() ? solved : failed;
 }
 
