@@ -7,13 +7,21 @@
 namespace kusabi::nodes {
 
 PatternBisection::PatternBisection(const problems::WedgedProblem& problem, double width,
-                                   std::vector<SignPattern> patterns, std::int64_t start,
+                                   std::vector<Pattern> patterns, std::int64_t start,
                                    CriticalMethod method, std::int64_t sections)
-    : critical_(problem, width),
-      patterns_(std::move(patterns)),
+    : patterns_(std::move(patterns)),
       start_(start),
       method_(method),
-      sections_(std::max<std::int64_t>(1, sections)) {}
+      sections_(std::max<std::int64_t>(1, sections)) {
+  for (const auto candidates : problems::blocks_of(problem))
+    critical_.emplace_back(problems::block_problem(problem, candidates), width);
+}
+
+PatternBisection::Tally PatternBisection::tally() const {
+  Tally tally;
+  for (const auto& block : critical_) tally.programs += block.programs();
+  return tally;
+}
 
 PatternBisection::Node PatternBisection::root() const {
   return {.first = 0, .count = static_cast<std::uint32_t>(patterns_.size()), .cell = {0, start_}};
@@ -27,9 +35,16 @@ void PatternBisection::expand(Node&& node, engine::Expansion<PatternBisection>& 
     out.branch({node.first + half, node.count - half, node.cell});
     return;
   }
-  const auto& pattern = patterns_[node.first];
+  const auto& [leaf, lives] = patterns_[node.first];
+  const auto& pattern = leaf.pattern;
+  auto& critical = critical_[leaf.block];
+  if (!lives) {
+    const CriticalCell unknown{0, CriticalCell::nowhere};
+    out.solution({node.first, critical.locate(pattern, unknown, CriticalMethod::newton, start_)});
+    return;
+  }
   if (method_ == CriticalMethod::newton) {
-    out.solution({node.first, critical_.locate(pattern, node.cell, method_, start_)});
+    out.solution({node.first, critical.locate(pattern, node.cell, method_, start_)});
     return;
   }
   if (sections_ > 1 && node.claimed && node.cell == CriticalCell{0, start_})
@@ -37,14 +52,14 @@ void PatternBisection::expand(Node&& node, engine::Expansion<PatternBisection>& 
   if (!node.claimed) {
     // The change is here if the lower end is dead and the upper one is not; a marginal upper end
     // belongs to this cell, which then reaches on to where life is proved.
-    if (node.cell.dead > 0 && !critical_.dead(pattern, node.cell.dead)) return;
+    if (node.cell.dead > 0 && !critical.dead(pattern, node.cell.dead)) return;
     if (node.cell.alive < start_) {
-      if (critical_.dead(pattern, node.cell.alive)) return;
-      node.cell = critical_.alive_from(pattern, node.cell, start_);
+      if (critical.dead(pattern, node.cell.alive)) return;
+      node.cell = critical.alive_from(pattern, node.cell, start_);
     }
     node.claimed = true;
   }
-  const auto half = critical_.halve(pattern, node.cell);
+  const auto half = critical.halve(pattern, node.cell);
   if (half == node.cell || half.alive - half.dead == 1)
     out.solution({node.first, half});
   else

@@ -1,6 +1,9 @@
 // Algorithm 6.1 of the wedged paper, step 2: the critical friction coefficients of given patterns,
 // all at once over the ranks.
 //
+// A flat cone is looked for like a solid one, by any of its names. A leaf that was left open has a
+// lower end only.
+//
 // A node is a range of the patterns, which is halved down to one, or one pattern with the cell that
 // holds its critical coefficient, which is halved down to the width; by Newton's method the latter
 // is one node. When ranks outnumber patterns, the first cell of each is cut into several at once,
@@ -51,21 +54,26 @@ class PatternBisection {
     }
   };
 
-  /// @param patterns alive at the coefficient `start` x width
+  /// A leaf of a block's tree at the coefficient `start` x width.
+  struct Pattern {
+    PatternNode leaf;
+    bool lives = true;  ///< there; if not, that is not known, nor that it is dead
+  };
+
   /// @param sections how many cells each pattern's first one is cut into, for the bisection
   PatternBisection(const problems::WedgedProblem& problem, double width,
-                   std::vector<SignPattern> patterns, std::int64_t start, CriticalMethod method,
+                   std::vector<Pattern> patterns, std::int64_t start, CriticalMethod method,
                    std::int64_t sections);
 
   [[nodiscard]] Node root() const;
   void expand(Node&& node, engine::Expansion<PatternBisection>& out);
-  [[nodiscard]] Tally tally() const { return {critical_.programs()}; }
+  [[nodiscard]] Tally tally() const;
 
  private:
   void begin(const Node& node, engine::Expansion<PatternBisection>& out);
 
-  CriticalFriction critical_;
-  std::vector<SignPattern> patterns_;
+  std::vector<CriticalFriction> critical_;  // of each block
+  std::vector<Pattern> patterns_;
   std::int64_t start_;
   CriticalMethod method_;
   std::int64_t sections_;

@@ -45,10 +45,4 @@ int branching_candidate(std::uint64_t open, std::span<const double> weight, Viol
   return best;
 }
 
-/// All contact candidates as a bit set.
-inline std::uint64_t all_candidates(const problems::WedgedProblem& problem) {
-  const auto count = problem.contact_names.size();
-  return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
-}
-
 }  // namespace kusabi::nodes

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -15,6 +16,13 @@
 #include "problems/wedged_problem.hpp"
 
 namespace kusabi::nodes {
+
+/// The candidates that a configuration in the relative interior of a tie loads and moves: what is
+/// zero there is zero in all configurations of the node.
+struct RelativeInterior {
+  std::uint64_t loaded = 0;  ///< r_n > 0
+  std::uint64_t moved = 0;   ///< u_n > 0
+};
 
 /// conic::NodeSolver of the problem's dimension. Allocates nothing after construction; each rank
 /// has its own. The references hold until the next solve().
@@ -29,7 +37,14 @@ class ContactSolver {
   void set_friction(std::span<const double> friction);
 
   /// Bounds the node with the candidates `contact` in U and `separated` in R.
-  conic::Answer solve(std::uint64_t contact, std::uint64_t separated, conic::StopEarly stop);
+  /// @param ignored candidates that have no reaction and of which no displacement is asked
+  conic::Answer solve(std::uint64_t contact, std::uint64_t separated, conic::StopEarly stop,
+                      std::uint64_t ignored = 0);
+
+  /// Of a node that is marginal with a bracket within the tolerance. reaction() and displacement()
+  /// are then a point of it. Nothing if zero cannot be told from nonzero.
+  std::optional<RelativeInterior> relative_interior(std::uint64_t contact,
+                                                    std::uint64_t separated);
 
   /// r, dm; see conic::NodeSolver.
   [[nodiscard]] const Eigen::VectorXd& reaction() const;

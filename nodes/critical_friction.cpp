@@ -17,6 +17,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // several times the rounding of the products in it.
 constexpr double rounding = 1e-13;
 
+// How far above a tie is looked for life, relatively: further than a pattern is a tie around its
+// own critical coefficient, the slope of t* being above 1e-6 for all but the flattest.
+constexpr double beside = 1e-6;
+
 // A step of Newton's method is wrong by a few times its square. When that is less than the width,
 // the two points of the grid beside its end are asked: for steps of this times the root of the
 // width.
@@ -76,14 +80,35 @@ CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, doubl
     normal_compliance_.row(i) = problem.compliance.row(problem.dimension * i) / solver_.unit();
 }
 
+void CriticalFriction::set_friction(double factor) {
+  for (std::size_t i = 0; i < own_.size(); ++i) friction_[i] = factor * own_[i];
+  solver_.set_friction(friction_);
+}
+
+bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
+  set_friction(factor);
+  const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
+  if (!inside || (inside->loaded & inside->moved) != 0) return false;
+  const auto at_rest = (pattern.contact | pattern.separated) & ~(inside->loaded | inside->moved);
+  if (at_rest == 0) return false;
+  ++programs_;
+  if (solver_.solve(inside->loaded, inside->moved, {}, at_rest).sign != conic::Sign::alive)
+    return false;
+  ++programs_;
+  set_friction(factor * (1 + beside));
+  const auto above = solver_.solve(pattern.contact, pattern.separated, {});
+  return above.sign == conic::Sign::marginal && above.upper <= tolerances.sign;
+}
+
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
                                       conic::StopEarly stop) {
   ++programs_;
-  for (std::size_t i = 0; i < own_.size(); ++i) friction_[i] = factor * own_[i];
-  solver_.set_friction(friction_);
+  set_friction(factor);
   const auto answer = solver_.solve(node.contact, node.separated, stop);
   pull_.noalias() = normal_compliance_.transpose() * solver_.multipliers();
   FrictionProbe probe{.sign = answer.sign,
+                      .tie = answer.sign == conic::Sign::marginal &&
+                             answer.lower >= -tolerances.sign && answer.upper <= tolerances.sign,
                       .dead_below = infinity,
                       .alive_from = 0,
                       .newton = infinity,
@@ -144,7 +169,8 @@ void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
 }
 
 bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point) {
-  switch (probe(pattern, at(point), {}).sign) {
+  const auto said = probe(pattern, at(point), {});
+  switch (said.sign) {
     case conic::Sign::dead:
       cell.dead = point;
       return true;
@@ -152,7 +178,9 @@ bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, st
       cell.alive = point;
       return true;
     case conic::Sign::marginal:
-      break;
+      if (!said.tie || !is_flat(pattern, at(point))) return false;
+      cell.alive = point;
+      return true;
   }
   return false;
 }
@@ -207,12 +235,18 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
   for (int step = 1; cell.alive - cell.dead > 1 && step <= most_steps; ++step) {
     const auto said = probe(pattern, factor);
     narrow(cell, said, most);
-    sides.take(factor, said.level);
+    const bool flat = said.tie && is_flat(pattern, factor);
+    if (flat) {
+      const auto living = static_cast<std::int64_t>(std::ceil(factor / width_));
+      cell.alive = std::max(cell.dead + 1, std::min(cell.alive, living));
+    } else {
+      sides.take(factor, said.level);
+    }
     const bool open = cell.alive == CriticalCell::nowhere;
     if (open && (cell.dead >= most || factor >= at(most))) return cell;  // nothing up to there
     const double floor = std::max(at(cell.dead), least);
     const auto inside = [&](double point) { return point >= floor && point < at(cell.alive); };
-    double next = said.newton;
+    double next = flat ? infinity : said.newton;
     // On the side of the living t* is often flat and the tangent leads too far; where the dead end
     // was proved from afar, t* is steep and the tangent is better.
     if (next <= floor && floor > sides.dead())

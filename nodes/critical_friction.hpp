@@ -20,6 +20,7 @@ namespace kusabi::nodes {
 /// What one cone program says.
 struct FrictionProbe {
   conic::Sign sign = conic::Sign::marginal;  ///< at the coefficient asked for
+  bool tie = false;  ///< of a marginal one: its bracket lies within the tolerance
   double dead_below = 0;  ///< dead for every coefficient below, by the multipliers; 0: none
   double alive_from = 0;  ///< alive from here on, by the configuration; infinity: nowhere
   double newton = 0;      ///< where the tangent of t* vanishes; infinity where there is none
@@ -27,7 +28,8 @@ struct FrictionProbe {
 };
 
 /// A bracket of a critical coefficient on the grid of multiples of a width: dead at the lower end
-/// and alive at the upper one, both decided.
+/// and alive at the upper one, both decided. A flat cone counts as alive where it is nothing but
+/// that (see CriticalFriction).
 struct CriticalCell {
   static constexpr std::int64_t nowhere = INT64_MAX;
 
@@ -45,8 +47,13 @@ struct CriticalCell {
 /// How a cell is found.
 enum class CriticalMethod { bisection, newton };
 
-/// Finds critical coefficients, one node after another. Owns its workspace; each rank has one.
-/// Results depend on the arguments only.
+/// Finds critical coefficients, one node after another, of the problem of one block. Owns its
+/// workspace; each rank has one. Results depend on the arguments only.
+///
+/// A cone with candidates at rest is flat: t* is zero from its critical coefficient on, and never
+/// positive. It lives at a coefficient if the node is a tie there and a little above, and if what
+/// is left without the candidates at rest is alive, whose t* changes its sign. (A pattern close to
+/// its own critical coefficient can be a tie, too, but above it is solid.)
 class CriticalFriction {
  public:
   /// As far as double precision goes: t* near the critical coefficient is its distance from it
@@ -99,6 +106,9 @@ class CriticalFriction {
 
   CriticalCell approach(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
   CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);
+  // Whether a leaf is a flat cone at this coefficient, where it is a tie.
+  bool is_flat(const SignPattern& pattern, double factor);
+  void set_friction(double factor);
   // Moves the end of the cell to a point within it, if its sign is decided there.
   bool decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point);
   void surround(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);

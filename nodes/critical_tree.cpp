@@ -2,8 +2,15 @@
 #include "nodes/critical_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kusabi::nodes {
+namespace {
+
+// Bounds are compared with points of the grid, relatively: a product of two numbers is rounded.
+constexpr double rounding = 1e-15;
+
+}  // namespace
 
 CriticalTree::Tally& CriticalTree::Tally::operator+=(const Tally& other) {
   branched += other.branched;
@@ -15,61 +22,78 @@ CriticalTree::Tally& CriticalTree::Tally::operator+=(const Tally& other) {
   return *this;
 }
 
+CriticalTree::Block::Block(const problems::WedgedProblem& problem, double width)
+    : critical(problem, width),
+      candidates(problems::all_candidates(problem)),
+      weight(branching_weights(problem, std::vector<double>(problem.contact_names.size(), 1),
+                               Branching::relative)) {}
+
 CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most)
-    : critical_(problem, width),
-      candidates_(all_candidates(problem)),
-      most_(most),
-      weight_(branching_weights(problem, std::vector<double>(problem.contact_names.size(), 1),
-                                Branching::relative)) {}
+    : width_(width), most_(most) {
+  for (const auto candidates : problems::blocks_of(problem))
+    blocks_.emplace_back(problems::block_problem(problem, candidates), width);
+}
 
 CriticalTree::Tally CriticalTree::tally() const {
   auto tally = tally_;
-  tally.programs = critical_.programs();
+  for (const Block& block : blocks_) tally.programs += block.critical.programs();
   return tally;
 }
 
+CriticalTree::Node CriticalTree::root() const {
+  return {.place = {.block = blocks_.size() == 1 ? 0 : PatternNode::all_blocks, .pattern = {}},
+          .bound = 0};
+}
+
 void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
-  if (node.pattern.separated == candidates_) {  // no reaction at all
+  if (node.place.block == PatternNode::all_blocks) {
+    for (std::uint32_t block = 0; block < blocks_.size(); ++block)
+      out.branch({{.block = block, .pattern = {}}, 0});
+    return;
+  }
+  Block& block = blocks_[node.place.block];
+  const auto& [contact, separated, at_rest] = node.place.pattern;
+  if (separated == block.candidates) {  // no reaction at all
     ++tally_.dead;
     return;
   }
-  const double cutoff = std::min(out.cutoff(), critical_.at(most_));
-  const double bound = critical_.bound(node.pattern, node.bound, cutoff);
-  if (bound > cutoff) {
+  const double most = block.critical.at(most_);
+  const double cutoff = std::min(out.cutoff(), most);
+  const double bound = block.critical.bound(node.place.pattern, node.bound, cutoff);
+  // What is dead at the lower end of the best cell has nothing to add to the bracket.
+  const double lowest = out.cutoff() - width_;
+  if (bound > cutoff || bound >= lowest + rounding * std::abs(lowest)) {
     ++tally_.dead;
     return;
   }
-  if ((node.pattern.contact | node.pattern.separated) == candidates_)
-    return close_leaf({node.pattern, bound}, out);
+  const auto free = block.candidates & ~(contact | separated);
+  if (free == 0) return close_leaf({node.place, bound}, out);
   ++tally_.branched;
   // By the point at the last coefficient of the bound.
-  const auto free = candidates_ & ~(node.pattern.contact | node.pattern.separated);
+  const auto& solver = block.critical.solver();
   const int candidate =
-      branching_candidate(free, weight_, [this](int i) { return critical_.solver().violation(i); });
+      branching_candidate(free, block.weight, [&solver](int i) { return solver.violation(i); });
   const auto split = std::uint64_t{1} << static_cast<unsigned>(candidate);
-  out.branch({{node.pattern.contact | split, node.pattern.separated}, bound});
-  out.branch({{node.pattern.contact, node.pattern.separated | split}, bound});
+  out.branch({{node.place.block, {contact | split, separated}}, bound});
+  out.branch({{node.place.block, {contact, separated | split}}, bound});
 }
 
 void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>& out) {
-  const auto known = static_cast<std::int64_t>(node.bound / critical_.width());
-  const auto cell =
-      critical_.locate(node.pattern, {known, CriticalCell::nowhere}, CriticalMethod::newton, most_);
+  auto& critical = blocks_[node.place.block].critical;
+  const auto known = static_cast<std::int64_t>(node.bound / width_);
+  const auto cell = critical.locate(node.place.pattern, {known, CriticalCell::nowhere},
+                                    CriticalMethod::newton, most_);
   if (cell.dead >= most_) {
     ++tally_.dead;
     return;
   }
-  if (cell.alive == CriticalCell::nowhere) {
+  if (cell.alive == CriticalCell::nowhere || cell.alive - cell.dead > 1) {
     ++tally_.doubtful;
-    tally_.doubt = std::min(tally_.doubt, critical_.at(cell.dead));
-    return;
+    tally_.doubt = std::min(tally_.doubt, critical.at(cell.dead));
   }
+  if (cell.alive == CriticalCell::nowhere) return;
   ++tally_.leaves;
-  critical_.probe(node.pattern, critical_.at(cell.alive));
-  const auto& solver = critical_.solver();
-  const Eigen::VectorXd& r = solver.reaction();
-  const Eigen::VectorXd u = solver.unit() * solver.displacement();
-  out.solution({node.pattern, cell, {r.begin(), r.end()}, {u.begin(), u.end()}});
+  out.solution({cell});
 }
 
 }  // namespace kusabi::nodes

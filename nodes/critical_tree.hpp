@@ -1,16 +1,16 @@
 // The global minimum of the critical friction coefficient, by one best-first search.
 //
-// The tree is that of the sign patterns. A node is bounded by the smallest coefficient at which its
-// relaxation lives, which no pattern below it can undercut; a leaf has its own critical
-// coefficient, bracketed on the grid. The best leaf prunes. No coefficient to start from is needed,
+// The tree is that of the sign patterns, of all blocks. A node is bounded by the smallest coefficient
+// at which its relaxation lives, which no pattern below it can undercut; a leaf has its own critical
+// coefficient, bracketed on the grid. The best leaf prunes: also what can at best begin in the same
+// cell of the grid, since the bracket is all that is asked for. (Which patterns begin to live in it
+// is found at its upper end, by the tree of sign patterns.) No coefficient to start from is needed,
 // and what is opened is about what a proof that nothing lives below the answer needs anyway.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <vector>
-
-#include <boost/serialization/vector.hpp>
 
 #include "engine/search.hpp"
 #include "nodes/critical_friction.hpp"
@@ -22,24 +22,21 @@ namespace kusabi::nodes {
 class CriticalTree {
  public:
   struct Node {
-    SignPattern pattern;
+    PatternNode place;
     double bound = 0;  ///< dead below
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
-      archive& pattern& bound;
+      archive& place& bound;
     }
   };
 
   struct Solution {
-    SignPattern pattern;
     CriticalCell cell;
-    std::vector<double> reaction;      ///< r at the upper end, dm, force; normal parts sum to 1
-    std::vector<double> displacement;  ///< u = K^-1 r, dm, length
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
-      archive& pattern& cell& reaction& displacement;
+      archive& cell;
     }
   };
 
@@ -47,7 +44,7 @@ class CriticalTree {
     std::uint64_t branched = 0;
     std::uint64_t dead = 0;      ///< below what is asked for, or below the best pattern
     std::uint64_t leaves = 0;    ///< patterns whose critical coefficient was found
-    std::uint64_t doubtful = 0;  ///< leaves that are marginal from some coefficient on
+    std::uint64_t doubtful = 0;  ///< leaves whose cell is wider than the width, or open above
     /// The least coefficient from which on a doubtful leaf is not known to be dead.
     double doubt = std::numeric_limits<double>::infinity();
     std::uint64_t programs = 0;  ///< cone programs solved
@@ -63,21 +60,28 @@ class CriticalTree {
   /// @param width of the bracket  @param most no coefficient above most x width is of interest
   CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most);
 
-  [[nodiscard]] Node root() const { return {}; }
+  [[nodiscard]] Node root() const;
   void expand(Node&& node, engine::Expansion<CriticalTree>& out);
   [[nodiscard]] double objective(const Solution& solution) const {
-    return critical_.at(solution.cell.alive);
+    return width_ * static_cast<double>(solution.cell.alive);
   }
   [[nodiscard]] double bound(const Node& node) const { return node.bound; }
   [[nodiscard]] Tally tally() const;
 
  private:
+  struct Block {
+    Block(const problems::WedgedProblem& problem, double width);
+
+    CriticalFriction critical;
+    std::uint64_t candidates;
+    std::vector<double> weight;  // of u_n r_n when a node is split, by candidate
+  };
+
   void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);
 
-  CriticalFriction critical_;
-  std::uint64_t candidates_;
+  double width_;
   std::int64_t most_;
-  std::vector<double> weight_;  // of u_n r_n when a node is split, by candidate
+  std::vector<Block> blocks_;
   Tally tally_;
 };
 

@@ -26,12 +26,16 @@ void RayTree::expand(Node&& node, engine::Expansion<RayTree>& out) {
   for (const Node& child : fate.children) out.branch(child);
   if (!fate.leaf) return;
   out.poll();
-  const auto found = rays::rays_of_pattern(cone_, node.contact);
+  const auto& [contact, separated, at_rest] = node.pattern;
+  const bool flat = fate.leaf->state == LeafState::flat;
+  const auto found = rays::rays_of_pattern(cone_, flat ? fate.leaf->pattern.contact : contact);
   tally_.effort += found.effort;
   tally_.health += found.health;
   PatternRays own;
   for (const rays::ZeroSet& zero : found.rays) {
-    if (rays::Supports(zero, cone_.all()).reaction() == node.contact) own.rays.push_back(zero);
+    // Those with a reaction just at the candidates in contact of a sign pattern below this node.
+    const auto loaded = rays::Supports(zero, cone_.all()).reaction();
+    if ((contact & ~loaded) == 0 && (separated & loaded) == 0) own.rays.push_back(zero);
   }
   if (!own.rays.empty()) out.solution(std::move(own));
 }

@@ -6,8 +6,9 @@
 // rank ever holds more than the rays of one pattern.
 //
 // A ray that neither touches with a reaction nor separates at some candidates lies in the cones of
-// several leaves, living and marginal ones. It is reported by one of them, the one whose U is where
-// the ray has a reaction. docs/theory.md, section 5, shows that this misses none.
+// several leaves. It is reported by one of them, the one whose U is where the ray has a reaction;
+// what closes a tie as a flat cone stands for all leaves below it. docs/theory.md, section 5, shows
+// that this misses none.
 #pragma once
 
 #include <vector>
@@ -47,11 +48,11 @@ struct RayTally {
 /// The problem type that engine::search searches.
 class RayTree {
  public:
-  using Node = SignPattern;
+  using Node = PatternNode;
   using Solution = PatternRays;
   using Tally = RayTally;
 
-  /// @param tree  of a plane problem
+  /// @param tree  of a plane problem, taken as one block
   /// @param cone  of the same problem and friction
   RayTree(SignPatternTree tree, rays::ReactionCone cone);
 

@@ -1,8 +1,10 @@
 // How a node of the sign-pattern tree is decided and split.
 #include "nodes/sign_pattern.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <stdexcept>
 
 namespace kusabi::nodes {
 namespace {
@@ -11,12 +13,26 @@ std::uint64_t bit(int candidate) {
   return std::uint64_t{1} << static_cast<unsigned>(candidate);
 }
 
+std::vector<double> part_of(std::span<const double> numbers, std::uint64_t candidates) {
+  std::vector<double> part;
+  for (; candidates != 0; candidates &= candidates - 1)
+    part.push_back(numbers[static_cast<std::size_t>(std::countr_zero(candidates))]);
+  return part;
+}
+
+SignPattern in_whole(const SignPattern& own, std::uint64_t block) {
+  return {.contact = problems::in_whole(own.contact, block),
+          .separated = problems::in_whole(own.separated, block),
+          .at_rest = problems::in_whole(own.at_rest, block)};
+}
+
 }  // namespace
 
 SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
   branched += other.branched;
   dead += other.dead;
   found += other.found;
+  flat += other.flat;
   marginal += other.marginal;
   undecided += other.undecided;
   doubtful += other.doubtful;
@@ -25,14 +41,25 @@ SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
   return *this;
 }
 
+SignPatternTree::Block::Block(const problems::WedgedProblem& problem, std::uint64_t within_whole,
+                              std::span<const double> friction, const SignPatternOptions& options)
+    : candidates(within_whole),
+      all(problems::all_candidates(problem)),
+      weight(branching_weights(problem, friction, options.branching)),
+      solver(problem, friction, options.tolerances) {
+  if (options.facets != 0)
+    outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances);
+}
+
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
                                  std::span<const double> friction, SignPatternOptions options)
-    : candidates_(all_candidates(problem)),
-      tolerances_(options.tolerances),
-      weight_(branching_weights(problem, friction, options.branching)),
-      solver_(problem, friction, tolerances_) {
-  if (options.facets != 0)
-    outer_.emplace(problem.compliance / solver_.unit(), friction, options.facets, tolerances_);
+    : tolerances_(options.tolerances) {
+  if (friction.size() != problem.contact_names.size())
+    throw std::invalid_argument("every candidate needs a friction coefficient");
+  for (const auto candidates : problems::blocks_of(problem)) {
+    blocks_.emplace_back(problems::block_problem(problem, candidates), candidates,
+                         part_of(friction, candidates), options);
+  }
 }
 
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
@@ -42,92 +69,143 @@ void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& ou
 }
 
 SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
-  const bool leaf = free_candidates(node) == 0;
-  conic::Answer answer;
-  if (outer_) {
-    answer = outer_->solve(node.contact, node.separated, {});
+  if (node.block == Node::all_blocks) {
+    Fate fate;
+    for (std::uint32_t block = 0; block < blocks_.size(); ++block)
+      fate.children.push_back({.block = block, .pattern = {}});
+    return fate;
+  }
+  Block& block = blocks_[node.block];
+  const auto& [contact, separated, at_rest] = node.pattern;
+  const bool leaf = block.free(node.pattern) == 0;
+  if (block.outer) {
+    const auto answer = block.outer->solve(contact, separated, {});
     tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-    if (answer.sign == conic::Sign::dead) {
-      prune(node, outer_->multipliers());
-      return {};
-    }
+    if (answer.sign == conic::Sign::dead) return prune(node, block.outer->multipliers());
     if (leaf) ++tally_.candidates;
+    if (!leaf && answer.sign == conic::Sign::alive)
+      return branch(node, block.free(node.pattern), [&block](int i) {
+        return block.outer->normal_displacement(i) * block.outer->normal_reaction(i);
+      });
   }
-  if (!outer_ || leaf) {
-    // A leaf that lives is worth its full accuracy: its margin is part of the answer.
-    answer = solver_.solve(node.contact, node.separated, {.when_dead = true, .when_alive = !leaf});
-    tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-    if (answer.sign == conic::Sign::dead) {
-      prune(node, solver_.multipliers());
-      return {};
-    }
+  // A leaf that lives is worth its full accuracy: its margin is part of the answer.
+  const auto answer =
+      block.solver.solve(contact, separated, {.when_dead = true, .when_alive = !leaf});
+  tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+  switch (answer.sign) {
+    case conic::Sign::dead:
+      return prune(node, block.solver.multipliers());
+    case conic::Sign::alive:
+      if (leaf) return close(node, configuration(node, LeafState::alive, answer));
+      break;
+    case conic::Sign::marginal:
+      return decide_doubt(node, answer);
   }
-  if (leaf) {
-    auto found = configuration(node, answer);
-    switch (found.state) {
-      case LeafState::alive:
-        ++tally_.found;
-        break;
-      case LeafState::marginal:
-        ++tally_.marginal;
-        break;
-      case LeafState::undecided:
-        ++tally_.undecided;
-        break;
-    }
-    if (witness_) report_leaf(found);
-    return {.children = {}, .leaf = std::move(found)};
-  }
-  ++tally_.branched;
-  if (answer.sign == conic::Sign::marginal) ++tally_.doubtful;
-  const auto split = bit(
-      branching_candidate(free_candidates(node), weight_, [this](int i) { return violation(i); }));
-  return {
-      .children = {{node.contact | split, node.separated}, {node.contact, node.separated | split}},
-      .leaf = {}};
+  return branch(node, block.free(node.pattern));
 }
 
-void SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {
+// A tie is closed if what is zero in its relative interior leaves nothing to be decided.
+SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node, const conic::Answer& answer) {
+  Block& block = blocks_[node.block];
+  const bool tie = answer.lower >= -tolerances_.sign && answer.upper <= tolerances_.sign;
+  const auto free = block.free(node.pattern);
+  if (tie) {
+    const auto inside =
+        block.solver.relative_interior(node.pattern.contact, node.pattern.separated);
+    if (inside && (inside->loaded & inside->moved) == 0) {
+      const SignPattern cone{.contact = inside->loaded,
+                             .separated = inside->moved,
+                             .at_rest = block.all & ~(inside->loaded | inside->moved)};
+      return close(node, configuration({node.block, cone}, LeafState::flat, answer));
+    }
+    if (inside && free != 0) return branch(node, inside->loaded & inside->moved);
+  }
+  if (free == 0)
+    return close(node,
+                 configuration(node, tie ? LeafState::marginal : LeafState::undecided, answer));
+  ++tally_.doubtful;
+  return branch(node, free);
+}
+
+SignPatternTree::Fate SignPatternTree::branch(const Node& node, std::uint64_t open) {
+  const auto& solver = blocks_[node.block].solver;
+  return branch(node, open, [&solver](int i) { return solver.violation(i); });
+}
+
+template <class Violation>
+SignPatternTree::Fate SignPatternTree::branch(const Node& node, std::uint64_t open,
+                                              Violation violation) {
+  ++tally_.branched;
+  const auto split = bit(branching_candidate(open, blocks_[node.block].weight, violation));
+  const auto& [contact, separated, at_rest] = node.pattern;
+  return {.children = {{node.block, {contact | split, separated}},
+                       {node.block, {contact, separated | split}}},
+          .leaf = {}};
+}
+
+SignPatternTree::Fate SignPatternTree::prune(const Node& node,
+                                             const Eigen::VectorXd& multipliers) {
   ++tally_.dead;
-  if (!witness_) return;
+  if (!witness_) return {};
   const std::span<const double> numbers(multipliers.data(),
                                         static_cast<std::size_t>(multipliers.size()));
-  witness_({.kind = Evidence::Kind::dead, .node = node, .numbers = numbers});
+  witness_({.kind = Evidence::Kind::dead,
+            .block = node.block,
+            .node = in_whole(node.pattern, blocks_[node.block].candidates),
+            .numbers = numbers});
+  return {};
 }
 
-double SignPatternTree::violation(int candidate) const {
-  if (outer_) return outer_->normal_displacement(candidate) * outer_->normal_reaction(candidate);
-  return solver_.violation(candidate);
+SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration leaf) {
+  switch (leaf.state) {
+    case LeafState::alive:
+      ++tally_.found;
+      break;
+    case LeafState::flat:
+      ++tally_.flat;
+      break;
+    case LeafState::marginal:
+      ++tally_.marginal;
+      break;
+    case LeafState::undecided:
+      ++tally_.undecided;
+      break;
+  }
+  if (witness_) report_leaf(node, leaf);
+  return {.children = {}, .leaf = std::move(leaf)};
 }
 
-LeafState SignPatternTree::leaf_state(const conic::Answer& answer) const {
-  if (answer.sign == conic::Sign::alive) return LeafState::alive;
-  const bool bracketed = answer.lower >= -tolerances_.sign && answer.upper <= tolerances_.sign;
-  return bracketed ? LeafState::marginal : LeafState::undecided;
-}
-
-Configuration SignPatternTree::configuration(const Node& node, const conic::Answer& answer) const {
-  const Eigen::VectorXd& r = solver_.reaction();
-  const Eigen::VectorXd u = solver_.unit() * solver_.displacement();
-  return {.pattern = node,
-          .state = leaf_state(answer),
+Configuration SignPatternTree::configuration(const Node& node, LeafState state,
+                                             const conic::Answer& answer) const {
+  const Block& block = blocks_[node.block];
+  const Eigen::VectorXd& r = block.solver.reaction();
+  const Eigen::VectorXd u = block.solver.unit() * block.solver.displacement();
+  return {.block = node.block,
+          .pattern = in_whole(node.pattern, block.candidates),
+          .state = state,
           .lower = answer.lower,
           .upper = answer.upper,
           .reaction = {r.begin(), r.end()},
           .displacement = {u.begin(), u.end()}};
 }
 
-void SignPatternTree::report_leaf(const Configuration& leaf) const {
-  if (leaf.state != LeafState::alive) {
-    witness_({.kind = Evidence::Kind::marginal, .node = leaf.pattern, .numbers = {}});
-    return;
-  }
+void SignPatternTree::report_leaf(const Node& node, const Configuration& leaf) const {
+  const Block& block = blocks_[node.block];
+  Evidence evidence{.kind = Evidence::Kind::marginal,
+                    .block = node.block,
+                    .node = in_whole(node.pattern, block.candidates),
+                    .numbers = {}};
   std::vector<double> tangential;
-  for (auto touching = leaf.pattern.contact; touching != 0; touching &= touching - 1) {
-    const auto* const normal = leaf.reaction.data() + solver_.normal(std::countr_zero(touching));
-    tangential.insert(tangential.end(), normal + 1, normal + solver_.dimension());
+  if (leaf.state == LeafState::alive) {
+    evidence.kind = Evidence::Kind::alive;
+    for (auto touching = node.pattern.contact; touching != 0; touching &= touching - 1) {
+      const auto* const normal =
+          leaf.reaction.data() + block.solver.normal(std::countr_zero(touching));
+      tangential.insert(tangential.end(), normal + 1, normal + block.solver.dimension());
+    }
+    evidence.numbers = tangential;
   }
-  witness_({.kind = Evidence::Kind::alive, .node = leaf.pattern, .numbers = tangential});
+  witness_(evidence);
 }
 
 }  // namespace kusabi::nodes

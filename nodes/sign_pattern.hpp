@@ -1,19 +1,21 @@
 // The tree of sign patterns: Algorithm 5.1 of the wedged paper, or 5.8.
 //
-// A node is a pair (U, R) of disjoint sets of contact candidates: those held in contact, u_n = 0,
-// and those held separated, r = 0. Its bound is the cone program of nodes/conic, whose optimal
-// value t* tells whether a wedged configuration can exist below the node:
+// A node is a pair (U, R) of disjoint sets of the contact candidates of one block: those held in
+// contact, u_n = 0, and those held separated, r = 0. Its bound is the cone program of nodes/conic,
+// whose optimal value t* tells whether a wedged configuration can exist below the node:
 //
 //   t* < 0   none can: the node is dead;
 //   t* > 0   the relaxation is alive: a leaf is a pattern, any other node is branched;
-//   |t*| within the tolerance   marginal: the node is branched like a living one, and a marginal
-//            leaf is reported, but neither counted as a pattern nor thrown away.
+//   t* = 0   (within the tolerance) a tie: there are configurations, but in all of them some
+//            inequalities are equalities. Those in the relative interior say which. If there is no
+//            candidate left with both a reaction and a gap, all configurations of the node are
+//            those of one cone D(Y) of (14), a flat one, and the node is closed: found once, however
+//            many sign patterns name it. Otherwise it is branched at such a candidate.
 //
-// Should rounding end the solver while its bracket of t* still reaches beyond the tolerance on both
-// sides, the node is undecided. It is treated as a marginal one, and reported under its own name.
+// Should rounding leave the sign of a leaf or the zeros of a tie open, the leaf is reported as
+// undecided or marginal: neither counted as a pattern nor thrown away.
 //
-// A marginal leaf is most often a face: t* = 0 exactly, its cone D(Y) of (14) has no interior point
-// and belongs to another pattern's cone.
+// A structure that comes apart has a tree a block, all below one root.
 #pragma once
 
 #include <cstdint>
@@ -29,54 +31,75 @@
 #include "nodes/branching.hpp"
 #include "nodes/contact_solver.hpp"
 #include "nodes/facets.hpp"
+#include "problems/problem_block.hpp"
 #include "problems/wedged_problem.hpp"
 
 namespace kusabi::nodes {
 
-/// U and R as bit sets; bit i is contact candidate i.
+/// What is asked of each candidate, as bit sets; bit i is contact candidate i.
 struct SignPattern {
   std::uint64_t contact = 0;    ///< U: u_n = 0
   std::uint64_t separated = 0;  ///< R: r = 0
+  std::uint64_t at_rest = 0;    ///< both, throughout a flat cone; empty at the nodes of a tree
 
   friend bool operator==(const SignPattern&, const SignPattern&) = default;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& contact& separated;
+    archive& contact& separated& at_rest;
+  }
+};
+
+/// A node of a tree of sign patterns.
+struct PatternNode {
+  /// The root of a structure in several blocks, whose children are the roots of these.
+  static constexpr std::uint32_t all_blocks = UINT32_MAX;
+
+  std::uint32_t block = 0;
+  SignPattern pattern;  ///< of the block's own candidates, from bit 0 on
+
+  friend bool operator==(const PatternNode&, const PatternNode&) = default;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& block& pattern;
   }
 };
 
 /// What is known of a leaf that is not dead.
 enum class LeafState {
-  alive,      ///< t* is above the tolerance
-  marginal,   ///< |t*| is within the tolerance
+  alive,      ///< t* is above the tolerance: a solid cone
+  flat,       ///< t* = 0, and it is known what is zero: a flat cone
+  marginal,   ///< |t*| is within the tolerance, but what is zero cannot be told
   undecided,  ///< neither is proved
 };
 
 /// A leaf of the tree that is not dead, with a configuration that shows it.
 struct Configuration {
-  SignPattern pattern;
+  std::uint32_t block = 0;
+  SignPattern pattern;  ///< of the whole problem's candidates
   LeafState state = LeafState::alive;
   double lower = 0;                  ///< lower <= t* <= upper, in scaled units (see ContactSolver);
   double upper = 0;                  ///< `lower` is the value of the configuration below
-  std::vector<double> reaction;      ///< r, dm, force; sum of its normal parts 1
-  std::vector<double> displacement;  ///< u = K^-1 r, dm, length
+  std::vector<double> reaction;      ///< r of the block, force; sum of its normal parts 1
+  std::vector<double> displacement;  ///< u = K^-1 r of the block, length
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& pattern& state& lower& upper& reaction& displacement;
+    archive& block& pattern& state& lower& upper& reaction& displacement;
   }
 };
 
 /// Why a node was closed: what a certificate says of it (docs/certificates.md).
 struct Evidence {
   enum class Kind {
-    dead,      ///< numbers: the m multipliers that prove it
+    dead,      ///< numbers: the multipliers that prove it, one a candidate of the block
     alive,     ///< a leaf; numbers: the tangential reactions of the candidates in U
-    marginal,  ///< a leaf that is marginal or undecided; no numbers
+    marginal,  ///< flat, marginal or undecided: nothing is claimed; no numbers
   };
   Kind kind = Kind::marginal;
-  SignPattern node;
+  std::uint32_t block = 0;
+  SignPattern node;                 ///< of the whole problem's candidates
   std::span<const double> numbers;  ///< valid during the call
 };
 
@@ -88,6 +111,7 @@ struct SignPatternTally {
   std::uint64_t branched = 0;    ///< had both children put into the tree
   std::uint64_t dead = 0;        ///< pruned: no wedged configuration below
   std::uint64_t found = 0;       ///< leaves that are alive
+  std::uint64_t flat = 0;        ///< nodes closed as flat cones, maximal or not
   std::uint64_t marginal = 0;    ///< leaves that are marginal
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
@@ -98,7 +122,7 @@ struct SignPatternTally {
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& branched& dead& found& marginal& undecided& doubtful& iterations& candidates;
+    archive& branched& dead& found& flat& marginal& undecided& doubtful& iterations& candidates;
   }
 };
 
@@ -115,7 +139,7 @@ struct SignPatternOptions {
 /// The problem type that engine::search searches.
 class SignPatternTree {
  public:
-  using Node = SignPattern;
+  using Node = PatternNode;
   using Solution = Configuration;
   using Tally = SignPatternTally;
 
@@ -123,12 +147,12 @@ class SignPatternTree {
   /// it, weighted by size, on space trusses of 20 to 40 candidates (docs/theory.md).
   static constexpr double work_of_first_child = 1.0 / 3;
 
-  /// @param friction mu of each contact candidate, m numbers > 0
+  /// @param friction mu of each contact candidate, m numbers >= 0
   /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
   SignPatternTree(const problems::WedgedProblem& problem, std::span<const double> friction,
                   SignPatternOptions options = {});
 
-  Node root() const { return {}; }
+  Node root() const { return {.block = blocks_.size() == 1 ? 0 : Node::all_blocks, .pattern = {}}; }
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
   Tally tally() const { return tally_; }
 
@@ -145,21 +169,35 @@ class SignPatternTree {
   void report_to(Witness witness) { witness_ = std::move(witness); }
 
  private:
-  void prune(const Node& node, const Eigen::VectorXd& multipliers);
-  [[nodiscard]] std::uint64_t free_candidates(const Node& node) const {
-    return candidates_ & ~(node.contact | node.separated);
-  }
-  /// u_n r_n of a candidate at the node that was solved last.
-  [[nodiscard]] double violation(int candidate) const;
-  [[nodiscard]] LeafState leaf_state(const conic::Answer& answer) const;
-  [[nodiscard]] Configuration configuration(const Node& node, const conic::Answer& answer) const;
-  void report_leaf(const Configuration& leaf) const;
+  // What it takes to bound the nodes of one block.
+  struct Block {
+    /// @param problem of the block alone  @param within_whole its candidates in the whole
+    Block(const problems::WedgedProblem& problem, std::uint64_t within_whole,
+          std::span<const double> friction, const SignPatternOptions& options);
 
-  std::uint64_t candidates_;  // a bit for each
+    [[nodiscard]] std::uint64_t free(const SignPattern& node) const {
+      return all & ~(node.contact | node.separated);
+    }
+
+    std::uint64_t candidates;    // as bits of the whole problem
+    std::uint64_t all;           // the same as bits of the block
+    std::vector<double> weight;  // of u_n r_n when a node is split, by candidate
+    ContactSolver solver;
+    std::optional<FacetBound> outer;  // of Algorithm 5.8
+  };
+
+  Fate decide_doubt(const Node& node, const conic::Answer& answer);
+  Fate branch(const Node& node, std::uint64_t open);
+  template <class Violation>
+  Fate branch(const Node& node, std::uint64_t open, Violation violation);
+  Fate prune(const Node& node, const Eigen::VectorXd& multipliers);
+  Fate close(const Node& node, Configuration leaf);
+  [[nodiscard]] Configuration configuration(const Node& node, LeafState state,
+                                            const conic::Answer& answer) const;
+  void report_leaf(const Node& node, const Configuration& leaf) const;
+
   conic::Tolerances tolerances_;
-  std::vector<double> weight_;  // of u_n r_n when a node is split, by candidate
-  ContactSolver solver_;
-  std::optional<FacetBound> outer_;  // of Algorithm 5.8
+  std::vector<Block> blocks_;
   Tally tally_;
   Witness witness_;
 };

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "problems/condensation.hpp"
+#include "problems/contact_blocks.hpp"
 #include "problems/contact_frame.hpp"
 #include "problems/fingerprint.hpp"
 #include "problems/mechanism.hpp"
@@ -175,6 +176,7 @@ WedgedProblem wedged_problem(const Structure& structure) {
   CondensedMatrices matrices = condensed(structure, degrees, problem.frames);
   problem.stiffness = std::move(matrices.stiffness);
   problem.compliance = std::move(matrices.compliance);
+  problem.blocks = contact_blocks(structure, degrees);
   problem.nodes = static_cast<int>(structure.node_names.size());
   problem.members = static_cast<int>(structure.members.size());
   problem.elements = static_cast<int>(structure.elements.size());

@@ -39,6 +39,9 @@ struct WedgedProblem {
   /// K of (6), dm x dm, force/length: candidate by candidate, each (n, t1[, t2]); exactly symmetric
   Eigen::MatrixXd stiffness;
   Eigen::MatrixXd compliance;  ///< F = K^-1, length/force, ordered as K; exactly symmetric
+  /// The candidates in blocks that nothing connects (contact_blocks.hpp): bit sets, a partition of
+  /// all. K and F are zero between two blocks. Empty: not known, one block.
+  std::vector<std::uint64_t> blocks;
   int nodes = 0;               ///< of the structure, supported ones included
   int members = 0;             ///< of the structure
   int elements = 0;            ///< of the structure

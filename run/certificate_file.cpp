@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "nodes/sha1.hpp"
+#include "problems/problem_block.hpp"
 
 namespace kusabi::run {
 
@@ -104,12 +105,15 @@ class Writer {
 
 std::string certificate_header(const problems::WedgedProblem& problem,
                                std::span<const double> friction) {
-  auto text = fmt::format("kusabi certificate 1\ndimension {}\ncandidates {}\n", problem.dimension,
+  auto text = fmt::format("kusabi certificate 2\ndimension {}\ncandidates {}\n", problem.dimension,
                           problem.contact_names.size());
   for (const auto& name : problem.contact_names) text += fmt::format("name {}\n", one_line(name));
   text += "friction";
   append(text, friction);
-  text += "\nstiffness\n";
+  const auto blocks = problems::blocks_of(problem);
+  text += fmt::format("\nblocks {}\n", blocks.size());
+  for (const auto block : blocks) text += fmt::format("block {:x}\n", block);
+  text += "stiffness\n";
   const auto& stiffness = problem.stiffness;
   for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
     for (Eigen::Index j = 0; j <= i; ++j) {
@@ -124,7 +128,8 @@ std::string certificate_line(const nodes::Evidence& evidence) {
   const auto* const kind = evidence.kind == nodes::Evidence::Kind::dead    ? "dead"
                            : evidence.kind == nodes::Evidence::Kind::alive ? "alive"
                                                                            : "marginal";
-  auto line = fmt::format("{} {:x} {:x}", kind, evidence.node.contact, evidence.node.separated);
+  auto line = fmt::format("{} {} {:x} {:x}", kind, evidence.block + 1, evidence.node.contact,
+                          evidence.node.separated);
   append(line, evidence.numbers);
   return line + '\n';
 }

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "run/problem_summary.hpp"
 
@@ -26,22 +26,32 @@ const char* way_name(CriticalWay way) {
   return "bisection";
 }
 
+ordered_json number_or_null(const std::optional<double>& number) {
+  return number ? ordered_json(*number) : ordered_json();
+}
+
 ordered_json entry_json(const problems::WedgedProblem& problem, const CriticalEntry& entry) {
-  ordered_json json = {{"contact", candidate_names(problem, entry.pattern.contact)},
-                       {"separated", candidate_names(problem, entry.pattern.separated)},
-                       {"lower", entry.lower},
-                       {"upper", entry.upper}};
+  ordered_json json = pattern_json(problem, entry.block, entry.pattern);
+  json["lower"] = entry.lower;
+  json["upper"] = number_or_null(entry.upper);
   if (entry.reaction.empty()) return json;
-  json["reaction"] = candidate_rows(entry.reaction, problem.dimension);
-  json["displacement"] = candidate_rows(entry.displacement, problem.dimension);
+  json["reaction"] = block_rows(problem, entry.block, entry.reaction);
+  json["displacement"] = block_rows(problem, entry.block, entry.displacement);
   return json;
+}
+
+double or_infinity(const std::optional<double>& number) {
+  return number.value_or(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
 
 void CriticalFindings::conclude(double dead) {
   std::sort(patterns.begin(), patterns.end(), [](const auto& a, const auto& b) {
-    if (a.upper != b.upper) return a.upper < b.upper;
+    const double from_a = or_infinity(a.upper);
+    const double from_b = or_infinity(b.upper);
+    if (from_a != from_b) return from_a < from_b;
+    if (a.block != b.block) return a.block < b.block;
     return a.pattern.contact < b.pattern.contact;
   });
   lower = dead;
@@ -60,9 +70,12 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   }
   std::size_t number = 0;
   for (const auto& entry : findings.patterns) {
-    const auto contact = candidate_names(problem, entry.pattern.contact);
-    fmt::format_to(out, "{:>5}  {:>14.10g}  {:>14.10g}  {}\n", ++number, entry.lower, entry.upper,
-                   fmt::join(contact, " "));
+    const auto& [contact, separated, at_rest] = entry.pattern;
+    fmt::format_to(
+        out, "{:>5}  {:>14.10g}  {:>14}  {}{}\n", ++number, entry.lower,
+        entry.upper ? fmt::format("{:.10g}", *entry.upper) : "?",
+        listed(candidate_names(problem, contact)),
+        at_rest == 0 ? "" : fmt::format("  at rest: {}", listed(candidate_names(problem, at_rest))));
   }
   const auto* const times =
       problems::uniform_friction(problem) ? "" : " (times that of each candidate)";
@@ -75,13 +88,12 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
     fmt::format_to(out, "\nnothing can wedge at a friction coefficient{} below {:.10g}\n", times,
                    findings.lower);
   }
-  if (findings.doubtful != 0) {
-    fmt::format_to(
-        out,
-        "{} patterns with t* = 0 from there on could not be decided: the lower end allows "
-        "for them\n",
-        findings.doubtful);
+  if (findings.upper && findings.status == "solved" && !findings.upper_proved) {
+    text +=
+        "What wedges at the upper end is a tie: some candidates stay at rest within the rounding "
+        "of the file's numbers.\n";
   }
+  for (const auto& sentence : findings.open) fmt::format_to(out, "Open: {}.\n", sentence);
   if (options.way != CriticalWay::global && findings.upper) {
     fmt::format_to(out, "(of the {} patterns that live at {})\n", findings.patterns.size(),
                    options.most.value_or(0));
@@ -93,19 +105,21 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
                            const CriticalFindings& findings) {
   auto patterns = ordered_json::array();
   for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry));
-  ordered_json bracket = {{"lower", findings.lower}, {"upper", nullptr}};
-  if (findings.upper) bracket["upper"] = *findings.upper;
   ordered_json chosen = {{"method", way_name(options.way)}, {"width", options.width}};
-  chosen["mu_max"] = options.most ? ordered_json(*options.most) : ordered_json();
+  chosen["mu_max"] = number_or_null(options.most);
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(problem, options.file)},
           {"options", std::move(chosen)},
           {"status", findings.status},
           {"result",
-           {{"critical_friction", std::move(bracket)},
+           {{"critical_friction",
+             {{"lower", findings.lower},
+              {"upper", number_or_null(findings.upper)},
+              {"lower_proved", findings.lower_proved},
+              {"upper_proved", findings.upper_proved}}},
             {"pattern", patterns.empty() ? ordered_json() : patterns.front()},
-            {"doubtful", findings.doubtful},
+            {"open", findings.open},
             {"patterns", std::move(patterns)}}},
           {"statistics", findings.statistics}};
 }

@@ -9,7 +9,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "nodes/critical_friction.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/critical.hpp"
@@ -18,26 +17,33 @@ namespace kusabi::run {
 
 /// A pattern that begins to live within a bracket of the friction coefficient.
 struct CriticalEntry {
+  std::uint32_t block = 0;
   nodes::SignPattern pattern;
   double lower = 0;                  ///< dead here
-  double upper = 0;                  ///< alive here
-  std::vector<double> reaction;      ///< at `upper`; empty if it was not asked for
+  std::optional<double> upper;       ///< alive here; nothing: not known to be anywhere
+  std::vector<double> reaction;      ///< of the block at `upper`; empty if it was not asked for
   std::vector<double> displacement;  ///< likewise
 };
 
 /// What was found, on rank 0.
 struct CriticalFindings {
-  std::string status = "solved";
-  std::vector<CriticalEntry> patterns;  ///< smallest first; of the global search, one or none
-  double lower = 0;                     ///< nothing lives here
+  std::string status = "solved";        ///< of the searches
+  std::vector<CriticalEntry> patterns;  ///< smallest first; of the global search those that live at
+                                        ///< the upper end
+  double lower = 0;                     ///< nothing lives here, nor below
   std::optional<double> upper;          ///< something does; nothing: not up to the largest
-  std::uint64_t doubtful = 0;           ///< patterns of which nothing is proved from `lower` on
-  nlohmann::ordered_json statistics;
-  std::string ranks;  ///< the table of the ranks
+  bool lower_proved = false;            ///< every sign pattern was proved dead at `lower`
+  bool upper_proved = false;            ///< a solid cone was proved to live at `upper`
+  /// What is left open, a sentence each.
+  std::vector<std::string> open;
+  nlohmann::ordered_json statistics = {};
+  std::string ranks = {};  ///< the table of the ranks
 
   /// Sorts the patterns and reads the bracket from them and from what is known beside.
   /// @param dead nothing lives below, but for the patterns
   void conclude(double dead);
+
+  [[nodiscard]] bool answered() const { return status == "solved" && open.empty(); }
 };
 
 /// The result as text.

@@ -22,6 +22,7 @@
 #include "run/result_file.hpp"
 #include "run/shown_search.hpp"
 #include "run/standard_output.hpp"
+#include "run/told.hpp"
 #include "run/trace_file.hpp"
 
 namespace kusabi::run {
@@ -60,6 +61,13 @@ void tell_what_is_left(const PatternsOptions& options, const std::string& checkp
   if (options.facets != 0) call += fmt::format(" --method polyhedral --facets {}", options.facets);
   if (!options.certificate.empty()) call += fmt::format(" --certificate {}", options.certificate);
   tell_how_to_go_on(call, checkpoint, outcome.saved);
+}
+
+void tell_what_is_open(std::size_t leaves) {
+  fmt::print(stderr,
+             "open: of {} sign pattern{} it could not be told whether anything wedges: the list is "
+             "complete but for {}\n",
+             leaves, leaves == 1 ? "" : "s", leaves == 1 ? "it" : "them");
 }
 
 // Of a search that stopped early the parts stay, if anything can go on from them.
@@ -122,22 +130,26 @@ int patterns(Session& session, const PatternsOptions& options) {
   const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
 
   const bool whole = outcome.status == engine::Status::solved;
+  std::size_t open = 0;
   if (session.speaks()) {
-    const PatternsReport report(options, problem, friction, outcome);
+    const PatternsReport report(options, problem, outcome);
+    open = report.open();
+    result_file->write(report.json());
     if (!options.quiet) fmt::print("{}", report.table());
     flush_standard_output();
-    result_file->write(report.json());
     if (trace_file->wanted()) {
       write_trace(trace_file->stream(), outcome.traces);
       trace_file->put_in_place();
     }
     if (!options.quiet) tell_written({options.output, options.trace});
     if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
+    if (open != 0) tell_what_is_open(open);
   }
   const bool goes_on = !checkpoint.file.empty() && engine::checkpoint_exists(checkpoint.file);
   end_certificate(session, certificate, certificate_header(problem, friction), options, whole,
                   goes_on);
-  return whole ? solved : stopped_early;
+  const bool answered = told_by_first_rank(session, [&] { return whole && open == 0; });
+  return answered ? solved : stopped_early;
 }
 
 }  // namespace kusabi::run

@@ -2,13 +2,12 @@
 #include "run/patterns_report.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "problems/problem_block.hpp"
 #include "run/problem_summary.hpp"
 #include "run/rank_table.hpp"
 
@@ -17,34 +16,22 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// True if the set `a`, read as an increasing list, comes before `b` in the order of a dictionary.
-bool before(std::uint64_t a, std::uint64_t b) {
-  while (a != 0 && b != 0) {
-    const int first_a = std::countr_zero(a);
-    const int first_b = std::countr_zero(b);
-    if (first_a != first_b) return first_a < first_b;
-    a &= a - 1;
-    b &= b - 1;
-  }
-  return a == 0 && b != 0;
-}
-
-// The place of an entry's kind in the list.
-int kind(const PatternsReport::Entry& entry) {
-  switch (entry.leaf->state) {
+const char* state_name(nodes::LeafState state) {
+  switch (state) {
     case nodes::LeafState::alive:
-      return 0;
+      return "alive";
+    case nodes::LeafState::flat:
+      return "flat";
     case nodes::LeafState::marginal:
-      return entry.face ? 1 : 2;
+      return "marginal";
     case nodes::LeafState::undecided:
       break;
   }
-  return 3;
+  return "undecided";
 }
 
-std::string state_name(const PatternsReport::Entry& entry) {
-  static constexpr const char* names[] = {"alive", "degenerate", "marginal", "undecided"};
-  return names[kind(entry)];
+std::string patterns(std::uint64_t count) {
+  return fmt::format("{} sign pattern{}", count, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -53,6 +40,7 @@ ordered_json tally_json(const nodes::SignPatternTally& tally) {
   return {{"branched", tally.branched},
           {"dead", tally.dead},
           {"found", tally.found},
+          {"flat_nodes", tally.flat},
           {"marginal_leaves", tally.marginal},
           {"undecided_leaves", tally.undecided},
           {"doubtful_branched", tally.doubtful},
@@ -60,146 +48,174 @@ ordered_json tally_json(const nodes::SignPatternTally& tally) {
           {"candidates", tally.candidates}};
 }
 
-PatternsReport::PatternsReport(const PatternsOptions& options_,
-                               const problems::WedgedProblem& problem_,
-                               std::span<const double> friction,
-                               const engine::Outcome<nodes::SignPatternTree>& outcome_)
-    : options(options_), problem(problem_), outcome(outcome_) {
-  std::vector<std::uint64_t> living;
-  for (const auto& found : outcome.solutions) {
-    sorted.push_back({&found.solution, std::nullopt});
-    if (found.solution.state == nodes::LeafState::alive)
-      living.push_back(found.solution.pattern.contact);
+PatternsReport::PatternsReport(const PatternsOptions& options,
+                               const problems::WedgedProblem& problem,
+                               const engine::Outcome<nodes::SignPatternTree>& outcome)
+    : options_(options), problem_(problem), outcome_(outcome) {
+  std::vector<nodes::Configuration> leaves;
+  for (const auto& found : outcome.solutions) leaves.push_back(found.solution);
+  leaves_ = nodes::maximal_cones(std::move(leaves));
+  for (const auto candidates : problems::blocks_of(problem)) blocks_.push_back({candidates});
+  for (const auto& leaf : leaves_) {
+    switch (leaf.state) {
+      case nodes::LeafState::flat:
+        ++flat_;
+        [[fallthrough]];
+      case nodes::LeafState::alive:
+        ++blocks_[leaf.block].cones;
+        break;
+      case nodes::LeafState::marginal:
+        ++marginal_;
+        ++blocks_[leaf.block].open;
+        break;
+      case nodes::LeafState::undecided:
+        ++undecided_;
+        ++blocks_[leaf.block].open;
+        break;
+    }
   }
-  std::sort(living.begin(), living.end(), before);
-  nodes::FaceFinder faces(problem, friction);
-  for (auto& [leaf, face] : sorted) {
-    if (leaf->state != nodes::LeafState::marginal) continue;
-    face = faces.find(leaf->pattern, living);
-    degenerate += face ? 1 : 0;
-  }
-  std::sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) {
-    if (kind(a) != kind(b)) return kind(a) < kind(b);
-    return before(a.leaf->pattern.contact, b.leaf->pattern.contact);
-  });
 }
 
 nodes::SignPatternTally PatternsReport::total() const {
   nodes::SignPatternTally sum;
-  for (const auto& rank : outcome.ranks) sum += rank.tally;
-  for (const auto& rank : outcome.earlier) sum += rank.tally;
+  for (const auto& rank : outcome_.ranks) sum += rank.tally;
+  for (const auto& rank : outcome_.earlier) sum += rank.tally;
   return sum;
 }
 
-// The number in the table of the living pattern with this contact set.
-std::size_t PatternsReport::place_of(std::uint64_t contact) const {
-  const auto found = std::find_if(sorted.begin(), sorted.end(), [&](const Entry& entry) {
-    return entry.leaf->pattern.contact == contact;
-  });
-  return static_cast<std::size_t>(found - sorted.begin()) + 1;
+std::uint64_t PatternsReport::count() const {
+  std::vector<std::uint64_t> cones;
+  for (const auto& block : blocks_) cones.push_back(block.cones);
+  return nodes::combinations(cones);
 }
 
-std::string PatternsReport::table() const {
+// The candidates of blocks that cannot wedge: at rest whatever the others do.
+std::uint64_t PatternsReport::idle() const {
+  std::uint64_t candidates = 0;
+  if (outcome_.status != engine::Status::solved) return candidates;  // some may come
+  for (const auto& block : blocks_) candidates |= block.rests() ? block.candidates : 0;
+  return candidates;
+}
+
+std::string PatternsReport::list() const {
   std::string text;
   auto out = std::back_inserter(text);
-  const auto tally = total();
-
+  const auto names = [&](std::uint64_t set) { return listed(candidate_names(problem_, set)); };
   std::size_t contact_width = std::string_view("in contact (U)").size();
-  for (const auto& [leaf, face] : sorted) {
-    contact_width =
-        std::max(contact_width, listed(candidate_names(problem, leaf->pattern.contact)).size());
-  }
-  if (!sorted.empty()) {
+  for (const auto& leaf : leaves_)
+    contact_width = std::max(contact_width, names(leaf.pattern.contact).size());
+  if (!leaves_.empty()) {
     fmt::format_to(out, "\n{:>5}  {:>10}  {:<{}}  {}\n", "", "margin t*", "in contact (U)",
                    contact_width, "separated (R)");
   }
   std::size_t number = 0;
-  for (const auto& entry : sorted) {
-    const auto& [leaf, face] = entry;
+  for (const auto& leaf : leaves_) {
+    const auto& [contact, separated, at_rest] = leaf.pattern;
     fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}{}\n", ++number,
-                   leaf->state == nodes::LeafState::alive ? fmt::format("{:.3e}", leaf->lower)
-                                                          : state_name(entry),
-                   listed(candidate_names(problem, leaf->pattern.contact)), contact_width,
-                   listed(candidate_names(problem, leaf->pattern.separated)),
-                   face ? fmt::format("  (within {})", place_of(face->within)) : "");
+                   leaf.state == nodes::LeafState::alive ? fmt::format("{:.3e}", leaf.lower)
+                                                         : state_name(leaf.state),
+                   names(contact), contact_width, names(separated),
+                   at_rest == 0 ? "" : "  at rest: " + names(at_rest));
   }
-  fmt::format_to(out,
-                 "\n{} sign pattern{} of wedged configurations at friction coefficient {}{}; "
-                 "{} marginal (|t*| <= {})\n",
-                 tally.found, tally.found == 1 ? "" : "s", options.friction,
-                 problems::uniform_friction(problem) ? "" : " times that of each candidate",
-                 tally.marginal - degenerate, options.tolerance);
-  if (options.facets != 0) {
-    fmt::format_to(out, "{} candidates under polyhedral friction cones of {} facets\n",
-                   tally.candidates, options.facets);
-  }
-  if (degenerate != 0) {
-    fmt::format_to(out, "{} degenerate: t* = 0, all their configurations are of a pattern listed\n",
-                   degenerate);
-  }
-  if (tally.undecided != 0) {
-    fmt::format_to(out, "{} undecided: double precision did not suffice to bracket t*\n",
-                   tally.undecided);
-  }
-
-  RankTable ranks({"branched", "pruned", "found", "marginal", "iterations"});
-  const auto own = [](const nodes::SignPatternTally& its) {
-    return std::vector<std::uint64_t>{its.branched, its.dead, its.found,
-                                      its.marginal + its.undecided + its.doubtful, its.iterations};
-  };
-  for (const auto& rank : outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
-  for (const auto& rank : outcome.earlier) ranks.add_earlier(rank.statistics, own(rank.tally));
-  text += '\n' + ranks.text();
   return text;
 }
 
-ordered_json PatternsReport::json() const {
-  const auto tally = total();
-  ordered_json patterns = ordered_json::array();
-  for (const auto& entry : sorted) {
-    const auto& [leaf, face] = entry;
-    ordered_json pattern = {
-        {"contact", candidate_names(problem, leaf->pattern.contact)},
-        {"separated", candidate_names(problem, leaf->pattern.separated)},
-        {"state", state_name(entry)},
-        {"margin", leaf->lower},
-        {"margin_upper", leaf->upper},
-        {"reaction", candidate_rows(leaf->reaction, problem.dimension)},
-        {"displacement", candidate_rows(leaf->displacement, problem.dimension)}};
-    if (face) {
-      pattern["within"] = candidate_names(problem, face->within);
-      pattern["unloaded"] = candidate_names(problem, face->unloaded);
-      pattern["unmoved"] = candidate_names(problem, face->unmoved);
+// The answer, and what it leaves open.
+std::string PatternsReport::verdict() const {
+  std::string text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "\n{} of wedged configurations at friction coefficient {}{}; {} marginal "
+                      "(|t*| <= {})\n",
+                 patterns(count()), options_.friction,
+                 problems::uniform_friction(problem_) ? "" : " times that of each candidate",
+                 marginal_, options_.tolerance);
+  if (flat_ != 0) {
+    fmt::format_to(out,
+                   "{} of the list flat: t* = 0, the candidates at rest have neither a reaction "
+                   "nor a gap in any of their configurations\n",
+                   flat_);
+  }
+  if (blocks_.size() > 1) {
+    fmt::format_to(out, "the structure comes apart into {} blocks, which wedge or rest each by "
+                        "itself:\n",
+                   blocks_.size());
+    for (const auto& block : blocks_) {
+      fmt::format_to(out, "  {}: {}\n", listed(candidate_names(problem_, block.candidates)),
+                     block.rests() ? "at rest always" : patterns(block.cones));
     }
+    const auto wedging =
+        std::count_if(blocks_.begin(), blocks_.end(), [](const auto& b) { return b.cones != 0; });
+    if (wedging > 1) {
+      text +=
+          "any pattern of one goes with any of another: their product is the number of patterns "
+          "of the whole, and the list has those of each block\n";
+    }
+  }
+  if (options_.facets != 0) {
+    fmt::format_to(out, "{} candidates under polyhedral friction cones of {} facets\n",
+                   total().candidates, options_.facets);
+  }
+  if (undecided_ != 0) {
+    fmt::format_to(out, "{} undecided: the bracket of t* could not be made narrow enough\n",
+                   undecided_);
+  }
+  return text;
+}
+
+std::string PatternsReport::table() const {
+  RankTable ranks({"branched", "pruned", "found", "marginal", "iterations"});
+  const auto own = [](const nodes::SignPatternTally& its) {
+    return std::vector<std::uint64_t>{its.branched, its.dead, its.found + its.flat,
+                                      its.marginal + its.undecided + its.doubtful, its.iterations};
+  };
+  for (const auto& rank : outcome_.ranks) ranks.add(rank.statistics, own(rank.tally));
+  for (const auto& rank : outcome_.earlier) ranks.add_earlier(rank.statistics, own(rank.tally));
+  return list() + verdict() + '\n' + ranks.text();
+}
+
+ordered_json PatternsReport::json() const {
+  ordered_json patterns = ordered_json::array();
+  for (const auto& leaf : leaves_) {
+    auto pattern = pattern_json(problem_, leaf.block, leaf.pattern, idle());
+    pattern["state"] = state_name(leaf.state);
+    pattern["margin"] = leaf.lower;
+    pattern["margin_upper"] = leaf.upper;
+    pattern["reaction"] = block_rows(problem_, leaf.block, leaf.reaction);
+    pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
     patterns.push_back(std::move(pattern));
   }
-  ordered_json tree = tally_json(tally);
-  tree["opened"] = outcome.opened();
-  tree["open"] = outcome.open;
-  tree["fingerprint"] = fmt::format("{:016x}", outcome.fingerprint());
-
+  ordered_json blocks = ordered_json::array();
+  for (const auto& block : blocks_) {
+    blocks.push_back({{"candidates", candidate_names(problem_, block.candidates)},
+                      {"count", block.cones}});
+  }
+  ordered_json tree = tally_json(total());
+  tree["opened"] = outcome_.opened();
+  tree["open"] = outcome_.open;
+  tree["fingerprint"] = fmt::format("{:016x}", outcome_.fingerprint());
   return {{"command", "patterns"},
           {"version", KUSABI_VERSION},
-          {"problem", problem_json(problem, options.file)},
+          {"problem", problem_json(problem_, options_.file)},
           {"options",
-           {{"mu", options.friction},
-            {"tolerance", options.tolerance},
-            {"method", options.facets == 0 ? "cones" : "polyhedral"},
-            {"facets", options.facets},
-            {"branching", options.branching == nodes::Branching::product ? "paper" : "relative"}}},
-          {"status", status_name(outcome.status)},
+           {{"mu", options_.friction},
+            {"tolerance", options_.tolerance},
+            {"method", options_.facets == 0 ? "cones" : "polyhedral"},
+            {"facets", options_.facets},
+            {"branching", options_.branching == nodes::Branching::product ? "paper" : "relative"}}},
+          {"status", status_name(outcome_.status)},
           {"result",
-           {{"friction", options.friction},
-            {"tolerance", options.tolerance},
-            {"count", tally.found},
-            {"degenerate", degenerate},
-            {"marginal", tally.marginal - degenerate},
-            {"undecided", tally.undecided},
+           {{"friction", options_.friction},
+            {"tolerance", options_.tolerance},
+            {"count", count()},
+            {"flat", flat_},
+            {"marginal", marginal_},
+            {"undecided", undecided_},
+            {"blocks", std::move(blocks)},
             {"tree", std::move(tree)},
             {"patterns", std::move(patterns)}}},
           {"statistics",
-           {{"ranks", rank_reports(outcome.ranks, tally_json)},
-            {"earlier_runs", rank_reports(outcome.earlier, tally_json)}}}};
+           {{"ranks", rank_reports(outcome_.ranks, tally_json)},
+            {"earlier_runs", rank_reports(outcome_.earlier, tally_json)}}}};
 }
 
 }  // namespace kusabi::run

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <span>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "engine/outcome.hpp"
-#include "nodes/faces.hpp"
+#include "nodes/maximal_cones.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/patterns.hpp"
@@ -21,27 +20,13 @@ namespace kusabi::run {
 nlohmann::ordered_json tally_json(const nodes::SignPatternTally& tally);
 
 /// Everything that the command has to tell.
-struct PatternsReport {
-  const PatternsOptions& options;
-  const problems::WedgedProblem& problem;
-  const engine::Outcome<nodes::SignPatternTree>& outcome;
+class PatternsReport {
+ public:
+  PatternsReport(const PatternsOptions& options, const problems::WedgedProblem& problem,
+                 const engine::Outcome<nodes::SignPatternTree>& outcome);
 
-  /// A leaf that is listed, and, if it is degenerate, the living pattern that contains it.
-  struct Entry {
-    const nodes::Configuration* leaf;
-    std::optional<nodes::Face> face;
-  };
-
-  /// Living patterns first, then degenerate, marginal and undecided ones; each in the lexicographic
-  /// order of their contact sets, whatever the tree looked like.
-  std::vector<Entry> sorted;
-  std::size_t degenerate = 0;  ///< of the marginal leaves
-
-  PatternsReport(const PatternsOptions& options_, const problems::WedgedProblem& problem_,
-                 std::span<const double> friction,
-                 const engine::Outcome<nodes::SignPatternTree>& outcome_);
-
-  [[nodiscard]] nodes::SignPatternTally total() const;
+  /// Leaves of which it could not be told whether they are patterns.
+  [[nodiscard]] std::size_t open() const { return marginal_ + undecided_; }
 
   /// The patterns, the ranks' shares and the times, as text.
   [[nodiscard]] std::string table() const;
@@ -50,7 +35,27 @@ struct PatternsReport {
   [[nodiscard]] nlohmann::ordered_json json() const;
 
  private:
-  [[nodiscard]] std::size_t place_of(std::uint64_t contact) const;
+  // The candidates of a block and its maximal cones.
+  struct Block {
+    std::uint64_t candidates = 0;
+    std::uint64_t cones = 0;
+    std::uint64_t open = 0;
+
+    [[nodiscard]] bool rests() const { return cones == 0 && open == 0; }
+  };
+
+  [[nodiscard]] nodes::SignPatternTally total() const;
+  [[nodiscard]] std::uint64_t count() const;
+  [[nodiscard]] std::uint64_t idle() const;
+  [[nodiscard]] std::string list() const;
+  [[nodiscard]] std::string verdict() const;
+
+  const PatternsOptions& options_;
+  const problems::WedgedProblem& problem_;
+  const engine::Outcome<nodes::SignPatternTree>& outcome_;
+  std::vector<nodes::Configuration> leaves_;  // the maximal cones, then the open leaves
+  std::vector<Block> blocks_;
+  std::size_t flat_ = 0, marginal_ = 0, undecided_ = 0;  // of leaves_
 };
 
 }  // namespace kusabi::run

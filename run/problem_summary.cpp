@@ -1,12 +1,16 @@
 // The problem as a line and as JSON.
 #include "run/problem_summary.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "problems/problem_block.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -61,6 +65,17 @@ std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
   return names;
 }
 
+ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
+                          const nodes::SignPattern& pattern, std::uint64_t idle) {
+  ordered_json json;
+  if (problem.blocks.size() > 1) json["block"] = block + 1;
+  json["contact"] = candidate_names(problem, pattern.contact);
+  json["separated"] = candidate_names(problem, pattern.separated);
+  const auto at_rest = pattern.at_rest | idle;
+  if (at_rest != 0) json["at_rest"] = candidate_names(problem, at_rest);
+  return json;
+}
+
 std::string listed(const std::vector<std::string>& words) {
   return words.empty() ? "-" : fmt::format("{}", fmt::join(words, " "));
 }
@@ -73,6 +88,20 @@ ordered_json candidate_rows(std::span<const double> values, int dimension) {
                                        values.begin() + static_cast<std::ptrdiff_t>(at + d)));
   }
   return list;
+}
+
+ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
+                        std::span<const double> values) {
+  const auto d = static_cast<std::size_t>(problem.dimension);
+  const auto candidates = problems::blocks_of(problem)[block];
+  std::vector<double> whole(d * problem.contact_names.size(), 0);
+  auto next = values.begin();
+  for (std::size_t i = 0; i < problem.contact_names.size(); ++i) {
+    if ((candidates >> i & 1) == 0) continue;
+    std::copy_n(next, d, whole.begin() + static_cast<std::ptrdiff_t>(d * i));
+    next += problem.dimension;
+  }
+  return candidate_rows(whole, problem.dimension);
 }
 
 }  // namespace kusabi::run

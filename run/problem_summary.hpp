@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nodes/sign_pattern.hpp"
 #include "problems/wedged_problem.hpp"
 
 namespace kusabi::run {
@@ -23,10 +24,20 @@ nlohmann::ordered_json problem_json(const problems::WedgedProblem& problem,
 std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
                                          std::uint64_t candidates);
 
+/// Where a pattern touches, separates and, if anywhere, stays at rest; the number of its block, from
+/// 1, if there are several. Blocks that cannot wedge at all are at rest as well, see `idle`.
+/// @param idle candidates of such blocks
+nlohmann::ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
+                                    const nodes::SignPattern& pattern, std::uint64_t idle = 0);
+
 /// Words as one cell of a table; "-" if there are none.
 std::string listed(const std::vector<std::string>& words);
 
 /// A dm-vector as m rows of d, in the frame (n, t1[, t2]) of each candidate.
 nlohmann::ordered_json candidate_rows(std::span<const double> values, int dimension);
+
+/// The same of reactions or displacements of one block's candidates: those of all others are zero.
+nlohmann::ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
+                                  std::span<const double> values);
 
 }  // namespace kusabi::run

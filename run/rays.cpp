@@ -93,7 +93,10 @@ std::optional<RaysFound> by_tree(Session& session, const RaysOptions& options,
                                  const problems::WedgedProblem& problem,
                                  const std::vector<double>& friction,
                                  const rays::ReactionCone& cone) {
-  nodes::RayTree tree(nodes::SignPatternTree(problem, friction), cone);
+  // Rays are known by their zeros at all candidates, so the blocks stay together.
+  problems::WedgedProblem whole = problem;
+  whole.blocks.clear();
+  nodes::RayTree tree(nodes::SignPatternTree(whole, friction), cone);
   auto outcome = shown_search(session, tree, {}, options.limits, options.quiet);
   if (!session.speaks()) return std::nullopt;
   return gathered(outcome);

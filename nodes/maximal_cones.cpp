@@ -1,0 +1,75 @@
+// Comparison of cones by the bits of their relative interiors.
+#include "nodes/maximal_cones.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace kusabi::nodes {
+namespace {
+
+bool includes(std::uint64_t set, std::uint64_t part) {
+  return (part & ~set) == 0;
+}
+
+/// Of two sets, read as increasing lists: less than 0 if `a` comes first in a dictionary.
+int compare(std::uint64_t a, std::uint64_t b) {
+  for (; a != 0 && b != 0; a &= a - 1, b &= b - 1) {
+    const int difference = std::countr_zero(a) - std::countr_zero(b);
+    if (difference != 0) return difference;
+  }
+  return (a != 0 ? 1 : 0) - (b != 0 ? 1 : 0);
+}
+
+bool is_cone(const Configuration& leaf) {
+  return leaf.state == LeafState::alive || leaf.state == LeafState::flat;
+}
+
+/// Living and flat cones together.
+int kind(const Configuration& leaf) {
+  return is_cone(leaf) ? 0 : leaf.state == LeafState::marginal ? 1 : 2;
+}
+
+bool comes_before(const Configuration& a, const Configuration& b) {
+  if (kind(a) != kind(b)) return kind(a) < kind(b);
+  if (a.block != b.block) return a.block < b.block;
+  const int by_contact = compare(a.pattern.contact, b.pattern.contact);
+  if (by_contact != 0) return by_contact < 0;
+  return compare(a.pattern.separated, b.pattern.separated) < 0;
+}
+
+}  // namespace
+
+bool within(const SignPattern& first, const SignPattern& second) {
+  return includes(second.contact, first.contact) && includes(second.separated, first.separated);
+}
+
+std::vector<Configuration> maximal_cones(std::vector<Configuration> leaves) {
+  std::sort(leaves.begin(), leaves.end(), comes_before);
+  std::vector<Configuration> kept;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const auto& leaf = leaves[i];
+    // Solid cones are within no other. Of equal flat ones the first is kept.
+    const auto contains_it = [&](const Configuration& other) {
+      if (&other == &leaf || !is_cone(other) || other.block != leaf.block) return false;
+      if (!within(leaf.pattern, other.pattern)) return false;
+      return !within(other.pattern, leaf.pattern) || &other < &leaf;
+    };
+    if (leaf.state == LeafState::flat && std::any_of(leaves.begin(), leaves.end(), contains_it))
+      continue;
+    kept.push_back(leaf);
+  }
+  return kept;
+}
+
+std::uint64_t combinations(std::span<const std::uint64_t> cones_of_blocks) {
+  std::uint64_t product = 1;
+  bool any = false;
+  for (const auto cones : cones_of_blocks) {
+    any = any || cones != 0;
+    product *= std::max<std::uint64_t>(1, cones);
+  }
+  return any ? product : 0;
+}
+
+}  // namespace kusabi::nodes

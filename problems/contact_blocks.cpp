@@ -1,0 +1,72 @@
+// Connected displacements, by disjoint sets.
+#include "problems/contact_blocks.hpp"
+
+#include <map>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include "problems/elongation.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+/// Sets of free displacements that move together.
+class Connections {
+ public:
+  explicit Connections(int displacements) : sets_(static_cast<std::size_t>(displacements)) {}
+
+  void join(const std::vector<int>& displacements) {
+    for (const int number : displacements) {
+      sets_.union_set(at(displacements.front()), at(number));
+    }
+  }
+  std::size_t representative(int displacement) { return sets_.find_set(at(displacement)); }
+
+ private:
+  static std::size_t at(int number) { return static_cast<std::size_t>(number); }
+
+  boost::disjoint_sets_with_storage<> sets_;
+};
+
+std::vector<int> free_of(const Structure& structure, const FreeDegrees& degrees, int node) {
+  std::vector<int> numbers;
+  for (int axis = 0; axis < structure.dimension; ++axis) {
+    if (degrees.number(axis, node) >= 0) numbers.push_back(degrees.number(axis, node));
+  }
+  return numbers;
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> contact_blocks(const Structure& structure, const FreeDegrees& degrees) {
+  Connections connections(degrees.size());
+  for (const Member& member : structure.members) {
+    std::vector<int> stretching;
+    for (const auto& entry : elongation_vector<double>(structure, degrees, member)) {
+      if (entry.value != 0) stretching.push_back(entry.number);
+    }
+    connections.join(stretching);
+  }
+  for (const Quadrilateral& element : structure.elements) {
+    std::vector<int> moving;
+    for (const int node : element.nodes) {
+      for (const int number : free_of(structure, degrees, node)) moving.push_back(number);
+    }
+    connections.join(moving);
+  }
+  for (const ContactCandidate& candidate : structure.contact) {
+    connections.join(free_of(structure, degrees, candidate.node));
+  }
+  std::vector<std::uint64_t> blocks;
+  std::map<std::size_t, std::size_t> place;  // of the block with this representative
+  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+    const int first = free_of(structure, degrees, structure.contact[i].node).front();
+    const auto [entry, is_new] =
+        place.emplace(connections.representative(first), blocks.size());
+    if (is_new) blocks.push_back(0);
+    blocks[entry->second] |= std::uint64_t{1} << i;
+  }
+  return blocks;
+}
+
+}  // namespace kusabi::problems

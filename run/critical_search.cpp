@@ -1,0 +1,152 @@
+// Two ways to the bracket.
+#include "run/critical_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include "nodes/bisection.hpp"
+#include "nodes/critical_tree.hpp"
+#include "nodes/maximal_cones.hpp"
+#include "run/rank_table.hpp"
+#include "run/shown_search.hpp"
+#include "run/told.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::int64_t multiples(double most, double width) {
+  return static_cast<std::int64_t>(std::llround(most / width));
+}
+
+// What lives or may live at the largest coefficient: maximal cones and open leaves.
+struct Living {
+  std::string status;
+  std::vector<nodes::Configuration> leaves;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& status& leaves;
+  }
+};
+
+Living living_patterns(Session& session, const CriticalOptions& options,
+                       const problems::WedgedProblem& problem, const Budget& budget) {
+  std::vector<double> friction = problem.friction;
+  for (double& mu : friction) mu *= *options.most;
+  nodes::SignPatternTree tree(problem, friction);
+  auto outcome = shown_search(session, tree, {}, budget.left(), options.quiet);
+  return told_by_first_rank(session, [&] {
+    std::vector<nodes::Configuration> leaves;
+    for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
+    return Living{status_name(outcome.status), nodes::maximal_cones(std::move(leaves))};
+  });
+}
+
+// A leaf of the block's tree whose cone it is: candidates at rest may be called separated.
+nodes::PatternBisection::Pattern pattern_of(const nodes::Configuration& leaf,
+                                            const std::vector<std::uint64_t>& blocks) {
+  const auto block = blocks[leaf.block];
+  const auto contact = leaf.pattern.contact;
+  return {.leaf = {.block = leaf.block,
+                   .pattern = {.contact = problems::in_block(contact, block),
+                               .separated = problems::in_block(block & ~contact, block)}},
+          .lives = leaf.state == nodes::LeafState::alive || leaf.state == nodes::LeafState::flat};
+}
+
+}  // namespace
+
+engine::Limits Budget::left() const {
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+  engine::Limits limits = limits_;
+  limits.seconds = std::max(0.0, limits.seconds - spent.count());
+  return limits;
+}
+
+CriticalFindings global_search(Session& session, const CriticalOptions& options,
+                               const problems::WedgedProblem& problem, const Budget& budget) {
+  const double most = options.most.value_or(usual_most);
+  nodes::CriticalTree tree(problem, options.width, multiples(most, options.width));
+  engine::Options search_options;
+  search_options.goal = engine::Goal::best;
+  search_options.order = engine::Order::best_first;
+  const auto outcome = shown_search(session, tree, search_options, budget.left(), options.quiet);
+  CriticalFindings findings;
+  findings.status = session.on_first_rank([&] { return status_name(outcome.status); });
+  if (!session.speaks()) return findings;
+
+  RankTable table({"branched", "pruned", "leaves", "programs"});
+  nodes::CriticalTree::Tally total;
+  for (const auto& [statistics, tally] : outcome.ranks) {
+    total += tally;
+    table.add(statistics, {tally.branched, tally.dead, tally.leaves, tally.programs});
+  }
+  findings.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {
+                            return ordered_json{{"branched", tally.branched},
+                                                {"dead", tally.dead},
+                                                {"leaves", tally.leaves},
+                                                {"programs", tally.programs}};
+                          })}};
+  findings.ranks = table.text();
+  const bool whole = outcome.status == engine::Status::solved;
+  findings.lower = whole ? most : std::min(most, std::max(0.0, outcome.bound));
+  for (const auto& found : outcome.solutions) {
+    const auto& cell = found.solution.cell;
+    findings.lower = std::min(findings.lower, options.width * static_cast<double>(cell.dead));
+    findings.upper = options.width * static_cast<double>(cell.alive);
+  }
+  // A leaf that is doubtful from further down on is opened on any schedule.
+  findings.lower = std::min(findings.lower, total.doubt);
+  return findings;
+}
+
+CriticalFindings pattern_by_pattern(Session& session, const CriticalOptions& options,
+                                    const problems::WedgedProblem& problem, const Budget& budget) {
+  CriticalFindings findings;
+  const auto living = living_patterns(session, options, problem, budget);
+  findings.status = living.status;
+  if (findings.status != "solved") return findings;  // a part of them would say nothing
+  const auto blocks = problems::blocks_of(problem);
+  std::vector<nodes::PatternBisection::Pattern> patterns;
+  for (const auto& leaf : living.leaves) patterns.push_back(pattern_of(leaf, blocks));
+  const auto count = static_cast<std::int64_t>(patterns.size());
+  const auto sections = count == 0 ? 1 : session.ranks() / count;
+  nodes::PatternBisection tree(
+      problem, options.width, patterns, multiples(*options.most, options.width),
+      options.way == CriticalWay::newton ? nodes::CriticalMethod::newton
+                                         : nodes::CriticalMethod::bisection,
+      sections);
+  const auto outcome = shown_search(session, tree, {}, budget.left(), options.quiet);
+  findings.status = session.on_first_rank([&] { return status_name(outcome.status); });
+  if (!session.speaks()) return findings;
+
+  RankTable table({"programs"});
+  for (const auto& [statistics, tally] : outcome.ranks) table.add(statistics, {tally.programs});
+  findings.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {
+                            return ordered_json{{"programs", tally.programs}};
+                          })}};
+  findings.ranks = table.text();
+  for (const auto& found : outcome.solutions) {
+    const auto& [number, cell] = found.solution;
+    const auto& leaf = living.leaves[number];
+    CriticalEntry entry{.block = leaf.block,
+                        .pattern = leaf.pattern,
+                        .lower = options.width * static_cast<double>(cell.dead),
+                        .upper = {},
+                        .reaction = {},
+                        .displacement = {}};
+    if (cell.alive != nodes::CriticalCell::nowhere)
+      entry.upper = options.width * static_cast<double>(cell.alive);
+    findings.patterns.push_back(std::move(entry));
+  }
+  findings.conclude(findings.status == "solved" ? *options.most : 0);
+  return findings;
+}
+
+}  // namespace kusabi::run
