@@ -28,9 +28,9 @@ namespace {
 constexpr int most_moves = 24;
 constexpr double growth = 8;
 
-/// A bracket counts as wider than asked for from this many widths on: its ends are multiples of the
-/// width, and those are rounded.
-constexpr double wide = 1.5;
+/// A bracket counts as wider than asked for from this many widths on: a coefficient that is itself a
+/// multiple of the width has a neighbour on either side.
+constexpr double wide = 2.5;
 
 /// What lives at one coefficient.
 struct Decided {
