@@ -33,6 +33,7 @@ SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
   dead += other.dead;
   found += other.found;
   flat += other.flat;
+  faces += other.faces;
   marginal += other.marginal;
   undecided += other.undecided;
   doubtful += other.doubtful;
@@ -104,7 +105,9 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   return branch(node, block.free(node.pattern));
 }
 
-// A tie is closed if what is zero in its relative interior leaves nothing to be decided.
+// A tie in which a candidate of U is never loaded has nothing of its own: with that candidate in R
+// instead, all its configurations are below another node. Otherwise it is closed if what is zero in
+// its relative interior leaves nothing to be decided.
 SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node, const conic::Answer& answer) {
   Block& block = blocks_[node.block];
   const bool tie = answer.lower >= -tolerances_.sign && answer.upper <= tolerances_.sign;
@@ -112,6 +115,11 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node, const coni
   if (tie) {
     const auto inside =
         block.solver.relative_interior(node.pattern.contact, node.pattern.separated);
+    if (inside && (node.pattern.contact & ~inside->loaded) != 0) {
+      ++tally_.faces;
+      if (witness_) report_open(node);
+      return {};
+    }
     if (inside && (inside->loaded & inside->moved) == 0) {
       const SignPattern cone{.contact = inside->loaded,
                              .separated = inside->moved,
@@ -190,22 +198,25 @@ Configuration SignPatternTree::configuration(const Node& node, LeafState state,
 }
 
 void SignPatternTree::report_leaf(const Node& node, const Configuration& leaf) const {
+  if (leaf.state != LeafState::alive) return report_open(node);
   const Block& block = blocks_[node.block];
-  Evidence evidence{.kind = Evidence::Kind::marginal,
-                    .block = node.block,
-                    .node = in_whole(node.pattern, block.candidates),
-                    .numbers = {}};
   std::vector<double> tangential;
-  if (leaf.state == LeafState::alive) {
-    evidence.kind = Evidence::Kind::alive;
-    for (auto touching = node.pattern.contact; touching != 0; touching &= touching - 1) {
-      const auto* const normal =
-          leaf.reaction.data() + block.solver.normal(std::countr_zero(touching));
-      tangential.insert(tangential.end(), normal + 1, normal + block.solver.dimension());
-    }
-    evidence.numbers = tangential;
+  for (auto touching = node.pattern.contact; touching != 0; touching &= touching - 1) {
+    const auto* const normal =
+        leaf.reaction.data() + block.solver.normal(std::countr_zero(touching));
+    tangential.insert(tangential.end(), normal + 1, normal + block.solver.dimension());
   }
-  witness_(evidence);
+  witness_({.kind = Evidence::Kind::alive,
+            .block = node.block,
+            .node = in_whole(node.pattern, block.candidates),
+            .numbers = tangential});
+}
+
+void SignPatternTree::report_open(const Node& node) const {
+  witness_({.kind = Evidence::Kind::marginal,
+            .block = node.block,
+            .node = in_whole(node.pattern, blocks_[node.block].candidates),
+            .numbers = {}});
 }
 
 }  // namespace kusabi::nodes

@@ -7,10 +7,12 @@
 //   t* < 0   none can: the node is dead;
 //   t* > 0   the relaxation is alive: a leaf is a pattern, any other node is branched;
 //   t* = 0   (within the tolerance) a tie: there are configurations, but in all of them some
-//            inequalities are equalities. Those in the relative interior say which. If there is no
-//            candidate left with both a reaction and a gap, all configurations of the node are
-//            those of one cone D(Y) of (14), a flat one, and the node is closed: found once, however
-//            many sign patterns name it. Otherwise it is branched at such a candidate.
+//            inequalities are equalities. Those in the relative interior say which. If a candidate
+//            of U is never loaded, the configurations are also below the node that has it in R
+//            instead, and this one is closed. If no candidate is left with both a reaction and a
+//            gap, all configurations of the node are those of one cone D(Y) of (14), a flat one,
+//            and it is closed: found once, however many sign patterns name it. Otherwise it is
+//            branched at such a candidate.
 //
 // Should rounding leave the sign of a leaf or the zeros of a tie open, the leaf is reported as
 // undecided or marginal: neither counted as a pattern nor thrown away.
@@ -112,6 +114,7 @@ struct SignPatternTally {
   std::uint64_t dead = 0;        ///< pruned: no wedged configuration below
   std::uint64_t found = 0;       ///< leaves that are alive
   std::uint64_t flat = 0;        ///< nodes closed as flat cones, maximal or not
+  std::uint64_t faces = 0;       ///< ties that have nothing which another node has not
   std::uint64_t marginal = 0;    ///< leaves that are marginal
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
@@ -122,7 +125,8 @@ struct SignPatternTally {
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& branched& dead& found& flat& marginal& undecided& doubtful& iterations& candidates;
+    archive& branched& dead& found& flat& faces& marginal& undecided& doubtful& iterations;
+    archive& candidates;
   }
 };
 
@@ -195,6 +199,7 @@ class SignPatternTree {
   [[nodiscard]] Configuration configuration(const Node& node, LeafState state,
                                             const conic::Answer& answer) const;
   void report_leaf(const Node& node, const Configuration& leaf) const;
+  void report_open(const Node& node) const;
 
   conic::Tolerances tolerances_;
   std::vector<Block> blocks_;

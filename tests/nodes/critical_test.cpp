@@ -35,11 +35,13 @@ std::int64_t multiple(double factor) {
   return std::llround(factor / width);
 }
 
-std::vector<SignPattern> living(const problems::WedgedProblem& problem, double factor) {
+std::vector<PatternBisection::Pattern> living(const problems::WedgedProblem& problem,
+                                              double factor) {
   SignPatternTree tree(problem, std::vector<double>(problem.contact_names.size(), factor));
-  std::vector<SignPattern> patterns;
+  std::vector<PatternBisection::Pattern> patterns;
   for (const auto& found : engine::search(tree).solutions) {
-    if (found.solution.state == LeafState::alive) patterns.push_back(found.solution.pattern);
+    if (found.solution.state == LeafState::alive)
+      patterns.push_back({.leaf = {.block = 0, .pattern = found.solution.pattern}});
   }
   return patterns;
 }
@@ -59,7 +61,7 @@ Found all_cells(const problems::WedgedProblem& problem, double most, CriticalMet
   Found found;
   for (const auto& solution : engine::search(tree).solutions) {
     const auto& [number, cell] = solution.solution;
-    EXPECT_TRUE(found.cells.emplace(patterns[number].contact, cell).second);
+    EXPECT_TRUE(found.cells.emplace(patterns[number].leaf.pattern.contact, cell).second);
   }
   EXPECT_EQ(found.cells.size(), patterns.size());
   found.programs = tree.tally().programs;
