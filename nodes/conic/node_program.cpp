@@ -25,9 +25,9 @@ constexpr std::size_t most_candidates = 64;
 constexpr double symmetry_tolerance = 1e-8;
 
 // Beyond these a cone is a needle or a half-space that no tolerance fits. Factors times coefficients
-// round, hence the last digit.
+// round, and polygons around the cones are wider, hence the room.
 constexpr double least_friction = 1e-6 * (1 - 1e-12);
-constexpr double most_friction = 1e6 * (1 + 1e-12);
+constexpr double most_friction = 1.5e6;
 
 std::string in_short(double number) {
   std::ostringstream text;

@@ -334,13 +334,13 @@ void PlainSolver<D, Real>::prove_upper(Answer& answer) {
 }
 
 template <int D, class Real>
-void PlainSolver<D, Real>::prove_lower(Answer& answer) {
+void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
   std::vector<Cone> x = shifted(x_, correction_);
   for (int projection = 1;; ++projection) {
     const Vector r = reaction_of(x);
     const Vector normal = normal_compliance_ * r;
     const auto proof = bounds_.below(sets(), friction_, r, normal);
-    if (proof.level > answer.lower || !answer.has_point) {
+    if (keep == Keep::latest || proof.level > answer.lower || !answer.has_point) {
       reaction_ = r;
       answer.primal_residual = proof.residual;
     }
@@ -373,7 +373,7 @@ Answer PlainSolver<D, Real>::solve(std::uint64_t contact, std::uint64_t separate
     if (is_settled(answer, stop, tolerances_) || answer.iterations == most_iterations) break;
     ++answer.iterations;
     if (!factorise()) break;
-    prove_lower(answer);
+    prove_lower(answer, Keep::best);
     if (is_settled(answer, stop, tolerances_) || !advance()) break;
   }
   answer.sign = sign_of(answer, tolerances_);
@@ -411,13 +411,12 @@ template <int D, class Real>
 std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uint64_t contact,
                                                                         std::uint64_t separated,
                                                                         std::uint64_t ignored) {
-  // The sizes at two widths of the bracket. Over them what vanishes falls by the root of their
-  // ratio at least, and what does not stays; numbers below the last of all are rounding of what the
-  // file says.
-  constexpr double early = 1e-6, late = 1e-14, last = 1e-22;
-  constexpr double stays = 0.1, falls = 0.01;
+  // The sizes at two widths of the bracket. From one to the other what vanishes falls by the root
+  // of their ratio at least, and what does not stays. Relative sizes below the third number are the
+  // rounding of what the file says: a normal in sixteen digits that should be parallel to a bar.
+  constexpr double early = 1e-11, late = 1e-20, least_late = 1e-15;
   constexpr double rounding = 1e-13;
-  (void)last;
+  constexpr double stays = 0.1, falls = 0.01;
   select(contact, separated, ignored);
   if (cones_.empty()) return std::nullopt;
   start();
@@ -432,18 +431,14 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
     if (answer.iterations == most_iterations) break;
     ++answer.iterations;
     if (!factorise()) break;
-    prove_lower(answer);
-    const double width = answer.upper - answer.lower;
+    prove_lower(answer, Keep::latest);
+    // The bracket of the iteration itself, without what rounding adds to the bounds.
+    const double width = numbers::rounded(Real(complementarity_ / weight_));
+    if (width <= least_late) take_sizes(after);
     if (before.empty() && width <= early) take_sizes(before);
-    if (width <= late) {
-      take_sizes(after);
-      break;
-    }
-    if (!advance()) break;
+    if (width <= late || !advance()) break;
   }
-  if (before.empty()) return std::nullopt;
-  if (after.empty()) take_sizes(after);
-  if (!is_tie(answer, tolerances_)) return std::nullopt;
+  if (after.empty() || !is_tie(answer, tolerances_)) return std::nullopt;
   RelativeInterior result;
   const std::size_t m = friction_.size();
   for (std::size_t i = 0; i < 2 * m; ++i) {

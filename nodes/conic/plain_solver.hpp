@@ -84,8 +84,9 @@ class PlainSolver {
   };
   Step direction(const Vector& dy, const std::vector<Cone>& q, const Vector& q_rows) const;
   bool advance();
-  bool iterate(Answer& answer);  // one iteration; false when it is at its end
-  void prove_lower(Answer& answer);
+  /// Which point becomes reaction(): the one with the best bound, or the one nearest the optimum.
+  enum class Keep { best, latest };
+  void prove_lower(Answer& answer, Keep keep);
   void prove_upper(Answer& answer);
   void take_sizes(std::vector<double>& sizes) const;
 
