@@ -97,7 +97,7 @@ bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   ++programs_;
   set_friction(factor * (1 + beside));
   const auto above = solver_.solve(pattern.contact, pattern.separated, {});
-  return above.sign == conic::Sign::marginal && above.upper <= tolerances.sign;
+  return above.sign == conic::Sign::marginal && conic::is_tie(above, tolerances);
 }
 
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
@@ -108,7 +108,7 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   pull_.noalias() = normal_compliance_.transpose() * solver_.multipliers();
   FrictionProbe probe{.sign = answer.sign,
                       .tie = answer.sign == conic::Sign::marginal &&
-                             answer.lower >= -tolerances.sign && answer.upper <= tolerances.sign,
+                             conic::is_tie(answer, tolerances),
                       .dead_below = infinity,
                       .alive_from = 0,
                       .newton = infinity,

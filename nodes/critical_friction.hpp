@@ -59,7 +59,7 @@ class CriticalFriction {
   /// As far as double precision goes: t* near the critical coefficient is its distance from it
   /// times a slope of the order of a reaction, and a bracket of 1e-8 asks for t* to better than
   /// 1e-10.
-  static constexpr conic::Tolerances tolerances{.sign = 1e-13, .value = 1e-14, .iterations = 100};
+  static constexpr conic::Tolerances tolerances{.sign = 1e-12, .value = 1e-14, .iterations = 100};
 
   /// The least coefficient at which a cone program is solved: for less the cones are needles.
   static constexpr double least = 1e-3;

@@ -49,7 +49,8 @@ SignPatternTree::Block::Block(const problems::WedgedProblem& problem, std::uint6
       weight(branching_weights(problem, friction, options.branching)),
       solver(problem, friction, options.tolerances) {
   if (options.facets != 0)
-    outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances);
+    outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances,
+                  problem.compliance_error);
 }
 
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
@@ -110,7 +111,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
 // its relative interior leaves nothing to be decided.
 SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node, const conic::Answer& answer) {
   Block& block = blocks_[node.block];
-  const bool tie = answer.lower >= -tolerances_.sign && answer.upper <= tolerances_.sign;
+  const bool tie = conic::is_tie(answer, tolerances_);
   const auto free = block.free(node.pattern);
   if (tie) {
     const auto inside =
