@@ -135,12 +135,39 @@ std::optional<conic::RelativeInterior> ContactSolver::relative_interior(std::uin
                                                                         std::uint64_t ignored) {
   return with(made(precise_rung_), [&](auto& solver) {
     solver.set_friction(friction_);
-    const auto found = solver.relative_interior(contact, separated, ignored);
+    auto found = solver.relative_interior(contact, separated, ignored);
     reaction_ = solver.reaction().template cast<double>();
     displacement_ = solver.displacement().template cast<double>();
     multipliers_.setZero();
+    if (found) found->moved &= moved_by(found->loaded);
     return found;
   });
+}
+
+// Reactions that vanish move others all the same as long as they are not quite zero. What is left
+// counts as zero if it is no more than cancellation leaves, than a direction in sixteen digits takes
+// from the others of its block of F, or than the error of F.
+std::uint64_t ContactSolver::moved_by(std::uint64_t loaded) const {
+  constexpr double cancelled = 1e-12;
+  const double unknown = precise_compliance_.size() == 0 ? compliance_error_ : precise_error_;
+  const auto own = [&](Eigen::Index row) { return std::sqrt(compliance_(row, row)); };
+  const Eigen::Index d = dimension_;
+  std::uint64_t moved = 0;
+  for (int i = 0; normal(i) < reaction_.size(); ++i) {
+    double displacement = 0;
+    double least = 0;
+    for (int k = 0; normal(k) < reaction_.size(); ++k) {
+      if ((loaded >> static_cast<unsigned>(k) & 1) == 0) continue;
+      const double together = compliance_.block(normal(i), normal(k), d, d).cwiseAbs().maxCoeff();
+      for (Eigen::Index column = normal(k); column < normal(k + 1); ++column) {
+        const double size = std::abs(reaction_[column]);
+        displacement += compliance_(normal(i), column) * reaction_[column];
+        least += (cancelled * together + unknown * own(normal(i)) * own(column)) * size;
+      }
+    }
+    if (displacement > least) moved |= std::uint64_t{1} << static_cast<unsigned>(i);
+  }
+  return moved;
 }
 
 }  // namespace kusabi::nodes

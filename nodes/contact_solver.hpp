@@ -93,6 +93,8 @@ class ContactSolver {
   template <class Real>
   void climb(Rung<Real>& rung, int number, std::uint64_t contact, std::uint64_t separated,
              std::uint64_t ignored, conic::StopEarly stop, conic::Answer& answer);
+  /// Who moves if nothing but these reactions acts.
+  [[nodiscard]] std::uint64_t moved_by(std::uint64_t loaded) const;
   [[nodiscard]] bool is_open(const conic::Answer& answer, conic::StopEarly stop) const;
 
   int dimension_;

@@ -19,6 +19,10 @@
 namespace kusabi::problems {
 namespace {
 
+/// A direction written with sixteen digits is off by so much of a unit: an entry of F that a right
+/// angle makes zero comes out with so much of its neighbours.
+constexpr long double noise_of_decimals = 1e-15L;
+
 using numbers::Precise;
 using SparseMatrix = Eigen::SparseMatrix<Precise>;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
@@ -366,7 +370,22 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance) {
 }
 
 PreciseMatrix precise_compliance(const Structure& structure) {
-  return enclosed_compliance(structure).matrix.cast<long double>();
+  const auto enclosed = enclosed_compliance(structure);
+  const auto& f = enclosed.matrix;
+  PreciseMatrix result = f.cast<long double>();
+  const Eigen::Index d = structure.dimension;
+  for (Eigen::Index i = 0; i < f.rows(); ++i) {
+    for (Eigen::Index j = 0; j < f.cols(); ++j) {
+      // What one candidate does to another, in all directions.
+      const long double together =
+          result.block(d * (i / d), d * (j / d), d, d).cwiseAbs().maxCoeff();
+      const long double unknown =
+          enclosed.error * std::sqrt(result(i, i)) * std::sqrt(result(j, j));
+      if (std::abs(result(i, j)) <= std::max(unknown, noise_of_decimals * together))
+        result(i, j) = 0;
+    }
+  }
+  return result;
 }
 
 }  // namespace kusabi::problems

@@ -37,7 +37,8 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance);
 
 using PreciseMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// `enclosed_compliance` in long double precision, length/force.
+/// `enclosed_compliance` in long double precision, length/force. Zero exactly where an entry is not
+/// known to be anything else, or is no more than the rounding of the directions in the file.
 /// @pre `wedged_problem` accepts the structure
 PreciseMatrix precise_compliance(const Structure& structure);
 
