@@ -188,7 +188,6 @@ bool PlainSolver<D, Real>::factorise() {
     }
   }
   Matrix normal = scaled * scaled.transpose();
-  using std::sqrt;
   slack_scale_ = Vector::Zero(rows);
   slack_point_ = Vector::Ones(rows);
   const Real shift = Real(4 * numbers::unit_roundoff<Real>);
@@ -196,8 +195,8 @@ bool PlainSolver<D, Real>::factorise() {
     const Real b = right_side_[i];
     normal(i, i) += shift * (normal(i, i) + widest * widest * b * b);
     if (!slack_[static_cast<std::size_t>(i)]) continue;
-    slack_scale_[i] = sqrt(v_[i] / y_[i]);
-    slack_point_[i] = sqrt(v_[i] * y_[i]);
+    slack_scale_[i] = root(Real(v_[i] / y_[i]));
+    slack_point_[i] = root(Real(v_[i] * y_[i]));
     complementarity_ += v_[i] * y_[i];
     normal(i, i) += v_[i] / y_[i];
   }
@@ -386,8 +385,6 @@ Answer PlainSolver<D, Real>::solve(std::uint64_t contact, std::uint64_t separate
 template <int D, class Real>
 void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
   const auto m = normal_compliance_.rows();
-  using std::abs;
-  using std::sqrt;
   sizes.assign(static_cast<std::size_t>(2 * m), 0.0);
   double whole = 0;
   for (const int k : cones_) {
