@@ -17,9 +17,9 @@ namespace kusabi::nodes::testing {
 struct TrussKind {
   int dimension = 2;
   int candidates = 3;
-  int free_nodes = 5;     ///< candidates included
-  double contrast = 1;    ///< of the stiffest and the softest bar
-  double density = 0.7;   ///< share of the pairs of nodes that have a bar
+  int free_nodes = 5;    ///< candidates included
+  double contrast = 1;   ///< of the stiffest and the softest bar
+  double density = 0.7;  ///< share of the pairs of nodes that have a bar
 };
 
 /// A truss that may be a mechanism.
