@@ -123,10 +123,8 @@ conic::Answer ContactSolver::solve(std::uint64_t contact, std::uint64_t separate
         return first;
       },
       solver_);
-  if (is_open(answer, stop))
-    climb(long_rung_, 1, contact, separated, ignored, stop, answer);
-  if (is_open(answer, stop))
-    climb(precise_rung_, 2, contact, separated, ignored, stop, answer);
+  if (is_open(answer, stop)) climb(long_rung_, 1, contact, separated, ignored, stop, answer);
+  if (is_open(answer, stop)) climb(precise_rung_, 2, contact, separated, ignored, stop, answer);
   return answer;
 }
 

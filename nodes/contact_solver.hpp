@@ -80,7 +80,8 @@ class ContactSolver {
 
  private:
   template <class Real>
-  using Rung = std::variant<std::monostate, conic::PlainSolver<2, Real>, conic::PlainSolver<3, Real>>;
+  using Rung =
+      std::variant<std::monostate, conic::PlainSolver<2, Real>, conic::PlainSolver<3, Real>>;
 
   /// The scaled F with the digits of Real, and its error.
   template <class Real>
@@ -101,7 +102,7 @@ class ContactSolver {
   double unit_;
   conic::Tolerances tolerances_;
   std::vector<double> friction_;
-  Eigen::MatrixXd compliance_;                  // unscaled, like the next
+  Eigen::MatrixXd compliance_;                 // unscaled, like the next
   numbers::PreciseMatrix precise_compliance_;  // empty: the doubles are exact
   double compliance_error_, precise_error_;
   std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>> solver_;

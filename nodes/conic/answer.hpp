@@ -64,7 +64,8 @@ inline bool is_settled(const Answer& answer, StopEarly stop, const Tolerances& t
   if (sign == Sign::dead ? stop.when_dead : stop.when_alive) return true;
   const double size = std::max(std::abs(answer.upper), std::abs(answer.lower));
   if (!std::isfinite(size)) return false;
-  return answer.upper - answer.lower <= std::min(tolerances.value * std::max(1.0, size), sharp * size);
+  return answer.upper - answer.lower <=
+         std::min(tolerances.value * std::max(1.0, size), sharp * size);
 }
 
 }  // namespace kusabi::conic

@@ -42,7 +42,8 @@ struct NodeSets {
   std::uint64_t contact = 0;          ///< U as a bit set
 };
 
-/// What t is compared with in the cone of a candidate: 1 / mu, or 1 for r_n itself without friction.
+/// What t is compared with in the cone of a candidate: 1 / mu, or 1 for r_n itself without
+/// friction.
 inline double level_weight(double friction) {
   return friction == 0 ? 1 : 1 / friction;
 }
@@ -113,8 +114,7 @@ class Bounds {
       raw = std::min(raw, number);
       level = std::min(level, number - cost - double_rounding * std::abs(number));
     };
-    for (const int j : sets.gap_rows)
-      take(normal[j], normal_root(j) * (noise + elsewhere));
+    for (const int j : sets.gap_rows) take(normal[j], normal_root(j) * (noise + elsewhere));
     for (const int k : sets.cones) {
       const auto mu = friction[static_cast<std::size_t>(k)];
       const double delta = carries(k, sets) ? mended / (roots_[D * k] / safety) : 0;
@@ -127,9 +127,8 @@ class Bounds {
       using std::sqrt;
       tangential = sqrt(tangential);
       const Real normal_part = r[D * k] * Real(mu);
-      take(normal_part - tangential,
-           mu * delta + unit * (std::abs(numbers::rounded(normal_part)) +
-                                std::abs(numbers::rounded(tangential))));
+      take(normal_part - tangential, mu * delta + unit * (std::abs(numbers::rounded(normal_part)) +
+                                                          std::abs(numbers::rounded(tangential))));
     }
     const double loose = mended * std::sqrt(inverse) * safety + rounding_ * sizes;
     const double least_sum = (numbers::rounded(sum) - loose) * (1 - double_rounding);
@@ -142,7 +141,8 @@ class Bounds {
   }
 
   /// What multipliers prove: t* is not above this.
-  /// @param y >= 0 on the gap rows, zero on ignored candidates  @param w = sum_i y_i (row i of F~_n)
+  /// @param y >= 0 on the gap rows, zero on ignored candidates  @param w = sum_i y_i (row i of
+  /// F~_n)
   template <class Multipliers, class Pull>
   [[nodiscard]] double above(const NodeSets& sets, std::span<const double> friction,
                              const Multipliers& y, const Pull& w) const {
@@ -185,8 +185,8 @@ class Bounds {
       scale += weight * rest;
       wrong += weight * (noise * roots_[D * k] + 8 * double_rounding * std::abs(rest));
     }
-    wrong = safety * (wrong + double_rounding * static_cast<double>(sets.cones.size()) *
-                                  std::abs(scale));
+    wrong = safety *
+            (wrong + double_rounding * static_cast<double>(sets.cones.size()) * std::abs(scale));
     const double trivial = (1 + 8 * double_rounding) / sigma;
     if (tau < 0) return tau / (scale + wrong) * (1 - 2 * double_rounding);
     if (!(scale - wrong > 0)) return trivial;
@@ -226,8 +226,7 @@ class Bounds {
     }
     const auto size = static_cast<double>(m);
     // The error of F, the scaling, the shift and the factorisation.
-    const double wrong =
-        2 * size * (error_ + (size + 12) * numbers::unit_roundoff<Real>);
+    const double wrong = 2 * size * (error_ + (size + 12) * numbers::unit_roundoff<Real>);
     const Eigen::MatrixXd rounded = scaled.template cast<double>();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(rounded, Eigen::EigenvaluesOnly);
     // What doubles cannot tell from zero is tried from there downwards.

@@ -24,8 +24,8 @@ constexpr std::size_t most_candidates = 64;
 // comes with rounding, a forgotten row does not hide below this.
 constexpr double symmetry_tolerance = 1e-8;
 
-// Beyond these a cone is a needle or a half-space that no tolerance fits. Factors times coefficients
-// round, and polygons around the cones are wider, hence the room.
+// Beyond these a cone is a needle or a half-space that no tolerance fits. Factors times
+// coefficients round, and polygons around the cones are wider, hence the room.
 constexpr double least_friction = 1e-6 * (1 - 1e-12);
 constexpr double most_friction = 1.5e6;
 
@@ -110,8 +110,7 @@ void NodeProgram<D>::set_friction(std::span<const double> friction) {
 }
 
 template <int D>
-void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated,
-                            std::uint64_t ignored) {
+void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated, std::uint64_t ignored) {
   const auto m = static_cast<std::size_t>(candidates());
   const std::uint64_t all = m == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << m) - 1;
   if ((contact & separated) != 0)
@@ -207,8 +206,9 @@ const Eigen::VectorXd& NodeProgram<D>::discrepancy() {
 template <int D>
 const Eigen::VectorXd& NodeProgram<D>::pull(const Eigen::VectorXd& y) {
   const auto columns = static_cast<int>(pull_.size());
-  transposed_product({normal_compliance_.data(), static_cast<int>(gap_.size()), 1, columns, columns},
-                     y.data(), pull_.data());
+  transposed_product(
+      {normal_compliance_.data(), static_cast<int>(gap_.size()), 1, columns, columns}, y.data(),
+      pull_.data());
   return pull_;
 }
 

@@ -130,7 +130,7 @@ class NodeProgram {
   Eigen::VectorXd gap_;   // normal displacements, then the discrepancy
   Eigen::VectorXd pull_;  // w
   std::uint64_t contact_ = 0, ignored_ = 0;
-  double weight_ = 0;    // sigma
+  double weight_ = 0;  // sigma
 };
 
 extern template class NodeProgram<2>;

@@ -52,7 +52,8 @@ class NodeSolver {
   const Eigen::VectorXd& reaction() const { return reaction_; }
   /// u = F r of reaction(), Dm.
   const Eigen::VectorXd& displacement() const { return displacement_; }
-  /// y, m: proves `upper` (nodes/conic/bounds.hpp); y_j >= 0 for j not in U; zero if R is everything.
+  /// y, m: proves `upper` (nodes/conic/bounds.hpp); y_j >= 0 for j not in U; zero if R is
+  /// everything.
   const Eigen::VectorXd& multipliers() const { return multipliers_; }
 
  private:
@@ -67,7 +68,7 @@ class NodeSolver {
   Bounds<D, double> bounds_;
   Tolerances tolerances_;
   Eigen::VectorXd reaction_, displacement_, multipliers_, trial_;
-  Eigen::VectorXd best_;  // of the multipliers so far, padded
+  Eigen::VectorXd best_;   // of the multipliers so far, padded
   double best_value_ = 0;  // of t*, as it was computed
   bool proved_ = true;     // whether it is in the answer
 };

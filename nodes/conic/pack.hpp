@@ -82,8 +82,9 @@ KUSABI_INLINE long double root(long double value) {
   return std::sqrt(value);
 }
 
+/// Of a negative number not a number, like the others; QD itself would write to standard error.
 inline numbers::Precise root(const numbers::Precise& value) {
-  return sqrt(value);
+  return value.is_negative() ? numbers::Precise(dd_real::_nan) : sqrt(value);
 }
 
 KUSABI_INLINE Pack root(const Pack& pack) {

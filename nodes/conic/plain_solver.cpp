@@ -96,8 +96,7 @@ void PlainSolver<D, Real>::select(std::uint64_t contact, std::uint64_t separated
 template <int D, class Real>
 auto PlainSolver<D, Real>::transposed(std::size_t cone, const Vector& y) const -> Cone {
   Cone product;
-  for (int d = 0; d < D; ++d)
-    product[static_cast<std::size_t>(d)] = columns_[cone].col(d).dot(y);
+  for (int d = 0; d < D; ++d) product[static_cast<std::size_t>(d)] = columns_[cone].col(d).dot(y);
   return product;
 }
 
@@ -105,8 +104,7 @@ template <int D, class Real>
 auto PlainSolver<D, Real>::products(const std::vector<Cone>& points) const -> Vector {
   Vector sum = Vector::Zero(right_side_.size());
   for (std::size_t c = 0; c < points.size(); ++c)
-    for (int d = 0; d < D; ++d)
-      sum += columns_[c].col(d) * points[c][static_cast<std::size_t>(d)];
+    for (int d = 0; d < D; ++d) sum += columns_[c].col(d) * points[c][static_cast<std::size_t>(d)];
   return sum;
 }
 
@@ -188,7 +186,6 @@ bool PlainSolver<D, Real>::factorise() {
     }
   }
   Matrix normal = scaled * scaled.transpose();
-  using std::sqrt;
   slack_scale_ = Vector::Zero(rows);
   slack_point_ = Vector::Ones(rows);
   const Real shift = Real(4 * numbers::unit_roundoff<Real>);
@@ -196,8 +193,8 @@ bool PlainSolver<D, Real>::factorise() {
     const Real b = right_side_[i];
     normal(i, i) += shift * (normal(i, i) + widest * widest * b * b);
     if (!slack_[static_cast<std::size_t>(i)]) continue;
-    slack_scale_[i] = sqrt(v_[i] / y_[i]);
-    slack_point_[i] = sqrt(v_[i] * y_[i]);
+    slack_scale_[i] = root(Real(v_[i] / y_[i]));
+    slack_point_[i] = root(Real(v_[i] * y_[i]));
     complementarity_ += v_[i] * y_[i];
     normal(i, i) += v_[i] / y_[i];
   }
@@ -323,8 +320,7 @@ void PlainSolver<D, Real>::prove_upper(Answer& answer) {
   if (!(value < best_value_)) return;
   best_value_ = value;
   Vector y = Vector::Zero(normal_compliance_.rows());
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    y[rows_[i]] = y_[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < rows_.size(); ++i) y[rows_[i]] = y_[static_cast<Eigen::Index>(i)];
   const Vector pull = normal_compliance_.transpose() * y;
   const double upper = bounds_.above(sets(), friction_, y, pull);
   if (upper < answer.upper) {
@@ -386,8 +382,6 @@ Answer PlainSolver<D, Real>::solve(std::uint64_t contact, std::uint64_t separate
 template <int D, class Real>
 void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
   const auto m = normal_compliance_.rows();
-  using std::abs;
-  using std::sqrt;
   sizes.assign(static_cast<std::size_t>(2 * m), 0.0);
   double whole = 0;
   for (const int k : cones_) {
@@ -439,16 +433,49 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
     if (width <= late || !advance()) break;
   }
   if (after.empty() || !is_tie(answer, tolerances_)) return std::nullopt;
+  // Proved dead, and by more than the rounding of what the file says: X is empty.
+  if (answer.upper < 0 && violation() > 10 * rounding) return RelativeInterior{};
   RelativeInterior result;
+  bool clear = true;
+  bool all = true;
   const std::size_t m = friction_.size();
   for (std::size_t i = 0; i < 2 * m; ++i) {
     const std::uint64_t bit = std::uint64_t{1} << (i % m);
     if (i < m ? ((separated | ignored) & bit) != 0 : ((contact | ignored) & bit) != 0) continue;
+    if (after[i] <= rounding) all = false;
     if (after[i] <= rounding || after[i] < falls * before[i]) continue;
-    if (after[i] < stays * before[i]) return std::nullopt;
+    if (after[i] < stays * before[i]) clear = false;
     (i < m ? result.loaded : result.moved) |= bit;
   }
-  return result;
+  if (clear) return result;
+  // Proved alive, though within the tolerance: nothing vanishes.
+  if (!(answer.lower > 0) || !all) return std::nullopt;
+  const std::uint64_t given = m == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << m) - 1;
+  return RelativeInterior{given & ~(separated | ignored), given & ~(contact | ignored)};
+}
+
+// By how much the reaction fails to be wedged, relative to the sizes of what is compared.
+template <int D, class Real>
+double PlainSolver<D, Real>::violation() const {
+  double most = 0;
+  for (const int j : gap_rows_) {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < compliance_.cols(); ++i)
+      sum += std::abs(numbers::rounded(Real(normal_compliance_(j, i) * reaction_[i])));
+    const double gap = numbers::rounded(Real(normal_compliance_.row(j).dot(reaction_)));
+    if (sum > 0) most = std::max(most, -gap / sum);
+  }
+  for (const int k : cones_) {
+    const double mu = friction_[static_cast<std::size_t>(k)];
+    Real tangential = 0;
+    for (int d = 1; d < D; ++d) tangential += reaction_[D * k + d] * reaction_[D * k + d];
+    tangential = root(tangential);
+    const double outside = numbers::rounded(Real(tangential - Real(mu) * reaction_[D * k]));
+    const double size =
+        numbers::rounded(tangential) + mu * std::abs(numbers::rounded(reaction_[D * k]));
+    if (size > 0) most = std::max(most, outside / size);
+  }
+  return most;
 }
 
 template class PlainSolver<2, long double>;

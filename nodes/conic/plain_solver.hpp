@@ -21,6 +21,7 @@ namespace kusabi::conic {
 
 /// Who carries and who moves at a point of the relative interior of the solutions of a tie,
 ///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
+/// Nobody is loaded if and only if X is empty: t* < 0, though not by more than the tolerance.
 struct RelativeInterior {
   std::uint64_t loaded = 0;  ///< r_i != 0 somewhere on X
   std::uint64_t moved = 0;   ///< u_ni > 0 somewhere on X
@@ -74,7 +75,7 @@ class PlainSolver {
 
   bool refresh_dual(const Vector& y);
   bool factorise();
-  Vector products(const std::vector<Cone>& points) const;  // A x
+  Vector products(const std::vector<Cone>& points) const;    // A x
   Cone transposed(std::size_t cone, const Vector& y) const;  // (A'y) of a cone
   std::vector<Cone> shifted(const std::vector<Cone>& x, const Vector& weights) const;
   struct Step {
@@ -89,6 +90,7 @@ class PlainSolver {
   void prove_lower(Answer& answer, Keep keep);
   void prove_upper(Answer& answer);
   void take_sizes(std::vector<double>& sizes) const;
+  double violation() const;
 
   Matrix compliance_;
   Matrix normal_compliance_;  // m x Dm
@@ -100,11 +102,11 @@ class PlainSolver {
   // The node.
   std::uint64_t contact_ = 0;
   std::vector<int> cones_, gap_rows_, contact_rows_;
-  std::vector<int> rows_;     // the candidates with a row
-  std::vector<bool> slack_;   // of rows_: whether it has one
+  std::vector<int> rows_;        // the candidates with a row
+  std::vector<bool> slack_;      // of rows_: whether it has one
   std::vector<Matrix> columns_;  // of A: rows x D for each cone
-  Vector right_side_;         // b
-  Real weight_ = 0;           // sigma
+  Vector right_side_;            // b
+  Real weight_ = 0;              // sigma
 
   // The iterate.
   std::vector<Cone> x_, z_;
