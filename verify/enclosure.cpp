@@ -95,6 +95,18 @@ Enclosure operator-(const Enclosure& a, const Enclosure& b) {
 
 Enclosure operator*(const Enclosure& a, const Enclosure& b) {
   Enclosure product;
+  // Nearly all intervals have one sign, and then two products are enough.
+  if (mpfr_sgn(a.lower_) >= 0 && mpfr_sgn(b.lower_) >= 0) {
+    mpfr_mul(product.lower_, a.lower_, b.lower_, MPFR_RNDD);
+    mpfr_mul(product.upper_, a.upper_, b.upper_, MPFR_RNDU);
+    return product;
+  }
+  if (mpfr_sgn(a.lower_) >= 0 && mpfr_sgn(b.upper_) <= 0) {
+    mpfr_mul(product.lower_, a.upper_, b.lower_, MPFR_RNDD);
+    mpfr_mul(product.upper_, a.lower_, b.upper_, MPFR_RNDU);
+    return product;
+  }
+  if (mpfr_sgn(a.upper_) <= 0 && mpfr_sgn(b.lower_) >= 0) return b * a;
   extremes(mpfr_mul, {a.lower_, a.upper_}, {b.lower_, b.upper_}, product.lower_, product.upper_);
   return product;
 }
