@@ -255,7 +255,7 @@ void StructureCheck::contact_nodes() const {
 
 void StructureCheck::contact_directions() const {
   for (int index = 0; index < static_cast<int>(structure_.contact.size()); ++index) {
-    const auto& [node, normal, tangent, friction] =
+    const auto& [node, normal, tangent, friction, direction] =
         structure_.contact[static_cast<std::size_t>(index)];
     // Written so that NaN fails too.
     if (friction != 0 && !(friction >= smallest_friction && friction <= largest_friction)) {

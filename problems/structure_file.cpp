@@ -387,7 +387,7 @@ void StructureFile::contact_group(const TomlTable& group) {
   }
   for (const TomlText& name : reader_.texts(names, "nodes")) {
     for (const int number : nodes_named(name)) {
-      structure_.contact.push_back({number, normal, tangent, friction});
+      structure_.contact.push_back({number, normal, tangent, friction, direction});
       structure_.sources.contact.push_back(name.position);
       structure_.sources.normals.push_back(reader_.position(normal_entry));
       structure_.sources.tangents.push_back(tangent_position);

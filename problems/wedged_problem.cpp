@@ -109,6 +109,14 @@ double mean_normal_compliance(const WedgedProblem& problem) {
   return sum / static_cast<double>(m);
 }
 
+std::uint64_t wedged_fingerprint(const Structure& structure) {
+  std::vector<Eigen::MatrixXd> frames;
+  for (const ContactCandidate& candidate : structure.contact) {
+    frames.push_back(contact_frame(candidate));
+  }
+  return fingerprint(structure, frames);
+}
+
 WedgedProblem wedged_problem(const Structure& structure) {
   check_structure(structure);
   require_contact_and_stiffness(structure);

@@ -60,6 +60,9 @@ bool uniform_friction(const WedgedProblem& problem);
 /// that reactions and displacements can be compared (docs/theory.md, section 2). Length/force.
 double mean_normal_compliance(const WedgedProblem& problem);
 
+/// The fingerprint that the wedged problem of a structure has, without computing K and F.
+std::uint64_t wedged_fingerprint(const Structure& structure);
+
 /// Condenses a structure onto its contact candidates.
 /// @throws InputError if `check_structure` does; if the structure is a mechanism (with the nodes
 ///         that move); if the stiffness is so ill-conditioned that F fails the bound above

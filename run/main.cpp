@@ -328,6 +328,10 @@ void add_verify(CLI::App& app, Action& action, bool& serial) {
       .add_option("certificate", options->certificate,
                   "what patterns or limit --certificate has written")
       ->required();
+  command.add_option("--problem", options->problem,
+                     "prove it of the structure in this problem file, whose stiffness is computed "
+                     "anew with bounds for every rounding; without it, of the numbers in the "
+                     "certificate");
   command.add_flag("--quiet", options->quiet, "print errors and what is refused only");
   add_serial(command, serial);
   command.callback(
