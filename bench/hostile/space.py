@@ -40,8 +40,7 @@ def enumerate_cones(flexibility, d, friction):
             leaf = Leaf(scaled, d, friction, contact, apart)
             answer = sign(leaf)
             if answer == ALIVE:
-                solid = all(friction[i] for i in contact)
-                leaves.append((frozenset(contact), frozenset(contact), frozenset(apart), solid))
+                leaves.append((frozenset(contact), frozenset(contact), frozenset(apart), True))
             elif answer == TIED:
                 pressing, parted, sure = _flat(leaf, scaled, d, friction, contact, apart)
                 unsure += not sure
