@@ -5,6 +5,7 @@ import random
 
 from structure import Mechanism, Structure, compliance, from_toml, to_toml
 
+#: `decimal-grid`, a grid of 0.7 by 0.5 whose ties rounding has broken, is not among them: nobody can be judged by it.
 KINDS = ("bars", "space-bars", "post", "space-post", "pieces", "space-pieces", "grid", "space-grid", "rods", "space-rods",
          "quads", "mesh", "mixed")
 
@@ -198,6 +199,8 @@ def _build(rng, kind, contrast):
     structure = Structure(3 if kind.startswith("space") else 2)
     d = structure.dimension
     kind = kind.removeprefix("space-")
+    decimal = kind == "decimal-grid"
+    kind = kind.removeprefix("decimal-")
     if kind == "mesh":
         return _mesh(rng)
     if kind == "bars":
@@ -217,6 +220,8 @@ def _build(rng, kind, contrast):
             top = _grid(rng, structure, "", (2, 2, 2), rng.choice((0.4, 0.7)))
         m = rng.randint(2, len(top))
         _touch(rng, structure, rng.sample(top, m), _whole_normals(rng, d, m))
+        if decimal:
+            structure.nodes = {name: [0.7 * x for x in place[:-1]] + [0.5 * place[-1] + 0.1] for name, place in structure.nodes.items()}
     elif kind == "rods":
         _rods(rng, structure, "", rng.randint(2, 5 if d == 2 else 4))
     elif kind == "quads":
@@ -254,6 +259,8 @@ def make(seed, index, kinds, contrasts, frictionless=True):
         mu = float(f"{math.exp(rng.uniform(-1.4, 1.6)):.6g}")
         if rng.random() < 0.1:
             mu = float(rng.choice((1, 2, 0.5, 3)))
+        if rng.random() < 0.04:
+            mu = float(f"{10 ** rng.uniform(-6, 6):.6g}")
         structure = from_toml(text)
         if not frictionless and any(candidate[3] == 0 for candidate in structure.candidates):
             continue
