@@ -45,6 +45,10 @@ def examine(settings, index):
         got = judge.patterns(case.mu)
         if "rays" not in settings.skip:
             judge.rays(case.mu)
+            if rng.random() < 0.2:
+                judge.rays(case.mu, ("--method", "tree"))
+        if rng.random() < 0.1:
+            judge.patterns(case.mu, 0, ("--method", "polyhedral"))
         bracket = None
         if "critical" not in settings.skip:
             bracket = judge.critical()

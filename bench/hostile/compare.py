@@ -107,9 +107,9 @@ class Judge:
                    + (f" ({doubtful})" if doubtful else ""))
         return True
 
-    def patterns(self, mu, margins=2):
+    def patterns(self, mu, margins=2, more=()):
         truth = self.oracle.cones(mu)
-        code, result, _, asked = self._ask("patterns", self.file, "--mu", repr(mu))
+        code, result, _, asked = self._ask("patterns", self.file, "--mu", repr(mu), *more)
         self._count("ties", any(not solid for solid in truth.cones.values()))
         self._count("cones", len(truth.cones))
         if result is None:
@@ -144,11 +144,11 @@ class Judge:
         elif abs(lower - low) > abs(low) * Decimal("1e-3") + Decimal("1e-12"):
             self._find(DISAGREE, asked, f"margin {lower:.6e} of {pattern['contact']} is not right to three digits, t* = {low:.6e}")
 
-    def rays(self, mu):
+    def rays(self, mu, more=()):
         if self.oracle.d != 2:
             return
         truth = self.oracle.by_rays(mu)
-        code, result, _, asked = self._ask("rays", self.file, "--mu", repr(mu))
+        code, result, _, asked = self._ask("rays", self.file, "--mu", repr(mu), *more)
         if result is None:
             return
         if code == 3 or result["health"]["doubtful"]:

@@ -14,7 +14,7 @@ def _all(structure):
 def scale(rng, structure):
     """Lengths by one power of two, forces by another."""
     result = _all(structure)
-    length, force = 2.0 ** rng.randint(-8, 8), 2.0 ** rng.randint(-12, 12)
+    length, force = 2.0 ** rng.randint(-16, 16), 2.0 ** rng.randint(-30, 30)
     result.nodes = {name: [length * x for x in place] for name, place in result.nodes.items()}
     result.bars = [(force * stiffness, a, b) for stiffness, a, b in result.bars]
     result.quads = [(force * modulus, *rest) for modulus, *rest in result.quads]
