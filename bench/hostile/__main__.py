@@ -47,7 +47,7 @@ def examine(settings, index):
             judge.rays(case.mu)
             if rng.random() < 0.2:
                 judge.rays(case.mu, ("--method", "tree"))
-        if rng.random() < 0.1:
+        if judge.oracle.d == 3 and rng.random() < 0.2:
             judge.patterns(case.mu, 0, ("--method", "polyhedral"))
         bracket = None
         if "critical" not in settings.skip:
