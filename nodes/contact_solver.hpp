@@ -24,6 +24,10 @@
 
 namespace kusabi::nodes {
 
+/// Friction other than none: below, a cone is a needle, above, a half-space.
+inline constexpr double least_friction = 1e-6;
+inline constexpr double most_friction = 1e6;
+
 /// conic::NodeSolver of the problem's dimension, with conic::PlainSolver above it. What it says of
 /// a node depends on the arguments alone, to the last bit. Allocates after construction only where
 /// doubles do not suffice. Each rank has its own. The references hold until the next solve().

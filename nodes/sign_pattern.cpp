@@ -37,6 +37,7 @@ SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
   marginal += other.marginal;
   undecided += other.undecided;
   doubtful += other.doubtful;
+  climbed += other.climbed;
   iterations += other.iterations;
   candidates += other.candidates;
   return *this;
@@ -55,7 +56,7 @@ SignPatternTree::Block::Block(const problems::WedgedProblem& problem, std::uint6
 
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
                                  std::span<const double> friction, SignPatternOptions options)
-    : tolerances_(options.tolerances) {
+    : tolerances_(options.tolerances), thorough_(options.thorough) {
   if (friction.size() != problem.contact_names.size())
     throw std::invalid_argument("every candidate needs a friction coefficient");
   for (const auto candidates : problems::blocks_of(problem)) {
@@ -94,6 +95,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   const auto answer =
       block.solver.solve(contact, separated, {.when_dead = true, .when_alive = !leaf});
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+  if (answer.rung > 0) ++tally_.climbed;
   switch (answer.sign) {
     case conic::Sign::dead:
       return prune(node, block.solver.multipliers());
@@ -114,20 +116,29 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node, const coni
   const bool tie = conic::is_tie(answer, tolerances_);
   const auto free = block.free(node.pattern);
   if (tie) {
+    const Eigen::VectorXd multipliers = block.solver.multipliers();
     const auto inside =
         block.solver.relative_interior(node.pattern.contact, node.pattern.separated);
-    if (inside && (node.pattern.contact & ~inside->loaded) != 0) {
+    if (inside && inside->loaded == 0) {  // dead, though by less than the tolerance
+      if (answer.upper < 0) return prune(node, multipliers);
+      ++tally_.dead;
+      if (witness_) report_open(node);
+      return {};
+    }
+    const bool repeated = inside && (node.pattern.contact & ~inside->loaded) != 0;
+    if (repeated && (!thorough_ || free == 0)) {
       ++tally_.faces;
       if (witness_) report_open(node);
       return {};
     }
-    if (inside && (inside->loaded & inside->moved) == 0) {
+    if (inside && !repeated && (inside->loaded & inside->moved) == 0) {
       const SignPattern cone{.contact = inside->loaded,
                              .separated = inside->moved,
                              .at_rest = block.all & ~(inside->loaded | inside->moved)};
       return close(node, configuration({node.block, cone}, LeafState::flat, answer));
     }
-    if (inside && free != 0) return branch(node, inside->loaded & inside->moved);
+    const auto both = inside ? inside->loaded & inside->moved : 0;
+    if (both != 0 || repeated) return branch(node, both != 0 ? both : free);
   }
   if (free == 0)
     return close(node,

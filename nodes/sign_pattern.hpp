@@ -118,6 +118,7 @@ struct SignPatternTally {
   std::uint64_t marginal = 0;    ///< leaves that are marginal
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
+  std::uint64_t climbed = 0;     ///< nodes that took more digits than a double has
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
   std::uint64_t candidates = 0;  ///< leaves of Algorithm 5.8 that polyhedral friction lets live
 
@@ -125,8 +126,8 @@ struct SignPatternTally {
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& branched& dead& found& flat& faces& marginal& undecided& doubtful& iterations;
-    archive& candidates;
+    archive& branched& dead& found& flat& faces& marginal& undecided& doubtful& climbed;
+    archive& iterations& candidates;
   }
 };
 
@@ -138,6 +139,10 @@ struct SignPatternOptions {
   /// with polyhedral cones of so many facets around them, and each leaf that these let live is put
   /// to the test of the cones (Algorithm 5.8).
   int facets = 0;
+  /// Whether ties that have nothing of their own are searched all the same: then each sign pattern
+  /// below them is decided by itself, which a certificate needs. Up to 2^k times as many nodes where k
+  /// candidates stay at rest.
+  bool thorough = false;
 };
 
 /// The problem type that engine::search searches.
@@ -202,6 +207,7 @@ class SignPatternTree {
   void report_open(const Node& node) const;
 
   conic::Tolerances tolerances_;
+  bool thorough_;
   std::vector<Block> blocks_;
   Tally tally_;
   Witness witness_;

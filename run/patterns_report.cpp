@@ -45,6 +45,7 @@ ordered_json tally_json(const nodes::SignPatternTally& tally) {
           {"marginal_leaves", tally.marginal},
           {"undecided_leaves", tally.undecided},
           {"doubtful_branched", tally.doubtful},
+          {"climbed", tally.climbed},
           {"iterations", tally.iterations},
           {"candidates", tally.candidates}};
 }

@@ -408,9 +408,11 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
   // The sizes at two widths of the bracket. From one to the other what vanishes falls by the root
   // of their ratio at least, and what does not stays. Relative sizes below the third number are the
   // rounding of what the file says: a normal in sixteen digits that should be parallel to a bar.
+  // What vanishes is of the size of the root of the bracket at most, so what is far above stays,
+  // even if the point has wandered from one width to the other.
   constexpr double early = 1e-11, late = 1e-20, least_late = 1e-15;
   constexpr double rounding = 1e-13;
-  constexpr double stays = 0.1, falls = 0.01;
+  constexpr double stays = 0.1, falls = 0.01, certain = 1e-5;
   select(contact, separated, ignored);
   if (cones_.empty()) return std::nullopt;
   start();
@@ -443,8 +445,8 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
     const std::uint64_t bit = std::uint64_t{1} << (i % m);
     if (i < m ? ((separated | ignored) & bit) != 0 : ((contact | ignored) & bit) != 0) continue;
     if (after[i] <= rounding) all = false;
-    if (after[i] <= rounding || after[i] < falls * before[i]) continue;
-    if (after[i] < stays * before[i]) clear = false;
+    if (after[i] <= rounding || (after[i] < certain && after[i] < falls * before[i])) continue;
+    if (after[i] < certain && after[i] < stays * before[i]) clear = false;
     (i < m ? result.loaded : result.moved) |= bit;
   }
   if (clear) return result;
