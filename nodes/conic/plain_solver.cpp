@@ -377,27 +377,35 @@ Answer PlainSolver<D, Real>::solve(std::uint64_t contact, std::uint64_t separate
   return answer;
 }
 
-// r_n and u_n of all candidates relative to the sizes they are made of, the first m numbers and the
-// others. Zero for what the node holds at zero.
+// sum_k R_k |r_k| over all components, R = sqrt(F_kk): times R_j it is what u_nj could be if
+// nothing cancelled, and what the rounding of directions and places in the file, carried into F, is
+// small beside. (F_jk itself is no measure: of a candidate that a rod alone holds it is that
+// rounding.)
+template <int D, class Real>
+double PlainSolver<D, Real>::reach() const {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < compliance_.rows(); ++i)
+    sum +=
+        std::sqrt(numbers::rounded(compliance_(i, i))) * std::abs(numbers::rounded(reaction_[i]));
+  return sum;
+}
+
+// r_n and u_n of all candidates relative to that, the first m numbers and the others. Zero for what
+// the node holds at zero.
 template <int D, class Real>
 void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
   const auto m = normal_compliance_.rows();
   sizes.assign(static_cast<std::size_t>(2 * m), 0.0);
-  double whole = 0;
+  const double whole = reach();
   for (const int k : cones_) {
-    const double size = std::sqrt(numbers::rounded(normal_compliance_(k, D * k)));
-    const double number = numbers::rounded(reaction_[D * k]) * size;
-    sizes[static_cast<std::size_t>(k)] = std::max(0.0, number);
-    whole += std::abs(number);
+    const double root = std::sqrt(numbers::rounded(normal_compliance_(k, D * k)));
+    sizes[static_cast<std::size_t>(k)] =
+        std::max(0.0, numbers::rounded(reaction_[D * k]) * root / whole);
   }
-  for (const int k : cones_) sizes[static_cast<std::size_t>(k)] /= whole;
   for (const int j : gap_rows_) {
-    double sum = 0;
-    for (Eigen::Index i = 0; i < compliance_.cols(); ++i)
-      sum += std::abs(numbers::rounded(Real(normal_compliance_(j, i) * reaction_[i])));
+    const double root = std::sqrt(numbers::rounded(normal_compliance_(j, D * j)));
     const Real gap = normal_compliance_.row(j).dot(reaction_);
-    if (sum > 0)
-      sizes[static_cast<std::size_t>(m + j)] = std::max(0.0, numbers::rounded(gap) / sum);
+    sizes[static_cast<std::size_t>(m + j)] = std::max(0.0, numbers::rounded(gap) / (root * whole));
   }
 }
 
@@ -460,12 +468,11 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
 template <int D, class Real>
 double PlainSolver<D, Real>::violation() const {
   double most = 0;
+  const double whole = reach();
   for (const int j : gap_rows_) {
-    double sum = 0;
-    for (Eigen::Index i = 0; i < compliance_.cols(); ++i)
-      sum += std::abs(numbers::rounded(Real(normal_compliance_(j, i) * reaction_[i])));
-    const double gap = numbers::rounded(Real(normal_compliance_.row(j).dot(reaction_)));
-    if (sum > 0) most = std::max(most, -gap / sum);
+    const double root = std::sqrt(numbers::rounded(normal_compliance_(j, D * j)));
+    const Real gap = normal_compliance_.row(j).dot(reaction_);
+    most = std::max(most, -numbers::rounded(gap) / (root * whole));
   }
   for (const int k : cones_) {
     const double mu = friction_[static_cast<std::size_t>(k)];
@@ -473,9 +480,8 @@ double PlainSolver<D, Real>::violation() const {
     for (int d = 1; d < D; ++d) tangential += reaction_[D * k + d] * reaction_[D * k + d];
     tangential = root(tangential);
     const double outside = numbers::rounded(Real(tangential - Real(mu) * reaction_[D * k]));
-    const double size =
-        numbers::rounded(tangential) + mu * std::abs(numbers::rounded(reaction_[D * k]));
-    if (size > 0) most = std::max(most, outside / size);
+    const double root = std::sqrt(numbers::rounded(normal_compliance_(k, D * k)));
+    most = std::max(most, outside * root / (whole * std::max(mu, 1.0)));
   }
   return most;
 }

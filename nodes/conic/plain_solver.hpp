@@ -91,6 +91,7 @@ class PlainSolver {
   void prove_upper(Answer& answer);
   void take_sizes(std::vector<double>& sizes) const;
   double violation() const;
+  double reach() const;
 
   Matrix compliance_;
   Matrix normal_compliance_;  // m x Dm

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,9 @@ Leaves leaves(const problems::WedgedProblem& problem, double mu, double truth,
               double tolerance = 1e-12) {
   const std::size_t m = problem.contact_names.size();
   const conic::Tolerances tolerances{.sign = tolerance};
-  ContactSolver solver(problem, std::vector<double>(m, mu), tolerances);
+  std::vector<double> friction = problem.friction;
+  for (double& factor : friction) factor *= mu;
+  ContactSolver solver(problem, friction, tolerances);
   const std::uint64_t all = (std::uint64_t{1} << m) - 1;
   Leaves result;
   for (std::uint64_t contact = 0; contact <= all; ++contact) {
