@@ -82,7 +82,7 @@ CriticalFriction::Range CriticalFriction::range(const problems::WedgedProblem& p
 
 CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, double width)
     : width_(width),
-      least_(range(problem).least),
+      range_(range(problem)),
       own_(problem.friction.empty() ? std::vector<double>(problem.contact_names.size(), 1)
                                     : problem.friction),
       friction_(own_),
@@ -200,7 +200,7 @@ bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, st
 }
 
 bool CriticalFriction::dead(const SignPattern& pattern, std::int64_t point) {
-  if (at(point) < least_) return point == 0;  // without friction nothing wedges, K being definite
+  if (at(point) < range_.least) return point == 0;  // without friction nothing wedges, K being definite
   return probe(pattern, at(point), {}).sign == conic::Sign::dead;
 }
 
@@ -209,14 +209,14 @@ CriticalCell CriticalFriction::alive_from(const SignPattern& pattern, CriticalCe
   const auto end = cell.alive;
   cell.alive = most;
   for (std::int64_t step = 0; end + step < most; step = std::max<std::int64_t>(1, 2 * step)) {
-    if (at(end + step) >= least_ && decide(pattern, cell, end + step)) break;
+    if (at(end + step) >= range_.least && decide(pattern, cell, end + step)) break;
   }
   return cell;
 }
 
 CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell cell) {
   const auto middle = std::midpoint(cell.dead, cell.alive);
-  if (cell.alive - cell.dead < 2 || at(middle) < least_) return cell;
+  if (cell.alive - cell.dead < 2 || at(middle) < range_.least) return cell;
   if (decide(pattern, cell, middle)) return cell;
   surround(pattern, cell, middle);
   return cell;
@@ -226,7 +226,7 @@ CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell ce
 void CriticalFriction::surround(const SignPattern& pattern, CriticalCell& cell,
                                 std::int64_t marginal) {
   for (std::int64_t step = 1; cell.dead < marginal - step; step *= 2) {
-    if (at(marginal - step) < least_ || decide(pattern, cell, marginal - step)) break;
+    if (at(marginal - step) < range_.least || decide(pattern, cell, marginal - step)) break;
   }
   for (std::int64_t step = 1; marginal + step < cell.alive; step *= 2) {
     if (decide(pattern, cell, marginal + step)) break;
@@ -245,7 +245,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
                                         std::int64_t most) {
   Sides sides;
   double factor =
-      cell.alive == CriticalCell::nowhere ? std::max(at(cell.dead), least_) : at(cell.alive);
+      cell.alive == CriticalCell::nowhere ? std::max(at(cell.dead), range_.least) : at(cell.alive);
   for (int step = 1; cell.alive - cell.dead > 1 && step <= most_steps; ++step) {
     const auto said = probe(pattern, factor);
     narrow(cell, said, most);
@@ -258,7 +258,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     }
     const bool open = cell.alive == CriticalCell::nowhere;
     if (open && (cell.dead >= most || factor >= at(most))) return cell;  // nothing up to there
-    const double floor = std::max(at(cell.dead), least_);
+    const double floor = std::max(at(cell.dead), range_.least);
     const auto inside = [&](double point) { return point >= floor && point < at(cell.alive); };
     double next = flat ? infinity : said.newton;
     // On the side of the living t* is often flat and the tangent leads too far; where the dead end
@@ -293,14 +293,14 @@ CriticalCell CriticalFriction::locate(const SignPattern& pattern, CriticalCell c
 
 double CriticalFriction::bound(const SignPattern& node, double from, double cutoff) {
   double known = from;
-  double factor = std::max({from, least_, std::min(first_probe, cutoff)});
+  double factor = std::max({from, range_.least, std::min(first_probe, cutoff)});
   for (int step = 0; step < bound_steps; ++step) {
     const auto said = probe(node, factor, {.when_dead = false, .when_alive = true});
     known = std::max(known, said.dead_below);
     if (said.sign != conic::Sign::dead || known > cutoff) break;
     // Short of where the tangent vanishes, so as to stay on the side of the dead.
     const double next = known + (1 - bound_digits) * (said.newton - known);
-    if (!(next > known * (1 + bound_digits)) || !(next < infinity)) break;
+    if (!(next > known * (1 + bound_digits)) || !(next <= range_.most)) break;
     factor = next;
   }
   return known;

@@ -56,6 +56,12 @@ enum class CriticalMethod { bisection, newton };
 /// its own critical coefficient can be a tie, too, but above it is solid.)
 class CriticalFriction {
  public:
+  /// The coefficients for which the friction of all candidates is in the range of ContactSolver.
+  struct Range {
+    double least, most;
+  };
+  static Range range(const problems::WedgedProblem& problem);
+
   /// t* near the critical coefficient is its distance from it times a slope, which may be as low as
   /// 1e-6: a bracket of 1e-8 asks for that many digits. What directions in sixteen digits leave of
   /// a tie is below.
@@ -98,11 +104,6 @@ class CriticalFriction {
 
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
-  /// The coefficients for which the friction of all candidates is in the range of ContactSolver.
-  struct Range {
-    double least, most;
-  };
-  static Range range(const problems::WedgedProblem& problem);
 
  private:
   static constexpr conic::StopEarly full{.when_dead = false, .when_alive = false};
@@ -118,7 +119,7 @@ class CriticalFriction {
   void narrow(CriticalCell& cell, const FrictionProbe& probe, std::int64_t most) const;
 
   double width_;
-  double least_;
+  Range range_;
   std::vector<double> own_, friction_;  // phi_i; mu_i of the last probe
   Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, m x dm
   ContactSolver solver_;

@@ -210,7 +210,7 @@ void say_what_is_open(const CriticalOptions& options, double most, CriticalFindi
   if (findings.status != "solved") return;
   if (!findings.upper && findings.lower < most) {
     findings.open.push_back(
-        fmt::format("between {:.10g} and {:.10g} it could not be told whether anything can wedge",
+        fmt::format("between {:.12g} and {:.12g} it could not be told whether anything can wedge",
                     findings.lower, most));
   }
   if (findings.upper && *findings.upper - findings.lower > wide * options.width) {
@@ -221,7 +221,7 @@ void say_what_is_open(const CriticalOptions& options, double most, CriticalFindi
   }
   if (!findings.lower_proved) {
     findings.open.push_back(
-        fmt::format("that nothing wedges at {:.10g} is not proved in exact arithmetic",
+        fmt::format("that nothing wedges at {:.12g} is not proved in exact arithmetic",
                     findings.lower));
   }
 }

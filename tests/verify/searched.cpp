@@ -71,7 +71,10 @@ Draft searched(const problems::WedgedProblem& problem, double friction) {
     draft.header.push_back(listed(row).substr(1) + "\n");
   }
   draft.header.emplace_back("nodes\n");
-  nodes::SignPatternTree tree(problem, everywhere);
+  // Version 1 knows of no blocks.
+  auto whole = problem;
+  whole.blocks.clear();
+  nodes::SignPatternTree tree(whole, everywhere, {.thorough = true});
   tree.report_to([&](const auto& evidence) { draft.nodes.push_back(node_line(evidence)); });
   engine::search(tree);
   return draft;
