@@ -45,7 +45,8 @@ verify::Structure verified_structure(const problems::Structure& structure) {
   verify::Structure result;
   result.dimension = number(structure.dimension);
   result.names = structure.node_names;
-  for (const auto& column : structure.coordinates.colwise()) result.places.push_back(vector(column));
+  for (const auto& column : structure.coordinates.colwise())
+    result.places.push_back(vector(column));
   result.fixed = structure.fixed;
   for (const auto& member : structure.members) {
     const auto yield = member.yield.value_or(problems::YieldForces{});

@@ -84,8 +84,9 @@ void print_subject(const VerifyOptions& options, const verify::Certificate& cert
                    const std::optional<verify::Agreement>& agreement) {
   fmt::print("contact candidates: {}\n", fmt::join(certificate.names, " "));
   if (!structure) {
-    fmt::print("K and the friction are the certificate's own; --problem FILE proves it of a "
-               "structure\n");
+    fmt::print(
+        "K and the friction are the certificate's own; --problem FILE proves it of a "
+        "structure\n");
     return;
   }
   fmt::print("problem: {}, from {}, fingerprint {:016x}\n", structure->name, options.problem,
@@ -165,8 +166,8 @@ int verify(Session& session, const VerifyOptions& options) {
     }
     agreement = std::move(std::get<verify::Agreement>(found));
   }
-  const verify::Proof proof(certificate, agreement ? agreement->stiffness
-                                                   : verify::recorded_stiffness(certificate));
+  const verify::Proof proof(
+      certificate, agreement ? agreement->stiffness : verify::recorded_stiffness(certificate));
   if (!proof.least_eigenvalue()) {
     return refuse_all(session, options, "K was not shown to be positive definite");
   }
@@ -185,8 +186,8 @@ int verify(Session& session, const VerifyOptions& options) {
   // what was refused; the exit code of the job is that of a rank that has not 0.
   const auto flaw = verify::flaw_of_cover(certificate);
   const bool refused = flaw.has_value() || !outcome.solutions.empty();
-  const bool open = std::ranges::count(certificate.records, verify::Claim::marginal,
-                                       &verify::Record::claim) > 0;
+  const bool open =
+      std::ranges::count(certificate.records, verify::Claim::marginal, &verify::Record::claim) > 0;
   const int exit_code = refused ? failed : open ? stopped_early : solved;
   if (!session.speaks()) return refused ? failed : solved;
   for (const auto& found : outcome.solutions) print_refusal(options, certificate, found.solution);

@@ -105,10 +105,11 @@ int verify_limit(Session& session, const VerifyOptions& options,
   if (!options.quiet && refusals.empty()) {
     const double above = verify::rounded_up(std::get<mpq_class>(upper));
     if (structure) {
-      fmt::print("problem: {}, from {}, fingerprint {:016x}\n"
-                 "direction cosines were computed anew from the truss, yield forces and loads "
-                 "compared\n",
-                 structure->name, options.problem, fingerprint);
+      fmt::print(
+          "problem: {}, from {}, fingerprint {:016x}\n"
+          "direction cosines were computed anew from the truss, yield forces and loads "
+          "compared\n",
+          structure->name, options.problem, fingerprint);
     } else {
       fmt::print("the truss is the certificate's own; --problem FILE proves it of a file\n");
     }

@@ -97,8 +97,8 @@ std::optional<std::string> other_stiffness(const Certificate& certificate,
       // Written so that NaN fails too.
       if (!(std::abs(own - true_one) <= stiffness_tolerance * scale[i / d] * scale[j / d])) {
         return "its K is not that of the structure: between " + direction_name(certificate, i) +
-               " and " + direction_name(certificate, j) + " it is " + text_of(own) +
-               ", expected " + text_of(true_one);
+               " and " + direction_name(certificate, j) + " it is " + text_of(own) + ", expected " +
+               text_of(true_one);
       }
     }
   }

@@ -12,8 +12,8 @@ namespace kusabi::verify {
 
 /// K of the certificate may differ from that of the structure by so much of the largest diagonal
 /// entries of the two candidates: a K from double precision carries rounding of 1e-16 times the
-/// condition of the whole stiffness. Nothing is proved from K of the certificate, so what is smaller
-/// than this does no harm.
+/// condition of the whole stiffness. Nothing is proved from K of the certificate, so what is
+/// smaller than this does no harm.
 inline constexpr double stiffness_tolerance = 1e-6;
 
 /// What a certificate and a structure have in common.

@@ -109,9 +109,7 @@ Frame frame(const ContactPoint& point, std::size_t dimension) {
   for (std::size_t k = 0; k < dimension; ++k) across.push_back(wish[k] - along * n[k]);
   const auto t = normalised(across);
   if (dimension == 2) return {n, t};
-  return {n,
-          t,
-          {n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]}};
+  return {n, t, {n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]}};
 }
 
 std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freedom) {

@@ -1,5 +1,5 @@
-// The stiffness of a structure over its free displacements, K^0 of equation (2) of the wedged paper,
-// every entry enclosed; and the frames of its contact candidates.
+// The stiffness of a structure over its free displacements, K^0 of equation (2) of the wedged
+// paper, every entry enclosed; and the frames of its contact candidates.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ Direction direction(const Structure& structure, const Bar& bar);
 /// Unit vectors n, t1 and, in space, t2 = n x t1: by columns, of which each has d components.
 using Frame = std::vector<std::vector<Enclosure>>;
 
-/// t1 is the wished tangent less its part along n; without a wish n turned clockwise by a quarter in
-/// the plane, the projection of an axis in space.
+/// t1 is the wished tangent less its part along n; without a wish n turned clockwise by a quarter
+/// in the plane, the projection of an axis in space.
 Frame frame(const ContactPoint& point, std::size_t dimension);
 
 /// For each candidate, which piece of the structure it belongs to: the number of another candidate

@@ -191,8 +191,8 @@ std::optional<std::string> BlockProof::check_alive(std::uint64_t contact, std::u
     }
   }
   const auto unknown = spread(u);
-  const auto rest = sqrt_above(rest_squared) + unknown;          // s times the error of u
-  const auto error = size_of_stiffness_ * rest + s * unknown;    // s times that of r_n
+  const auto rest = sqrt_above(rest_squared) + unknown;        // s times the error of u
+  const auto error = size_of_stiffness_ * rest + s * unknown;  // s times that of r_n
   for (std::size_t i = 0; i < candidates(); ++i) {
     const auto& name = block_.names[i];
     if (holds(separated, i)) {

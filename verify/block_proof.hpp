@@ -42,8 +42,8 @@ class BlockProof {
       std::uint64_t contact, std::uint64_t separated, std::span<const double> tangential) const;
 
  private:
-  // What is wrong with a guess x, given the product of the middle of K with it; nothing if it proves
-  // what it is to prove.
+  // What is wrong with a guess x, given the product of the middle of K with it; nothing if it
+  // proves what it is to prove.
   using Check =
       std::function<std::optional<std::string>(const DyadicList& x, const DyadicList& kx)>;
 

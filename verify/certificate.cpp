@@ -80,8 +80,9 @@ void read_blocks(Lines& lines, Certificate& certificate) {
     left &= ~block;
     certificate.blocks.push_back(block);
   }
-  if (left != 0) lines.refuse("all contact candidates in the blocks, but " +
-                              certificate.names_of(left) + " are in none");
+  if (left != 0)
+    lines.refuse("all contact candidates in the blocks, but " + certificate.names_of(left) +
+                 " are in none");
 }
 
 // By candidate, the number of its block.
@@ -128,9 +129,9 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
   record.claim = claim;
   if (version.names_blocks) record.block = read_block_number(lines, certificate);
   const auto block = certificate.blocks[record.block];
-  const std::string sets = version.names_blocks
-                               ? "two disjoint sets of candidates of the block, in hexadecimal digits"
-                               : "two disjoint sets of the contact candidates, in hexadecimal digits";
+  const std::string sets =
+      version.names_blocks ? "two disjoint sets of candidates of the block, in hexadecimal digits"
+                           : "two disjoint sets of the contact candidates, in hexadecimal digits";
   record.contact = lines.integer(16, sets);
   record.separated = lines.integer(16, sets);
   const auto known = record.contact | record.separated;

@@ -35,7 +35,7 @@ struct Parts {
   Rows contact_contact;     // all by rows; columns of N in its own order
   Rows rest_contact;
   Rows rest_rest;
-  Dyadic error_square;  // of the distance from the true K^0, scaled alike, in the Frobenius norm
+  Dyadic error_square;     // of the distance from the true K^0, scaled alike, in the Frobenius norm
   long contact_scale = 0;  // displacements of C were multiplied by 2^this, forces divided
 };
 
@@ -223,7 +223,8 @@ void Condensation::refine(std::size_t column) {
 Dyadic square_sum(const std::vector<std::vector<mpz_class>>& columns, long grid) {
   mpz_class sum;
   for (const auto& column : columns) {
-    for (const auto& value : column) mpz_addmul(sum.get_mpz_t(), value.get_mpz_t(), value.get_mpz_t());
+    for (const auto& value : column)
+      mpz_addmul(sum.get_mpz_t(), value.get_mpz_t(), value.get_mpz_t());
   }
   return {std::move(sum), 2 * grid};
 }
@@ -246,7 +247,8 @@ void Condensation::complement() {
   }
   complement_.assign(c * c, 0);
   for (std::size_t i = 0; i < c; ++i) {
-    for (const auto& entry : parts_.contact_contact[i]) complement_[c * i + entry.column] = entry.value;
+    for (const auto& entry : parts_.contact_contact[i])
+      complement_[c * i + entry.column] = entry.value;
   }
   for (std::size_t i = 0; i < c; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {

@@ -1,6 +1,6 @@
 // Intervals that hold a number which is not a double: a length, a direction cosine, 1/sqrt(3). All
-// operations round outwards (MPFR), so what they give holds every value that the exact operation has
-// on the numbers of its arguments.
+// operations round outwards (MPFR), so what they give holds every value that the exact operation
+// has on the numbers of its arguments.
 #pragma once
 
 #include <mpfr.h>

@@ -57,13 +57,19 @@ class Dyadic {
 };
 
 /// x^2.
-inline Dyadic square(const Dyadic& x) { return x * x; }
+inline Dyadic square(const Dyadic& x) {
+  return x * x;
+}
 
 /// |x|.
-inline Dyadic absolute(const Dyadic& x) { return x.sign() < 0 ? Dyadic() - x : x; }
+inline Dyadic absolute(const Dyadic& x) {
+  return x.sign() < 0 ? Dyadic() - x : x;
+}
 
 /// The larger of the two.
-inline const Dyadic& larger(const Dyadic& a, const Dyadic& b) { return a < b ? b : a; }
+inline const Dyadic& larger(const Dyadic& a, const Dyadic& b) {
+  return a < b ? b : a;
+}
 
 /// Numbers with one exponent for all: entry i is mantissas[i] * 2^exponent.
 struct DyadicList {

@@ -1,5 +1,5 @@
-// The lower triangle of a symmetric matrix, each row from its first entry that is not zero up to the
-// diagonal: where a Cholesky factor has its entries as well, so a narrow band stays narrow.
+// The lower triangle of a symmetric matrix, each row from its first entry that is not zero up to
+// the diagonal: where a Cholesky factor has its entries as well, so a narrow band stays narrow.
 #pragma once
 
 #include <cstddef>

@@ -59,11 +59,11 @@ struct UncertainForce {
 struct Structure {
   std::size_t dimension = 0;  ///< d: 2 or 3
   std::vector<std::string> names;
-  std::vector<Vector> places;               ///< one a node
-  std::vector<std::array<bool, 3>> fixed;   ///< one a node
+  std::vector<Vector> places;              ///< one a node
+  std::vector<std::array<bool, 3>> fixed;  ///< one a node
   std::vector<Bar> bars;
   std::vector<PlaneElement> elements;
-  std::vector<ContactPoint> contact;        ///< in the order of every answer
+  std::vector<ContactPoint> contact;  ///< in the order of every answer
   std::vector<Force> dead;
   std::vector<Force> reference;
   /// Nothing: every free component without dead and reference load, with weight 1.

@@ -97,11 +97,11 @@ TEST_F(VerifyCommand, GenuineCertificatesAreProvedOfTheProblemFile) {
     double mu;
     const char* patterns;
   };
-  const Row table[] = {
-      {"two-bars.toml", 1.9, "the list of 0 patterns"}, {"two-bars.toml", 2.1, "the list of 1 pattern "},
-      {"plane-truss.toml", 1, "the list of 11 patterns"},
-      {"space-truss.toml", 0.65, "the list of 27 patterns"},
-      {"elastic-body.toml", 0.7, "PROVED: the list of"}};
+  const Row table[] = {{"two-bars.toml", 1.9, "the list of 0 patterns"},
+                       {"two-bars.toml", 2.1, "the list of 1 pattern "},
+                       {"plane-truss.toml", 1, "the list of 11 patterns"},
+                       {"space-truss.toml", 0.65, "the list of 27 patterns"},
+                       {"elastic-body.toml", 0.7, "PROVED: the list of"}};
   for (const auto& [example, mu, patterns] : table) {
     const auto certificate = certificate_of(example_file(example), mu);
     const auto run = verify(certificate, example_file(example));
@@ -122,8 +122,9 @@ TEST_F(VerifyCommand, AForgedStiffnessIsRefused) {
   const auto forged = given_certificate("forged-decoupled-K.cert");
   const auto run = verify(forged, example_file("plane-truss.toml"));
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.output, AllOf(HasSubstr("refused: "), HasSubstr("its K is not that of the structure"),
-                                HasSubstr("NOT PROVED")));
+  EXPECT_THAT(run.output,
+              AllOf(HasSubstr("refused: "), HasSubstr("its K is not that of the structure"),
+                    HasSubstr("NOT PROVED")));
 }
 
 TEST_F(VerifyCommand, AnotherProblemFileIsRefused) {

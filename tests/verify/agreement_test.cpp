@@ -24,8 +24,8 @@ Structure structure_of(const std::string& name) {
 }
 
 TEST(Agreement, GenuineCertificatesAreProvedOfTheirStructures) {
-  for (const auto* name : {"two-bars.toml", "plane-truss.toml", "space-truss.toml",
-                           "elastic-body.toml"}) {
+  for (const auto* name :
+       {"two-bars.toml", "plane-truss.toml", "space-truss.toml", "elastic-body.toml"}) {
     const auto structure = structure_of(name);
     for (const double mu : {0.3, 0.65, 1.0}) {
       const auto text = searched(example(name), mu).text();
@@ -66,8 +66,8 @@ TEST(Agreement, TheCertificateOfAnotherProblemIsRefused) {
   EXPECT_THAT(refusal([](Structure& s) { s.bars.clear(); }), HasSubstr("was not enclosed"));
 }
 
-// What is smaller than the comparison notices is not proved of the wrong structure either: the proof
-// uses the structure's K alone.
+// What is smaller than the comparison notices is not proved of the wrong structure either: the
+// proof uses the structure's K alone.
 TEST(Agreement, TheKOfTheStructureIsWhatIsProved) {
   const auto structure = structure_of("plane-truss.toml");
   const auto certificate = read_certificate(searched(example("plane-truss.toml"), 1.0).text(), "c");
@@ -75,7 +75,8 @@ TEST(Agreement, TheKOfTheStructureIsWhatIsProved) {
   for (auto& bar : other.bars) bar.axial_stiffness *= 1 + 1e-9;
   const auto one = std::get<Agreement>(agreement(certificate, structure));
   const auto two = std::get<Agreement>(agreement(certificate, other));
-  const double ratio = two.stiffness.middle.entries[0].nearest() / one.stiffness.middle.entries[0].nearest();
+  const double ratio =
+      two.stiffness.middle.entries[0].nearest() / one.stiffness.middle.entries[0].nearest();
   EXPECT_NEAR(ratio - 1, 1e-9, 1e-15);
   EXPECT_EQ(one.friction, 1.0);
 }
@@ -138,7 +139,8 @@ TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
               ElementsAre(HasSubstr("in different blocks, but the structure connects them")));
 }
 
-// Stiffnesses from 1 to 1e9: K in double precision is known to a few digits only, and t* = 0 is near.
+// Stiffnesses from 1 to 1e9: K in double precision is known to a few digits only, and t* = 0 is
+// near.
 TEST(Agreement, HoldsForStiffnessesNineOrdersApart) {
   const auto file = problems::read_structure(R"(
 name = "contrast"

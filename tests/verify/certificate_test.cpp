@@ -99,7 +99,8 @@ TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
       {"candidates 4", "candidates 65", "cert:3: 'candidates 65', expected"},
       {"candidates 4", "candidates 5", "cert:8: 'friction 0x1p+2"},
       {"candidates 4", "candidates 3", "cert:7: 'name c3', expected 'friction'"},
-      {"friction 0x1p+2", "friction -0x1p+1", "expected friction coefficients that are not negative"},
+      {"friction 0x1p+2", "friction -0x1p+1",
+       "expected friction coefficients that are not negative"},
       {"name c1", "name ", "cert:5: 'name ', expected a name that is not empty"},
       {"name c1", "name", "cert:5: 'name', expected a name that is not empty"},
       {"name c3", "name c1", "cert:7: 'name c1', expected a name that line 5 has not"},
@@ -178,7 +179,8 @@ TEST(CertificateInBlocks, SaysWhatIsWrongAndWhatWasExpected) {
       {"nodes\n", "nodes\ndead 2 8 10 0x0p+0\n", "expected 2 multipliers"},
       {"nodes\n", "nodes\nalive 2 8 0 0x0p+0\n", "expected a leaf"},
       {"nodes\n", "nodes\nmarginal 1 3\n", "expected two disjoint sets"},
-      {"nodes\n", "nodes\nmarginal 1 3 0\n", "the number of nodes above"},  // no leaf, and none needed
+      {"nodes\n", "nodes\nmarginal 1 3 0\n",
+       "the number of nodes above"},  // no leaf, and none needed
   };
   for (const auto& [what, with, said] : table) {
     auto wrong = text;
@@ -205,8 +207,8 @@ TEST(CertificateInBlocks, EachBlockMustBeCovered) {
     const bool first = draft.nodes[which].find(" 1 ") == draft.nodes[which].find(' ');
     draft.nodes.erase(draft.nodes.begin() + static_cast<std::ptrdiff_t>(which));
     EXPECT_THAT(verdict(draft.text()).refusals,
-                testing::Contains(HasSubstr(first ? "block 1: no node covers"
-                                                  : "block 2: no node covers")));
+                testing::Contains(
+                    HasSubstr(first ? "block 1: no node covers" : "block 2: no node covers")));
   }
 }
 
@@ -250,10 +252,19 @@ TEST(Certificate, NoChangeAnywhereDoesHarm) {
   std::mt19937_64 generator(3);
   const std::string texts[] = {small().text(), pieces().text()};
   // Numbers from the ends of what a double is, and beyond.
-  const std::string extremes[] = {"0x1p-1060", "0x0.0000000000001p-1022", "-0x1p-1074",
-                                  "0x1.fffffffffffffp+1023", "0x1p+99999999999", "0x1p-99999999999",
-                                  "-0x0p+0", "0x1p+1000", "0x1p-1000", "0xnan", "0xinf",
-                                  "0x" + std::string(400, 'f') + "p+0", "18446744073709551616"};
+  const std::string extremes[] = {"0x1p-1060",
+                                  "0x0.0000000000001p-1022",
+                                  "-0x1p-1074",
+                                  "0x1.fffffffffffffp+1023",
+                                  "0x1p+99999999999",
+                                  "0x1p-99999999999",
+                                  "-0x0p+0",
+                                  "0x1p+1000",
+                                  "0x1p-1000",
+                                  "0xnan",
+                                  "0xinf",
+                                  "0x" + std::string(400, 'f') + "p+0",
+                                  "18446744073709551616"};
   const std::string likely = "0123456789abcdef-+xp \n";
   for (int trial = 0; trial < 20000; ++trial) {
     auto altered = texts[trial % 2];

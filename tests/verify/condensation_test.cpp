@@ -55,7 +55,8 @@ Structure chain(double near, double far, double upright) {
   structure.places = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, -1, 0}, {2, -1, 0}};
   structure.fixed.assign(5, {true, true, false});
   structure.fixed[1] = structure.fixed[2] = {false, false, false};
-  structure.bars = {{0, 1, far, 0, 0}, {1, 2, near, 0, 0}, {1, 3, upright, 0, 0}, {2, 4, upright, 0, 0}};
+  structure.bars = {
+      {0, 1, far, 0, 0}, {1, 2, near, 0, 0}, {1, 3, upright, 0, 0}, {2, 4, upright, 0, 0}};
   ContactPoint tip;
   tip.node = 2;
   tip.normal = {-3, 0, 0};
@@ -85,7 +86,8 @@ TEST(Condensation, DoesNotDependOnTheUnits) {
   for (const double unit : {1e-40, 1e-9, 1e9, 1e40}) {
     const mpq_class k1(unit);
     const mpq_class k2(3 * unit);
-    expect_holds(condensed(chain(unit, 3 * unit, unit)), {mpq_class(k1 * k2 / (k1 + k2)), 0, 0, k1});
+    expect_holds(condensed(chain(unit, 3 * unit, unit)),
+                 {mpq_class(k1 * k2 / (k1 + k2)), 0, 0, k1});
   }
 }
 
@@ -128,9 +130,8 @@ TEST(Condensation, IsNearWhatTheSolverComputes) {
     ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.stiffness.rows()));
     for (Eigen::Index i = 0; i < problem.stiffness.rows(); ++i) {
       for (Eigen::Index j = 0; j < problem.stiffness.cols(); ++j) {
-        EXPECT_NEAR(
-            entry(matrix, static_cast<std::size_t>(i), static_cast<std::size_t>(j)).get_d(),
-            problem.stiffness(i, j), 1e-11 * size);
+        EXPECT_NEAR(entry(matrix, static_cast<std::size_t>(i), static_cast<std::size_t>(j)).get_d(),
+                    problem.stiffness(i, j), 1e-11 * size);
       }
     }
     EXPECT_LT(matrix.radius.nearest(), 1e-35 * size);

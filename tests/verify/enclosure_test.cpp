@@ -39,7 +39,8 @@ TEST(Enclosure, HoldsAThirdAndARoot) {
 
 TEST(Enclosure, WhatHasNoResultIsNotFinite) {
   EXPECT_FALSE((Enclosure(1) / Enclosure(0)).finite());
-  EXPECT_FALSE((Enclosure(1) / (Enclosure(1) / Enclosure(3) - Enclosure(1) / Enclosure(3))).finite());
+  EXPECT_FALSE(
+      (Enclosure(1) / (Enclosure(1) / Enclosure(3) - Enclosure(1) / Enclosure(3))).finite());
   EXPECT_FALSE(sqrt(Enclosure(-1)).finite());
   const auto none = sqrt(Enclosure(-1));
   EXPECT_FALSE((none * Enclosure(2)).finite());
@@ -49,8 +50,8 @@ TEST(Enclosure, WhatHasNoResultIsNotFinite) {
   EXPECT_FALSE(magnitude(none).finite());
 }
 
-// Intervals around random thirds, with signs of all kinds, against rational arithmetic at their ends
-// and between.
+// Intervals around random thirds, with signs of all kinds, against rational arithmetic at their
+// ends and between.
 TEST(Enclosure, OperationsHoldEveryResultOfTheirArguments) {
   std::mt19937_64 generator(3);
   std::uniform_int_distribution<int> number(-4, 4);

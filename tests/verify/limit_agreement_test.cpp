@@ -68,8 +68,8 @@ TEST(LimitAgreement, TheEndsAreProvedOfTheTruss) {
   const auto certificate = evidence();
   const auto errors = agreed(certificate, truss());
   ASSERT_EQ(errors.columns.size(), 2U);
-  EXPECT_EQ(errors.columns[0].sign(), 0);      // its cosines are 1 and 0
-  EXPECT_GT(errors.columns[1].nearest(), 0);   // the root of 1/2 is no double
+  EXPECT_EQ(errors.columns[0].sign(), 0);     // its cosines are 1 and 0
+  EXPECT_GT(errors.columns[1].nearest(), 0);  // the root of 1/2 is no double
   EXPECT_LT(errors.columns[1].nearest(), 3e-16);
   const LimitProof proof(certificate, errors);
   ASSERT_TRUE(proof.stable());
@@ -122,7 +122,9 @@ TEST(LimitAgreement, AnotherTrussIsRefused) {
               HasSubstr("reference load"));
   EXPECT_THAT(refusal([](Structure& s) { s.uncertain.emplace(); }),
               HasSubstr("uncertain components"));
-  EXPECT_THAT(refusal([](Structure& s) { s.uncertain = {{2, 0, 0.5}}; }),
+  EXPECT_THAT(refusal([](Structure& s) {
+                s.uncertain = {{2, 0, 0.5}};
+              }),
               HasSubstr("uncertain components"));
   EXPECT_EQ(refusal([](Structure& s) { s.uncertain = {{2, 0, 1}}; }), "");
   EXPECT_THAT(refusal([](Structure& s) { s.fixed[2][0] = true; }), HasSubstr("displacements"));
@@ -162,9 +164,11 @@ TEST(LimitCertificate, NoMemoryIsTakenForWhatTheFileCannotHold) {
   const Wrong table[] = {
       {"displacements 2", "displacements 200000",
        "cert:2: 'displacements 200000', expected 'displacements' and a number that the rest of"},
-      {"members 2", "members 9000000", "cert:3: 'members 9000000', expected 'members' and a number"},
+      {"members 2", "members 9000000",
+       "cert:3: 'members 9000000', expected 'members' and a number"},
       {"members 2", "members 1", "expected as many members as displacements at least"},
-      {"member 0x1p+0 0x1p+0 1 ", "member 0x1p+0 0x1p+0 2 ", "the place of one of the entries of B"},
+      {"member 0x1p+0 0x1p+0 1 ", "member 0x1p+0 0x1p+0 2 ",
+       "the place of one of the entries of B"},
       {"member 0x1p+0 0x1p+0 1 0 0x1p+0", "member 0x1p+0 0x1p+0 2 0", "that the line holds"},
       {"uncertain 1", "uncertain 4000000", "expected 'uncertain' and a number that the rest"},
       {"cuts 1", "cuts 4000000", "expected 'cuts' and a number that the rest of the file holds"},
@@ -198,9 +202,16 @@ TEST(LimitCertificate, NoChangeAnywhereDoesHarm) {
   const auto text = limit_certificate_text(evidence());
   std::mt19937_64 generator(5);
   const std::string likely = "0123456789abcdef-+xp \n";
-  const std::string extremes[] = {"0x1p-1060", "0x0.0000000000001p-1022", "0x1.fffffffffffffp+1023",
-                                  "-0x1.fffffffffffffp+1023", "0x1p-1000", "0x1p+99999999999", "0x0p+0",
-                                  "4294967296", "18446744073709551615", "9999999"};
+  const std::string extremes[] = {"0x1p-1060",
+                                  "0x0.0000000000001p-1022",
+                                  "0x1.fffffffffffffp+1023",
+                                  "-0x1.fffffffffffffp+1023",
+                                  "0x1p-1000",
+                                  "0x1p+99999999999",
+                                  "0x0p+0",
+                                  "4294967296",
+                                  "18446744073709551615",
+                                  "9999999"};
   int read = 0;
   for (int trial = 0; trial < 20000; ++trial) {
     auto altered = text;

@@ -128,9 +128,17 @@ TEST(Proof, HoldsForBadlyScaledProblems) {
 // One candidate, K = [2 1; 1 2]; without friction it cannot wedge.
 Draft frictionless() {
   Draft draft;
-  draft.header = {"kusabi certificate 2\n", "dimension 2\n", "candidates 1\n", "name a\n",
-                  "friction 0x0p+0\n",      "blocks 1\n",    "block 1\n",      "stiffness\n",
-                  "0x1p+1\n",               "0x1p+0 0x1p+1\n", "nodes\n"};
+  draft.header = {"kusabi certificate 2\n",
+                  "dimension 2\n",
+                  "candidates 1\n",
+                  "name a\n",
+                  "friction 0x0p+0\n",
+                  "blocks 1\n",
+                  "block 1\n",
+                  "stiffness\n",
+                  "0x1p+1\n",
+                  "0x1p+0 0x1p+1\n",
+                  "nodes\n"};
   // Contact: u_n = 0, and r_t = 2 u_t = 0 leaves r_n = u_t = 0. Multiplier -1 pulls: w = (-2, 1)/3.
   draft.nodes = {"dead 1 1 0 -0x1p+0\n", "dead 1 0 1 0x0p+0\n"};
   return draft;

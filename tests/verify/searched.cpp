@@ -82,8 +82,8 @@ Draft searched(const problems::WedgedProblem& problem, double friction) {
 
 Draft in_blocks(const Draft& first, const Draft& second) {
   const auto candidates = [](const Draft& draft) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(draft.header, [](const auto& line) { return line.starts_with("name"); }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        draft.header, [](const auto& line) { return line.starts_with("name"); }));
   };
   const auto after = [](const Draft& draft, const std::string& start) {
     return std::ranges::find_if(draft.header,
@@ -93,8 +93,10 @@ Draft in_blocks(const Draft& first, const Draft& second) {
   const auto n = candidates(second);
   Draft both;
   both.header = {"kusabi certificate 2\n", first.header[1], fmt::format("candidates {}\n", m + n)};
-  for (std::size_t i = 0; i < m; ++i) both.header.push_back("name a-" + first.header[3 + i].substr(5));
-  for (std::size_t i = 0; i < n; ++i) both.header.push_back("name b-" + second.header[3 + i].substr(5));
+  for (std::size_t i = 0; i < m; ++i)
+    both.header.push_back("name a-" + first.header[3 + i].substr(5));
+  for (std::size_t i = 0; i < n; ++i)
+    both.header.push_back("name b-" + second.header[3 + i].substr(5));
   const auto one = *after(first, "friction");
   both.header.push_back(one.substr(0, one.size() - 1) + after(second, "friction")->substr(8));
   both.header.push_back(n == 0 ? "blocks 1\n" : "blocks 2\n");
