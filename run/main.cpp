@@ -81,8 +81,8 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
       ->check(positive);
   command
       .add_option("--tolerance", options->tolerance,
-                  "a margin t* up to this size is neither positive nor negative")
-      ->check(positive)
+                  "a margin t* up to this size is a tie, neither positive nor negative")
+      ->check(CLI::Range(1e-12, 1e-3))
       ->capture_default_str();
   command
       .add_option_function<std::string>(

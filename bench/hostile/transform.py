@@ -12,12 +12,12 @@ def _all(structure):
 
 
 def scale(rng, structure):
-    """Lengths by one power of two, forces by another."""
+    """Lengths by one power of two, forces by another; moduli are forces by lengths, thicknesses stay."""
     result = _all(structure)
     length, force = 2.0 ** rng.randint(-16, 16), 2.0 ** rng.randint(-30, 30)
     result.nodes = {name: [length * x for x in place] for name, place in result.nodes.items()}
     result.bars = [(force * stiffness, a, b) for stiffness, a, b in result.bars]
-    result.quads = [(force * modulus, *rest) for modulus, *rest in result.quads]
+    result.quads = [(force / length * modulus, *rest) for modulus, *rest in result.quads]
     result.candidates = [(node, [2.0 * x for x in normal],
                           tangent, friction) for node, normal, tangent, friction in result.candidates]
     return result
