@@ -219,5 +219,5 @@ class Judge:
                 proved, _, line = self.kusabi.run("verify", file, *more)
                 self._count("certificates")
                 if proved != 0:
-                    self._find(DISAGREE, f"{asked[0]} --certificate, verify {os.path.basename(file)} {' '.join(more[:1])}",
+                    self._find(OPEN if proved == 3 else DISAGREE, f"{asked[0]} --certificate, verify {os.path.basename(file)} {' '.join(more[:1])}",
                                f"exit code {proved}: {line}")
