@@ -11,7 +11,7 @@ build_packages=(g++ cmake make libopenmpi-dev openmpi-bin libboost-serialization
   libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libgmp-dev libmpfr-dev libglpk-dev
   libqd-dev)
 # What the tests need besides.
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev python3)
 
 # install_missing PACKAGE...: installs those that are not there yet.
 install_missing() {

@@ -33,12 +33,12 @@ std::string given_certificate(const std::string& name) {
   return quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/verify/certificates/" + name);
 }
 
-struct Run {
+struct Ran {
   int exit_code;
   std::string output;  // both streams
 };
 
-Run shell(const std::string& line) {
+Ran shell(const std::string& line) {
   FILE* pipe = popen((line + " 2>&1").c_str(), "r");
   std::string output;
   std::array<char, 4096> piece{};
@@ -84,7 +84,7 @@ class VerifyCommand : public testing::Test {
     return path("changed.toml");
   }
 
-  [[nodiscard]] static Run verify(const std::string& certificate, const std::string& file) {
+  [[nodiscard]] static Ran verify(const std::string& certificate, const std::string& file) {
     return shell(fmt::format("{} verify {} --problem {}", command, certificate, quoted(file)));
   }
 

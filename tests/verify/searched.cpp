@@ -74,7 +74,7 @@ Draft searched(const problems::WedgedProblem& problem, double friction) {
   // Version 1 knows of no blocks.
   auto whole = problem;
   whole.blocks.clear();
-  nodes::SignPatternTree tree(whole, everywhere, {.thorough = true});
+  nodes::SignPatternTree tree(whole, everywhere, {.tolerances = {}, .thorough = true});
   tree.report_to([&](const auto& evidence) { draft.nodes.push_back(node_line(evidence)); });
   engine::search(tree);
   return draft;
