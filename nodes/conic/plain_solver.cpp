@@ -494,7 +494,8 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
       const std::size_t candidate = i % friction_.size();
       const std::uint64_t bit = std::uint64_t{1} << candidate;
       if (((i < friction_.size() ? carriers : movers) & bit) == 0) continue;
-      if (closed->sizes[i] <= falls * open->sizes[i]) continue;
+      // What an equation holds at zero does not fall: it is rounding from the start.
+      if (closed->sizes[i] <= std::max(falls * open->sizes[i], file_rounding)) continue;
       if (closed->sizes[i] < stays * open->sizes[i]) clear = false;
       (i < friction_.size() ? result.loaded : result.moved) |= bit;
     }
