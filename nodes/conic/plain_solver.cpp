@@ -25,6 +25,12 @@ constexpr int most_projections = 3;
 // More digits take more iterations.
 constexpr int most_iterations = 150;
 
+std::uint64_t mask_of(const std::vector<int>& candidates) {
+  std::uint64_t mask = 0;
+  for (const int i : candidates) mask |= std::uint64_t{1} << static_cast<unsigned>(i);
+  return mask;
+}
+
 std::vector<int> one_each(std::size_t count) {
   std::vector<int> owners(count);
   for (std::size_t i = 0; i < count; ++i) owners[i] = static_cast<int>(i);
@@ -409,18 +415,32 @@ void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
   }
 }
 
+namespace {
+
+/// What a window of widths of the bracket shows: the sizes where it opens and where it closes.
+struct Window {
+  double widest, opens, closes, least;
+};
+
+/// Above the rounding of what the file says: a normal in sixteen digits that should be parallel to
+/// a bar makes a tie one at t* = 1e-17 only, and below that the points run away to a corner of X.
+constexpr Window shallow{1e-5, 1e-7, 1e-12, 3e-15};
+/// For what is small and does not vanish, if t* is exactly zero.
+constexpr Window deep{1e-9, 1e-11, 1e-19, 0};
+
+/// What stays within a window at all, and by how many times the root of the ratio of its ends what
+/// vanishes may miss the fall it should have.
+constexpr double stays = 0.1, miss = 3;
+
+/// Sizes below this are of the rounding of what the file says.
+constexpr double file_rounding = 1e-13;
+
+}  // namespace
+
 template <int D, class Real>
 std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uint64_t contact,
                                                                         std::uint64_t separated,
                                                                         std::uint64_t ignored) {
-  // The sizes at two widths of the bracket. From one to the other what vanishes falls by the root
-  // of their ratio at least, and what does not stays. Relative sizes below the third number are the
-  // rounding of what the file says: a normal in sixteen digits that should be parallel to a bar.
-  // What vanishes is of the size of the root of the bracket at most, so what is far above stays,
-  // even if the point has wandered from one width to the other.
-  constexpr double early = 1e-11, late = 1e-20, least_late = 1e-15;
-  constexpr double rounding = 1e-13;
-  constexpr double stays = 0.1, falls = 0.01, certain = 1e-5;
   select(contact, separated, ignored);
   if (cones_.empty()) return std::nullopt;
   start();
@@ -429,7 +449,7 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
   Answer answer;
   answer.lower = -infinity;
   answer.upper = infinity;
-  std::vector<double> before, after;
+  std::vector<Snapshot> path;
   for (;;) {
     prove_upper(answer);
     if (answer.iterations == most_iterations) break;
@@ -437,31 +457,53 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
     if (!factorise()) break;
     prove_lower(answer, Keep::latest);
     // The bracket of the iteration itself, without what rounding adds to the bounds.
-    const double width = numbers::rounded(Real(complementarity_ / weight_));
-    if (width <= least_late) take_sizes(after);
-    if (before.empty() && width <= early) take_sizes(before);
-    if (width <= late || !advance()) break;
+    path.push_back({numbers::rounded(Real(complementarity_ / weight_)), {}, reaction_});
+    take_sizes(path.back().sizes);
+    if (path.back().width <= deep.closes || !advance()) break;
   }
-  if (after.empty() || !is_tie(answer, tolerances_)) return std::nullopt;
+  if (!is_tie(answer, tolerances_)) return std::nullopt;
   // Proved dead, and by more than the rounding of what the file says: X is empty.
-  if (answer.upper < 0 && violation() > 10 * rounding) return RelativeInterior{};
-  RelativeInterior result;
-  bool clear = true;
-  bool all = true;
-  const std::size_t m = friction_.size();
-  for (std::size_t i = 0; i < 2 * m; ++i) {
-    const std::uint64_t bit = std::uint64_t{1} << (i % m);
-    if (i < m ? ((separated | ignored) & bit) != 0 : ((contact | ignored) & bit) != 0) continue;
-    if (after[i] <= rounding) all = false;
-    if (after[i] <= rounding || (after[i] < certain && after[i] < falls * before[i])) continue;
-    if (after[i] < certain && after[i] < stays * before[i]) clear = false;
-    (i < m ? result.loaded : result.moved) |= bit;
+  if (answer.upper < 0 && violation() > 10 * file_rounding) return RelativeInterior{};
+  const std::uint64_t carriers = mask_of(cones_);
+  const std::uint64_t movers = mask_of(gap_rows_);
+  if (answer.lower > 0) {  // proved alive, though within the tolerance: nothing vanishes
+    const auto& sizes = path.back().sizes;
+    bool all = true;
+    for (std::size_t i = 0; i < friction_.size(); ++i) {
+      if ((carriers >> i & 1) != 0) all = all && sizes[i] > file_rounding;
+      if ((movers >> i & 1) != 0) all = all && sizes[friction_.size() + i] > file_rounding;
+    }
+    if (all) return RelativeInterior{carriers, movers};
   }
-  if (clear) return result;
-  // Proved alive, though within the tolerance: nothing vanishes.
-  if (!(answer.lower > 0) || !all) return std::nullopt;
-  const std::uint64_t given = m == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << m) - 1;
-  return RelativeInterior{given & ~(separated | ignored), given & ~(contact | ignored)};
+  for (const Window& window : {shallow, deep}) {
+    const Snapshot* open = nullptr;
+    const Snapshot* closed = nullptr;
+    for (const Snapshot& snapshot : path) {
+      if (snapshot.width <= window.widest && (open == nullptr || snapshot.width >= window.opens))
+        open = &snapshot;
+      if (snapshot.width >= window.least) closed = &snapshot;
+      if (snapshot.width <= window.closes && closed == &snapshot) break;
+    }
+    if (open == nullptr || closed == nullptr) continue;
+    const double falls = miss * std::sqrt(closed->width / open->width);
+    if (!(falls < stays / 2)) continue;
+    if (window.least == 0 && (answer.lower > 0 || answer.upper < 0)) continue;
+    RelativeInterior result;
+    bool clear = true;
+    for (std::size_t i = 0; i < 2 * friction_.size(); ++i) {
+      const std::size_t candidate = i % friction_.size();
+      const std::uint64_t bit = std::uint64_t{1} << candidate;
+      if (((i < friction_.size() ? carriers : movers) & bit) == 0) continue;
+      // What an equation holds at zero does not fall: it is rounding from the start.
+      if (closed->sizes[i] <= std::max(falls * open->sizes[i], file_rounding)) continue;
+      if (closed->sizes[i] < stays * open->sizes[i]) clear = false;
+      (i < friction_.size() ? result.loaded : result.moved) |= bit;
+    }
+    if (!clear) continue;
+    reaction_ = closed->reaction;
+    return result;
+  }
+  return std::nullopt;
 }
 
 // By how much the reaction fails to be wedged, relative to the sizes of what is compared.

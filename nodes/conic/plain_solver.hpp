@@ -90,6 +90,12 @@ class PlainSolver {
   void prove_lower(Answer& answer, Keep keep);
   void prove_upper(Answer& answer);
   void take_sizes(std::vector<double>& sizes) const;
+  /// An iterate on the way to a tie.
+  struct Snapshot {
+    double width;               // of the bracket
+    std::vector<double> sizes;  // see take_sizes
+    Vector reaction;
+  };
   double violation() const;
   double reach() const;
 
