@@ -269,7 +269,7 @@ TEST(Health, SaysWhenTheNumbersContradictTheZeroSet) {
 TEST(ReactionCone, RefusesWhatIsNoProblem) {
   const std::vector<double> friction{1.0};
   EXPECT_THROW(ReactionCone(PreciseMatrix::Identity(4, 4), friction), std::invalid_argument);
-  EXPECT_THROW(ReactionCone(PreciseMatrix::Identity(2, 2), std::vector<double>{0.0}),
+  EXPECT_THROW(ReactionCone(PreciseMatrix::Identity(2, 2), std::vector<double>{-1.0}),
                std::invalid_argument);
   EXPECT_THROW(ReactionCone(PreciseMatrix(0, 0), std::vector<double>{}), std::invalid_argument);
 }

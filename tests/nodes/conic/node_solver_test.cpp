@@ -137,8 +137,10 @@ TEST(StopEarly, AgreesOnTheSignAndNeverTakesLonger) {
       const Answer early = solver.solve(masks.first, masks.second, stop);
       EXPECT_EQ(early.sign, full.sign);
       EXPECT_LE(early.iterations, full.iterations);
-      EXPECT_LE(early.lower, full.lower);
-      EXPECT_GE(early.upper, full.upper);
+      // What is taken off for rounding differs from point to point.
+      constexpr double rounding = 1e-12;
+      EXPECT_LE(early.lower, full.lower + rounding);
+      EXPECT_GE(early.upper, full.upper - rounding);
       fewer += early.iterations < full.iterations;
     }
   }
