@@ -1,70 +1,171 @@
-// One solver or the other.
+// Doubles first, more digits where they are needed.
 #include "nodes/contact_solver.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <cmath>
+#include <type_traits>
 
 namespace kusabi::nodes {
+namespace {
+
+// A margin of a leaf is given to three digits.
+constexpr double three_digits = 1e-3;
+
+// The quotient of F and its unit.
+constexpr double scaling_roundings = 1.01;
+
+template <class Real>
+constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>;
+
+}  // namespace
 
 ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
                              std::span<const double> friction, conic::Tolerances tolerances)
     : dimension_(problem.dimension),
       unit_(problems::mean_normal_compliance(problem)),
+      tolerances_(tolerances),
+      friction_(friction.begin(), friction.end()),
+      compliance_(problem.compliance),
+      precise_compliance_(problem.precise_compliance),
+      compliance_error_(problem.compliance_error),
+      precise_error_(problem.precise_error),
       solver_([&]() -> decltype(solver_) {
         const Eigen::MatrixXd scaled = problem.compliance / unit_;
-        if (problem.dimension == 2) return conic::NodeSolver<2>(scaled, friction, tolerances);
-        return conic::NodeSolver<3>(scaled, friction, tolerances);
+        const double error = problem.compliance_error + scaling_error<double>;
+        if (problem.dimension == 2)
+          return conic::NodeSolver<2>(scaled, friction, tolerances, error);
+        return conic::NodeSolver<3>(scaled, friction, tolerances, error);
       }()) {}
 
 void ContactSolver::set_friction(std::span<const double> friction) {
   std::visit([&](auto& solver) { solver.set_friction(friction); }, solver_);
+  friction_.assign(friction.begin(), friction.end());
+}
+
+template <class Real>
+Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> ContactSolver::scaled_compliance() const {
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  const Matrix whole = precise_compliance_.size() != 0
+                           ? Matrix(precise_compliance_.template cast<Real>())
+                           : Matrix(compliance_.template cast<Real>());
+  return whole / Real(unit_);
+}
+
+template <class Real>
+double ContactSolver::scaled_error() const {
+  if (precise_compliance_.size() == 0) return compliance_error_ + scaling_error<Real>;
+  return precise_error_ + 2 * scaling_error<Real>;
+}
+
+template <class Real>
+auto ContactSolver::made(Rung<Real>& rung) -> Rung<Real>& {
+  if (!std::holds_alternative<std::monostate>(rung)) return rung;
+  if (dimension_ == 2)
+    rung.template emplace<1>(scaled_compliance<Real>(), friction_, tolerances_,
+                             scaled_error<Real>());
+  else
+    rung.template emplace<2>(scaled_compliance<Real>(), friction_, tolerances_,
+                             scaled_error<Real>());
+  return rung;
+}
+
+namespace {
+
+/// Calls `function` with the solver of a rung that has been made.
+template <class Rung, class Function>
+auto with(Rung& rung, Function function) {
+  if (auto* plane = std::get_if<1>(&rung)) return function(*plane);
+  return function(std::get<2>(rung));
+}
+
+}  // namespace
+
+template <class Real>
+void ContactSolver::climb(Rung<Real>& rung, int number, std::uint64_t contact,
+                          std::uint64_t separated, std::uint64_t ignored, conic::StopEarly stop,
+                          conic::Answer& answer) {
+  with(made(rung), [&](auto& solver) {
+    solver.set_friction(friction_);
+    const conic::Answer again = solver.solve(contact, separated, stop, ignored);
+    answer.iterations += again.iterations;
+    answer.rung = number;
+    // Both brackets hold, and so does what they have in common.
+    if (again.lower > answer.lower) {
+      answer.lower = again.lower;
+      answer.has_point = again.has_point;
+      answer.primal_residual = again.primal_residual;
+      reaction_ = solver.reaction().template cast<double>();
+      displacement_ = solver.displacement().template cast<double>();
+    }
+    if (again.upper < answer.upper) {
+      answer.upper = again.upper;
+      multipliers_ = solver.multipliers().template cast<double>();
+    }
+    answer.sign = conic::sign_of(answer, tolerances_);
+    answer.gap = answer.upper - answer.lower;
+  });
+}
+
+bool ContactSolver::is_open(const conic::Answer& answer, conic::StopEarly stop) const {
+  if (answer.sign == conic::Sign::marginal) return !conic::is_tie(answer, tolerances_);
+  return answer.sign == conic::Sign::alive && !stop.when_alive &&
+         answer.upper - answer.lower > three_digits * answer.lower;
 }
 
 conic::Answer ContactSolver::solve(std::uint64_t contact, std::uint64_t separated,
                                    conic::StopEarly stop, std::uint64_t ignored) {
-  if (ignored != 0) return {};
-  return std::visit([&](auto& solver) { return solver.solve(contact, separated, stop); }, solver_);
+  conic::Answer answer = std::visit(
+      [&](auto& solver) {
+        const conic::Answer first = solver.solve(contact, separated, stop, ignored);
+        reaction_ = solver.reaction();
+        displacement_ = solver.displacement();
+        multipliers_ = solver.multipliers();
+        return first;
+      },
+      solver_);
+  if (is_open(answer, stop)) climb(long_rung_, 1, contact, separated, ignored, stop, answer);
+  if (is_open(answer, stop)) climb(precise_rung_, 2, contact, separated, ignored, stop, answer);
+  return answer;
 }
 
-std::optional<RelativeInterior> ContactSolver::relative_interior(std::uint64_t contact,
-                                                                 std::uint64_t separated) {
-  solve(contact, separated, {.when_dead = false, .when_alive = false});
-  RelativeInterior inside;
-  const auto candidates = reaction().size() / dimension_;
-  std::vector<double> sizes{1e-14};
-  for (int i = 0; i < candidates; ++i) {
-    if ((separated >> i & 1) == 0) sizes.push_back(std::max(1e-14, normal_reaction(i)));
-    if ((contact >> i & 1) == 0) sizes.push_back(std::max(1e-14, normal_displacement(i)));
-  }
-  std::sort(sizes.begin(), sizes.end());
-  double widest = 1e3, least = 0;
-  for (std::size_t k = 0; k + 1 < sizes.size(); ++k) {
-    if (sizes[k] < 1e-5 && sizes[k + 1] / sizes[k] > widest) {
-      widest = sizes[k + 1] / sizes[k];
-      least = sizes[k + 1];
+std::optional<conic::RelativeInterior> ContactSolver::relative_interior(std::uint64_t contact,
+                                                                        std::uint64_t separated,
+                                                                        std::uint64_t ignored) {
+  return with(made(precise_rung_), [&](auto& solver) {
+    solver.set_friction(friction_);
+    auto found = solver.relative_interior(contact, separated, ignored);
+    reaction_ = solver.reaction().template cast<double>();
+    displacement_ = solver.displacement().template cast<double>();
+    multipliers_.setZero();
+    if (found) found->moved &= moved_by(found->loaded);
+    return found;
+  });
+}
+
+// Reactions that vanish move others all the same as long as they are not quite zero. What is left
+// counts as zero if it is no more than cancellation leaves, than a direction in sixteen digits takes
+// from the others of its block of F, or than the error of F.
+std::uint64_t ContactSolver::moved_by(std::uint64_t loaded) const {
+  constexpr double cancelled = 1e-12;
+  const double unknown = precise_compliance_.size() == 0 ? compliance_error_ : precise_error_;
+  const auto own = [&](Eigen::Index row) { return std::sqrt(compliance_(row, row)); };
+  const Eigen::Index d = dimension_;
+  std::uint64_t moved = 0;
+  for (int i = 0; normal(i) < reaction_.size(); ++i) {
+    double displacement = 0;
+    double least = 0;
+    for (int k = 0; normal(k) < reaction_.size(); ++k) {
+      if ((loaded >> static_cast<unsigned>(k) & 1) == 0) continue;
+      const double together = compliance_.block(normal(i), normal(k), d, d).cwiseAbs().maxCoeff();
+      for (Eigen::Index column = normal(k); column < normal(k + 1); ++column) {
+        const double size = std::abs(reaction_[column]);
+        displacement += compliance_(normal(i), column) * reaction_[column];
+        least += (cancelled * together + unknown * own(normal(i)) * own(column)) * size;
+      }
     }
+    if (displacement > least) moved |= std::uint64_t{1} << static_cast<unsigned>(i);
   }
-  if (least == 0) return std::nullopt;
-  for (int i = 0; i < candidates; ++i) {
-    if ((separated >> i & 1) == 0 && normal_reaction(i) >= least) inside.loaded |= 1ULL << i;
-    if ((contact >> i & 1) == 0 && normal_displacement(i) >= least) inside.moved |= 1ULL << i;
-  }
-  return inside;
-}
-
-const Eigen::VectorXd& ContactSolver::reaction() const {
-  return std::visit([](const auto& solver) -> const Eigen::VectorXd& { return solver.reaction(); },
-                    solver_);
-}
-
-const Eigen::VectorXd& ContactSolver::displacement() const {
-  return std::visit(
-      [](const auto& solver) -> const Eigen::VectorXd& { return solver.displacement(); }, solver_);
-}
-
-const Eigen::VectorXd& ContactSolver::multipliers() const {
-  return std::visit(
-      [](const auto& solver) -> const Eigen::VectorXd& { return solver.multipliers(); }, solver_);
+  return moved;
 }
 
 }  // namespace kusabi::nodes

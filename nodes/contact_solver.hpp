@@ -2,33 +2,38 @@
 // has one.
 //
 // The compliance is scaled so that the mean diagonal of its normal part F_nn is 1: t compares
-// reactions with displacements, so its size (not its sign) hangs on the units.
+// reactions with displacements, so its size (not its sign) depends on the units.
+//
+// A node is solved in doubles first. Where they leave its sign open, or its value to fewer than
+// three digits where that is asked for, the same program is solved again in long double precision
+// and then in 104 bits, with an F that has as many digits (docs/theory.md, section 3). All bounds
+// hold for the F of the structure, whatever they were computed with.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <variant>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "nodes/conic/node_solver.hpp"
+#include "nodes/conic/plain_solver.hpp"
 #include "problems/wedged_problem.hpp"
 
 namespace kusabi::nodes {
 
-/// The candidates that a configuration in the relative interior of a tie loads and moves: what is
-/// zero there is zero in all configurations of the node.
-struct RelativeInterior {
-  std::uint64_t loaded = 0;  ///< r_n > 0
-  std::uint64_t moved = 0;   ///< u_n > 0
-};
+/// Friction other than none: below, a cone is a needle, above, a half-space.
+inline constexpr double least_friction = 1e-6;
+inline constexpr double most_friction = 1e6;
 
-/// conic::NodeSolver of the problem's dimension. Allocates nothing after construction; each rank
-/// has its own. The references hold until the next solve().
+/// conic::NodeSolver of the problem's dimension, with conic::PlainSolver above it. What it says of
+/// a node depends on the arguments alone, to the last bit. Allocates after construction only where
+/// doubles do not suffice. Each rank has its own. The references hold until the next solve().
 class ContactSolver {
  public:
-  /// @param friction mu of each contact candidate, m numbers > 0
+  /// @param friction mu of each contact candidate, m numbers: 0 or 1e-6 to 1e6
   /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
   ContactSolver(const problems::WedgedProblem& problem, std::span<const double> friction,
                 conic::Tolerances tolerances);
@@ -36,22 +41,27 @@ class ContactSolver {
   /// From the next solve() on, mu is this.
   void set_friction(std::span<const double> friction);
 
-  /// Bounds the node with the candidates `contact` in U and `separated` in R.
-  /// @param ignored candidates that have no reaction and of which no displacement is asked
+  /// Bounds the node with the candidates `contact` in U and `separated` in R. The candidates of
+  /// `ignored` have neither a reaction nor a row: r = 0, and u_n is free.
+  /// @throws std::invalid_argument if the sets overlap or name a candidate that does not exist
   conic::Answer solve(std::uint64_t contact, std::uint64_t separated, conic::StopEarly stop,
                       std::uint64_t ignored = 0);
 
-  /// Of a node that is marginal with a bracket within the tolerance. reaction() and displacement()
-  /// are then a point of it. Nothing if zero cannot be told from nonzero.
-  std::optional<RelativeInterior> relative_interior(std::uint64_t contact,
-                                                    std::uint64_t separated);
+  /// Who is loaded and who moves at a point of the relative interior of the solutions of a node
+  /// whose t* is zero up to the tolerance:
+  ///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
+  /// That point is then reaction() and displacement(); multipliers() are zero. Nothing if t* is not
+  /// zero, or numbers that vanish cannot be told from those that do not.
+  std::optional<conic::RelativeInterior> relative_interior(std::uint64_t contact,
+                                                           std::uint64_t separated,
+                                                           std::uint64_t ignored = 0);
 
-  /// r, dm; see conic::NodeSolver.
-  [[nodiscard]] const Eigen::VectorXd& reaction() const;
+  /// r, dm, of the rung that gave the better lower bound; see conic::NodeSolver.
+  [[nodiscard]] const Eigen::VectorXd& reaction() const { return reaction_; }
   /// u = F r with the scaled F, dm.
-  [[nodiscard]] const Eigen::VectorXd& displacement() const;
+  [[nodiscard]] const Eigen::VectorXd& displacement() const { return displacement_; }
   /// y, m.
-  [[nodiscard]] const Eigen::VectorXd& multipliers() const;
+  [[nodiscard]] const Eigen::VectorXd& multipliers() const { return multipliers_; }
 
   [[nodiscard]] double normal_reaction(int candidate) const {
     return reaction()[normal(candidate)];
@@ -73,9 +83,36 @@ class ContactSolver {
   }
 
  private:
+  template <class Real>
+  using Rung =
+      std::variant<std::monostate, conic::PlainSolver<2, Real>, conic::PlainSolver<3, Real>>;
+
+  /// The scaled F with the digits of Real, and its error.
+  template <class Real>
+  [[nodiscard]] Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> scaled_compliance() const;
+  template <class Real>
+  [[nodiscard]] double scaled_error() const;
+  /// The rung, made when it is first climbed.
+  template <class Real>
+  Rung<Real>& made(Rung<Real>& rung);
+  template <class Real>
+  void climb(Rung<Real>& rung, int number, std::uint64_t contact, std::uint64_t separated,
+             std::uint64_t ignored, conic::StopEarly stop, conic::Answer& answer);
+  /// Who moves if nothing but these reactions acts.
+  [[nodiscard]] std::uint64_t moved_by(std::uint64_t loaded) const;
+  [[nodiscard]] bool is_open(const conic::Answer& answer, conic::StopEarly stop) const;
+
   int dimension_;
   double unit_;
+  conic::Tolerances tolerances_;
+  std::vector<double> friction_;
+  Eigen::MatrixXd compliance_;                 // unscaled, like the next
+  numbers::PreciseMatrix precise_compliance_;  // empty: the doubles are exact
+  double compliance_error_, precise_error_;
   std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>> solver_;
+  Rung<long double> long_rung_;
+  Rung<numbers::Precise> precise_rung_;
+  Eigen::VectorXd reaction_, displacement_, multipliers_;
 };
 
 }  // namespace kusabi::nodes

@@ -17,9 +17,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // several times the rounding of the products in it.
 constexpr double rounding = 1e-13;
 
-// How far above a tie is looked for life, relatively: further than a pattern is a tie around its
-// own critical coefficient, the slope of t* being above 1e-6 for all but the flattest.
-constexpr double beside = 1e-6;
+// How far above a tie is looked for life, relatively: much further than a pattern is a tie around
+// its own critical coefficient, and too near for the next one to begin to live.
+constexpr double beside = 1e-4;
+
+// Where the bound of a node begins if nothing is known: for less the cones are needles.
+constexpr double first_probe = 1e-3;
 
 // A step of Newton's method is wrong by a few times its square. When that is less than the width,
 // the two points of the grid beside its end are asked: for steps of this times the root of the
@@ -67,8 +70,19 @@ class Sides {
 
 }  // namespace
 
+CriticalFriction::Range CriticalFriction::range(const problems::WedgedProblem& problem) {
+  Range range{.least = least_friction, .most = most_friction};
+  for (const double own : problem.friction) {
+    if (own == 0) continue;  // at any coefficient
+    range.least = std::max(range.least, least_friction / own);
+    range.most = std::min(range.most, most_friction / own);
+  }
+  return range;
+}
+
 CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, double width)
     : width_(width),
+      range_(range(problem)),
       own_(problem.friction.empty() ? std::vector<double>(problem.contact_names.size(), 1)
                                     : problem.friction),
       friction_(own_),
@@ -88,7 +102,7 @@ void CriticalFriction::set_friction(double factor) {
 bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   set_friction(factor);
   const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
-  if (!inside || (inside->loaded & inside->moved) != 0) return false;
+  if (!inside || inside->loaded == 0 || (inside->loaded & inside->moved) != 0) return false;
   const auto at_rest = (pattern.contact | pattern.separated) & ~(inside->loaded | inside->moved);
   if (at_rest == 0) return false;
   ++programs_;
@@ -97,7 +111,7 @@ bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   ++programs_;
   set_friction(factor * (1 + beside));
   const auto above = solver_.solve(pattern.contact, pattern.separated, {});
-  return above.sign == conic::Sign::marginal && above.upper <= tolerances.sign;
+  return above.sign == conic::Sign::marginal && conic::is_tie(above, tolerances);
 }
 
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
@@ -108,7 +122,7 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   pull_.noalias() = normal_compliance_.transpose() * solver_.multipliers();
   FrictionProbe probe{.sign = answer.sign,
                       .tie = answer.sign == conic::Sign::marginal &&
-                             answer.lower >= -tolerances.sign && answer.upper <= tolerances.sign,
+                             conic::is_tie(answer, tolerances),
                       .dead_below = infinity,
                       .alive_from = 0,
                       .newton = infinity,
@@ -186,7 +200,7 @@ bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, st
 }
 
 bool CriticalFriction::dead(const SignPattern& pattern, std::int64_t point) {
-  if (at(point) < least) return point == 0;  // without friction nothing wedges, K being definite
+  if (at(point) < range_.least) return point == 0;  // without friction nothing wedges, K being definite
   return probe(pattern, at(point), {}).sign == conic::Sign::dead;
 }
 
@@ -195,14 +209,14 @@ CriticalCell CriticalFriction::alive_from(const SignPattern& pattern, CriticalCe
   const auto end = cell.alive;
   cell.alive = most;
   for (std::int64_t step = 0; end + step < most; step = std::max<std::int64_t>(1, 2 * step)) {
-    if (at(end + step) >= least && decide(pattern, cell, end + step)) break;
+    if (at(end + step) >= range_.least && decide(pattern, cell, end + step)) break;
   }
   return cell;
 }
 
 CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell cell) {
   const auto middle = std::midpoint(cell.dead, cell.alive);
-  if (cell.alive - cell.dead < 2 || at(middle) < least) return cell;
+  if (cell.alive - cell.dead < 2 || at(middle) < range_.least) return cell;
   if (decide(pattern, cell, middle)) return cell;
   surround(pattern, cell, middle);
   return cell;
@@ -212,7 +226,7 @@ CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell ce
 void CriticalFriction::surround(const SignPattern& pattern, CriticalCell& cell,
                                 std::int64_t marginal) {
   for (std::int64_t step = 1; cell.dead < marginal - step; step *= 2) {
-    if (at(marginal - step) < least || decide(pattern, cell, marginal - step)) break;
+    if (at(marginal - step) < range_.least || decide(pattern, cell, marginal - step)) break;
   }
   for (std::int64_t step = 1; marginal + step < cell.alive; step *= 2) {
     if (decide(pattern, cell, marginal + step)) break;
@@ -231,7 +245,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
                                         std::int64_t most) {
   Sides sides;
   double factor =
-      cell.alive == CriticalCell::nowhere ? std::max(at(cell.dead), least) : at(cell.alive);
+      cell.alive == CriticalCell::nowhere ? std::max(at(cell.dead), range_.least) : at(cell.alive);
   for (int step = 1; cell.alive - cell.dead > 1 && step <= most_steps; ++step) {
     const auto said = probe(pattern, factor);
     narrow(cell, said, most);
@@ -244,7 +258,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     }
     const bool open = cell.alive == CriticalCell::nowhere;
     if (open && (cell.dead >= most || factor >= at(most))) return cell;  // nothing up to there
-    const double floor = std::max(at(cell.dead), least);
+    const double floor = std::max(at(cell.dead), range_.least);
     const auto inside = [&](double point) { return point >= floor && point < at(cell.alive); };
     double next = flat ? infinity : said.newton;
     // On the side of the living t* is often flat and the tangent leads too far; where the dead end
@@ -279,14 +293,14 @@ CriticalCell CriticalFriction::locate(const SignPattern& pattern, CriticalCell c
 
 double CriticalFriction::bound(const SignPattern& node, double from, double cutoff) {
   double known = from;
-  double factor = std::max(from, least);
+  double factor = std::max({from, range_.least, std::min(first_probe, cutoff)});
   for (int step = 0; step < bound_steps; ++step) {
     const auto said = probe(node, factor, {.when_dead = false, .when_alive = true});
     known = std::max(known, said.dead_below);
     if (said.sign != conic::Sign::dead || known > cutoff) break;
     // Short of where the tangent vanishes, so as to stay on the side of the dead.
     const double next = known + (1 - bound_digits) * (said.newton - known);
-    if (!(next > known * (1 + bound_digits)) || !(next < infinity)) break;
+    if (!(next > known * (1 + bound_digits)) || !(next <= range_.most)) break;
     factor = next;
   }
   return known;

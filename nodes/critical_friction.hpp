@@ -56,13 +56,16 @@ enum class CriticalMethod { bisection, newton };
 /// its own critical coefficient can be a tie, too, but above it is solid.)
 class CriticalFriction {
  public:
-  /// As far as double precision goes: t* near the critical coefficient is its distance from it
-  /// times a slope of the order of a reaction, and a bracket of 1e-8 asks for t* to better than
-  /// 1e-10.
-  static constexpr conic::Tolerances tolerances{.sign = 1e-13, .value = 1e-14, .iterations = 100};
+  /// The coefficients for which the friction of all candidates is in the range of ContactSolver.
+  struct Range {
+    double least, most;
+  };
+  static Range range(const problems::WedgedProblem& problem);
 
-  /// The least coefficient at which a cone program is solved: for less the cones are needles.
-  static constexpr double least = 1e-3;
+  /// t* near the critical coefficient is its distance from it times a slope, which may be as low as
+  /// 1e-6: a bracket of 1e-8 asks for that many digits. What directions in sixteen digits leave of
+  /// a tie is below.
+  static constexpr conic::Tolerances tolerances{.sign = 1e-14, .value = 1e-15, .iterations = 100};
 
   /// @param width of the grid, > 0
   /// @throws std::invalid_argument if a number is out of range
@@ -101,6 +104,7 @@ class CriticalFriction {
 
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
+
  private:
   static constexpr conic::StopEarly full{.when_dead = false, .when_alive = false};
 
@@ -115,6 +119,7 @@ class CriticalFriction {
   void narrow(CriticalCell& cell, const FrictionProbe& probe, std::int64_t most) const;
 
   double width_;
+  Range range_;
   std::vector<double> own_, friction_;  // phi_i; mu_i of the last probe
   Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, m x dm
   ContactSolver solver_;

@@ -21,7 +21,7 @@ int checked(int facets) {
 }
 
 conic::NodeSolver<2> solver_of(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                               int facets, conic::Tolerances tolerances) {
+                               int facets, conic::Tolerances tolerances, double error) {
   const auto m = static_cast<Eigen::Index>(friction.size());
   if (compliance.rows() != 3 * m || compliance.cols() != 3 * m)
     throw std::invalid_argument("polyhedral friction is for contact in space");
@@ -44,19 +44,22 @@ conic::NodeSolver<2> solver_of(const Eigen::MatrixXd& compliance, std::span<cons
     }
   }
   const Eigen::MatrixXd product = spread * compliance * spread.transpose();
-  return {0.5 * (product + product.transpose()), widened, std::move(owners), tolerances};
+  // The roundings of the spread and of the products come on top of what F is wrong by.
+  constexpr double spread_roundings = 32 * 0x1p-53;
+  return {0.5 * (product + product.transpose()), widened, std::move(owners), tolerances,
+          error + spread_roundings};
 }
 
 }  // namespace
 
 FacetBound::FacetBound(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                       int facets, conic::Tolerances tolerances)
+                       int facets, conic::Tolerances tolerances, double error)
     : cones_each_(checked(facets) / 2),
-      solver_(solver_of(compliance, friction, facets, tolerances)) {}
+      solver_(solver_of(compliance, friction, facets, tolerances, error)) {}
 
 conic::Answer FacetBound::solve(std::uint64_t contact, std::uint64_t separated,
-                                conic::StopEarly stop) {
-  return solver_.solve(contact, separated, stop);
+                                conic::StopEarly stop, std::uint64_t ignored) {
+  return solver_.solve(contact, separated, stop, ignored);
 }
 
 double FacetBound::normal_reaction(int candidate) const {

@@ -25,15 +25,18 @@ class FacetBound {
   static constexpr int most = 64;
 
   /// @param compliance F, 3m x 3m, scaled like that of conic::NodeSolver
-  /// @param friction mu, m numbers > 0
+  /// @param friction mu, m numbers: 0 or 1e-6 to 1e6
   /// @param facets F of each cone: even, `fewest` to `most`
+  /// @param error of F: |F_ij - F*_ij| <= error sqrt(F*_ii F*_jj)
   /// @throws std::invalid_argument when the sizes disagree or a number is out of range
   FacetBound(const Eigen::MatrixXd& compliance, std::span<const double> friction, int facets,
-             conic::Tolerances tolerances);
+             conic::Tolerances tolerances, double error = 0);
 
   /// The sign of t* under polyhedral friction: what is dead is dead with the friction cones
   /// themselves, since those are contained, and by the same multipliers().
-  conic::Answer solve(std::uint64_t contact, std::uint64_t separated, conic::StopEarly stop);
+  /// `ignored`: see ContactSolver.
+  conic::Answer solve(std::uint64_t contact, std::uint64_t separated, conic::StopEarly stop,
+                      std::uint64_t ignored = 0);
 
   /// r_n and u_n of a candidate at the node that was solved last.
   [[nodiscard]] double normal_reaction(int candidate) const;

@@ -33,9 +33,11 @@ SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
   dead += other.dead;
   found += other.found;
   flat += other.flat;
+  faces += other.faces;
   marginal += other.marginal;
   undecided += other.undecided;
   doubtful += other.doubtful;
+  climbed += other.climbed;
   iterations += other.iterations;
   candidates += other.candidates;
   return *this;
@@ -48,12 +50,13 @@ SignPatternTree::Block::Block(const problems::WedgedProblem& problem, std::uint6
       weight(branching_weights(problem, friction, options.branching)),
       solver(problem, friction, options.tolerances) {
   if (options.facets != 0)
-    outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances);
+    outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances,
+                  problem.compliance_error);
 }
 
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
                                  std::span<const double> friction, SignPatternOptions options)
-    : tolerances_(options.tolerances) {
+    : tolerances_(options.tolerances), thorough_(options.thorough) {
   if (friction.size() != problem.contact_names.size())
     throw std::invalid_argument("every candidate needs a friction coefficient");
   for (const auto candidates : problems::blocks_of(problem)) {
@@ -92,6 +95,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   const auto answer =
       block.solver.solve(contact, separated, {.when_dead = true, .when_alive = !leaf});
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+  if (answer.rung > 0) ++tally_.climbed;
   switch (answer.sign) {
     case conic::Sign::dead:
       return prune(node, block.solver.multipliers());
@@ -104,21 +108,37 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   return branch(node, block.free(node.pattern));
 }
 
-// A tie is closed if what is zero in its relative interior leaves nothing to be decided.
+// A tie in which a candidate of U is never loaded has nothing of its own: with that candidate in R
+// instead, all its configurations are below another node. Otherwise it is closed if what is zero in
+// its relative interior leaves nothing to be decided.
 SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node, const conic::Answer& answer) {
   Block& block = blocks_[node.block];
-  const bool tie = answer.lower >= -tolerances_.sign && answer.upper <= tolerances_.sign;
+  const bool tie = conic::is_tie(answer, tolerances_);
   const auto free = block.free(node.pattern);
   if (tie) {
+    const Eigen::VectorXd multipliers = block.solver.multipliers();
     const auto inside =
         block.solver.relative_interior(node.pattern.contact, node.pattern.separated);
-    if (inside && (inside->loaded & inside->moved) == 0) {
+    if (inside && inside->loaded == 0) {  // dead, though by less than the tolerance
+      if (answer.upper < 0) return prune(node, multipliers);
+      ++tally_.dead;
+      if (witness_) report_open(node);
+      return {};
+    }
+    const bool repeated = inside && (node.pattern.contact & ~inside->loaded) != 0;
+    if (repeated && (!thorough_ || free == 0)) {
+      ++tally_.faces;
+      if (witness_) report_open(node);
+      return {};
+    }
+    if (inside && !repeated && (inside->loaded & inside->moved) == 0) {
       const SignPattern cone{.contact = inside->loaded,
                              .separated = inside->moved,
                              .at_rest = block.all & ~(inside->loaded | inside->moved)};
       return close(node, configuration({node.block, cone}, LeafState::flat, answer));
     }
-    if (inside && free != 0) return branch(node, inside->loaded & inside->moved);
+    const auto both = inside ? inside->loaded & inside->moved : 0;
+    if (both != 0 || repeated) return branch(node, both != 0 ? both : free);
   }
   if (free == 0)
     return close(node,
@@ -190,22 +210,25 @@ Configuration SignPatternTree::configuration(const Node& node, LeafState state,
 }
 
 void SignPatternTree::report_leaf(const Node& node, const Configuration& leaf) const {
+  if (leaf.state != LeafState::alive) return report_open(node);
   const Block& block = blocks_[node.block];
-  Evidence evidence{.kind = Evidence::Kind::marginal,
-                    .block = node.block,
-                    .node = in_whole(node.pattern, block.candidates),
-                    .numbers = {}};
   std::vector<double> tangential;
-  if (leaf.state == LeafState::alive) {
-    evidence.kind = Evidence::Kind::alive;
-    for (auto touching = node.pattern.contact; touching != 0; touching &= touching - 1) {
-      const auto* const normal =
-          leaf.reaction.data() + block.solver.normal(std::countr_zero(touching));
-      tangential.insert(tangential.end(), normal + 1, normal + block.solver.dimension());
-    }
-    evidence.numbers = tangential;
+  for (auto touching = node.pattern.contact; touching != 0; touching &= touching - 1) {
+    const auto* const normal =
+        leaf.reaction.data() + block.solver.normal(std::countr_zero(touching));
+    tangential.insert(tangential.end(), normal + 1, normal + block.solver.dimension());
   }
-  witness_(evidence);
+  witness_({.kind = Evidence::Kind::alive,
+            .block = node.block,
+            .node = in_whole(node.pattern, block.candidates),
+            .numbers = tangential});
+}
+
+void SignPatternTree::report_open(const Node& node) const {
+  witness_({.kind = Evidence::Kind::marginal,
+            .block = node.block,
+            .node = in_whole(node.pattern, blocks_[node.block].candidates),
+            .numbers = {}});
 }
 
 }  // namespace kusabi::nodes

@@ -7,10 +7,12 @@
 //   t* < 0   none can: the node is dead;
 //   t* > 0   the relaxation is alive: a leaf is a pattern, any other node is branched;
 //   t* = 0   (within the tolerance) a tie: there are configurations, but in all of them some
-//            inequalities are equalities. Those in the relative interior say which. If there is no
-//            candidate left with both a reaction and a gap, all configurations of the node are
-//            those of one cone D(Y) of (14), a flat one, and the node is closed: found once, however
-//            many sign patterns name it. Otherwise it is branched at such a candidate.
+//            inequalities are equalities. Those in the relative interior say which. If a candidate
+//            of U is never loaded, the configurations are also below the node that has it in R
+//            instead, and this one is closed. If no candidate is left with both a reaction and a
+//            gap, all configurations of the node are those of one cone D(Y) of (14), a flat one,
+//            and it is closed: found once, however many sign patterns name it. Otherwise it is
+//            branched at such a candidate.
 //
 // Should rounding leave the sign of a leaf or the zeros of a tie open, the leaf is reported as
 // undecided or marginal: neither counted as a pattern nor thrown away.
@@ -112,9 +114,11 @@ struct SignPatternTally {
   std::uint64_t dead = 0;        ///< pruned: no wedged configuration below
   std::uint64_t found = 0;       ///< leaves that are alive
   std::uint64_t flat = 0;        ///< nodes closed as flat cones, maximal or not
+  std::uint64_t faces = 0;       ///< ties that have nothing which another node has not
   std::uint64_t marginal = 0;    ///< leaves that are marginal
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
+  std::uint64_t climbed = 0;     ///< nodes that took more digits than a double has
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
   std::uint64_t candidates = 0;  ///< leaves of Algorithm 5.8 that polyhedral friction lets live
 
@@ -122,7 +126,8 @@ struct SignPatternTally {
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& branched& dead& found& flat& marginal& undecided& doubtful& iterations& candidates;
+    archive& branched& dead& found& flat& faces& marginal& undecided& doubtful& climbed;
+    archive& iterations& candidates;
   }
 };
 
@@ -134,6 +139,10 @@ struct SignPatternOptions {
   /// with polyhedral cones of so many facets around them, and each leaf that these let live is put
   /// to the test of the cones (Algorithm 5.8).
   int facets = 0;
+  /// Whether ties that have nothing of their own are searched all the same: then each sign pattern
+  /// below them is decided by itself, which a certificate needs. Up to 2^k times as many nodes where k
+  /// candidates stay at rest.
+  bool thorough = false;
 };
 
 /// The problem type that engine::search searches.
@@ -195,8 +204,10 @@ class SignPatternTree {
   [[nodiscard]] Configuration configuration(const Node& node, LeafState state,
                                             const conic::Answer& answer) const;
   void report_leaf(const Node& node, const Configuration& leaf) const;
+  void report_open(const Node& node) const;
 
   conic::Tolerances tolerances_;
+  bool thorough_;
   std::vector<Block> blocks_;
   Tally tally_;
   Witness witness_;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "numbers/precise.hpp"
 #include "problems/structure.hpp"
 
 namespace kusabi::problems {
@@ -15,6 +16,9 @@ namespace kusabi::problems {
 /// equals the first): a rule without a choice, so the same file gives the same numbers.
 /// @pre the candidate passes `check_structure`
 Eigen::MatrixXd contact_frame(const ContactCandidate& candidate);
+
+/// The same with 104 bits, from the doubles of the candidate meant exactly: n has their direction.
+numbers::PreciseMatrix precise_contact_frame(const ContactCandidate& candidate);
 
 /// Sine of the angle between a unit `normal` and a `tangent` of any length (both d); NaN if the
 /// tangent is zero.

@@ -1,20 +1,44 @@
-// The compliance F = K^-1 of the contact candidates with more digits than a double has.
+// The compliance F = K^-1 of the contact candidates with more digits than a double has, and how far
+// it can be trusted.
 //
-// Which extremal rays there are hangs on sums of its entries that vanish exactly, or only almost,
-// and along a row of candidates the entries fall by orders of magnitude. Entries that are right to
-// 1e-16 of the largest are not enough to tell the two apart from some dozen candidates on.
+// Which sign patterns and extremal rays there are depends on sums of its entries that vanish
+// exactly, or only almost; where stiff bars stand beside soft ones the doubles of an F solved for
+// in doubles are wrong in the digits that decide. So F is computed from the structure itself with
+// 104 bits, and with a bound of its error that holds (docs/theory.md, section 2).
 #pragma once
 
 #include <Eigen/Core>
 
+#include "numbers/precise.hpp"
 #include "problems/structure.hpp"
 
 namespace kusabi::problems {
 
+/// F with 104 bits.
+struct EnclosedCompliance {
+  /// F~, dm x dm, ordered as in WedgedProblem, length/force; exactly symmetric.
+  numbers::PreciseMatrix matrix;
+  /// |F~_ij - F_ij| <= error sqrt(F_ii F_jj) for all i, j, where F is that of the structure with
+  /// its numbers meant exactly; infinity if no bound could be proved. About 1e-26 for a condition
+  /// of 1e6. What a subset of the candidates has of F has the same bound.
+  double error = 0;
+};
+
+/// F of a structure. The stiffness is scaled to a unit diagonal and factorised in long double
+/// precision; the displacements under unit loads are refined with residuals in 104 bits, and the
+/// last of these residuals, with the least eigenvalue that a Cholesky factorisation proves, is the
+/// bound.
+/// @pre the structure passes `check_structure` and is no mechanism
+EnclosedCompliance enclosed_compliance(const Structure& structure);
+
+/// K = F^-1, force/length, from an F with 104 bits.
+/// @return nothing of use (NaN) if F is not positive definite
+numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance);
+
 using PreciseMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// F, dm x dm, ordered as in WedgedProblem, length/force: assembled and factorised in extended
-/// precision from the coordinates and stiffnesses of the structure, which count as exact.
+/// `enclosed_compliance` in long double precision, length/force. Zero exactly where an entry is not
+/// known to be anything else, or is no more than the rounding of the directions in the file.
 /// @pre `wedged_problem` accepts the structure
 PreciseMatrix precise_compliance(const Structure& structure);
 

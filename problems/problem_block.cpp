@@ -46,6 +46,8 @@ WedgedProblem block_problem(const WedgedProblem& problem, std::uint64_t candidat
   const auto own = displacements_of(candidates, problem.dimension);
   part.stiffness = problem.stiffness(own, own);
   part.compliance = problem.compliance(own, own);
+  if (problem.precise_compliance.size() != 0)
+    part.precise_compliance = problem.precise_compliance(own, own);
   part.blocks = {all_candidates(part)};
   return part;
 }

@@ -93,8 +93,9 @@ std::vector<StrainVector<Scalar>> strain_vectors(const Structure& structure,
 
 template std::vector<StrainVector<double>> strain_vectors(const Structure&, const FreeDegrees&,
                                                           const Quadrilateral&);
-template std::vector<StrainVector<long double>> strain_vectors(const Structure&, const FreeDegrees&,
-                                                               const Quadrilateral&);
+template std::vector<StrainVector<numbers::Precise>> strain_vectors(const Structure&,
+                                                                    const FreeDegrees&,
+                                                                    const Quadrilateral&);
 
 std::vector<StrainVector<double>> shape_vectors(const Structure& structure,
                                                 const FreeDegrees& degrees,

@@ -10,6 +10,7 @@
 
 #include <Eigen/SparseCore>
 
+#include "numbers/precise.hpp"
 #include "problems/elongation.hpp"
 #include "problems/structure.hpp"
 #include "problems/truss.hpp"
@@ -26,9 +27,9 @@ std::vector<StrainVector<Scalar>> strain_vectors(const Structure& structure,
 extern template std::vector<StrainVector<double>> strain_vectors(const Structure&,
                                                                  const FreeDegrees&,
                                                                  const Quadrilateral&);
-extern template std::vector<StrainVector<long double>> strain_vectors(const Structure&,
-                                                                      const FreeDegrees&,
-                                                                      const Quadrilateral&);
+extern template std::vector<StrainVector<numbers::Precise>> strain_vectors(const Structure&,
+                                                                           const FreeDegrees&,
+                                                                           const Quadrilateral&);
 
 /// The same without a unit: E = 1, nu = 0, thickness 1, plane stress. What moves without straining
 /// these moves freely.

@@ -75,6 +75,8 @@ struct ContactCandidate {
   Eigen::VectorXd normal;  ///< d, unit, outward normal of the obstacle: u_n >= 0 is separation
   std::optional<Eigen::VectorXd> tangent;  ///< d, wish for the first tangent, any length
   double friction = 1;  ///< mu_i, relative to the coefficient that a search is asked for
+  /// d, the normal before it was made a unit vector and rounded; nothing: `normal` is meant
+  std::optional<Eigen::VectorXd> direction{};
 };
 
 /// Where in the file each entry stands, so that an error found late still names its line. A

@@ -255,12 +255,12 @@ void StructureCheck::contact_nodes() const {
 
 void StructureCheck::contact_directions() const {
   for (int index = 0; index < static_cast<int>(structure_.contact.size()); ++index) {
-    const auto& [node, normal, tangent, friction] =
+    const auto& [node, normal, tangent, friction, direction] =
         structure_.contact[static_cast<std::size_t>(index)];
     // Written so that NaN fails too.
-    if (!(friction >= smallest_friction && friction <= largest_friction)) {
+    if (friction != 0 && !(friction >= smallest_friction && friction <= largest_friction)) {
       fail(position_of(structure_.sources.frictions, index),
-           fmt::format("friction is {:g}; expected a factor between {:g} and {:g}", friction,
+           fmt::format("friction is {:g}; expected 0, or a factor between {:g} and {:g}", friction,
                        smallest_friction, largest_friction));
     }
     if (normal.size() != structure_.dimension ||

@@ -18,9 +18,10 @@ inline constexpr double largest_magnitude = 1e50;
 inline constexpr double smallest_weight = 1e-6;
 inline constexpr double largest_weight = 1e6;
 
-/// Smallest and largest friction of a contact candidate relative to the coefficient of a search.
-inline constexpr double smallest_friction = 1e-3;
-inline constexpr double largest_friction = 1e3;
+/// Smallest and largest friction of a contact candidate relative to the coefficient of a search,
+/// but for 0.
+inline constexpr double smallest_friction = 1e-6;
+inline constexpr double largest_friction = 1e6;
 
 /// A member shorter than this times the largest coordinate of its ends counts as of zero length:
 /// the coordinates carry rounding of 1e-16, so its direction would have less than six digits.

@@ -41,6 +41,7 @@ class StructureFile {
 
   void add_node(const std::string& name, const Eigen::VectorXd& place, SourcePosition position);
   void mesh(const TomlTable& group);
+  void refuse_unjoined(const std::vector<int>& edge, SourcePosition position) const;
   Quadrilateral material(const TomlTable& group) const;
   void add_element(Quadrilateral element, const std::array<int, 4>& nodes, SourcePosition position,
                    SourcePosition material);
@@ -215,10 +216,27 @@ void StructureFile::mesh(const TomlTable& group) {
                                "expected another name for the mesh",
                                in_quotes(edge_name)));
     }
-    edges_.emplace(edge_name, nodes);
+    refuse_unjoined(nodes, name.position);
   }
+  for (const auto& [edge, nodes] : mesh.edges(numbers))
+    edges_.emplace(fmt::format("{}.{}", name.text, edge), nodes);
   for (const auto& nodes : mesh.elements(numbers)) {
     add_element(material_of_all, nodes, name.position, reader_.position(division_entry));
+  }
+}
+
+// Meshes are joined where their nodes are, and nowhere else: two edges on one line with nodes at other
+// places would gape there.
+void StructureFile::refuse_unjoined(const std::vector<int>& edge, SourcePosition position) const {
+  for (const auto& [other_name, other] : edges_) {
+    int node = node_between(structure_.coordinates, other, edge);
+    if (node < 0) node = node_between(structure_.coordinates, edge, other);
+    if (node < 0) continue;
+    reader_.fail(position,
+                 fmt::format("the mesh touches {} where their nodes do not meet: node {} lies "
+                             "between two of the other; expected divisions that match, or a gap",
+                             in_quotes(other_name),
+                             in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
   }
 }
 
@@ -387,7 +405,7 @@ void StructureFile::contact_group(const TomlTable& group) {
   }
   for (const TomlText& name : reader_.texts(names, "nodes")) {
     for (const int number : nodes_named(name)) {
-      structure_.contact.push_back({number, normal, tangent, friction});
+      structure_.contact.push_back({number, normal, tangent, friction, direction});
       structure_.sources.contact.push_back(name.position);
       structure_.sources.normals.push_back(reader_.position(normal_entry));
       structure_.sources.tangents.push_back(tangent_position);

@@ -1,6 +1,8 @@
 // Places, edges and elements of a structured mesh.
 #include "problems/structured_mesh.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include <Eigen/LU>
@@ -63,6 +65,22 @@ std::vector<std::array<int, 4>> StructuredMesh::elements(const std::vector<int>&
     }
   }
   return all;
+}
+
+int node_between(const Eigen::Ref<const Eigen::MatrixXd>& places, const std::vector<int>& edge,
+                 const std::vector<int>& nodes) {
+  for (const int node : nodes) {
+    if (std::ranges::find(edge, node) != edge.end()) continue;
+    for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+      const Eigen::Vector2d along = places.col(edge[i + 1]) - places.col(edge[i]);
+      const Eigen::Vector2d to = places.col(node) - places.col(edge[i]);
+      const double length = along.norm();
+      const double share = along.dot(to) / (length * length);
+      const double off = std::abs(along.x() * to.y() - along.y() * to.x()) / length;
+      if (share > 0 && share < 1 && off <= same_place * length) return node;
+    }
+  }
+  return -1;
 }
 
 std::string mesh_node(const std::string& mesh, int i, int j) {

@@ -48,6 +48,12 @@ struct StructuredMesh {
   }
 };
 
+/// The first of `nodes` that lies between two neighbours of `edge`, but is none of its nodes: two meshes
+/// that touch there are not joined. -1 if there is none.
+/// @param places of all nodes, 2 x n  @param edge, nodes numbers of nodes, along an edge each
+int node_between(const Eigen::Ref<const Eigen::MatrixXd>& places, const std::vector<int>& edge,
+                 const std::vector<int>& nodes);
+
 /// "body", 3, 0: "body.3,0".
 std::string mesh_node(const std::string& mesh, int i, int j);
 

@@ -164,7 +164,10 @@ double TomlReader::number(const toml::node& node, std::string_view called) const
   if (!node.is_number()) {
     fail(node, fmt::format("{} is {}; expected a number", called, kind(node)));
   }
-  const double value = node.value<double>().value_or(std::nan(""));
+  // A whole number may have more digits than a double: it is rounded, as a decimal fraction is.
+  const auto whole = node.value_exact<std::int64_t>();
+  const double value =
+      whole ? static_cast<double>(*whole) : node.value<double>().value_or(std::nan(""));
   if (!std::isfinite(value)) {
     fail(node, fmt::format("{} is {}; expected a finite number", called, value));
   }

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
-#include "problems/condensation.hpp"
 #include "problems/contact_blocks.hpp"
 #include "problems/contact_frame.hpp"
 #include "problems/fingerprint.hpp"
 #include "problems/mechanism.hpp"
-#include "problems/quadrilateral.hpp"
+#include "problems/precise_compliance.hpp"
 #include "problems/structure_check.hpp"
 #include "problems/truss.hpp"
 
@@ -41,71 +40,22 @@ void require_contact_and_stiffness(const Structure& structure) {
                         "stiffnesses and lengths of similar size, and no almost free motion");
 }
 
-/// Numbers of the free displacements of the contact nodes, candidate by candidate.
-std::vector<int> contact_places(const Structure& structure, const FreeDegrees& degrees) {
-  std::vector<int> places;
-  for (const ContactCandidate& candidate : structure.contact) {
-    for (int axis = 0; axis < structure.dimension; ++axis) {
-      places.push_back(degrees.number(axis, candidate.node));
-    }
-  }
-  return places;
-}
-
-Eigen::MatrixXd block_diagonal(const std::vector<Eigen::MatrixXd>& frames, int dimension) {
-  const Eigen::Index size = dimension * static_cast<Eigen::Index>(frames.size());
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
-  Eigen::Index start = 0;
-  for (const Eigen::MatrixXd& frame : frames) {
-    result.block(start, start, dimension, dimension) = frame;
-    start += dimension;
-  }
-  return result;
-}
-
-Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd& matrix) {
-  return (matrix + matrix.transpose()) / 2.0;
-}
-
-/// Whether the two halves of a matrix differ by rounding only, relative to its largest entry.
-bool is_symmetric(const Eigen::MatrixXd& matrix) {
-  return (matrix - matrix.transpose()).cwiseAbs().maxCoeff() <=
-         inverse_tolerance * matrix.cwiseAbs().maxCoeff();
-}
-
-/// Every comparison is written so that NaN fails it.
-bool is_sound(const CondensedMatrices& matrices) {
-  if (!is_symmetric(matrices.stiffness) || !is_symmetric(matrices.compliance)) return false;
-  const Eigen::Index size = matrices.stiffness.rows();
-  const Eigen::MatrixXd residual =
-      matrices.stiffness * matrices.compliance - Eigen::MatrixXd::Identity(size, size);
-  if (!(residual.cwiseAbs().maxCoeff() <= inverse_tolerance)) return false;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric_part(matrices.stiffness),
-                                                              Eigen::EigenvaluesOnly);
-  return solver.info() == Eigen::Success &&
-         solver.eigenvalues().minCoeff() > definite_tolerance * solver.eigenvalues().maxCoeff();
-}
-
-Eigen::SparseMatrix<double> whole_stiffness(const Structure& structure,
-                                            const FreeDegrees& degrees) {
-  Eigen::SparseMatrix<double> members =
-      truss_stiffness(structure, degrees, member_stiffnesses(structure));
-  if (structure.elements.empty()) return members;
-  return members + element_stiffness(structure, degrees);
-}
-
-/// K and F, checked, then made symmetric to the last bit.
-CondensedMatrices condensed(const Structure& structure, const FreeDegrees& degrees,
-                            const std::vector<Eigen::MatrixXd>& frames) {
-  const auto matrices =
-      condense(whole_stiffness(structure, degrees), contact_places(structure, degrees),
-               block_diagonal(frames, structure.dimension));
-  if (!matrices || !is_sound(*matrices)) refuse_condition(structure);
-  return {symmetric_part(matrices->stiffness), symmetric_part(matrices->compliance)};
-}
-
 void add(Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {
   for (const double value : matrix.reshaped()) fingerprint.add(value);
+}
+
+/// K and F, each the rounding of its precise value.
+void set_compliance(WedgedProblem& problem, const Structure& structure) {
+  auto [precise, error] = enclosed_compliance(structure);
+  if (!(error <= largest_compliance_error)) refuse_condition(structure);
+  problem.stiffness = stiffness_of(precise).cast<double>();
+  problem.compliance = precise.cast<double>();
+  if (!problem.stiffness.allFinite() || !problem.compliance.allFinite())
+    refuse_condition(structure);
+  problem.precise_compliance = std::move(precise);
+  problem.precise_error = error;
+  // |F_ij| <= sqrt(F_ii F_jj), so half a unit in the last place of an entry is no more of that.
+  problem.compliance_error = error + 1.01 * numbers::unit_roundoff<double>;
 }
 
 std::uint64_t fingerprint(const Structure& structure, const std::vector<Eigen::MatrixXd>& frames) {
@@ -159,6 +109,14 @@ double mean_normal_compliance(const WedgedProblem& problem) {
   return sum / static_cast<double>(m);
 }
 
+std::uint64_t wedged_fingerprint(const Structure& structure) {
+  std::vector<Eigen::MatrixXd> frames;
+  for (const ContactCandidate& candidate : structure.contact) {
+    frames.push_back(contact_frame(candidate));
+  }
+  return fingerprint(structure, frames);
+}
+
 WedgedProblem wedged_problem(const Structure& structure) {
   check_structure(structure);
   require_contact_and_stiffness(structure);
@@ -173,9 +131,7 @@ WedgedProblem wedged_problem(const Structure& structure) {
     problem.frames.push_back(contact_frame(candidate));
     problem.friction.push_back(candidate.friction);
   }
-  CondensedMatrices matrices = condensed(structure, degrees, problem.frames);
-  problem.stiffness = std::move(matrices.stiffness);
-  problem.compliance = std::move(matrices.compliance);
+  set_compliance(problem, structure);
   problem.blocks = contact_blocks(structure, degrees);
   problem.nodes = static_cast<int>(structure.node_names.size());
   problem.members = static_cast<int>(structure.members.size());

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "numbers/precise.hpp"
 #include "problems/structure.hpp"
 
 namespace kusabi::problems {
@@ -18,14 +19,9 @@ namespace kusabi::problems {
 /// Most contact candidates of a problem: a sign pattern is two sets of candidates, 64 bits each.
 inline constexpr int most_contact_candidates = 64;
 
-/// Bound on the largest entry of K F - I, and on the asymmetry of K and of F relative to their
-/// largest entry. For a sound problem both are of the order of the condition of the whole stiffness
-/// times 1e-16. Beyond 1e-6 the margins of the sign patterns would not be worth their digits.
-inline constexpr double inverse_tolerance = 1e-6;
-
-/// Least ratio of the smallest to the largest eigenvalue of K that counts as positive definite:
-/// the eigenvalues carry rounding of about 1e-15 of the largest, for a hundred displacements.
-inline constexpr double definite_tolerance = 1e-13;
+/// Largest error of the precise F (EnclosedCompliance::error) that a problem is accepted with: the
+/// doubles of K and F are then right to their last digit or so.
+inline constexpr double largest_compliance_error = 1e-15;
 
 /// (WP) without its friction coefficient.
 struct WedgedProblem {
@@ -42,9 +38,16 @@ struct WedgedProblem {
   /// The candidates in blocks that nothing connects (contact_blocks.hpp): bit sets, a partition of
   /// all. K and F are zero between two blocks. Empty: not known, one block.
   std::vector<std::uint64_t> blocks;
-  int nodes = 0;               ///< of the structure, supported ones included
-  int members = 0;             ///< of the structure
-  int elements = 0;            ///< of the structure
+  /// |F - F*|_ij <= compliance_error sqrt(F*_ii F*_jj), F* the compliance of the structure with its
+  /// numbers meant exactly. The same number serves what any subset of the candidates has of F.
+  double compliance_error = 0;
+  /// F with 104 bits, of which K and F above are the roundings; empty if the problem was made
+  /// without a structure: its doubles then count as exact.
+  numbers::PreciseMatrix precise_compliance;
+  double precise_error = 0;  ///< the like of compliance_error for precise_compliance
+  int nodes = 0;             ///< of the structure, supported ones included
+  int members = 0;           ///< of the structure
+  int elements = 0;          ///< of the structure
   /// Hash of dimension, units, coordinates, members, EA, elements, supports, contact, friction and
   /// frames, in the order of the file. Names are not in it.
   std::uint64_t fingerprint = 0;
@@ -57,9 +60,12 @@ bool uniform_friction(const WedgedProblem& problem);
 /// that reactions and displacements can be compared (docs/theory.md, section 2). Length/force.
 double mean_normal_compliance(const WedgedProblem& problem);
 
+/// The fingerprint that the wedged problem of a structure has, without computing K and F.
+std::uint64_t wedged_fingerprint(const Structure& structure);
+
 /// Condenses a structure onto its contact candidates.
 /// @throws InputError if `check_structure` does; if the structure is a mechanism (with the nodes
-///         that move); if the stiffness is so ill-conditioned that K and F fail the bounds above
+///         that move); if the stiffness is so ill-conditioned that F fails the bound above
 WedgedProblem wedged_problem(const Structure& structure);
 
 }  // namespace kusabi::problems

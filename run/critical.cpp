@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "nodes/critical_friction.hpp"
 #include "problems/structure_file.hpp"
 #include "run/agreement.hpp"
 #include "run/critical_ends.hpp"
@@ -54,7 +55,8 @@ void tell_what_is_open(const CriticalFindings& findings) {
 
 }  // namespace
 
-int critical(Session& session, const CriticalOptions& options) {
+int critical(Session& session, const CriticalOptions& asked) {
+  CriticalOptions options = asked;
   std::optional<ResultFile> result_file;
   const std::string text = session.on_first_rank([&] {
     check(options);
@@ -68,14 +70,19 @@ int critical(Session& session, const CriticalOptions& options) {
     result_file.emplace(options.output, options.file);
     return content;
   });
-  const auto problem = problems::wedged_problem(problems::read_structure(text, options.file));
+  const auto structure = problems::read_structure(text, options.file);
+  const auto problem = problems::wedged_problem(structure);
+  // No further than the roughest candidate can be computed with.
+  const double most = nodes::CriticalFriction::range(problem).most;
+  if (options.most) friction_at(problem, *options.most, options.file);
+  if (!options.most && most < usual_most) options.most = most;
   agree(session, problem);
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
   const Budget budget(options.limits);
   auto findings = options.way == CriticalWay::global
                       ? global_search(session, options, problem, budget)
                       : pattern_by_pattern(session, options, problem, budget);
-  if (findings.status == "solved") prove_ends(session, options, problem, budget, findings);
+  if (findings.status == "solved") prove_ends(session, options, structure, problem, budget, findings);
   int code = findings.answered() ? solved : stopped_early;
   if (session.speaks()) {
     do_all({[&] { result_file->write(critical_json(options, problem, findings)); },

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <boost/serialization/string.hpp>
@@ -16,6 +17,8 @@
 #include "nodes/sign_pattern.hpp"
 #include "problems/fingerprint.hpp"
 #include "run/certificate_file.hpp"
+#include "run/evidence_check.hpp"
+#include "run/problem_summary.hpp"
 #include "run/rank_table.hpp"
 #include "run/shown_search.hpp"
 #include "run/standard_output.hpp"
@@ -25,7 +28,7 @@ namespace kusabi::run {
 namespace {
 
 /// An end moves outwards by the width first, and eight times as far each time.
-constexpr int most_moves = 24;
+constexpr int most_moves = 7;
 constexpr double growth = 8;
 
 /// A bracket counts as wider than asked for from this many widths on: a coefficient that is itself a
@@ -36,10 +39,12 @@ constexpr double wide = 2.5;
 struct Decided {
   std::string status;
   std::vector<nodes::Configuration> leaves;  ///< maximal cones and open leaves
+  std::uint64_t alive = 0;     ///< leaves that live by the verifier's test
+  std::uint64_t unproved = 0;  ///< nodes whose evidence it refuses, or of which nothing is claimed
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& status& leaves;
+    archive& status& leaves& alive& unproved;
   }
 
   [[nodiscard]] bool solved() const { return status == "solved"; }
@@ -52,31 +57,59 @@ struct Decided {
   }
 };
 
+// What one rank saw proved, and what not.
+struct Proved {
+  std::uint64_t alive = 0, unproved = 0;
+};
+
 class Ends {
  public:
-  Ends(Session& session, const CriticalOptions& options, const problems::WedgedProblem& problem,
-       const Budget& budget)
-      : session_(session), options_(options), problem_(problem), budget_(budget) {}
+  Ends(Session& session, const CriticalOptions& options, const problems::Structure& structure,
+       const problems::WedgedProblem& problem, const Budget& budget)
+      : session_(session),
+        options_(options),
+        problem_(problem),
+        budget_(budget),
+        stiffness_(enclosed_stiffness(structure)) {}
+
+  /// Why the ends cannot be put to the verifier's test; empty: they can.
+  [[nodiscard]] std::string obstacle() const {
+    const auto* const why = std::get_if<std::string>(&stiffness_);
+    return why != nullptr ? *why : std::string{};
+  }
 
   /// All sign patterns at one coefficient. @param certificate the evidence goes here; empty: nowhere
   /// @param wanted whether what was found is worth a certificate
   template <class Wanted>
   Decided decide(double factor, const std::string& certificate, Wanted wanted) {
-    std::vector<double> friction = problem_.friction;
-    for (double& mu : friction) mu *= factor;
-    nodes::SignPatternTree tree(problem_, friction,
-                                {.tolerances = nodes::CriticalFriction::tolerances});
+    const auto friction = friction_at(problem_, factor, options_.file);
+    nodes::SignPatternTree tree(
+        problem_, friction,
+        {.tolerances = nodes::CriticalFriction::tolerances, .thorough = true});
     problems::Fingerprint fingerprint;
     fingerprint.add(problem_.fingerprint);
     fingerprint.add(factor);
     CertificateFile file(session_, certificate, options_.file, fingerprint.value(), false);
-    if (file.wanted()) tree.report_to([&](const auto& evidence) { file.add(evidence); });
+    std::optional<EvidenceCheck> check;
+    if (obstacle().empty())
+      check.emplace(problem_, std::get<verify::EnclosedMatrix>(stiffness_), friction);
+    Proved own;
+    tree.report_to([&](const auto& evidence) {
+      const bool holds = !check || check->holds(evidence);
+      if (!holds || evidence.kind == nodes::Evidence::Kind::marginal) ++own.unproved;
+      if (holds && evidence.kind == nodes::Evidence::Kind::alive) ++own.alive;
+      if (file.wanted()) file.add(evidence);
+    });
     auto outcome = shown_search(session_, tree, {}, budget_.left(), options_.quiet);
-    const auto decided = told_by_first_rank(session_, [&] {
+    auto decided = told_by_first_rank(session_, [&] {
       std::vector<nodes::Configuration> leaves;
       for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
-      return Decided{status_name(outcome.status), nodes::maximal_cones(std::move(leaves))};
+      return Decided{.status = status_name(outcome.status),
+                     .leaves = nodes::maximal_cones(std::move(leaves))};
     });
+    const auto all = session_.meet({.ranks = 1, .open = own.unproved, .found = own.alive});
+    decided.alive = all.found;
+    decided.unproved = all.open;
     if (!file.wanted()) return decided;
     file.close();
     if (!session_.speaks()) return decided;
@@ -94,24 +127,34 @@ class Ends {
   const CriticalOptions& options_;
   const problems::WedgedProblem& problem_;
   const Budget& budget_;
+  std::variant<verify::EnclosedMatrix, std::string> stiffness_;
 };
 
 std::string name_of(const CriticalOptions& options, const char* end) {
   return options.certificate.empty() ? std::string{} : options.certificate + end;
 }
 
-// Down to where everything is dead. Without friction nothing wedges, K being definite.
-void prove_lower(Ends& ends, const CriticalOptions& options, CriticalFindings& findings) {
-  double step = options.width;
+// Down to where everything is dead, and the verifier says so. Without friction nothing wedges, K
+// being definite, and for less than `least` nothing is computed.
+void prove_lower(Ends& ends, const CriticalOptions& options, double least,
+                 CriticalFindings& findings) {
   const auto all_dead = [](const Decided& decided) { return decided.leaves.empty(); };
-  for (int move = 0; move < most_moves && findings.lower > 0; ++move, step *= growth) {
-    const auto decided = ends.decide(findings.lower, name_of(options, ".lower"), all_dead);
+  std::optional<double> dead;  // by the solver's own bounds
+  double factor = findings.lower;
+  double step = options.width;
+  for (int move = 0; move < most_moves && factor >= least; ++move, step *= growth) {
+    const auto decided = ends.decide(factor, name_of(options, ".lower"), all_dead);
     findings.status = decided.status;
     if (!decided.solved()) return;
-    findings.lower_proved = all_dead(decided);
-    if (findings.lower_proved) return;
-    findings.lower = std::max(0.0, findings.lower - step);
+    if (all_dead(decided) && !dead) dead = factor;
+    if (all_dead(decided) && decided.unproved == 0) {
+      findings.lower = factor;
+      findings.lower_proved = true;
+      return;
+    }
+    factor -= step;
   }
+  findings.lower = dead.value_or(0);
   findings.lower_proved = findings.lower == 0;
 }
 
@@ -124,27 +167,42 @@ CriticalEntry entry_of(const nodes::Configuration& leaf, const CriticalFindings&
           .displacement = leaf.displacement};
 }
 
-// Up to where something lives; solid cones are proved, flat ones hold within rounding.
+// Up to where something lives, and the verifier says so of a solid cone. Where there are flat ones
+// only, they are ties, and nothing above proves them better.
 void prove_upper(Ends& ends, const CriticalOptions& options, double most,
                  CriticalFindings& findings) {
-  const bool list = options.way == CriticalWay::global;
   const auto lives = [](const Decided& decided) { return decided.lives(); };
+  const auto solid = [](const Decided& decided) {
+    return decided.count(nodes::LeafState::alive) != 0;
+  };
+  std::optional<Decided> living;  // the first where something lives
+  double factor = findings.upper.value_or(most);
   double step = options.width;
-  for (int move = 0; move < most_moves && findings.upper; ++move, step *= growth) {
-    const auto decided = ends.decide(*findings.upper, name_of(options, ".upper"), lives);
+  for (int move = 0; move < most_moves && factor <= most; ++move, step *= growth) {
+    auto decided = ends.decide(factor, name_of(options, ".upper"), lives);
     findings.status = decided.status;
     if (!decided.solved()) return;
-    findings.upper_proved = decided.count(nodes::LeafState::alive) != 0;
-    if (decided.lives()) {
-      for (const auto& leaf : decided.leaves) {
-        const bool cone = leaf.state == nodes::LeafState::alive ||
-                          leaf.state == nodes::LeafState::flat;
-        if (list && cone) findings.patterns.push_back(entry_of(leaf, findings));
-      }
-      return;
+    if (lives(decided) && !living) {
+      living = decided;
+      findings.upper = factor;
     }
-    const double next = *findings.upper + step;
-    findings.upper = next <= most ? std::optional(next) : std::nullopt;
+    findings.upper_proved = decided.alive != 0;
+    if (findings.upper_proved) {
+      living = std::move(decided);
+      findings.upper = factor;
+    }
+    if (findings.upper_proved || (living && !solid(*living))) break;
+    factor += step;
+  }
+  if (!living) {
+    findings.upper.reset();
+    return;
+  }
+  if (options.way != CriticalWay::global) return;
+  for (const auto& leaf : living->leaves) {
+    const bool cone =
+        leaf.state == nodes::LeafState::alive || leaf.state == nodes::LeafState::flat;
+    if (cone) findings.patterns.push_back(entry_of(leaf, findings));
   }
 }
 
@@ -152,7 +210,7 @@ void say_what_is_open(const CriticalOptions& options, double most, CriticalFindi
   if (findings.status != "solved") return;
   if (!findings.upper && findings.lower < most) {
     findings.open.push_back(
-        fmt::format("between {:.10g} and {:.10g} it could not be told whether anything can wedge",
+        fmt::format("between {:.12g} and {:.12g} it could not be told whether anything can wedge",
                     findings.lower, most));
   }
   if (findings.upper && *findings.upper - findings.lower > wide * options.width) {
@@ -161,15 +219,18 @@ void say_what_is_open(const CriticalOptions& options, double most, CriticalFindi
                     "wedge could not be told from what just cannot",
                     *findings.upper - findings.lower, options.width));
   }
-  if (!findings.lower_proved)
-    findings.open.push_back(fmt::format("the lower end {:.10g} is not proved", findings.lower));
+  if (!findings.lower_proved) {
+    findings.open.push_back(
+        fmt::format("that nothing wedges at {:.12g} is not proved in exact arithmetic",
+                    findings.lower));
+  }
 }
 
 }  // namespace
 
 void prove_ends(Session& session, const CriticalOptions& options,
-                const problems::WedgedProblem& problem, const Budget& budget,
-                CriticalFindings& findings) {
+                const problems::Structure& structure, const problems::WedgedProblem& problem,
+                const Budget& budget, CriticalFindings& findings) {
   // All ranks move the ends alike.
   const auto bracket = told_by_first_rank(session, [&] {
     std::vector<double> known{findings.lower};
@@ -179,9 +240,9 @@ void prove_ends(Session& session, const CriticalOptions& options,
   findings.lower = bracket[0];
   if (bracket.size() > 1) findings.upper = bracket[1];
   const double most = options.most.value_or(usual_most);
-  Ends ends(session, options, problem, budget);
-  prove_lower(ends, options, findings);
-  if (findings.status == "solved") prove_upper(ends, options, most, findings);
+  Ends ends(session, options, structure, problem, budget);
+  prove_lower(ends, options, nodes::CriticalFriction::range(problem).least, findings);
+  if (findings.status == "solved" && findings.upper) prove_upper(ends, options, most, findings);
   say_what_is_open(options, most, findings);
 }
 

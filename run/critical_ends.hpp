@@ -3,6 +3,7 @@
 // that does not stand it is moved outwards until it does.
 #pragma once
 
+#include "problems/structure.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/critical.hpp"
 #include "run/critical_report.hpp"
@@ -16,7 +17,7 @@ namespace kusabi::run {
 /// open. On all ranks; the findings count on rank 0.
 /// @pre the search was solved
 void prove_ends(Session& session, const CriticalOptions& options,
-                const problems::WedgedProblem& problem, const Budget& budget,
-                CriticalFindings& findings);
+                const problems::Structure& structure, const problems::WedgedProblem& problem,
+                const Budget& budget, CriticalFindings& findings);
 
 }  // namespace kusabi::run

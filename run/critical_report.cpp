@@ -65,15 +65,15 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   std::string text;
   auto out = std::back_inserter(text);
   if (!findings.patterns.empty()) {
-    fmt::format_to(out, "\n{:>5}  {:>14}  {:>14}  {}\n", "", "dead at", "alive at",
+    fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "dead at", "alive at",
                    "in contact (U)");
   }
   std::size_t number = 0;
   for (const auto& entry : findings.patterns) {
     const auto& [contact, separated, at_rest] = entry.pattern;
     fmt::format_to(
-        out, "{:>5}  {:>14.10g}  {:>14}  {}{}\n", ++number, entry.lower,
-        entry.upper ? fmt::format("{:.10g}", *entry.upper) : "?",
+        out, "{:>5}  {:>16.12g}  {:>16}  {}{}\n", ++number, entry.lower,
+        entry.upper ? fmt::format("{:.12g}", *entry.upper) : "?",
         listed(candidate_names(problem, contact)),
         at_rest == 0 ? "" : fmt::format("  at rest: {}", listed(candidate_names(problem, at_rest))));
   }
@@ -81,17 +81,17 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
       problems::uniform_friction(problem) ? "" : " (times that of each candidate)";
   if (findings.upper) {
     fmt::format_to(out,
-                   "\ncritical friction coefficient{}: between {:.10g} and {:.10g}: nothing can "
+                   "\ncritical friction coefficient{}: between {:.12g} and {:.12g}: nothing can "
                    "wedge below, something can above\n",
                    times, findings.lower, *findings.upper);
   } else if (findings.status == "solved") {
-    fmt::format_to(out, "\nnothing can wedge at a friction coefficient{} below {:.10g}\n", times,
+    fmt::format_to(out, "\nnothing can wedge at a friction coefficient{} below {:.12g}\n", times,
                    findings.lower);
   }
   if (findings.upper && findings.status == "solved" && !findings.upper_proved) {
     text +=
-        "What wedges at the upper end is a tie: some candidates stay at rest within the rounding "
-        "of the file's numbers.\n";
+        "What wedges at the upper end is a tie: it holds within the rounding of the file's numbers "
+        "and is not proved in exact arithmetic.\n";
   }
   for (const auto& sentence : findings.open) fmt::format_to(out, "Open: {}.\n", sentence);
   if (options.way != CriticalWay::global && findings.upper) {

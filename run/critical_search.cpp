@@ -12,6 +12,7 @@
 #include "nodes/bisection.hpp"
 #include "nodes/critical_tree.hpp"
 #include "nodes/maximal_cones.hpp"
+#include "run/problem_summary.hpp"
 #include "run/rank_table.hpp"
 #include "run/shown_search.hpp"
 #include "run/told.hpp"
@@ -38,8 +39,7 @@ struct Living {
 
 Living living_patterns(Session& session, const CriticalOptions& options,
                        const problems::WedgedProblem& problem, const Budget& budget) {
-  std::vector<double> friction = problem.friction;
-  for (double& mu : friction) mu *= *options.most;
+  const auto friction = friction_at(problem, *options.most, options.file);
   nodes::SignPatternTree tree(problem, friction);
   auto outcome = shown_search(session, tree, {}, budget.left(), options.quiet);
   return told_by_first_rank(session, [&] {

@@ -82,8 +82,8 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
       ->check(positive);
   command
       .add_option("--tolerance", options->tolerance,
-                  "a margin t* up to this size is neither positive nor negative")
-      ->check(positive)
+                  "a margin t* up to this size is a tie, neither positive nor negative")
+      ->check(CLI::Range(1e-12, 1e-3))
       ->capture_default_str();
   command
       .add_option_function<std::string>(
@@ -329,6 +329,10 @@ void add_verify(CLI::App& app, Action& action, bool& serial) {
       .add_option("certificate", options->certificate,
                   "what patterns or limit --certificate has written")
       ->required();
+  command.add_option("--problem", options->problem,
+                     "prove it of the structure in this problem file, whose stiffness is computed "
+                     "anew with bounds for every rounding; without it, of the numbers in the "
+                     "certificate");
   command.add_flag("--quiet", options->quiet, "print errors and what is refused only");
   add_serial(command, serial);
   command.callback(

@@ -116,8 +116,7 @@ int patterns(Session& session, const PatternsOptions& options) {
   });
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   const auto problem = problems::wedged_problem(problems::read_structure(text, options.file));
-  std::vector<double> friction = problem.friction;
-  for (double& mu : friction) mu *= options.friction;
+  const auto friction = friction_at(problem, options.friction, options.file);
   agree(session, problem);
   if (options.facets != 0 && problem.dimension == 2) {
     throw WrongInput(fmt::format(
@@ -128,7 +127,8 @@ int patterns(Session& session, const PatternsOptions& options) {
   nodes::SignPatternTree tree(problem, friction,
                               {.tolerances = {.sign = options.tolerance},
                                .branching = options.branching,
-                               .facets = options.facets});
+                               .facets = options.facets,
+                               .thorough = !options.certificate.empty()});
 
   engine::Options search_options;
   auto& checkpoint = search_options.checkpoint;

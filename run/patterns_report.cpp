@@ -41,9 +41,11 @@ ordered_json tally_json(const nodes::SignPatternTally& tally) {
           {"dead", tally.dead},
           {"found", tally.found},
           {"flat_nodes", tally.flat},
+          {"faces", tally.faces},
           {"marginal_leaves", tally.marginal},
           {"undecided_leaves", tally.undecided},
           {"doubtful_branched", tally.doubtful},
+          {"climbed", tally.climbed},
           {"iterations", tally.iterations},
           {"candidates", tally.candidates}};
 }

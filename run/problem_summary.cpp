@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/problem_block.hpp"
+#include "run/session.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -55,6 +56,21 @@ ordered_json problem_json(const problems::WedgedProblem& problem, const std::str
           {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
           {"contact", contact_frames(problem)},
           {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}};
+}
+
+std::vector<double> friction_at(const problems::WedgedProblem& problem, double coefficient,
+                                const std::string& file) {
+  std::vector<double> friction = problem.friction;
+  for (std::size_t i = 0; i < friction.size(); ++i) {
+    friction[i] *= coefficient;
+    if (friction[i] == 0) continue;
+    if (friction[i] >= nodes::least_friction && friction[i] <= nodes::most_friction) continue;
+    throw WrongInput(fmt::format(
+        "{}: the friction at {} comes out as {:g}; expected 0, or {:g} to {:g}: another --mu, or "
+        "another relative friction",
+        file, problem.contact_names[i], friction[i], nodes::least_friction, nodes::most_friction));
+  }
+  return friction;
 }
 
 std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,

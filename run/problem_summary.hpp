@@ -20,6 +20,11 @@ std::string problem_line(const problems::WedgedProblem& problem);
 nlohmann::ordered_json problem_json(const problems::WedgedProblem& problem,
                                     const std::string& file);
 
+/// The friction of each candidate at a coefficient of the search.
+/// @throws WrongInput if one is neither 0 nor in the range that is computed with
+std::vector<double> friction_at(const problems::WedgedProblem& problem, double coefficient,
+                                const std::string& file);
+
 /// The node names of a set of contact candidates, in their order.
 std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
                                          std::uint64_t candidates);

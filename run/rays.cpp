@@ -200,8 +200,7 @@ int rays(Session& session, const RaysOptions& options) {
   const auto problem = problems::wedged_problem(structure);
   agree(session, problem);
   if (problem.dimension != 2) refuse_space(options.file);
-  std::vector<double> friction = problem.friction;
-  for (double& mu : friction) mu *= options.friction;
+  const auto friction = friction_at(problem, options.friction, options.file);
   const rays::ReactionCone cone(problems::precise_compliance(structure), friction);
   const RayMethod method = chosen_method(options, cone.candidates());
   if (session.speaks() && !options.quiet) announce(options, problem, method, session.ranks());

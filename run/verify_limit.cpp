@@ -2,19 +2,25 @@
 #include "run/verify_limit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <boost/serialization/string.hpp>
 #include <fmt/format.h>
 
+#include "problems/limit_problem.hpp"
 #include "run/exit_code.hpp"
 #include "run/shared_work.hpp"
 #include "run/standard_output.hpp"
+#include "run/verified_structure.hpp"
+#include "verify/limit_agreement.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/limit_proof.hpp"
 
@@ -44,14 +50,32 @@ verify::LimitCertificate certificate_in(const std::string& text, const std::stri
 
 }  // namespace
 
-int verify_limit(Session& session, const VerifyOptions& options, const std::string& text) {
+int verify_limit(Session& session, const VerifyOptions& options,
+                 const std::optional<problems::Structure>& structure, const std::string& text) {
   const auto certificate = certificate_in(text, options.certificate);
-  const verify::LimitProof proof(certificate);
+  verify::LimitErrors errors;
+  std::uint64_t fingerprint = 0;
+  if (structure) {
+    fingerprint = problems::limit_problem(*structure).fingerprint;  // or an error: it is no truss
+    auto found = verify::limit_agreement(certificate, verified_structure(*structure));
+    if (const auto* why = std::get_if<std::string>(&found)) {
+      if (session.speaks()) {
+        fmt::print("{}: refused: {}: {}\n", options.certificate, options.problem, *why);
+        if (!options.quiet) fmt::print("NOT PROVED\n");
+        flush_standard_output();
+      }
+      return failed;
+    }
+    errors = std::move(std::get<verify::LimitErrors>(found));
+  }
+  const verify::LimitProof proof(certificate, std::move(errors));
   std::vector<std::string> refusals;
   if (!proof.stable()) refusals.emplace_back("the truss was not shown to be no mechanism");
   const auto upper = proof.upper();
   if (const auto* why = std::get_if<std::string>(&upper)) {
     refusals.push_back("the upper end: " + *why);
+  } else if (std::isinf(verify::rounded_up(std::get<mpq_class>(upper)))) {
+    refusals.emplace_back("the upper end: it is beyond any number in double precision");
   }
   if (const auto flaw = verify::flaw_of_sign_cover(certificate)) refusals.push_back(*flaw);
   double lower = infinity;
@@ -80,6 +104,15 @@ int verify_limit(Session& session, const VerifyOptions& options, const std::stri
     fmt::print("{}: refused: {}\n", options.certificate, refusal);
   if (!options.quiet && refusals.empty()) {
     const double above = verify::rounded_up(std::get<mpq_class>(upper));
+    if (structure) {
+      fmt::print(
+          "problem: {}, from {}, fingerprint {:016x}\n"
+          "direction cosines were computed anew from the truss, yield forces and loads "
+          "compared\n",
+          structure->name, options.problem, fingerprint);
+    } else {
+      fmt::print("the truss is the certificate's own; --problem FILE proves it of a file\n");
+    }
     fmt::print("{} cuts, {} nodes cover all loads\n", certificate.cuts.size(),
                certificate.nodes.size());
     fmt::print("PROVED: the least load factor for alpha = {} is between {:.17g} and {:.17g}\n",

@@ -1,17 +1,22 @@
 // `kusabi verify` of a certificate of a worst-case limit load.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "problems/structure.hpp"
 #include "run/session.hpp"
 #include "run/verify.hpp"
 
 namespace kusabi::run {
 
 /// Proves both ends on all ranks, a node a piece of work, and prints the verdict.
+/// @param structure of the problem file that it is to be proved of, if any
 /// @param text of the file, the same on all ranks
 /// @return the exit code
-/// @throws WrongInput on every rank alike
-int verify_limit(Session& session, const VerifyOptions& options, const std::string& text);
+/// @throws WrongInput on every rank alike; problems::InputError if the structure is none that limit
+///         analysis is for
+int verify_limit(Session& session, const VerifyOptions& options,
+                 const std::optional<problems::Structure>& structure, const std::string& text);
 
 }  // namespace kusabi::run

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <tuple>
 
 #include "verify/lines.hpp"
@@ -12,35 +13,94 @@ namespace {
 
 constexpr std::size_t most_candidates = 64;
 constexpr std::string_view first_line = "kusabi certificate 1";
+constexpr std::string_view second_version = "kusabi certificate 2";
+
+// How a file of one version says what another says in other words.
+struct Version {
+  bool names_blocks = false;  // lists them, and begins a node with the number of its block
+};
+
+void read_names(Lines& lines, std::size_t count, Certificate& certificate) {
+  std::map<std::string_view, std::size_t> lines_of;  // what is read lies in one text
+  for (std::size_t i = 0; i < count; ++i) {
+    lines.next();
+    lines.expect_word("name", "'name' and the name of contact candidate " + std::to_string(i + 1));
+    const auto name = lines.remainder();
+    if (name.empty()) lines.refuse("a name that is not empty");
+    const auto [same, is_new] = lines_of.emplace(name, lines.number());
+    if (!is_new) lines.refuse("a name that line " + std::to_string(same->second) + " has not");
+    certificate.names.emplace_back(name);
+  }
+}
 
 void read_header(Lines& lines, Certificate& certificate) {
-  lines.expect(first_line);
-  lines.next();
   const std::string dimension = "'dimension 2' or 'dimension 3'";
+  lines.next();
   lines.expect_word("dimension", dimension);
   certificate.dimension = lines.integer(10, dimension);
   if (certificate.dimension != 2 && certificate.dimension != 3) lines.refuse(dimension);
+  lines.end_of_line(dimension);
   lines.next();
   const std::string candidates = "'candidates' and a number from 1 to 64";
   lines.expect_word("candidates", candidates);
   const auto m = lines.integer(10, candidates);
   if (m < 1 || m > most_candidates) lines.refuse(candidates);
-  for (std::size_t i = 0; i < m; ++i) {
-    lines.next();
-    lines.expect_word("name", "'name' and the name of contact candidate " + std::to_string(i + 1));
-    certificate.names.emplace_back(lines.remainder());
-  }
+  lines.end_of_line(candidates);
+  read_names(lines, m, certificate);
   lines.next();
   lines.expect_word("friction", "'friction' and a coefficient for each contact candidate");
   lines.numbers(m, certificate.friction, "friction coefficients");
-  if (*std::min_element(certificate.friction.begin(), certificate.friction.end()) <= 0) {
-    lines.refuse("friction coefficients above 0");
+  if (*std::min_element(certificate.friction.begin(), certificate.friction.end()) < 0) {
+    lines.refuse("friction coefficients that are not negative");
   }
+}
+
+void read_blocks(Lines& lines, Certificate& certificate) {
+  lines.next();
+  const std::string blocks = "'blocks' and how many there are, from 1 to the number of candidates";
+  lines.expect_word("blocks", blocks);
+  const auto count = lines.integer(10, blocks);
+  if (count < 1 || count > certificate.candidates()) lines.refuse(blocks);
+  lines.end_of_line(blocks);
+  auto left = certificate.all_candidates();
+  for (std::uint64_t b = 0; b < count; ++b) {
+    lines.next();
+    const std::string what = "'block' and its contact candidates, in hexadecimal digits";
+    lines.expect_word("block", what);
+    const auto block = lines.integer(16, what);
+    lines.end_of_line(what);
+    if (block == 0 || (block & ~left) != 0) {
+      lines.refuse("contact candidates that no other block has");
+    }
+    if (std::countr_zero(block) != std::countr_zero(left)) {
+      lines.refuse("the block of " +
+                   certificate.names[static_cast<std::size_t>(std::countr_zero(left))] +
+                   ", the first candidate without one");
+    }
+    left &= ~block;
+    certificate.blocks.push_back(block);
+  }
+  if (left != 0)
+    lines.refuse("all contact candidates in the blocks, but " + certificate.names_of(left) +
+                 " are in none");
+}
+
+// By candidate, the number of its block.
+std::vector<std::size_t> block_numbers(const Certificate& certificate) {
+  std::vector<std::size_t> numbers(certificate.candidates());
+  for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
+    for (auto set = certificate.blocks[b]; set != 0; set &= set - 1) {
+      numbers[static_cast<std::size_t>(std::countr_zero(set))] = b;
+    }
+  }
+  return numbers;
 }
 
 void read_stiffness(Lines& lines, Certificate& certificate) {
   lines.expect("stiffness");
   const auto size = certificate.displacements();
+  const auto d = certificate.dimension;
+  const auto block = block_numbers(certificate);
   certificate.stiffness.resize(size * size);
   std::vector<double> row;
   for (std::size_t i = 0; i < size; ++i) {
@@ -48,29 +108,42 @@ void read_stiffness(Lines& lines, Certificate& certificate) {
     row.clear();
     lines.numbers(i + 1, row, "entries of row " + std::to_string(i + 1) + " of the stiffness");
     for (std::size_t j = 0; j <= i; ++j) {
+      if (block[i / d] != block[j / d] && row[j] != 0) {
+        lines.refuse("0x0p+0 as entry " + std::to_string(j + 1) + ", which couples two blocks");
+      }
       certificate.stiffness[size * i + j] = certificate.stiffness[size * j + i] = row[j];
     }
   }
 }
 
-Record read_record(Lines& lines, Claim claim, const Certificate& certificate) {
+std::size_t read_block_number(Lines& lines, const Certificate& certificate) {
+  const auto what = "the number of a block, from 1 to " + std::to_string(certificate.blocks.size());
+  const auto number = lines.integer(10, what);
+  if (number < 1 || number > certificate.blocks.size()) lines.refuse(what);
+  return number - 1;
+}
+
+Record read_record(Lines& lines, Claim claim, Version version, const Certificate& certificate) {
   Record record;
   record.line = lines.number();
   record.claim = claim;
-  const std::string sets = "two disjoint sets of the contact candidates, in hexadecimal digits";
+  if (version.names_blocks) record.block = read_block_number(lines, certificate);
+  const auto block = certificate.blocks[record.block];
+  const std::string sets =
+      version.names_blocks ? "two disjoint sets of candidates of the block, in hexadecimal digits"
+                           : "two disjoint sets of the contact candidates, in hexadecimal digits";
   record.contact = lines.integer(16, sets);
   record.separated = lines.integer(16, sets);
   const auto known = record.contact | record.separated;
-  if ((record.contact & record.separated) != 0 || (known & ~certificate.all_candidates()) != 0) {
-    lines.refuse(sets);
-  }
-  if (claim != Claim::dead && known != certificate.all_candidates()) {
+  if ((record.contact & record.separated) != 0 || (known & ~block) != 0) lines.refuse(sets);
+  const bool leaf = claim == Claim::alive || (claim == Claim::marginal && !version.names_blocks);
+  if (leaf && known != block) {
     lines.refuse("a leaf: every contact candidate in one of the two sets");
   }
   const auto touching = static_cast<std::size_t>(std::popcount(record.contact));
   switch (claim) {
     case Claim::dead:
-      lines.numbers(certificate.candidates(), record.numbers, "multipliers");
+      lines.numbers(static_cast<std::size_t>(std::popcount(block)), record.numbers, "multipliers");
       break;
     case Claim::alive:
       lines.numbers((certificate.dimension - 1) * touching, record.numbers, "tangential reactions");
@@ -82,7 +155,7 @@ Record read_record(Lines& lines, Claim claim, const Certificate& certificate) {
   return record;
 }
 
-void read_records(Lines& lines, Certificate& certificate) {
+void read_records(Lines& lines, Version version, Certificate& certificate) {
   lines.expect("nodes");
   for (std::size_t count = 0;; ++count) {
     lines.next();
@@ -102,14 +175,14 @@ void read_records(Lines& lines, Certificate& certificate) {
     const auto* const claim = std::find_if(claims.begin(), claims.end(),
                                            [&](Claim one) { return keyword == claim_name(one); });
     if (claim == claims.end()) lines.refuse("'dead', 'alive', 'marginal' or 'end'");
-    certificate.records.push_back(read_record(lines, *claim, certificate));
+    certificate.records.push_back(read_record(lines, *claim, version, certificate));
   }
 }
 
 // A search that went on from a checkpoint closes some nodes again, with the same evidence.
 void leave_out_repeated(std::vector<Record>& records) {
   const auto key = [](const Record& record) {
-    return std::tuple(record.contact, record.separated, record.claim);
+    return std::tuple(record.block, record.contact, record.separated, record.claim);
   };
   const auto place = [](const Record& record) { return record.line; };
   std::stable_sort(records.begin(), records.end(),
@@ -145,12 +218,23 @@ std::string Certificate::names_of(std::uint64_t set) const {
 
 Certificate read_certificate(std::string_view text, const std::string& file) {
   // Something else altogether is not called damaged.
-  Lines(text, file).expect(first_line);
+  Lines beginning(text, file);
+  beginning.next();
+  const Version version{.names_blocks = beginning.text() == second_version};
+  if (!version.names_blocks && beginning.text() != first_line) {
+    beginning.refuse("'" + std::string(second_version) + "'");
+  }
   Lines lines(without_digest(text, file), file);
+  lines.next();
   Certificate certificate;
   read_header(lines, certificate);
+  if (version.names_blocks) {
+    read_blocks(lines, certificate);
+  } else {
+    certificate.blocks = {certificate.all_candidates()};
+  }
   read_stiffness(lines, certificate);
-  read_records(lines, certificate);
+  read_records(lines, version, certificate);
   leave_out_repeated(certificate.records);
   return certificate;
 }

@@ -16,7 +16,7 @@ namespace kusabi::verify {
 enum class Claim {
   dead,      ///< no wedged configuration below it
   alive,     ///< a leaf that has one, with all inequalities strict
-  marginal,  ///< a leaf of which nothing is claimed
+  marginal,  ///< nothing is claimed
 };
 
 /// "dead", "alive" or "marginal", as in the file.
@@ -26,20 +26,22 @@ const char* claim_name(Claim claim);
 struct Record {
   std::size_t line = 0;  ///< of the file, the first being 1
   Claim claim = Claim::marginal;
+  std::size_t block = 0;        ///< which block's node it is, the first being 0
   std::uint64_t contact = 0;    ///< U, bit i for candidate i: u_n = 0
   std::uint64_t separated = 0;  ///< R: r = 0
-  /// dead: m multipliers of the normal displacements. alive: the tangential reactions of the
-  /// candidates in U, in their order, d - 1 each.
+  /// dead: multipliers of the normal displacements, one a candidate of the block. alive: the
+  /// tangential reactions of the candidates in U, in their order, d - 1 each.
   std::vector<double> numbers;
 };
 
 /// What a file holds; all numbers are finite.
 struct Certificate {
-  std::size_t dimension = 0;       ///< d: 2 or 3
-  std::vector<std::string> names;  ///< of the m candidates, 1 <= m <= 64
-  std::vector<double> friction;    ///< m, each > 0
-  std::vector<double> stiffness;   ///< K, dm x dm, row by row, symmetric
-  std::vector<Record> records;     ///< in the order of the file, repeated ones left out
+  std::size_t dimension = 0;          ///< d: 2 or 3
+  std::vector<std::string> names;     ///< of the m candidates, 1 <= m <= 64; all different
+  std::vector<double> friction;       ///< m, each >= 0
+  std::vector<std::uint64_t> blocks;  ///< a partition of the candidates; K is zero between two
+  std::vector<double> stiffness;      ///< K, dm x dm, row by row, symmetric
+  std::vector<Record> records;        ///< in the order of the file, repeated ones left out
 
   [[nodiscard]] std::size_t candidates() const { return names.size(); }
   [[nodiscard]] std::size_t displacements() const { return dimension * names.size(); }

@@ -11,7 +11,8 @@ namespace {
 
 class Cover {
  public:
-  explicit Cover(const Certificate& certificate) : certificate_(certificate) {}
+  Cover(const Certificate& certificate, std::uint64_t block)
+      : certificate_(certificate), block_(block) {}
 
   // Whether `records` cover all patterns below a node (contact, separated) that all of them lie
   // below. A candidate that all of them decide splits the patterns and the records alike, so it
@@ -21,7 +22,7 @@ class Cover {
     if (records.empty()) {
       return "no node covers " + node_name(contact, separated) + "; expected one dead or one alive";
     }
-    auto common = ~(contact | separated);
+    auto common = block_ & ~(contact | separated);
     for (const auto* record : records) common &= record->contact | record->separated;
     if (common == 0) return flaw_of_one(records, contact, separated);
     const auto candidate = std::uint64_t{1} << static_cast<unsigned>(std::countr_zero(common));
@@ -63,14 +64,24 @@ class Cover {
   }
 
   const Certificate& certificate_;
+  std::uint64_t block_;
 };
 
 }  // namespace
 
 std::optional<std::string> flaw_of_cover(const Certificate& certificate) {
-  std::vector<const Record*> records;
-  for (const auto& record : certificate.records) records.push_back(&record);
-  return Cover(certificate).flaw(records, 0, 0);
+  for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
+    std::vector<const Record*> records;
+    for (const auto& record : certificate.records) {
+      if (record.block == b) records.push_back(&record);
+    }
+    auto flaw = Cover(certificate, certificate.blocks[b]).flaw(records, 0, 0);
+    if (flaw && certificate.blocks.size() > 1) {
+      *flaw = "block " + std::to_string(b + 1) + ": " + *flaw;
+    }
+    if (flaw) return flaw;
+  }
+  return {};
 }
 
 }  // namespace kusabi::verify

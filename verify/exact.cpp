@@ -67,6 +67,36 @@ Dyadic operator+(const Dyadic& a, const Dyadic& b) {
   return {std::move(sum), b.exponent_};
 }
 
+mpz_class Dyadic::multiples(long exponent) const {
+  mpz_class count = mantissa_;
+  const long shift = exponent_ - exponent;
+  if (shift >= 0) {
+    shift_up(count, shift);
+  } else {
+    mpz_fdiv_q_2exp(count.get_mpz_t(), count.get_mpz_t(), static_cast<mp_bitcnt_t>(-shift));
+  }
+  return count;
+}
+
+long Dyadic::magnitude() const {
+  if (sign() == 0) return 0;
+  return static_cast<long>(mpz_sizeinbase(mantissa_.get_mpz_t(), 2)) + exponent_;
+}
+
+Dyadic quotient_above(const Dyadic& a, const Dyadic& b) {
+  if (a.sign() == 0) return {};
+  // So many digits of the dividend that the quotient has at least 64.
+  constexpr long wanted = 64;
+  mpz_class dividend = a.mantissa_;
+  const auto have = static_cast<long>(mpz_sizeinbase(dividend.get_mpz_t(), 2));
+  const auto divisor = static_cast<long>(mpz_sizeinbase(b.mantissa_.get_mpz_t(), 2));
+  const long shift = std::max(0L, divisor + wanted - have);
+  shift_up(dividend, shift);
+  mpz_class quotient;
+  mpz_cdiv_q(quotient.get_mpz_t(), dividend.get_mpz_t(), b.mantissa_.get_mpz_t());
+  return {std::move(quotient), a.exponent_ - b.exponent_ - shift};
+}
+
 Dyadic sqrt_above(const Dyadic& value) {
   if (value.sign() == 0) return {};
   // So many digits that the root has at least 64, and an exponent that can be halved.

@@ -24,6 +24,12 @@ class Dyadic {
   [[nodiscard]] double nearest() const;      ///< a double close to it, for messages
   [[nodiscard]] mpq_class rational() const;  ///< the same number
 
+  /// The number times 2^exponent, exactly.
+  [[nodiscard]] Dyadic scaled(long exponent) const { return {mantissa_, exponent_ + exponent}; }
+
+  /// The largest integer whose product with 2^exponent is not above the number.
+  [[nodiscard]] mpz_class multiples(long exponent) const;
+
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b) {
     return a + Dyadic(-b.mantissa_, b.exponent_);
@@ -38,10 +44,32 @@ class Dyadic {
   /// @pre value >= 0
   friend Dyadic sqrt_above(const Dyadic& value);
 
+  /// A number not below a / b, and above it by less than 2^-60 of it.
+  /// @pre a >= 0, b > 0
+  friend Dyadic quotient_above(const Dyadic& a, const Dyadic& b);
+
+  /// Zero, or the exponent e for which 2^(e-1) <= |value| < 2^e.
+  [[nodiscard]] long magnitude() const;
+
  private:
   mpz_class mantissa_ = 0;
   long exponent_ = 0;
 };
+
+/// x^2.
+inline Dyadic square(const Dyadic& x) {
+  return x * x;
+}
+
+/// |x|.
+inline Dyadic absolute(const Dyadic& x) {
+  return x.sign() < 0 ? Dyadic() - x : x;
+}
+
+/// The larger of the two.
+inline const Dyadic& larger(const Dyadic& a, const Dyadic& b) {
+  return a < b ? b : a;
+}
 
 /// Numbers with one exponent for all: entry i is mantissas[i] * 2^exponent.
 struct DyadicList {
@@ -72,6 +100,12 @@ struct DyadicMatrix {
 
   /// The matrix times a vector. @pre x.size() == size
   [[nodiscard]] DyadicList operator*(const DyadicList& x) const;
+};
+
+/// All symmetric matrices that differ from a known one by at most `radius` in the Frobenius norm.
+struct EnclosedMatrix {
+  DyadicMatrix middle;
+  Dyadic radius;  ///< >= 0; zero: the matrix itself
 };
 
 }  // namespace kusabi::verify

@@ -47,6 +47,8 @@ std::size_t count(Lines& lines, const std::string& keyword) {
   lines.expect_word(keyword, what);
   const auto value = lines.integer(10, what);
   if (value > most) lines.refuse(what + " of at most " + std::to_string(most));
+  // Each takes a line or a number at least: no memory for what the file cannot hold.
+  if (value > lines.left()) lines.refuse(what + " that the rest of the file holds");
   lines.end_of_line(what);
   return value;
 }
@@ -58,7 +60,11 @@ std::size_t place(Lines& lines, std::size_t size, const std::string& what) {
 }
 
 Sparse sparse(Lines& lines, std::size_t size, const std::string& what) {
-  Sparse entries(place(lines, size + 1, "the number of " + what));
+  const auto expected = "the number of " + what;
+  const auto number = place(lines, size + 1, expected);
+  constexpr std::size_t shortest = 4;  // characters of a place and a number, "0 0x0"
+  if (number > lines.remainder().size() / shortest) lines.refuse(expected + " that the line holds");
+  Sparse entries(number);
   for (auto& [at, value] : entries) {
     at = place(lines, size, "the place of one of the " + what);
     value = lines.number(what);
@@ -78,6 +84,9 @@ void read_problem(Lines& lines, LimitCertificate& certificate) {
   lines.expect(limit_first_line);
   certificate.displacements = count(lines, "displacements");
   const auto members = count(lines, "members");
+  if (members < certificate.displacements) {
+    lines.refuse("as many members as displacements at least: a truss of fewer is a mechanism");
+  }
   for (std::size_t i = 0; i < members; ++i) {
     lines.next();
     const std::string what = "'member', its yield forces, not negative, and its column of B";
@@ -100,6 +109,9 @@ void read_problem(Lines& lines, LimitCertificate& certificate) {
     const double weight = lines.number(what);
     if (weight <= 0) lines.refuse(what);
     lines.end_of_line(what);
+    if (uncertain > certificate.displacements) {
+      lines.refuse("no more uncertain components than displacements");
+    }
     certificate.uncertain.emplace_back(at, weight);
   }
   certificate.alpha = vector(lines, "alpha", 1).front();

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
+#include <utility>
 
 #include "verify/cholesky.hpp"
+#include "verify/numbering.hpp"
 
 namespace kusabi::verify {
 namespace {
-
-Dyadic magnitude(const Dyadic& value) {
-  return value.sign() < 0 ? Dyadic() - value : value;
-}
 
 void add_product(Dyadic& sum, double a, double b) {
   if (a != 0 && b != 0) sum = sum + Dyadic(a) * Dyadic(b);
@@ -21,7 +20,10 @@ void add_product(Dyadic& sum, double a, double b) {
 
 }  // namespace
 
-LimitProof::LimitProof(const LimitCertificate& certificate) : certificate_(certificate) {
+LimitProof::LimitProof(const LimitCertificate& certificate, LimitErrors errors)
+    : certificate_(certificate), errors_(std::move(errors)) {
+  for (const auto& error : errors_.dead) dead_error_ = dead_error_ + error;
+  for (const auto& error : errors_.reference) reference_error_ = reference_error_ + error;
   bound_motions();
   for (const auto& cut : certificate.cuts) {
     // rho = e + k f_R - B y
@@ -30,56 +32,104 @@ LimitProof::LimitProof(const LimitCertificate& certificate) : certificate_(certi
     for (std::size_t e = 0; e < load.size(); ++e) {
       add_product(load[e], cut.factor, certificate.reference[e]);
     }
-    defects_.push_back(defect(cut.forces, std::move(load)));
+    defects_.push_back(defect(cut.forces, std::move(load)) +
+                       Dyadic(std::abs(cut.factor)) * reference_error_);
   }
+}
+
+Dyadic LimitProof::column_error(std::size_t member) const {
+  return errors_.columns.empty() ? Dyadic() : errors_.columns[member];
 }
 
 // |load - B q|_1
 Dyadic LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load) const {
+  Dyadic total;
   for (const auto& [member, force] : forces) {
     for (const auto& [e, entry] : certificate_.columns[member]) add_product(load[e], -force, entry);
+    total = total + Dyadic(std::abs(force)) * column_error(member);
   }
-  Dyadic total;
-  for (const auto& each : load) total = total + magnitude(each);
+  for (const auto& each : load) total = total + absolute(each);
   return total;
 }
+
+namespace {
+
+// The factor of B B', and in which order it has the displacements.
+struct Gram {
+  std::vector<std::size_t> place;  // of each displacement
+  std::optional<Cholesky> factor;
+};
+
+Gram factor_of_gram(const LimitCertificate& certificate) {
+  const auto n = certificate.displacements;
+  constexpr std::size_t largest_profile = 50'000'000;
+  std::vector<std::map<std::size_t, double>> entries(n);
+  for (const auto& column : certificate.columns) {
+    for (const auto& [row, a] : column) {
+      for (const auto& [other, b] : column) entries[row][other] += a * b;
+    }
+  }
+  std::vector<std::vector<std::size_t>> neighbours(n);
+  for (std::size_t row = 0; row < n; ++row) {
+    for (const auto& [other, value] : entries[row]) {
+      if (other != row) neighbours[row].push_back(other);
+    }
+  }
+  const auto order = narrow_order(neighbours);
+  Gram gram;
+  gram.place.resize(n);
+  for (std::size_t at = 0; at < n; ++at) gram.place[order[at]] = at;
+  std::vector<std::size_t> first(n);
+  for (std::size_t at = 0; at < n; ++at) {
+    first[at] = at;
+    for (const auto& [other, value] : entries[order[at]]) {
+      first[at] = std::min(first[at], gram.place[other]);
+    }
+  }
+  const Profile profile(std::move(first));
+  if (profile.entries() > largest_profile) return gram;
+  std::vector<double> matrix(profile.entries(), 0.0);
+  for (std::size_t at = 0; at < n; ++at) {
+    for (const auto& [other, value] : entries[order[at]]) {
+      if (gram.place[other] <= at) matrix[profile.at(at, gram.place[other])] = value;
+    }
+  }
+  gram.factor = Cholesky::of(profile, matrix);
+  return gram;
+}
+
+}  // namespace
 
 // G = (B B')^-1 B is a guess of a left inverse of B'. With E = I - G B' and ‖E‖_inf <= 1/2,
 // u = G B'u + E u gives ‖u‖_inf <= 2 max_e sum_i |G_ei| |b_i'u|.
 void LimitProof::bound_motions() {
   const auto n = certificate_.displacements;
-  std::vector<double> gram(n * n, 0.0);
-  for (const auto& column : certificate_.columns) {
-    for (const auto& [row, a] : column) {
-      for (const auto& [other, b] : column) gram[n * row + other] += a * b;
-    }
-  }
-  const auto factor = Cholesky::of(gram, n);
+  if (certificate_.members() < n) return;  // fewer elongations than displacements
+  const auto [place, factor] = factor_of_gram(certificate_);
   if (!factor) return;
-  std::vector<Dyadic> error(n * n);  // E
-  for (std::size_t e = 0; e < n; ++e) error[n * e + e] = Dyadic(1.0);
-  std::vector<Dyadic> reach(certificate_.members());
-  std::vector<double> guess(n);
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    std::fill(guess.begin(), guess.end(), 0.0);
-    for (const auto& [row, value] : certificate_.columns[i]) guess[row] += value;
-    factor->solve(guess);
-    double largest = 0;
-    for (std::size_t e = 0; e < n; ++e) {
-      if (!std::isfinite(guess[e])) return;
-      largest = std::max(largest, std::abs(guess[e]));
-      for (const auto& [row, value] : certificate_.columns[i]) {
-        add_product(error[n * e + row], -guess[e], value);
-      }
-    }
-    reach[i] = Dyadic(2.0) * Dyadic(largest);
-  }
+  std::vector<double> largest(certificate_.members(), 0.0);
+  std::vector<double> guess(n);  // row e of (B B')^-1
   for (std::size_t e = 0; e < n; ++e) {
+    std::fill(guess.begin(), guess.end(), 0.0);
+    guess[place[e]] = 1;
+    factor->solve(guess);
+    std::vector<Dyadic> error(n);  // row e of E
+    error[e] = Dyadic(1.0);
     Dyadic total;
-    for (std::size_t row = 0; row < n; ++row) total = total + magnitude(error[n * e + row]);
+    for (std::size_t i = 0; i < certificate_.members(); ++i) {
+      double entry = 0;  // of G
+      for (const auto& [row, value] : certificate_.columns[i]) entry += guess[place[row]] * value;
+      if (!std::isfinite(entry)) return;
+      largest[i] = std::max(largest[i], std::abs(entry));
+      for (const auto& [row, value] : certificate_.columns[i]) {
+        add_product(error[row], -entry, value);
+      }
+      total = total + Dyadic(std::abs(entry)) * column_error(i);
+    }
+    for (const auto& each : error) total = total + absolute(each);
     if (total > Dyadic(0.5)) return;
   }
-  reach_ = std::move(reach);
+  for (const double each : largest) reach_.push_back(Dyadic(2.0) * Dyadic(each));
 }
 
 std::variant<mpq_class, std::string> LimitProof::upper() const {
@@ -93,7 +143,16 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
     add_product(work, certificate_.reference[e], u[e]);
     add_product(value, -certificate_.dead[e], u[e]);
   }
-  if (work.sign() <= 0) return "the reference load does no work on the motion";
+  // What the errors of the loads add to the value, and take from or add to the work.
+  Dyadic doubt;
+  double largest = 0;
+  for (std::size_t e = 0; e < u.size(); ++e) {
+    const Dyadic size(std::abs(u[e]));
+    largest = std::max(largest, std::abs(u[e]));
+    if (!errors_.dead.empty()) value = value + errors_.dead[e] * size;
+    if (!errors_.reference.empty()) doubt = doubt + errors_.reference[e] * size;
+  }
+  if (!(work > doubt)) return "the reference load does no work on the motion";
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     const auto& [e, weight] = certificate_.uncertain[j];
     value = value - Dyadic(certificate_.load[j]) * Dyadic(weight) * Dyadic(u[e]);
@@ -101,11 +160,14 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
     Dyadic elongation;
     for (const auto& [e, entry] : certificate_.columns[i]) add_product(elongation, entry, u[e]);
+    value = value + Dyadic(std::max(certificate_.compression[i], certificate_.tension[i])) *
+                        Dyadic(largest) * column_error(i);
     const double yield =
         elongation.sign() < 0 ? certificate_.compression[i] : certificate_.tension[i];
-    value = value + Dyadic(yield) * magnitude(elongation);
+    value = value + Dyadic(yield) * absolute(elongation);
   }
-  return mpq_class(value.rational() / work.rational());
+  const auto divisor = value.sign() < 0 ? work + doubt : work - doubt;
+  return mpq_class(value.rational() / divisor.rational());
 }
 
 std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) const {
@@ -115,7 +177,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   std::vector<Dyadic> taken(certificate.members());
   std::vector<Dyadic> share_of(m);
   Dyadic value(node.factor);
-  Dyadic defects;
+  Dyadic defects = dead_error_ + Dyadic(std::abs(node.factor)) * reference_error_;
   for (const auto& [c, share] : node.shares) {
     const auto& cut = certificate.cuts[c];
     share_of[cut.column] = share_of[cut.column] + Dyadic(share);
@@ -185,8 +247,9 @@ std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<b
 
 double towards(const mpq_class& value, double limit) {
   double number = value.get_d();
+  if (std::isinf(number)) number = std::copysign(std::numeric_limits<double>::max(), number);
   const auto beyond = [&] { return limit < 0 ? number > value : number < value; };
-  while (beyond()) number = std::nextafter(number, limit);
+  while (std::isfinite(number) && beyond()) number = std::nextafter(number, limit);
   return number;
 }
 

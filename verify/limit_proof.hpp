@@ -16,10 +16,19 @@
 
 namespace kusabi::verify {
 
+/// How far the numbers of a certificate may be from those of the truss that they are the roundings
+/// of. Empty lists: they are the truss's own.
+struct LimitErrors {
+  std::vector<Dyadic> columns;    ///< of B, by member: the sum over its entries
+  std::vector<Dyadic> dead;       ///< f_D, by displacement
+  std::vector<Dyadic> reference;  ///< f_R
+};
+
 class LimitProof {
  public:
   /// Begins with the bound of motions by elongations. The certificate must outlive this.
-  explicit LimitProof(const LimitCertificate& certificate);
+  /// @param errors what is shown is shown for every truss within them
+  explicit LimitProof(const LimitCertificate& certificate, LimitErrors errors = {});
 
   /// Whether a motion is bounded by the elongations it makes, which shows that the truss is no
   /// mechanism. If not, no lower end can be shown.
@@ -36,8 +45,12 @@ class LimitProof {
  private:
   void bound_motions();
   [[nodiscard]] Dyadic defect(const Sparse& forces, std::vector<Dyadic> load) const;
+  [[nodiscard]] Dyadic column_error(std::size_t member) const;
 
   const LimitCertificate& certificate_;
+  LimitErrors errors_;
+  Dyadic dead_error_;            // in all, |f_D|_1
+  Dyadic reference_error_;       // |f_R|_1
   std::vector<Dyadic> reach_;    // kappa: the largest |u_e| is at most the sum of kappa_i |b_i'u|
   std::vector<Dyadic> defects_;  // |rho_c|_1 of each cut
 };
@@ -46,7 +59,7 @@ class LimitProof {
 /// below one of them.
 std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificate);
 
-/// A double that is not above, and one that is not below.
+/// A double that is not above, and one that is not below; infinite if there is no other.
 double rounded_down(const mpq_class& value);
 double rounded_up(const mpq_class& value);
 

@@ -27,6 +27,7 @@ class Lines {
 
   [[nodiscard]] std::size_t number() const { return number_; }
   [[nodiscard]] bool done() const { return rest_.empty(); }
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }  ///< bytes after this line
   [[nodiscard]] std::string_view text() const { return line_; }
 
   /// The next word of the line, words being separated by one space; empty if there is none.

@@ -2,6 +2,7 @@
 #include "nodes/conic/interior_point.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace kusabi::conic {
@@ -26,10 +27,10 @@ constexpr double boundary_share = 0.99;
 // Shorter steps than this no longer change the bracket.
 constexpr double shortest_step = 1e-6;
 
-// Added to the diagonal of A W^2 A', relative to its size before cancellation (A has b in it): of
-// the order of its rounding. A candidate in contact whose normal and tangents are decoupled makes a
-// row of A vanish, and then u_n = 0 has no solution; the shift lets y run along that row, which
-// proves the node dead.
+// Added to the diagonal of A W^2 A', relative to the size of each row before cancellation (A has b
+// in it): of the order of its rounding. A candidate in contact whose normal and tangents are
+// decoupled makes a row of A vanish, and then u_n = 0 has no solution; the shift lets y run along
+// that row, which proves the node dead.
 constexpr double diagonal_shift = 1e-15;
 
 // A rounding-level step may put the new z on the wrong side of the boundary; halving this often
@@ -161,11 +162,15 @@ bool InteriorPoint<D>::factorise(const NodeProgram<D>& program) {
   Columns scaled = program.matrix();
   scaled.data = scaled_matrix_.data();
   normal_equations_.assemble(scaled);
-  double largest = widest * widest * program.right_side().cwiseAbs2().maxCoeff();
-  for (int i = 0; i < m; ++i) largest = std::max(largest, normal_equations_.diagonal(i));
-  for (int i = 0; i < m; ++i)
-    normal_equations_.add_to_diagonal(i,
-                                      diagonal_shift * largest + slack_scale_[i] * slack_scale_[i]);
+  // By row: rows of stiff candidates are small, and the rounding of others is no measure for them.
+  for (int i = 0; i < m; ++i) {
+    const double b = program.right_side()[i];
+    const double size = normal_equations_.diagonal(i) + widest * widest * b * b;
+    normal_equations_.add_to_diagonal(i, diagonal_shift * size + slack_scale_[i] * slack_scale_[i]);
+  }
+  // A row that is ignored has no entries: like those that fill up the last four.
+  for (auto rest = program.ignored(); rest != 0; rest &= rest - 1)
+    normal_equations_.add_to_diagonal(std::countr_zero(rest), 1);
   return normal_equations_.factorise(predictor_.data(), correction_.data());
 }
 

@@ -36,8 +36,8 @@ class InteriorPoint {
 
   /// b'y, a lower bound of the optimal value: y is dual feasible.
   double dual_value(const NodeProgram<D>& program) const { return program.right_side().dot(y_); }
-  /// y, m numbers.
-  auto multipliers(const NodeProgram<D>& program) const { return y_.head(program.candidates()); }
+  /// y, m numbers, padded.
+  const Eigen::VectorXd& multipliers() const { return y_; }
 
   /// Scales at the present point and factorises the normal equations.
   /// @return false when rounding has used up the digits of M

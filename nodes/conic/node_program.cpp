@@ -2,9 +2,11 @@
 #include "nodes/conic/node_program.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,6 +24,17 @@ constexpr std::size_t most_candidates = 64;
 // comes with rounding, a forgotten row does not hide below this.
 constexpr double symmetry_tolerance = 1e-8;
 
+// Beyond these a cone is a needle or a half-space that no tolerance fits. Factors times
+// coefficients round, and polygons around the cones are wider, hence the room.
+constexpr double least_friction = 1e-6 * (1 - 1e-12);
+constexpr double most_friction = 1.5e6;
+
+std::string in_short(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 std::vector<int> one_each(std::size_t candidates) {
   std::vector<int> owners(candidates);
   std::iota(owners.begin(), owners.end(), 0);
@@ -30,9 +43,9 @@ std::vector<int> one_each(std::size_t candidates) {
 
 void check(std::span<const double> friction) {
   for (const double mu : friction)
-    if (!(mu > 0) || !std::isfinite(mu))
-      throw std::invalid_argument("friction coefficients must be positive, not " +
-                                  std::to_string(mu));
+    if (mu != 0 && !(mu >= least_friction && mu <= most_friction))
+      throw std::invalid_argument("a friction coefficient is " + in_short(mu) +
+                                  "; expected 0, or a number from 1e-6 to 1e6");
 }
 
 void check(const Eigen::MatrixXd& compliance, std::span<const double> friction,
@@ -74,13 +87,15 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
   check(compliance, friction, owners_, D);
   const int m = owners_.back() + 1;
   compliance_ = compliance;
-  normal_compliance_.setZero(padded(m), compliance.cols());
+  normal_compliance_.setZero(padded(m), padded(static_cast<int>(compliance.cols())));
   for (std::size_t k = 0; k < owners_.size(); ++k)
-    normal_compliance_.row(owners_[k]) = compliance.row(D * static_cast<Eigen::Index>(k));
+    normal_compliance_.row(owners_[k]).head(compliance.cols()) =
+        compliance.row(D * static_cast<Eigen::Index>(k));
   matrix_.setZero(padded(m), D * padded(most_cones()));
   right_side_.setZero(padded(m));
   slack_.setZero(padded(m));
   gap_.setZero(padded(m));
+  pull_.setZero(normal_compliance_.cols());
   cones_.reserve(friction.size());
   gap_rows_.reserve(static_cast<std::size_t>(m));
   contact_rows_.reserve(static_cast<std::size_t>(m));
@@ -95,25 +110,31 @@ void NodeProgram<D>::set_friction(std::span<const double> friction) {
 }
 
 template <int D>
-void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated) {
+void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated, std::uint64_t ignored) {
   const auto m = static_cast<std::size_t>(candidates());
   const std::uint64_t all = m == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << m) - 1;
   if ((contact & separated) != 0)
     throw std::invalid_argument("a candidate is both in contact and separated");
-  if (((contact | separated) & ~all) != 0)
+  if ((ignored & (contact | separated)) != 0)
+    throw std::invalid_argument("a candidate is ignored and has a sign");
+  if (((contact | separated | ignored) & ~all) != 0)
     throw std::invalid_argument("a sign pattern names a candidate that does not exist");
 
   cones_.clear();
   gap_rows_.clear();
   contact_rows_.clear();
+  contact_ = contact;
+  ignored_ = ignored;
   weight_ = 0;
   for (std::size_t k = 0; k < friction_.size(); ++k) {
-    if ((separated >> static_cast<unsigned>(owners_[k]) & 1) != 0) continue;
+    if (((separated | ignored) >> static_cast<unsigned>(owners_[k]) & 1) != 0) continue;
     cones_.push_back(static_cast<int>(k));
-    weight_ += 1 / friction_[k];
+    weight_ += level_weight(friction_[k]);
   }
-  for (std::size_t i = 0; i < m; ++i)
+  for (std::size_t i = 0; i < m; ++i) {
+    if ((ignored >> i & 1) != 0) continue;
     (contact >> i & 1 ? contact_rows_ : gap_rows_).push_back(static_cast<int>(i));
+  }
   if (cones_.empty()) return;  // no standard form: nothing can sum to one
 
   // Row i of the node program, with r_n = x_0 + t / mu and r_t = mu x_1, and t eliminated:
@@ -121,10 +142,12 @@ void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated) {
   //   t = (1 - sum x_0) / sigma.
   right_side_.setZero();
   for (const int k : cones_)
-    right_side_ += normal_compliance_.col(D * k) / friction_[static_cast<std::size_t>(k)];
+    right_side_ +=
+        level_weight(friction_[static_cast<std::size_t>(k)]) * normal_compliance_.col(D * k);
   slack_.setZero();
   for (const int j : gap_rows_) slack_[j] = 1;
   right_side_ = (right_side_ - slack_) / -weight_;
+  for (auto rest = ignored; rest != 0; rest &= rest - 1) right_side_[std::countr_zero(rest)] = 0;
   const Eigen::Index stride = padded(most_cones());
   Eigen::Index c = 0;
   for (const int k : cones_) {
@@ -134,6 +157,8 @@ void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated) {
           friction_[static_cast<std::size_t>(k)] * normal_compliance_.col(D * k + d);
     ++c;
   }
+  for (auto rest = ignored; rest != 0; rest &= rest - 1)
+    matrix_.row(std::countr_zero(rest)).setZero();
   const Eigen::Index absent = padded(static_cast<int>(c)) - c;
   for (Eigen::Index d = 0; d < D; ++d) matrix_.middleCols(d * stride + c, absent).setZero();
 }
@@ -146,7 +171,7 @@ void NodeProgram<D>::reaction(const Points<D>& x, Eigen::VectorXd& r) const {
   for (Eigen::Index c = 0; c < count; ++c) {
     const auto k = static_cast<std::size_t>(cones_[static_cast<std::size_t>(c)]);
     const auto at = D * static_cast<Eigen::Index>(k);
-    r[at] = x(c, 0) + t / friction_[k];
+    r[at] = x(c, 0) + t * level_weight(friction_[k]);
     for (Eigen::Index d = 1; d < D; ++d) r[at + d] = friction_[k] * x(c, d);
   }
 }
@@ -156,26 +181,35 @@ double NodeProgram<D>::friction_level(const Eigen::VectorXd& r) const {
   double t = std::numeric_limits<double>::infinity();
   for (const int k : cones_) {
     const auto part = r.template segment<D>(D * k);
-    t = std::min(
-        t, friction_[static_cast<std::size_t>(k)] * part[0] - part.template tail<D - 1>().norm());
+    const double mu = friction_[static_cast<std::size_t>(k)];
+    t = std::min(t, mu == 0 ? part[0] : mu * part[0] - part.template tail<D - 1>().norm());
   }
   return t;
 }
 
 template <int D>
-typename NodeProgram<D>::Evidence NodeProgram<D>::examine(const Eigen::VectorXd& r) {
-  double t = friction_level(r);
-  double sum = 0;
-  for (const int k : cones_) sum += r[D * k];
+const Eigen::VectorXd& NodeProgram<D>::normal_displacements(const Eigen::VectorXd& r) {
   const auto size = static_cast<int>(r.size());
   product({normal_compliance_.data(), static_cast<int>(gap_.size()), 1, size, size}, r.data(),
           gap_.data());
-  for (const int j : gap_rows_) {
-    t = std::min(t, gap_[j]);
-    gap_[j] = 0;
-  }
+  return gap_;
+}
+
+template <int D>
+const Eigen::VectorXd& NodeProgram<D>::discrepancy() {
+  for (const int j : gap_rows_) gap_[j] = 0;
+  for (auto rest = ignored_; rest != 0; rest &= rest - 1) gap_[std::countr_zero(rest)] = 0;
   gap_ = -gap_;
-  return {t, std::max(gap_.cwiseAbs().maxCoeff(), std::abs(sum - 1))};
+  return gap_;
+}
+
+template <int D>
+const Eigen::VectorXd& NodeProgram<D>::pull(const Eigen::VectorXd& y) {
+  const auto columns = static_cast<int>(pull_.size());
+  transposed_product(
+      {normal_compliance_.data(), static_cast<int>(gap_.size()), 1, columns, columns}, y.data(),
+      pull_.data());
+  return pull_;
 }
 
 template class NodeProgram<2>;

@@ -8,7 +8,8 @@
 //
 // with C the complement of R. The substitution x_i = (r_{n,i} - t / mu_i, r_{t,i} / mu_i) makes the
 // friction cone of a candidate the second-order cone itself, and the sum gives
-// t = (1 - sum_i x_i0) / sigma with sigma = sum_C 1 / mu_i. With a slack v_j for each gap row:
+// t = (1 - sum_i x_i0) / sigma with sigma = sum_C 1 / mu_i. Without friction r_t = 0, t <= r_{n,i}
+// and 1 stands in the place of 1 / mu_i. With a slack v_j for each gap row:
 //
 //   min c'x  s.t.  A x - v = b (v_j only for j not in U),  x_i in Q_d,  v >= 0,  c = e in each
 //   cone.
@@ -26,6 +27,7 @@
 
 #include <Eigen/Core>
 
+#include "nodes/conic/bounds.hpp"
 #include "nodes/conic/columns.hpp"
 
 namespace kusabi::conic {
@@ -42,7 +44,7 @@ class NodeProgram {
  public:
   /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and in it
   ///        (n, t1[, t2]); scaled so that reactions and displacements are comparable
-  /// @param friction mu, m numbers > 0; 1 <= m <= 64
+  /// @param friction mu, m numbers: 0, where r_t = 0, or 1e-6 to 1e6; 1 <= m <= 64
   /// @throws std::invalid_argument when the sizes disagree or a number is out of range
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction);
 
@@ -56,9 +58,10 @@ class NodeProgram {
   void set_friction(std::span<const double> friction);
 
   /// Builds the standard form of the node with the candidates of `contact` in U and those of
-  /// `separated` in R (bit i = candidate i).
+  /// `separated` in R (bit i = candidate i). The candidates of `ignored` have neither a reaction
+  /// nor a row: r = 0, and u_n is free.
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
-  void select(std::uint64_t contact, std::uint64_t separated);
+  void select(std::uint64_t contact, std::uint64_t separated, std::uint64_t ignored = 0);
 
   int candidates() const { return owners_.back() + 1; }
   /// Those of all candidates: m unless a candidate has several.
@@ -71,6 +74,15 @@ class NodeProgram {
   const std::vector<int>& gap_rows() const { return gap_rows_; }
   /// U, the rows without a slack.
   const std::vector<int>& contact_rows() const { return contact_rows_; }
+  /// All of these.
+  NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
+  /// The candidates without a row, as a bit set.
+  std::uint64_t ignored() const { return ignored_; }
+
+  /// By cone.
+  const std::vector<double>& friction() const { return friction_; }
+  const std::vector<int>& owners() const { return owners_; }
+  const Eigen::MatrixXd& compliance() const { return compliance_; }
 
   /// The cone columns of A, m x D|C|, rows and cones padded with zeros.
   Columns matrix() const {
@@ -92,15 +104,14 @@ class NodeProgram {
   /// The largest t the friction cones allow a reaction: min over C of mu_i r_{n,i} - ||r_{t,i}||.
   double friction_level(const Eigen::VectorXd& r) const;
 
-  /// What a reaction proves, from the data of the node program itself.
-  struct Evidence {
-    double level;     ///< the largest t the inequalities allow it
-    double residual;  ///< largest error of its equations: u_n = 0 on U and the sum
-  };
-  Evidence examine(const Eigen::VectorXd& r);
-  /// What (F r)_n of the reaction examined last must change by: m numbers padded with zeros, zero
-  /// outside U.
-  const Eigen::VectorXd& discrepancy() const { return gap_; }
+  /// u_n = F_n r of a reaction: m numbers, padded; valid until the next call.
+  const Eigen::VectorXd& normal_displacements(const Eigen::VectorXd& r);
+  /// What u_n of the reaction asked for last must change by: m numbers padded with zeros, zero
+  /// outside U. Overwrites u_n.
+  const Eigen::VectorXd& discrepancy();
+
+  /// w = sum_i y_i (row (n, i) of F): Dm numbers, valid until the next call.
+  const Eigen::VectorXd& pull(const Eigen::VectorXd& y);
 
   /// u = F r, Dm.
   void displacement(const Eigen::VectorXd& r, Eigen::VectorXd& u) const {
@@ -109,15 +120,17 @@ class NodeProgram {
 
  private:
   Eigen::MatrixXd compliance_;         // F
-  Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, m x Dm, rows padded with zeros
+  Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, m x Dm, both padded with zeros
   std::vector<double> friction_;       // by cone, like the next
   std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;
   Eigen::MatrixXd matrix_;      // A, room for all cones
   Eigen::VectorXd right_side_;  // b
   Eigen::VectorXd slack_;
-  Eigen::VectorXd gap_;  // normal displacements, then the discrepancy
-  double weight_ = 0;    // sigma
+  Eigen::VectorXd gap_;   // normal displacements, then the discrepancy
+  Eigen::VectorXd pull_;  // w
+  std::uint64_t contact_ = 0, ignored_ = 0;
+  double weight_ = 0;  // sigma
 };
 
 extern template class NodeProgram<2>;

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "numbers/precise.hpp"
+
 // Functions with this mark are compiled for AVX2 too and chosen when the program starts; what they
 // call has to be inlined into them. AVX2 by itself has no fused multiply-add.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
@@ -74,6 +76,15 @@ KUSABI_INLINE void store(double* to, const Pack& pack) {
 
 KUSABI_INLINE double root(double value) {
   return std::sqrt(value);
+}
+
+KUSABI_INLINE long double root(long double value) {
+  return std::sqrt(value);
+}
+
+/// Of a negative number not a number, like the others; QD itself would write to standard error.
+inline numbers::Precise root(const numbers::Precise& value) {
+  return value.is_negative() ? numbers::Precise(dd_real::_nan) : sqrt(value);
 }
 
 KUSABI_INLINE Pack root(const Pack& pack) {

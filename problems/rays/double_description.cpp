@@ -78,8 +78,9 @@ DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active
   for (Candidates rest = active; rest != 0; rest &= rest - 1) {
     const int k = std::countr_zero(rest);
     columns_.push_back(2 * k);
-    columns_.push_back(2 * k + 1);
     zeros_.push_back({cone.all() & ~bit(k), cone.all(), 0});
+    if (cone.slips(k)) continue;
+    columns_.push_back(2 * k + 1);
     zeros_.push_back({cone.all(), cone.all() & ~bit(k), 0});
   }
   gaps_ = cone.gaps()(Eigen::all, columns_).cast<double>();

@@ -18,8 +18,13 @@ ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const doub
   gaps_.resize(m, 2 * m);
   for (Eigen::Index k = 0; k < m; ++k) {
     const double mu = friction_[static_cast<std::size_t>(k)];
-    if (!(mu > 0) || !std::isfinite(mu)) {
-      throw std::invalid_argument("friction coefficients are positive numbers");
+    if (!(mu >= 0) || !std::isfinite(mu)) {
+      throw std::invalid_argument("friction coefficients are not negative");
+    }
+    if (mu == 0) {
+      gaps_.col(2 * k) = compliance(Eigen::seqN(0, m, 2), 2 * k);
+      gaps_.col(2 * k + 1).setZero();
+      continue;
     }
     for (Eigen::Index i = 0; i < m; ++i) {
       const long double by_normal = compliance(2 * i, 2 * k) / (2 * mu);
@@ -85,8 +90,9 @@ Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
   PreciseVector reaction(2 * m);
   long double normal_sum = 0;
   for (int i = 0; i < m; ++i) {
-    reaction(2 * i) = (x(2 * i) + x(2 * i + 1)) / (2 * friction_[static_cast<std::size_t>(i)]);
-    reaction(2 * i + 1) = (x(2 * i + 1) - x(2 * i)) / 2;
+    const double mu = friction_[static_cast<std::size_t>(i)];
+    reaction(2 * i) = mu == 0 ? x(2 * i) : (x(2 * i) + x(2 * i + 1)) / (2 * mu);
+    reaction(2 * i + 1) = mu == 0 ? 0 : (x(2 * i + 1) - x(2 * i)) / 2;
     normal_sum += reaction(2 * i);
   }
   reaction /= normal_sum;

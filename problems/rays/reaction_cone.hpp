@@ -5,7 +5,8 @@
 //   A_{i, p_k} = F_{n_i n_k} / (2 mu_k) - F_{n_i t_k} / 2,
 //   A_{i, q_k} = F_{n_i n_k} / (2 mu_k) + F_{n_i t_k} / 2,
 //
-// and C_r = {x >= 0, A x >= 0}. It needs Eigen only, like nodes/conic.
+// and C_r = {x >= 0, A x >= 0}. Without friction there is one generator instead of two: p_k is then
+// r_nk itself, and q_k is zero. It needs Eigen only, like nodes/conic.
 #pragma once
 
 #include <span>
@@ -32,12 +33,14 @@ class ReactionCone {
  public:
   /// @param compliance F, 2m x 2m, symmetric positive definite, ordered by candidate and in it (n,
   /// t)
-  /// @param friction mu, m numbers > 0, 1 <= m <= 64
+  /// @param friction mu, m numbers >= 0, 1 <= m <= 64
   /// @throws std::invalid_argument if the sizes disagree or a number is out of range
   ReactionCone(const PreciseMatrix& compliance, std::span<const double> friction);
 
   int candidates() const { return static_cast<int>(friction_.size()); }
   Candidates all() const { return first_candidates(candidates()); }
+
+  bool slips(int candidate) const { return friction_[static_cast<std::size_t>(candidate)] == 0; }
 
   /// A, m x 2m; column 2 k is p_k, column 2 k + 1 is q_k.
   const PreciseMatrix& gaps() const { return gaps_; }

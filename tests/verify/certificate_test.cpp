@@ -68,7 +68,7 @@ TEST(Certificate, EveryAlteredByteIsNoticed) {
     altered[generator() % text.size()] ^= static_cast<char>(1 + generator() % 255);
     EXPECT_THAT(complaint(altered), testing::AnyOf(HasSubstr("cert: was altered: digest '"),
                                                    HasSubstr("cert: is not complete"),
-                                                   HasSubstr("expected 'kusabi certificate 1'")));
+                                                   HasSubstr("expected 'kusabi certificate 2'")));
   }
 }
 
@@ -91,14 +91,19 @@ struct Wrong {
 TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
   const auto text = small().text();
   const Wrong table[] = {
-      {"kusabi certificate 1", "kusabi certificate 2", "cert:1: 'kusabi certificate 2', expected"},
+      {"kusabi certificate 1", "kusabi certificate 3", "cert:1: 'kusabi certificate 3', expected"},
+      {"kusabi certificate 1", "kusabi certificate 2", "expected 'blocks' and how many there are"},
       {"dimension 2", "dimension 4", "cert:2: 'dimension 4', expected 'dimension 2' or"},
       {"dimension 2", "dimension", "cert:2: 'dimension', expected"},
       {"candidates 4", "candidates 0", "cert:3: 'candidates 0', expected"},
       {"candidates 4", "candidates 65", "cert:3: 'candidates 65', expected"},
       {"candidates 4", "candidates 5", "cert:8: 'friction 0x1p+2"},
       {"candidates 4", "candidates 3", "cert:7: 'name c3', expected 'friction'"},
-      {"friction 0x1p+2", "friction -0x1p+1", "expected friction coefficients above 0"},
+      {"friction 0x1p+2", "friction -0x1p+1",
+       "expected friction coefficients that are not negative"},
+      {"name c1", "name ", "cert:5: 'name ', expected a name that is not empty"},
+      {"name c1", "name", "cert:5: 'name', expected a name that is not empty"},
+      {"name c3", "name c1", "cert:7: 'name c1', expected a name that line 5 has not"},
       {"friction 0x1p+2", "friction 2", "expected 4 friction coefficients, each like 0x1.8p+3"},
       {"friction 0x1p+2", "friction 0xinf", "expected 4 friction coefficients"},
       {"friction 0x1p+2", "friction 0x1p+9999", "expected 4 friction coefficients"},
@@ -127,11 +132,84 @@ TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
     EXPECT_THAT(complained, HasSubstr(said)) << with;
     EXPECT_EQ(complained.find('\n'), std::string::npos);
   }
-  EXPECT_EQ(complaint(""), "cert:1: the file ends here, expected 'kusabi certificate 1'");
-  EXPECT_EQ(complaint("name = 1\n"), "cert:1: 'name = 1', expected 'kusabi certificate 1'");
+  EXPECT_EQ(complaint(""), "cert:1: the file ends here, expected 'kusabi certificate 2'");
+  EXPECT_EQ(complaint("name = 1\n"), "cert:1: 'name = 1', expected 'kusabi certificate 2'");
   EXPECT_THAT(complaint("kusabi certificate 1\n"), HasSubstr("cert: is not complete"));
   EXPECT_THAT(complaint(text + "\n"), HasSubstr("cert: is not complete"));
   EXPECT_THAT(complaint(sealed("")), HasSubstr("cert"));
+}
+
+// Two pieces of a structure, each with dead nodes and living ones.
+const Draft& pieces() {
+  static const Draft draft =
+      in_blocks(searched(random_problem(2, 3, 5), 4.0), searched(random_problem(2, 2, 7), 4.0));
+  return draft;
+}
+
+TEST(CertificateInBlocks, IsReadAsItWasWritten) {
+  const auto certificate = read_certificate(pieces().text(), "cert");
+  EXPECT_EQ(certificate.blocks, (std::vector<std::uint64_t>{0b00111, 0b11000}));
+  EXPECT_EQ(certificate.names, (std::vector<std::string>{"a-c0", "a-c1", "a-c2", "b-c0", "b-c1"}));
+  EXPECT_EQ(certificate.records.size(), pieces().nodes.size());
+  for (const auto& record : certificate.records) {
+    const auto known = record.contact | record.separated;
+    EXPECT_EQ(known & ~certificate.blocks[record.block], 0U);
+    if (record.claim == Claim::dead) {
+      EXPECT_EQ(record.numbers.size(), record.block == 0 ? 3U : 2U);
+    }
+  }
+  EXPECT_EQ(certificate.stiffness[10 * 7 + 2], 0);
+}
+
+TEST(CertificateInBlocks, SaysWhatIsWrongAndWhatWasExpected) {
+  const auto text = pieces().text();
+  const Wrong table[] = {
+      {"blocks 2", "blocks 0", "cert:10: 'blocks 0', expected 'blocks' and how many"},
+      {"blocks 2", "blocks 6", "cert:10: 'blocks 6', expected 'blocks' and how many"},
+      {"blocks 2", "blocks 1", "expected all contact candidates in the blocks, but {b-c0 b-c1}"},
+      {"block 7", "block 0", "cert:11: 'block 0', expected contact candidates that no other"},
+      {"block 18", "block 1c", "cert:12: 'block 1c', expected contact candidates that no other"},
+      {"block 18", "block 38", "cert:12: 'block 38', expected contact candidates that no other"},
+      {"block 18", "block 8", "expected all contact candidates in the blocks, but {b-c1} are"},
+      {"block 7", "block 18", "cert:11: 'block 18', expected the block of a-c0, the first"},
+      {"0x0p+0", "0x1p-900", "expected 0x0p+0 as entry 1, which couples two blocks"},
+      {"nodes\n", "nodes\ndead 0 1 2 0x0p+0\n", "expected the number of a block, from 1 to 2"},
+      {"nodes\n", "nodes\ndead 3 1 2 0x0p+0\n", "expected the number of a block, from 1 to 2"},
+      {"nodes\n", "nodes\ndead 1 1 8 0x0p+0\n", "expected two disjoint sets of candidates of the"},
+      {"nodes\n", "nodes\ndead 2 8 10 0x0p+0\n", "expected 2 multipliers"},
+      {"nodes\n", "nodes\nalive 2 8 0 0x0p+0\n", "expected a leaf"},
+      {"nodes\n", "nodes\nmarginal 1 3\n", "expected two disjoint sets"},
+      {"nodes\n", "nodes\nmarginal 1 3 0\n",
+       "the number of nodes above"},  // no leaf, and none needed
+  };
+  for (const auto& [what, with, said] : table) {
+    auto wrong = text;
+    wrong.replace(wrong.find(what), std::string(what).size(), with);
+    EXPECT_THAT(complaint(sealed(wrong)), HasSubstr(said)) << with;
+  }
+}
+
+TEST(CertificateInBlocks, IsProvedBlockByBlock) {
+  const auto said = verdict(pieces().text());
+  EXPECT_TRUE(said.proved()) << said.refusals.front();
+  const auto first = verdict(searched(random_problem(2, 3, 5), 4.0).text());
+  const auto second = verdict(searched(random_problem(2, 2, 7), 4.0).text());
+  auto expected = first.alive;
+  for (const auto contact : second.alive) expected.insert(contact << 3U);
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(said.alive, expected);
+  EXPECT_EQ(said.dead, first.dead + second.dead);
+}
+
+TEST(CertificateInBlocks, EachBlockMustBeCovered) {
+  for (std::size_t which = 0; which < pieces().nodes.size(); ++which) {
+    auto draft = pieces();
+    const bool first = draft.nodes[which].find(" 1 ") == draft.nodes[which].find(' ');
+    draft.nodes.erase(draft.nodes.begin() + static_cast<std::ptrdiff_t>(which));
+    EXPECT_THAT(verdict(draft.text()).refusals,
+                testing::Contains(
+                    HasSubstr(first ? "block 1: no node covers" : "block 2: no node covers")));
+  }
 }
 
 // Whatever the file says, there is one line or a verdict; and a list that is proved is the right
@@ -171,14 +249,35 @@ TEST(Certificate, NoChangeOfTheNodesProvesAnotherList) {
 }
 
 TEST(Certificate, NoChangeAnywhereDoesHarm) {
-  const auto text = small().text();
   std::mt19937_64 generator(3);
+  const std::string texts[] = {small().text(), pieces().text()};
+  // Numbers from the ends of what a double is, and beyond.
+  const std::string extremes[] = {"0x1p-1060",
+                                  "0x0.0000000000001p-1022",
+                                  "-0x1p-1074",
+                                  "0x1.fffffffffffffp+1023",
+                                  "0x1p+99999999999",
+                                  "0x1p-99999999999",
+                                  "-0x0p+0",
+                                  "0x1p+1000",
+                                  "0x1p-1000",
+                                  "0xnan",
+                                  "0xinf",
+                                  "0x" + std::string(400, 'f') + "p+0",
+                                  "18446744073709551616"};
   const std::string likely = "0123456789abcdef-+xp \n";
   for (int trial = 0; trial < 20000; ++trial) {
-    auto altered = text;
+    auto altered = texts[trial % 2];
     for (auto changes = 1 + generator() % 5; changes > 0; --changes) {
       const auto place = generator() % altered.size();
-      switch (generator() % 4) {
+      switch (generator() % 5) {
+        case 4: {
+          const auto start = altered.find(' ', place);
+          if (start == std::string::npos) break;
+          const auto end = altered.find_first_of(" \n", start + 1);
+          altered.replace(start + 1, end - start - 1, extremes[generator() % std::size(extremes)]);
+          break;
+        }
         case 0:
           altered.erase(place, generator() % 20);
           break;

@@ -21,6 +21,7 @@ Certificate of(std::size_t candidates) {
   for (std::size_t i = 0; i < candidates; ++i) {
     certificate.names.push_back(std::string(1, static_cast<char>('a' + i)));
   }
+  certificate.blocks = {certificate.all_candidates()};
   return certificate;
 }
 

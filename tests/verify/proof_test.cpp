@@ -125,6 +125,71 @@ TEST(Proof, HoldsForBadlyScaledProblems) {
   EXPECT_GT(dead, 20U);
 }
 
+// One candidate, K = [2 1; 1 2]; without friction it cannot wedge.
+Draft frictionless() {
+  Draft draft;
+  draft.header = {"kusabi certificate 2\n",
+                  "dimension 2\n",
+                  "candidates 1\n",
+                  "name a\n",
+                  "friction 0x0p+0\n",
+                  "blocks 1\n",
+                  "block 1\n",
+                  "stiffness\n",
+                  "0x1p+1\n",
+                  "0x1p+0 0x1p+1\n",
+                  "nodes\n"};
+  // Contact: u_n = 0, and r_t = 2 u_t = 0 leaves r_n = u_t = 0. Multiplier -1 pulls: w = (-2, 1)/3.
+  draft.nodes = {"dead 1 1 0 -0x1p+0\n", "dead 1 0 1 0x0p+0\n"};
+  return draft;
+}
+
+TEST(Proof, FrictionMayBeZero) {
+  EXPECT_THAT(verdict(frictionless().text()).refusals, IsEmpty());
+  EXPECT_EQ(verdict(frictionless().text()).dead, 2U);
+  auto turned = frictionless();
+  turned.nodes[0] = "dead 1 1 0 0x1p+0\n";
+  EXPECT_THAT(verdict(turned.text()).refusals,
+              testing::ElementsAre(HasSubstr("do not rule out a reaction at a")));
+  auto slipping = frictionless();
+  slipping.nodes[0] = "alive 1 1 0 0x1p+0\n";
+  EXPECT_THAT(verdict(slipping.text()).refusals,
+              testing::ElementsAre(HasSubstr("a has no friction, but a tangential reaction")));
+  auto still = frictionless();
+  still.nodes[0] = "alive 1 1 0 0x0p+0\n";
+  EXPECT_THAT(verdict(still.text()).refusals,
+              testing::ElementsAre(HasSubstr("a is not pressed against the obstacle")));
+}
+
+// K = [2 1; 1 2], in contact r_t = 2 r_n: between 2 and its neighbours lies the critical friction.
+// With K known up to a radius only, what is too near to it is not proved.
+TEST(Proof, HoldsForEveryStiffnessWithinTheRadius) {
+  const auto refused = [](double mu, const std::string& claim, double radius) {
+    auto draft = frictionless();
+    draft.header[4] = fmt::format("friction {:a}\n", mu);
+    draft.nodes[0] = claim;
+    const auto certificate = read_certificate(draft.text(), "cert");
+    auto stiffness = recorded_stiffness(certificate);
+    stiffness.radius = Dyadic(radius);
+    const Proof proof(certificate, stiffness);
+    EXPECT_TRUE(proof.least_eigenvalue());
+    EXPECT_LE(proof.least_eigenvalue()->nearest(), 1 - radius);
+    return proof.refusal(certificate.records[0]).has_value();
+  };
+  const std::string alive = "alive 1 1 0 0x1p+1\n";
+  const std::string dead = "dead 1 1 0 -0x1p+0\n";
+  for (const double near : {1e-3, 1e-9}) {
+    EXPECT_FALSE(refused(2 + near, alive, 0));
+    EXPECT_FALSE(refused(2 + near, alive, near / 100));
+    EXPECT_TRUE(refused(2 + near, alive, near));
+    EXPECT_TRUE(refused(2 - near, alive, 0));
+    EXPECT_FALSE(refused(2 - near, dead, 0));
+    EXPECT_FALSE(refused(2 - near, dead, near / 100));
+    EXPECT_TRUE(refused(2 - near, dead, near));
+    EXPECT_TRUE(refused(2 + near, dead, 0));
+  }
+}
+
 TEST(Proof, SaysWhatIsMarginal) {
   // Far beyond any friction there is, double precision runs out.
   const auto said = verdict(searched(example("space-truss.toml"), 1e6).text());

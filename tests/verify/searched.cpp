@@ -1,13 +1,14 @@
 #include "searched.hpp"
 
-#include <sstream>
+#include <algorithm>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "nodes/sha1.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/structure_file.hpp"
-#include "run/certificate_file.hpp"
+#include "verify/agreement.hpp"
 #include "verify/certificate.hpp"
 #include "verify/cover.hpp"
 #include "verify/proof.hpp"
@@ -27,26 +28,128 @@ std::string Draft::text() const {
 }
 
 problems::WedgedProblem example(const std::string& name) {
-  return problems::wedged_problem(
-      problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name));
+  return problems::wedged_problem(example_structure(name));
 }
 
+problems::Structure example_structure(const std::string& name) {
+  return problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
+}
+
+namespace {
+
+template <class Numbers>
+std::string listed(const Numbers& numbers) {
+  std::string text;
+  for (const double number : numbers) text += fmt::format(" {:a}", number);
+  return text;
+}
+
+std::string node_line(const nodes::Evidence& evidence) {
+  using Kind = nodes::Evidence::Kind;
+  const auto* const kind = evidence.kind == Kind::dead    ? "dead"
+                           : evidence.kind == Kind::alive ? "alive"
+                                                          : "marginal";
+  return fmt::format("{} {:x} {:x}{}\n", kind, evidence.node.contact, evidence.node.separated,
+                     listed(evidence.numbers));
+}
+
+}  // namespace
+
 Draft searched(const problems::WedgedProblem& problem, double friction) {
-  const std::vector<double> everywhere(problem.contact_names.size(), friction);
+  const auto m = problem.contact_names.size();
+  const std::vector<double> everywhere(m, friction);
   Draft draft;
-  std::istringstream header(run::certificate_header(problem, everywhere));
-  for (std::string line; std::getline(header, line);) draft.header.push_back(line + "\n");
-  nodes::SignPatternTree tree(problem, everywhere);
-  tree.report_to(
-      [&](const auto& evidence) { draft.nodes.push_back(run::certificate_line(evidence)); });
+  draft.header = {"kusabi certificate 1\n", fmt::format("dimension {}\n", problem.dimension),
+                  fmt::format("candidates {}\n", m)};
+  for (const auto& name : problem.contact_names) {
+    draft.header.push_back(fmt::format("name {}\n", on_one_line(name)));
+  }
+  draft.header.push_back("friction" + listed(everywhere) + "\n");
+  draft.header.emplace_back("stiffness\n");
+  for (Eigen::Index i = 0; i < problem.stiffness.rows(); ++i) {
+    const Eigen::VectorXd row = problem.stiffness.row(i).head(i + 1);
+    draft.header.push_back(listed(row).substr(1) + "\n");
+  }
+  draft.header.emplace_back("nodes\n");
+  // Version 1 knows of no blocks.
+  auto whole = problem;
+  whole.blocks.clear();
+  nodes::SignPatternTree tree(whole, everywhere, {.thorough = true});
+  tree.report_to([&](const auto& evidence) { draft.nodes.push_back(node_line(evidence)); });
   engine::search(tree);
   return draft;
 }
 
+Draft in_blocks(const Draft& first, const Draft& second) {
+  const auto candidates = [](const Draft& draft) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        draft.header, [](const auto& line) { return line.starts_with("name"); }));
+  };
+  const auto after = [](const Draft& draft, const std::string& start) {
+    return std::ranges::find_if(draft.header,
+                                [&](const auto& line) { return line.starts_with(start); });
+  };
+  const auto m = candidates(first);
+  const auto n = candidates(second);
+  Draft both;
+  both.header = {"kusabi certificate 2\n", first.header[1], fmt::format("candidates {}\n", m + n)};
+  for (std::size_t i = 0; i < m; ++i)
+    both.header.push_back("name a-" + first.header[3 + i].substr(5));
+  for (std::size_t i = 0; i < n; ++i)
+    both.header.push_back("name b-" + second.header[3 + i].substr(5));
+  const auto one = *after(first, "friction");
+  both.header.push_back(one.substr(0, one.size() - 1) + after(second, "friction")->substr(8));
+  both.header.push_back(n == 0 ? "blocks 1\n" : "blocks 2\n");
+  const auto set = [](std::size_t count) { return ~std::uint64_t{0} >> (64 - count); };
+  both.header.push_back(fmt::format("block {:x}\n", set(m)));
+  if (n > 0) both.header.push_back(fmt::format("block {:x}\n", set(n) << m));
+  both.header.emplace_back("stiffness\n");
+  const auto nodes_line = std::string("nodes\n");
+  std::size_t rows = 0;
+  for (auto line = after(first, "stiffness") + 1; *line != nodes_line; ++line, ++rows) {
+    both.header.push_back(*line);
+  }
+  std::string zeros;
+  for (std::size_t i = 0; i < rows; ++i) zeros += "0x0p+0 ";
+  for (auto line = after(second, "stiffness") + 1; n > 0 && *line != nodes_line; ++line) {
+    both.header.push_back(zeros + *line);
+  }
+  both.header.push_back(nodes_line);
+  const auto add = [&](const Draft& draft, int block, std::size_t shift) {
+    for (const auto& line : draft.nodes) {
+      const auto sets = line.find(' ') + 1;
+      const auto second_set = line.find(' ', sets) + 1;
+      const auto rest = line.find_first_of(" \n", second_set);
+      const auto moved = [&](std::size_t from, std::size_t to) {
+        return std::stoull(line.substr(from, to - from), nullptr, 16) << shift;
+      };
+      both.nodes.push_back(fmt::format("{}{} {:x} {:x}{}", line.substr(0, sets), block,
+                                       moved(sets, second_set - 1), moved(second_set, rest),
+                                       line.substr(rest)));
+    }
+  };
+  add(first, 1, 0);
+  add(second, 2, m);
+  return both;
+}
+
 Verdict verdict(const std::string& text) {
+  return verdict(text, nullptr);
+}
+
+Verdict verdict(const std::string& text, const Structure* structure) {
   const auto certificate = read_certificate(text, "cert");
-  const Proof proof(certificate);
   Verdict result;
+  auto stiffness = recorded_stiffness(certificate);
+  if (structure != nullptr) {
+    auto found = agreement(certificate, *structure);
+    if (const auto* why = std::get_if<std::string>(&found)) {
+      result.refusals.push_back(*why);
+      return result;
+    }
+    stiffness = std::get<Agreement>(found).stiffness;
+  }
+  const Proof proof(certificate, stiffness);
   if (!proof.least_eigenvalue()) {
     result.refusals.emplace_back("K");
     return result;

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "problems/structure.hpp"
 #include "problems/wedged_problem.hpp"
+#include "verify/structure.hpp"
 
 namespace kusabi::verify {
 
@@ -25,8 +27,13 @@ std::string sealed(const std::string& text);
 /// A file of examples/.
 problems::WedgedProblem example(const std::string& name);
 
-/// What a search finds, on one rank.
+problems::Structure example_structure(const std::string& name);
+
+/// What a search finds, on one rank, as a certificate of version 1.
 Draft searched(const problems::WedgedProblem& problem, double friction);
+
+/// Two drafts of one dimension, as the two blocks of a certificate of version 2.
+Draft in_blocks(const Draft& first, const Draft& second);
 
 /// What is said of a certificate: refusals of nodes, of the cover, of K.
 struct Verdict {
@@ -40,5 +47,9 @@ struct Verdict {
 
 /// @throws CertificateError
 Verdict verdict(const std::string& text);
+
+/// The same with the K of a structure, unless it is null. A disagreement is the one refusal.
+/// @throws CertificateError
+Verdict verdict(const std::string& text, const Structure* structure);
 
 }  // namespace kusabi::verify

@@ -1,6 +1,7 @@
 // The standard form says the same as the node program, and bad input is refused.
 #include "nodes/conic/node_program.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -54,7 +55,10 @@ void expect_same_rows_and_levels() {
       EXPECT_NEAR(mu * (x(c, 0) - x.row(c).tail(D - 1).norm()),
                   mu * r[D * i] - r.segment(D * i + 1, D - 1).norm() - t, rounding);
     }
-    EXPECT_NEAR(program.examine(r).level, testing::level(problem, masks, r), rounding * m);
+    double level = program.friction_level(r);
+    for (const int j : program.gap_rows())
+      level = std::min(level, program.normal_displacements(r)[j]);
+    EXPECT_NEAR(level, testing::level(problem, masks, r), rounding * m);
   }
 }
 
@@ -65,17 +69,25 @@ TEST(NodeProgram, RowsAreTheNormalDisplacementsInSpace) {
   expect_same_rows_and_levels<3>();
 }
 
-TEST(NodeProgram, ResidualSeesBothKindsOfEquation) {
-  const Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
-  NodeProgram<2> program(compliance, std::vector<double>{1, 1});
-  program.select(0b01, 0);
-  Eigen::VectorXd r(4);
-  r << 0, 0.5, 1, 0;
-  EXPECT_EQ(program.examine(r).residual, 0);
-  r << 0.25, 0, 0.75, 0;  // u_n = 0.25 on U
-  EXPECT_EQ(program.examine(r).residual, 0.25);
-  r << 0, 0, 0.5, 0;  // sum 1/2
-  EXPECT_EQ(program.examine(r).residual, 0.5);
+TEST(NodeProgram, DiscrepancyIsWhatContactsMustLoseOfTheirGap) {
+  const Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(6, 6);
+  NodeProgram<2> program(compliance, std::vector<double>{1, 1, 1});
+  program.select(0b001, 0, 0b100);
+  Eigen::VectorXd r(6);
+  r << 0.25, 0, 0.75, 0, 0, 0;
+  EXPECT_EQ(program.normal_displacements(r).head(3), Eigen::Vector3d(0.25, 0.75, 0));
+  EXPECT_EQ(program.discrepancy().head(3), Eigen::Vector3d(-0.25, 0, 0));
+}
+
+TEST(NodeProgram, PullIsWhatNormalForcesDisplace) {
+  std::mt19937_64 generator(7);
+  const ContactProblem problem = testing::random_problem(3, 5, 0.1, 3, generator);
+  NodeProgram<3> program(problem.compliance, problem.friction);
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(8);
+  y.head(5).setRandom();
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(15);
+  for (int i = 0; i < 5; ++i) forces[3 * i] = y[i];
+  EXPECT_LE((program.pull(y).head(15) - problem.compliance * forces).norm(), rounding);
 }
 
 TEST(NodeProgram, RefusesDataThatCannotBeMeant) {
@@ -84,7 +96,10 @@ TEST(NodeProgram, RefusesDataThatCannotBeMeant) {
   EXPECT_NO_THROW(NodeProgram<2>(good, Frictions({1, 1})));
   EXPECT_THROW(NodeProgram<2>(good, Frictions({1})), std::invalid_argument);
   EXPECT_THROW(NodeProgram<3>(good, Frictions({1, 1})), std::invalid_argument);
-  EXPECT_THROW(NodeProgram<2>(good, Frictions({1, 0})), std::invalid_argument);
+  EXPECT_NO_THROW(NodeProgram<2>(good, Frictions({1, 0})));
+  EXPECT_THROW(NodeProgram<2>(good, Frictions({1, -1})), std::invalid_argument);
+  EXPECT_THROW(NodeProgram<2>(good, Frictions({1, 1e-7})), std::invalid_argument);
+  EXPECT_THROW(NodeProgram<2>(good, Frictions({1, 1e7})), std::invalid_argument);
   EXPECT_THROW(NodeProgram<2>(good, Frictions({1, std::nan("")})), std::invalid_argument);
   EXPECT_THROW(NodeProgram<2>(Eigen::MatrixXd(0, 0), Frictions()), std::invalid_argument);
   EXPECT_THROW(NodeProgram<2>(Eigen::MatrixXd::Identity(130, 130), Frictions(65, 1.0)),
@@ -101,6 +116,8 @@ TEST(NodeProgram, RefusesSetsThatCannotBeMeant) {
   NodeProgram<2> program(Eigen::MatrixXd::Identity(4, 4), std::vector<double>{1, 1});
   EXPECT_THROW(program.select(0b01, 0b01), std::invalid_argument);
   EXPECT_THROW(program.select(0b100, 0), std::invalid_argument);
+  EXPECT_THROW(program.select(0b01, 0, 0b01), std::invalid_argument);
+  EXPECT_THROW(program.select(0, 0, 0b100), std::invalid_argument);
   EXPECT_THROW(program.select(0, std::uint64_t{1} << 63), std::invalid_argument);
 }
 

@@ -1,0 +1,494 @@
+// The interior-point iteration of interior_point.cpp in plain words; see there for the reasons of
+// its constants.
+#include "nodes/conic/plain_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+namespace kusabi::conic {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr double start_share = 0.5;
+constexpr double start_point = 1;
+constexpr double start_slack = 0.5;
+constexpr double boundary_share = 0.99;
+constexpr double shortest_step = 1e-6;
+constexpr int most_halvings = 8;
+constexpr int most_projections = 3;
+
+// More digits take more iterations.
+constexpr int most_iterations = 150;
+
+std::vector<int> one_each(std::size_t count) {
+  std::vector<int> owners(count);
+  for (std::size_t i = 0; i < count; ++i) owners[i] = static_cast<int>(i);
+  return owners;
+}
+
+}  // namespace
+
+template <int D, class Real>
+PlainSolver<D, Real>::PlainSolver(Matrix compliance, std::span<const double> friction,
+                                  Tolerances tolerances, double error)
+    : compliance_(std::move(compliance)),
+      friction_(friction.begin(), friction.end()),
+      tolerances_(tolerances),
+      bounds_(compliance_, error, one_each(friction.size())),
+      reaction_(Vector::Zero(compliance_.rows())),
+      multipliers_(Vector::Zero(compliance_.rows() / D)) {
+  normal_compliance_.resize(compliance_.rows() / D, compliance_.cols());
+  for (Eigen::Index i = 0; i < normal_compliance_.rows(); ++i)
+    normal_compliance_.row(i) = compliance_.row(D * i);
+}
+
+template <int D, class Real>
+void PlainSolver<D, Real>::select(std::uint64_t contact, std::uint64_t separated,
+                                  std::uint64_t ignored) {
+  contact_ = contact;
+  cones_.clear();
+  gap_rows_.clear();
+  contact_rows_.clear();
+  rows_.clear();
+  slack_.clear();
+  weight_ = Real(0);
+  for (std::size_t i = 0; i < friction_.size(); ++i) {
+    if ((ignored >> i & 1) != 0) continue;
+    const bool touches = (contact >> i & 1) != 0;
+    (touches ? contact_rows_ : gap_rows_).push_back(static_cast<int>(i));
+    rows_.push_back(static_cast<int>(i));
+    slack_.push_back(!touches);
+    if ((separated >> i & 1) != 0) continue;
+    cones_.push_back(static_cast<int>(i));
+    weight_ += friction_[i] == 0 ? Real(1) : Real(1) / Real(friction_[i]);
+  }
+  const auto rows = static_cast<Eigen::Index>(rows_.size());
+  right_side_ = Vector::Zero(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const int row = rows_[static_cast<std::size_t>(i)];
+    for (const int k : cones_) {
+      const double mu = friction_[static_cast<std::size_t>(k)];
+      const Real entry = normal_compliance_(row, D * k);
+      right_side_[i] += mu == 0 ? entry : Real(entry / Real(mu));
+    }
+    if (slack_[static_cast<std::size_t>(i)]) right_side_[i] -= Real(1);
+    right_side_[i] /= -weight_;
+  }
+  columns_.resize(cones_.size());
+  for (std::size_t c = 0; c < cones_.size(); ++c) {
+    const int k = cones_[c];
+    columns_[c].resize(rows, D);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const int row = rows_[static_cast<std::size_t>(i)];
+      columns_[c](i, 0) = normal_compliance_(row, D * k) + right_side_[i];
+      for (int d = 1; d < D; ++d)
+        columns_[c](i, d) =
+            Real(friction_[static_cast<std::size_t>(k)]) * normal_compliance_(row, D * k + d);
+    }
+  }
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::transposed(std::size_t cone, const Vector& y) const -> Cone {
+  Cone product;
+  for (int d = 0; d < D; ++d) product[static_cast<std::size_t>(d)] = columns_[cone].col(d).dot(y);
+  return product;
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::products(const std::vector<Cone>& points) const -> Vector {
+  Vector sum = Vector::Zero(right_side_.size());
+  for (std::size_t c = 0; c < points.size(); ++c)
+    for (int d = 0; d < D; ++d) sum += columns_[c].col(d) * points[c][static_cast<std::size_t>(d)];
+  return sum;
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::reaction_of(const std::vector<Cone>& x) const -> Vector {
+  Vector r = Vector::Zero(compliance_.rows());
+  Real sum = 0;
+  for (const Cone& point : x) sum += point[0];
+  const Real t = level(sum);
+  for (std::size_t c = 0; c < cones_.size(); ++c) {
+    const int k = cones_[c];
+    const double mu = friction_[static_cast<std::size_t>(k)];
+    r[D * k] = x[c][0] + (mu == 0 ? t : Real(t / Real(mu)));
+    for (int d = 1; d < D; ++d) r[D * k + d] = Real(mu) * x[c][static_cast<std::size_t>(d)];
+  }
+  return r;
+}
+
+template <int D, class Real>
+bool PlainSolver<D, Real>::refresh_dual(const Vector& y) {
+  bool inside = true;
+  for (std::size_t c = 0; c < cones_.size(); ++c) {
+    const Cone product = transposed(c, y);
+    z_[c][0] = Real(1) - product[0];
+    for (std::size_t d = 1; d < D; ++d) z_[c][d] = -product[d];
+    inside = inside && margin(z_[c]) > Real(0);
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    inside = inside && (!slack_[i] || y[static_cast<Eigen::Index>(i)] > Real(0));
+  return inside;
+}
+
+template <int D, class Real>
+void PlainSolver<D, Real>::start() {
+  const auto rows = static_cast<Eigen::Index>(rows_.size());
+  const auto count = static_cast<double>(cones_.size());
+  y_ = Vector::Zero(rows);
+  v_ = Vector::Zero(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    if (!slack_[static_cast<std::size_t>(i)]) continue;
+    y_[i] = Real(1);
+    v_[i] = Real(start_slack / count);
+  }
+  double size = 1;
+  for (std::size_t c = 0; c < cones_.size(); ++c) {
+    const Cone push = transposed(c, y_);
+    const double outward = numbers::rounded(Real(push[0] + radius(push)));
+    if (outward * size > start_share) size = start_share / outward;
+  }
+  y_ *= Real(size);
+  Cone centre;
+  centre.fill(Real(0));
+  centre[0] = Real(start_point / count);
+  x_.assign(cones_.size(), centre);
+  z_.assign(cones_.size(), centre);
+  scaling_.resize(cones_.size());
+  best_ = y_;
+  best_value_ = Real(infinity);
+  refresh_dual(y_);
+}
+
+template <int D, class Real>
+bool PlainSolver<D, Real>::factorise() {
+  const auto rows = static_cast<Eigen::Index>(rows_.size());
+  Matrix scaled(rows, D * static_cast<Eigen::Index>(cones_.size()));
+  Real widest = 0;
+  complementarity_ = Real(0);
+  for (std::size_t c = 0; c < cones_.size(); ++c) {
+    scaling_[c] = Scaling<D, Real>(x_[c], z_[c]);
+    const Cone lambda = scaling_[c].point();
+    complementarity_ += dot(lambda, lambda);
+    if (scaling_[c].entry(0, 0) > widest) widest = scaling_[c].entry(0, 0);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      Cone entries;
+      for (int d = 0; d < D; ++d) entries[static_cast<std::size_t>(d)] = columns_[c](i, d);
+      const Cone product = scaling_[c].times(entries);
+      for (int d = 0; d < D; ++d)
+        scaled(i, D * static_cast<Eigen::Index>(c) + d) = product[static_cast<std::size_t>(d)];
+    }
+  }
+  Matrix normal = scaled * scaled.transpose();
+  slack_scale_ = Vector::Zero(rows);
+  slack_point_ = Vector::Ones(rows);
+  const Real shift = Real(4 * numbers::unit_roundoff<Real>);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const Real b = right_side_[i];
+    normal(i, i) += shift * (normal(i, i) + widest * widest * b * b);
+    if (!slack_[static_cast<std::size_t>(i)]) continue;
+    slack_scale_[i] = root(Real(v_[i] / y_[i]));
+    slack_point_[i] = root(Real(v_[i] * y_[i]));
+    complementarity_ += v_[i] * y_[i];
+    normal(i, i) += v_[i] / y_[i];
+  }
+  const Eigen::LLT<Matrix> factor(normal);
+  if (factor.info() != Eigen::Success) return false;
+  factor_ = factor.matrixL();
+  missing_ = right_side_ + v_ - products(x_);
+  const auto solve = [&](Vector right) {
+    factor_.template triangularView<Eigen::Lower>().solveInPlace(right);
+    factor_.transpose().template triangularView<Eigen::Upper>().solveInPlace(right);
+    return right;
+  };
+  predictor_ = solve(right_side_);
+  correction_ = solve(missing_);
+  const Real check = predictor_.dot(right_side_) + correction_.dot(missing_);
+  return std::isfinite(numbers::rounded(check));
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::shifted(const std::vector<Cone>& x, const Vector& weights) const
+    -> std::vector<Cone> {
+  std::vector<Cone> result = x;
+  for (std::size_t c = 0; c < result.size(); ++c) {
+    const Cone shift = scaling_[c].times(scaling_[c].times(transposed(c, weights)));
+    for (std::size_t d = 0; d < D; ++d) result[c][d] += shift[d];
+  }
+  return result;
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::direction(const Vector& dy, const std::vector<Cone>& q,
+                                     const Vector& q_rows) const -> Step {
+  Step step{q, q, q_rows, Vector::Zero(dy.size()), Real(0), Real(0)};
+  const auto widen = [](Real& reach, const Real& candidate) {
+    if (candidate > reach) reach = candidate;
+  };
+  for (std::size_t c = 0; c < cones_.size(); ++c) {
+    const Cone lambda = scaling_[c].point();
+    step.z[c] = scaling_[c].times(transposed(c, dy));
+    for (std::size_t d = 0; d < D; ++d) {
+      step.z[c][d] = -step.z[c][d];
+      step.x[c][d] = q[c][d] - lambda[d] - step.z[c][d];
+    }
+    widen(step.reach_dual, scaling_[c].inverse_step(step.z[c]));
+    widen(step.reach_primal, scaling_[c].inverse_step(step.x[c]));
+  }
+  for (Eigen::Index i = 0; i < dy.size(); ++i) {
+    if (!slack_[static_cast<std::size_t>(i)]) continue;
+    step.y[i] = slack_scale_[i] * dy[i];
+    step.v[i] = q_rows[i] - slack_point_[i] - step.y[i];
+    widen(step.reach_dual, -step.y[i] / slack_point_[i]);
+    widen(step.reach_primal, -step.v[i] / slack_point_[i]);
+  }
+  return step;
+}
+
+template <int D, class Real>
+bool PlainSolver<D, Real>::advance() {
+  const auto rows = static_cast<Eigen::Index>(rows_.size());
+  Cone nothing;
+  nothing.fill(Real(0));
+  const Step predicted =
+      direction(predictor_, std::vector<Cone>(cones_.size(), nothing), Vector::Zero(rows));
+  Real most(1);
+  if (predicted.reach_dual > most) most = predicted.reach_dual;
+  if (predicted.reach_primal > most) most = predicted.reach_primal;
+  const Real reach = Real(1) / most;
+  const Real rest = Real(1) - reach;
+  const Real centring = rest * rest * rest;
+  const auto degree = static_cast<double>(cones_.size() + gap_rows_.size());
+  const Real target = centring * complementarity_ / Real(degree);
+
+  std::vector<Cone> q(cones_.size());
+  std::vector<Cone> scaled(cones_.size());
+  for (std::size_t c = 0; c < cones_.size(); ++c) {
+    Cone right_side = jordan_product(predicted.x[c], predicted.z[c]);
+    for (Real& component : right_side) component *= -reach;
+    right_side[0] += target;
+    q[c] = scaling_[c].jordan_divide(right_side);
+    scaled[c] = scaling_[c].times(q[c]);
+  }
+  Vector right = products(scaled);
+  Vector q_rows = Vector::Zero(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    if (!slack_[static_cast<std::size_t>(i)]) continue;
+    q_rows[i] = (target - reach * predicted.v[i] * predicted.y[i]) / slack_point_[i];
+    right[i] -= slack_scale_[i] * q_rows[i];
+  }
+  factor_.template triangularView<Eigen::Lower>().solveInPlace(right);
+  factor_.transpose().template triangularView<Eigen::Upper>().solveInPlace(right);
+  const Vector dy = predictor_ - right - centring * correction_;
+  const Step corrected = direction(dy, q, q_rows);
+  const Real share(boundary_share);
+  const auto length = [&](const Real& edge) { return edge > share ? share / edge : Real(1); };
+  const Real primal = length(corrected.reach_primal);
+  Real dual = length(corrected.reach_dual);
+  if (!(std::max(numbers::rounded(primal), numbers::rounded(dual)) > shortest_step)) return false;
+
+  bool inside = true;
+  for (std::size_t c = 0; c < cones_.size(); ++c) {
+    const Cone change = scaling_[c].times(corrected.x[c]);
+    for (std::size_t d = 0; d < D; ++d) x_[c][d] += primal * change[d];
+    inside = inside && margin(x_[c]) > Real(0);
+  }
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    if (!slack_[static_cast<std::size_t>(i)]) continue;
+    v_[i] += primal * slack_scale_[i] * corrected.v[i];
+    inside = inside && v_[i] > Real(0);
+  }
+  if (!inside) return false;
+  for (int halving = 0; halving <= most_halvings; ++halving, dual *= Real(0.5)) {
+    const Vector trial = y_ + dual * dy;
+    if (!refresh_dual(trial)) continue;
+    y_ = trial;
+    return true;
+  }
+  return false;
+}
+
+template <int D, class Real>
+void PlainSolver<D, Real>::prove_upper(Answer& answer) {
+  const Real value = level(right_side_.dot(y_));
+  if (!(value < best_value_)) return;
+  best_value_ = value;
+  Vector y = Vector::Zero(normal_compliance_.rows());
+  for (std::size_t i = 0; i < rows_.size(); ++i) y[rows_[i]] = y_[static_cast<Eigen::Index>(i)];
+  const Vector pull = normal_compliance_.transpose() * y;
+  const double upper = bounds_.above(sets(), friction_, y, pull);
+  if (upper < answer.upper) {
+    answer.upper = upper;
+    multipliers_ = y;
+  }
+}
+
+template <int D, class Real>
+void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
+  std::vector<Cone> x = shifted(x_, correction_);
+  for (int projection = 1;; ++projection) {
+    const Vector r = reaction_of(x);
+    const Vector normal = normal_compliance_ * r;
+    const auto proof = bounds_.below(sets(), friction_, r, normal);
+    if (keep == Keep::latest || proof.level > answer.lower || !answer.has_point) {
+      reaction_ = r;
+      answer.primal_residual = proof.residual;
+    }
+    if (proof.level > answer.lower) {
+      answer.lower = proof.level;
+      answer.has_point = true;
+    }
+    if (projection == most_projections || proof.residual <= 4 * proof.noise) return;
+    Vector right = Vector::Zero(right_side_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (!slack_[i]) right[static_cast<Eigen::Index>(i)] = -normal[rows_[i]];
+    factor_.template triangularView<Eigen::Lower>().solveInPlace(right);
+    factor_.transpose().template triangularView<Eigen::Upper>().solveInPlace(right);
+    x = shifted(x, right);
+  }
+}
+
+template <int D, class Real>
+Answer PlainSolver<D, Real>::solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop,
+                                   std::uint64_t ignored) {
+  select(contact, separated, ignored);
+  start();
+  reaction_.setZero();
+  multipliers_.setZero();
+  Answer answer;
+  answer.lower = -infinity;
+  answer.upper = infinity;
+  for (;;) {
+    prove_upper(answer);
+    if (is_settled(answer, stop, tolerances_) || answer.iterations == most_iterations) break;
+    ++answer.iterations;
+    if (!factorise()) break;
+    prove_lower(answer, Keep::best);
+    if (is_settled(answer, stop, tolerances_) || !advance()) break;
+  }
+  answer.sign = sign_of(answer, tolerances_);
+  answer.gap = answer.upper - answer.lower;
+  return answer;
+}
+
+// sum_k R_k |r_k| over all components, R = sqrt(F_kk): times R_j it is what u_nj could be if
+// nothing cancelled, and what the rounding of directions and places in the file, carried into F, is
+// small beside. (F_jk itself is no measure: of a candidate that a rod alone holds it is that
+// rounding.)
+template <int D, class Real>
+double PlainSolver<D, Real>::reach() const {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < compliance_.rows(); ++i)
+    sum +=
+        std::sqrt(numbers::rounded(compliance_(i, i))) * std::abs(numbers::rounded(reaction_[i]));
+  return sum;
+}
+
+// r_n and u_n of all candidates relative to that, the first m numbers and the others. Zero for what
+// the node holds at zero.
+template <int D, class Real>
+void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
+  const auto m = normal_compliance_.rows();
+  sizes.assign(static_cast<std::size_t>(2 * m), 0.0);
+  const double whole = reach();
+  for (const int k : cones_) {
+    const double root = std::sqrt(numbers::rounded(normal_compliance_(k, D * k)));
+    sizes[static_cast<std::size_t>(k)] =
+        std::max(0.0, numbers::rounded(reaction_[D * k]) * root / whole);
+  }
+  for (const int j : gap_rows_) {
+    const double root = std::sqrt(numbers::rounded(normal_compliance_(j, D * j)));
+    const Real gap = normal_compliance_.row(j).dot(reaction_);
+    sizes[static_cast<std::size_t>(m + j)] = std::max(0.0, numbers::rounded(gap) / (root * whole));
+  }
+}
+
+template <int D, class Real>
+std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uint64_t contact,
+                                                                        std::uint64_t separated,
+                                                                        std::uint64_t ignored) {
+  // The sizes at two widths of the bracket. From one to the other what vanishes falls by the root
+  // of their ratio at least, and what does not stays. Relative sizes below the third number are the
+  // rounding of what the file says: a normal in sixteen digits that should be parallel to a bar.
+  // What vanishes is of the size of the root of the bracket at most, so what is far above stays,
+  // even if the point has wandered from one width to the other.
+  constexpr double early = 1e-11, late = 1e-20, least_late = 1e-15;
+  constexpr double rounding = 1e-13;
+  constexpr double stays = 0.1, falls = 0.01, certain = 1e-5;
+  select(contact, separated, ignored);
+  if (cones_.empty()) return std::nullopt;
+  start();
+  reaction_.setZero();
+  multipliers_.setZero();
+  Answer answer;
+  answer.lower = -infinity;
+  answer.upper = infinity;
+  std::vector<double> before, after;
+  for (;;) {
+    prove_upper(answer);
+    if (answer.iterations == most_iterations) break;
+    ++answer.iterations;
+    if (!factorise()) break;
+    prove_lower(answer, Keep::latest);
+    // The bracket of the iteration itself, without what rounding adds to the bounds.
+    const double width = numbers::rounded(Real(complementarity_ / weight_));
+    if (width <= least_late) take_sizes(after);
+    if (before.empty() && width <= early) take_sizes(before);
+    if (width <= late || !advance()) break;
+  }
+  if (after.empty() || !is_tie(answer, tolerances_)) return std::nullopt;
+  // Proved dead, and by more than the rounding of what the file says: X is empty.
+  if (answer.upper < 0 && violation() > 10 * rounding) return RelativeInterior{};
+  RelativeInterior result;
+  bool clear = true;
+  bool all = true;
+  const std::size_t m = friction_.size();
+  for (std::size_t i = 0; i < 2 * m; ++i) {
+    const std::uint64_t bit = std::uint64_t{1} << (i % m);
+    if (i < m ? ((separated | ignored) & bit) != 0 : ((contact | ignored) & bit) != 0) continue;
+    if (after[i] <= rounding) all = false;
+    if (after[i] <= rounding || (after[i] < certain && after[i] < falls * before[i])) continue;
+    if (after[i] < certain && after[i] < stays * before[i]) clear = false;
+    (i < m ? result.loaded : result.moved) |= bit;
+  }
+  if (clear) return result;
+  // Proved alive, though within the tolerance: nothing vanishes.
+  if (!(answer.lower > 0) || !all) return std::nullopt;
+  const std::uint64_t given = m == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << m) - 1;
+  return RelativeInterior{given & ~(separated | ignored), given & ~(contact | ignored)};
+}
+
+// By how much the reaction fails to be wedged, relative to the sizes of what is compared.
+template <int D, class Real>
+double PlainSolver<D, Real>::violation() const {
+  double most = 0;
+  const double whole = reach();
+  for (const int j : gap_rows_) {
+    const double root = std::sqrt(numbers::rounded(normal_compliance_(j, D * j)));
+    const Real gap = normal_compliance_.row(j).dot(reaction_);
+    most = std::max(most, -numbers::rounded(gap) / (root * whole));
+  }
+  for (const int k : cones_) {
+    const double mu = friction_[static_cast<std::size_t>(k)];
+    Real tangential = 0;
+    for (int d = 1; d < D; ++d) tangential += reaction_[D * k + d] * reaction_[D * k + d];
+    tangential = root(tangential);
+    const double outside = numbers::rounded(Real(tangential - Real(mu) * reaction_[D * k]));
+    const double root = std::sqrt(numbers::rounded(normal_compliance_(k, D * k)));
+    most = std::max(most, outside * root / (whole * std::max(mu, 1.0)));
+  }
+  return most;
+}
+
+template class PlainSolver<2, long double>;
+template class PlainSolver<3, long double>;
+template class PlainSolver<2, numbers::Precise>;
+template class PlainSolver<3, numbers::Precise>;
+
+}  // namespace kusabi::conic

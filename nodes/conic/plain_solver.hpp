@@ -1,0 +1,128 @@
+// The solver of node programs once more, with more digits: what doubles leave open is decided here.
+//
+// The same standard form, iteration and proofs as in node_program.hpp, interior_point.hpp and
+// node_solver.hpp, written for clarity and not for speed, on any kind of number. It is the upper
+// rungs of a ladder: long double, then 104 bits (nodes/contact_solver.hpp).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "nodes/conic/answer.hpp"
+#include "nodes/conic/bounds.hpp"
+#include "nodes/conic/cone.hpp"
+#include "numbers/precise.hpp"
+
+namespace kusabi::conic {
+
+/// Who carries and who moves at a point of the relative interior of the solutions of a tie,
+///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
+/// Nobody is loaded if and only if X is empty: t* < 0, though not by more than the tolerance.
+struct RelativeInterior {
+  std::uint64_t loaded = 0;  ///< r_i != 0 somewhere on X
+  std::uint64_t moved = 0;   ///< u_ni > 0 somewhere on X
+};
+
+/// Solves node programs on numbers of kind Real, one after another, a candidate a cone. A result
+/// depends on the arguments of solve() only, to the last bit.
+template <int D, class Real>
+class PlainSolver {
+ public:
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+  /// @param compliance F, Dm x Dm, scaled as that of NodeSolver
+  /// @param friction mu, m numbers, each 0 or 1e-6 to 1e6
+  /// @param error e: |F_ij - F*_ij| <= e sqrt(F*_ii F*_jj) for the F* that is meant
+  PlainSolver(Matrix compliance, std::span<const double> friction, Tolerances tolerances,
+              double error);
+
+  /// From the next solve() on, mu is this.
+  void set_friction(std::span<const double> friction) {
+    friction_.assign(friction.begin(), friction.end());
+  }
+
+  /// Bounds the node; see NodeSolver::solve. No node has all candidates separated or ignored.
+  Answer solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop,
+               std::uint64_t ignored = 0);
+
+  /// The candidates that are loaded or moved at a point of the relative interior of X, which the
+  /// points of the iteration tend to as the bracket closes: numbers that vanish there go down with
+  /// the bracket or its root, others stay. Nothing if the two cannot be told apart, or the level of
+  /// the node is not zero up to the tolerance. reaction() is the point.
+  std::optional<RelativeInterior> relative_interior(std::uint64_t contact, std::uint64_t separated,
+                                                    std::uint64_t ignored = 0);
+
+  /// r, Dm, of the point that proves the lower bound.
+  const Vector& reaction() const { return reaction_; }
+  /// u = F r.
+  Vector displacement() const { return compliance_ * reaction_; }
+  /// y, m, that prove the upper bound.
+  const Vector& multipliers() const { return multipliers_; }
+
+ private:
+  using Cone = Point<D, Real>;
+
+  void select(std::uint64_t contact, std::uint64_t separated, std::uint64_t ignored);
+  void start();
+  NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
+  Real level(const Real& value) const { return (Real(1) - value) / weight_; }
+  Vector reaction_of(const std::vector<Cone>& x) const;
+
+  bool refresh_dual(const Vector& y);
+  bool factorise();
+  Vector products(const std::vector<Cone>& points) const;    // A x
+  Cone transposed(std::size_t cone, const Vector& y) const;  // (A'y) of a cone
+  std::vector<Cone> shifted(const std::vector<Cone>& x, const Vector& weights) const;
+  struct Step {
+    std::vector<Cone> x, z;  // scaled
+    Vector v, y;             // scaled
+    Real reach_primal, reach_dual;
+  };
+  Step direction(const Vector& dy, const std::vector<Cone>& q, const Vector& q_rows) const;
+  bool advance();
+  /// Which point becomes reaction(): the one with the best bound, or the one nearest the optimum.
+  enum class Keep { best, latest };
+  void prove_lower(Answer& answer, Keep keep);
+  void prove_upper(Answer& answer);
+  void take_sizes(std::vector<double>& sizes) const;
+  double violation() const;
+  double reach() const;
+
+  Matrix compliance_;
+  Matrix normal_compliance_;  // m x Dm
+  std::vector<double> friction_;
+  Tolerances tolerances_;
+  Bounds<D, Real> bounds_;
+  Vector reaction_, multipliers_;
+
+  // The node.
+  std::uint64_t contact_ = 0;
+  std::vector<int> cones_, gap_rows_, contact_rows_;
+  std::vector<int> rows_;        // the candidates with a row
+  std::vector<bool> slack_;      // of rows_: whether it has one
+  std::vector<Matrix> columns_;  // of A: rows x D for each cone
+  Vector right_side_;            // b
+  Real weight_ = 0;              // sigma
+
+  // The iterate.
+  std::vector<Cone> x_, z_;
+  Vector v_, y_;  // by rows_
+  Vector best_;   // of y
+  Real best_value_ = 0;
+  std::vector<Scaling<D, Real>> scaling_;
+  Vector slack_scale_, slack_point_, missing_, predictor_, correction_;
+  Matrix factor_;  // of M, lower triangle
+  Real complementarity_ = 0;
+};
+
+extern template class PlainSolver<2, long double>;
+extern template class PlainSolver<3, long double>;
+extern template class PlainSolver<2, numbers::Precise>;
+extern template class PlainSolver<3, numbers::Precise>;
+
+}  // namespace kusabi::conic

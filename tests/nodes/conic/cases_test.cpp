@@ -1,0 +1,110 @@
+// Structures on which an earlier solver stalled, with what 60-digit arithmetic says of them.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "nodes/contact_solver.hpp"
+#include "problems/structure_file.hpp"
+#include "problems/wedged_problem.hpp"
+
+namespace kusabi::nodes {
+namespace {
+
+problems::WedgedProblem problem_of(const std::string& name) {
+  const std::string path = KUSABI_SOURCE_DIR "/tests/nodes/conic/cases/" + name + ".toml";
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return problems::wedged_problem(problems::read_structure(text.str(), path));
+}
+
+struct Leaves {
+  int alive = 0, undecided = 0;
+  double nearest = std::numeric_limits<double>::infinity();  // of the living margins to the truth
+};
+
+Leaves leaves(const problems::WedgedProblem& problem, double mu, double truth,
+              double tolerance = 1e-12) {
+  const std::size_t m = problem.contact_names.size();
+  const conic::Tolerances tolerances{.sign = tolerance};
+  std::vector<double> friction = problem.friction;
+  for (double& factor : friction) factor *= mu;
+  ContactSolver solver(problem, friction, tolerances);
+  const std::uint64_t all = (std::uint64_t{1} << m) - 1;
+  Leaves result;
+  for (std::uint64_t contact = 0; contact <= all; ++contact) {
+    const auto answer =
+        solver.solve(contact, all & ~contact, {.when_dead = true, .when_alive = false});
+    if (answer.sign == conic::Sign::marginal && !conic::is_tie(answer, tolerances))
+      ++result.undecided;
+    if (answer.sign != conic::Sign::alive) continue;
+    ++result.alive;
+    EXPECT_LE(answer.upper - answer.lower, 1e-3 * answer.upper);
+    if (std::abs(answer.lower - truth) < std::abs(result.nearest - truth))
+      result.nearest = answer.lower;
+  }
+  return result;
+}
+
+TEST(Stalled, MarginsAreRightToThreeDigits) {
+  const struct {
+    const char* name;
+    double mu, margin, digits;
+  } cases[] = {{"undecided_contrast6_493", 0.7261972342575947, 9.32e-5, 0.005e-5},
+               {"undecided_10073", 1.6914265214745143, 8.98e-6, 0.005e-6},
+               {"false_lower_101", 1.13815, 6.67e-5, 0.005e-5},
+               {"margin_low_t1_3_20059", 0.8176783003384308, 4.8e-4, 0.05e-4}};
+  for (const auto& test : cases) {
+    SCOPED_TRACE(test.name);
+    const Leaves found = leaves(problem_of(test.name), test.mu, test.margin);
+    EXPECT_EQ(found.undecided, 0);
+    EXPECT_NEAR(found.nearest, test.margin, test.digits);
+  }
+}
+
+// The truth's last digit is known; a coefficient beyond it on either side is decided.
+TEST(Stalled, ACriticalCoefficientIsHeldFromBothSides) {
+  const struct {
+    const char* name;
+    double dead, alive;
+  } cases[] = {{"critical_wrong_1e6", 560.546040215, 560.546040225},
+               {"critical_wrong_low", 107.780635, 107.780645}};
+  for (const auto& test : cases) {
+    SCOPED_TRACE(test.name);
+    const auto problem = problem_of(test.name);
+    EXPECT_EQ(leaves(problem, test.dead, 0).alive, 0);
+    EXPECT_EQ(leaves(problem, test.dead, 0).undecided, 0);
+    EXPECT_EQ(leaves(problem, test.alive, 0).alive, 1);
+  }
+}
+
+TEST(Stalled, NothingIsUndecidedAtATightTolerance) {
+  const auto problem = problem_of("tolerance_undecided");
+  for (const double tolerance : {1e-10, 1e-12})
+    EXPECT_EQ(leaves(problem, 0.51200526, 0, tolerance).undecided, 0);
+}
+
+// From where nothing wedges to where something does, through the critical coefficient.
+TEST(Stalled, NothingIsUndecidedNearACriticalCoefficient) {
+  for (const char* name : {"undecided_lowcond_88", "false_lower_62"}) {
+    SCOPED_TRACE(name);
+    const auto problem = problem_of(name);
+    double dead = 1e-3, alive = 1e3;
+    for (int step = 0; step < 45; ++step) {
+      const double mu = std::sqrt(dead * alive);
+      const Leaves found = leaves(problem, mu, 0);
+      EXPECT_EQ(found.undecided, 0) << "mu = " << mu;
+      (found.alive > 0 ? alive : dead) = mu;
+    }
+    EXPECT_LT(alive, 1e3);
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::nodes

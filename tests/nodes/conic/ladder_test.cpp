@@ -1,0 +1,243 @@
+// Every node of a structure of whatever contrast is decided or a tie, by bounds that hold.
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "nodes/contact_solver.hpp"
+#include "tests/nodes/conic/random_structure.hpp"
+
+namespace kusabi::nodes {
+namespace {
+
+using conic::Answer;
+using conic::Sign;
+using numbers::Precise;
+using numbers::PreciseMatrix;
+using numbers::PreciseVector;
+
+constexpr conic::Tolerances tight{};  // 1e-12
+
+// A problem whose doubles are meant.
+problems::WedgedProblem exact_problem(const Eigen::MatrixXd& compliance, int dimension) {
+  problems::WedgedProblem problem;
+  problem.dimension = dimension;
+  problem.compliance = compliance;
+  problem.stiffness = compliance.inverse();
+  for (Eigen::Index i = 0; i < compliance.rows() / dimension; ++i) {
+    problem.contact_names.push_back("c" + std::to_string(i));
+    problem.friction.push_back(1);
+  }
+  return problem;
+}
+
+struct Count {
+  int nodes = 0, alive = 0, dead = 0, climbed = 0;
+};
+
+// All leaves and, as inner nodes, those with the last candidate open, against 104 bits from a cold
+// start; and the multipliers as they are handed over, as doubles, against the F of 104 bits.
+template <int D>
+void expect_decided(const testing::TrussKind& kind, double mu, double tolerance, Count& count,
+                    std::mt19937_64& generator) {
+  const auto problem = testing::random_problem(kind, generator).second;
+  const std::size_t m = problem.contact_names.size();
+  const std::vector<double> friction(m, mu);
+  const conic::Tolerances tolerances{.sign = tolerance};
+  ContactSolver solver(problem, friction, tolerances);
+  const PreciseMatrix scaled = problem.precise_compliance / Precise(solver.unit());
+  const double error = problem.precise_error + 1e-30;
+  conic::PlainSolver<D, Precise> precise(scaled, friction, {.sign = 1e-20, .value = 1e-18}, error);
+  std::vector<int> each(m);
+  std::iota(each.begin(), each.end(), 0);
+  const conic::Bounds<D, Precise> bounds(scaled, error, each);
+  const std::uint64_t all = (std::uint64_t{1} << m) - 1;
+  const std::uint64_t last = std::uint64_t{1} << (m - 1);
+  for (std::uint64_t contact = 0; contact <= all; ++contact) {
+    for (const std::uint64_t open : {std::uint64_t{0}, last}) {
+      if ((contact & open) != 0 || (contact == 0 && open == 0)) continue;
+      const std::uint64_t separated = all & ~contact & ~open;
+      const conic::StopEarly stop{.when_dead = true, .when_alive = open != 0};
+      const Answer answer = solver.solve(contact, separated, stop);
+      SCOPED_TRACE(::testing::Message()
+                   << "U = " << contact << ", R = " << separated << ", mu = " << mu << ": ["
+                   << answer.lower << ", " << answer.upper << "]");
+      ++count.nodes;
+      count.alive += answer.sign == Sign::alive;
+      count.dead += answer.sign == Sign::dead;
+      count.climbed += answer.rung > 0;
+      EXPECT_LE(answer.lower, answer.upper);
+      EXPECT_TRUE(answer.sign != Sign::marginal || conic::is_tie(answer, tolerances));
+      if (answer.sign == Sign::alive && open == 0) {
+        EXPECT_LE(answer.upper - answer.lower, 1e-3 * answer.lower);
+      }
+      const Answer truth = precise.solve(contact, separated, {true, true});
+      EXPECT_LE(truth.lower, answer.upper);
+      EXPECT_LE(answer.lower, truth.upper);
+      if (answer.sign == Sign::dead) {
+        const PreciseVector y = solver.multipliers().cast<Precise>();
+        PreciseVector pull = PreciseVector::Zero(scaled.rows());
+        for (const int i : each) pull += y[i] * scaled.row(D * i).transpose();
+        std::vector<int> cones, gaps, contacts;
+        for (const int i : each) {
+          const auto at = static_cast<unsigned>(i);
+          if ((separated >> at & 1) == 0) cones.push_back(i);
+          (contact >> at & 1 ? contacts : gaps).push_back(i);
+        }
+        EXPECT_LT(bounds.above({cones, gaps, contacts, contact}, friction, y, pull), 0);
+      }
+    }
+  }
+}
+
+template <int D>
+Count expect_all_decided(double contrast, double least, double most, double tolerance, int problems,
+                         unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::uniform_real_distribution<double> share(0, 1);
+  Count count;
+  for (int i = 0; i < problems; ++i) {
+    const testing::TrussKind kind{.dimension = D,
+                                  .candidates = 1 + i % 4,
+                                  .free_nodes = 2 + i % 4 + i % 3,
+                                  .contrast = contrast,
+                                  .density = 0.4 + 0.1 * (i % 7)};
+    expect_decided<D>(kind, least * std::pow(most / least, share(generator)), tolerance, count,
+                      generator);
+  }
+  return count;
+}
+
+TEST(Ladder, DecidesEveryNodeInThePlaneWhateverTheContrast) {
+  unsigned seed = 1;
+  for (const double contrast : {1.0, 1e2, 1e4, 1e6, 1e9}) {
+    const Count count = expect_all_decided<2>(contrast, 0.1, 10, 1e-12, 20, seed++);
+    EXPECT_GT(count.alive, 20);
+    EXPECT_GT(count.dead, 100);
+  }
+}
+
+TEST(Ladder, DecidesEveryNodeInSpaceWhateverTheContrast) {
+  unsigned seed = 11;
+  for (const double contrast : {1.0, 1e3, 1e6, 1e9}) {
+    const Count count = expect_all_decided<3>(contrast, 0.1, 10, 1e-12, 12, seed++);
+    EXPECT_GT(count.alive, 20);
+    EXPECT_GT(count.dead, 20);
+  }
+}
+
+TEST(Ladder, DoublesDoForNearlyAllNodes) {
+  const Count count = expect_all_decided<2>(1e4, 0.1, 10, 1e-9, 30, 21);
+  EXPECT_LT(count.climbed, count.nodes / 50);
+}
+
+TEST(Ladder, NeedlesAndHalfSpacesAreRight) {
+  EXPECT_GT(expect_all_decided<2>(1e2, 1e-6, 1e-3, 1e-12, 10, 31).dead, 50);
+  EXPECT_GT(expect_all_decided<2>(1e2, 1e3, 1e6, 1e-12, 10, 32).alive, 50);
+  EXPECT_GT(expect_all_decided<3>(1e2, 1e-6, 1e-3, 1e-12, 8, 33).dead, 50);
+  EXPECT_GT(expect_all_decided<3>(1e2, 1e3, 1e6, 1e-12, 8, 34).alive, 50);
+}
+
+TEST(Ladder, EveryToleranceIsHonoured) {
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+    const Count count = expect_all_decided<2>(1e3, 0.1, 10, tolerance, 8, 41);
+    EXPECT_GT(count.dead, 20);
+  }
+}
+
+TEST(Ladder, FrictionOutOfRangeIsRefused) {
+  const auto problem = exact_problem(Eigen::MatrixXd::Identity(4, 4), 2);
+  for (const double mu : {-1.0, 1e-7, 1e7, std::nan("")})
+    EXPECT_THROW(ContactSolver(problem, std::vector<double>{1, mu}, tight), std::invalid_argument);
+  ContactSolver solver(problem, std::vector<double>{1, 1}, tight);
+  EXPECT_THROW(solver.set_friction(std::vector<double>{1, -1}), std::invalid_argument);
+}
+
+// One candidate of F = [a b; b c]: u_n = 0 gives r_t = -a / b for r_n = 1, so t* = mu - a / |b|.
+TEST(ClosedForm, OneCandidateIsAliveFromItsOwnCoefficientOn) {
+  for (const double contrast : {1.0, 1e3, 1e6}) {
+    // Dyadic: the quotient is exact.
+    Eigen::Matrix2d compliance;
+    const double b = 3.0 / 4;
+    compliance << b * 8.5, b, b, 2 * contrast;
+    const auto problem = exact_problem(compliance, 2);
+    for (const double off : {1e-3, 1e-6, 1e-9, 1e-11}) {
+      ContactSolver above(problem, std::vector<double>{8.5 + off}, tight);
+      ContactSolver below(problem, std::vector<double>{8.5 - off}, tight);
+      const Answer alive = above.solve(1, 0, {.when_dead = true, .when_alive = false});
+      EXPECT_EQ(alive.sign, Sign::alive);
+      EXPECT_NEAR(alive.lower, off, 1e-3 * off);
+      EXPECT_EQ(below.solve(1, 0, {}).sign, Sign::dead);
+    }
+    ContactSolver at(problem, std::vector<double>{8.5}, tight);
+    EXPECT_TRUE(conic::is_tie(at.solve(1, 0, {}), tight));
+  }
+}
+
+TEST(Frictionless, NothingWedgesWithoutFriction) {
+  std::mt19937_64 generator(51);
+  for (const int dimension : {2, 3}) {
+    const auto problem =
+        testing::random_problem({.dimension = dimension, .contrast = 1e3}, generator).second;
+    ContactSolver solver(problem, std::vector<double>(3, 0), tight);
+    for (std::uint64_t contact = 0; contact < 8; ++contact)
+      EXPECT_EQ(solver.solve(contact, 7 & ~contact, {}).sign, Sign::dead) << contact;
+  }
+}
+
+// Two candidates that do not interact, [1 1/2; 1/2 1] each, mu = 3 and 0. With r = (r_1, s) at the
+// first and 1 - r_1 at the second, t = min(r_1 + s / 2, 3 r_1 - s, 1 - r_1) is largest, 5/8, at
+// r_1 = 3/8, s = 1/2. In contact the second has u_n = r_n = 0.
+TEST(Frictionless, OneCandidateWithoutFrictionHasItsClosedForm) {
+  Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
+  compliance(0, 1) = compliance(1, 0) = compliance(2, 3) = compliance(3, 2) = 0.5;
+  const auto problem = exact_problem(compliance, 2);
+  ContactSolver solver(problem, std::vector<double>{3, 0}, tight);
+  const conic::StopEarly never{.when_dead = false, .when_alive = false};
+  const Answer root = solver.solve(0, 0, never);
+  EXPECT_NEAR(root.lower, 0.625, 1e-7);
+  EXPECT_NEAR(root.upper, 0.625, 1e-7);
+  EXPECT_EQ(solver.reaction()[3], 0);
+  EXPECT_EQ(solver.solve(0b10, 0b01, {}).sign, Sign::dead);
+  const auto tie = solver.relative_interior(0b01, 0b10);
+  ASSERT_TRUE(tie);
+  EXPECT_EQ(tie->loaded, 0b01U);
+  EXPECT_EQ(tie->moved, 0U);
+}
+
+// What is ignored might as well not be there.
+TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
+  std::mt19937_64 generator(61);
+  for (int repetition = 0; repetition < 10; ++repetition) {
+    const auto problem =
+        testing::random_problem({.dimension = 2, .candidates = 4, .contrast = 100}, generator)
+            .second;
+    const std::vector<int> kept{0, 1, 4, 5};  // rows of the candidates 0 and 2
+    auto less = exact_problem(problem.compliance(kept, kept), 2);
+    ContactSolver whole(problem, std::vector<double>(4, 2.0), tight);
+    ContactSolver part(less, std::vector<double>(2, 2.0), tight);
+    const double scale = part.unit() / whole.unit();
+    const conic::StopEarly never{.when_dead = false, .when_alive = false};
+    for (const auto& [contact, separated] : {std::pair{1, 2}, {2, 1}, {3, 0}, {1, 0}, {0, 0}}) {
+      const auto spread = [](int set) {
+        return static_cast<std::uint64_t>((set & 1) | (set & 2) << 1);
+      };
+      const auto one = whole.solve(spread(contact), spread(separated), never, 0b1010);
+      const auto other = part.solve(static_cast<std::uint64_t>(contact),
+                                    static_cast<std::uint64_t>(separated), never);
+      EXPECT_EQ(one.sign, other.sign);
+      for (const Eigen::Index row : {2, 3, 6, 7}) EXPECT_EQ(whole.reaction()[row], 0);
+      // Gaps are in other units, so the values agree where no gap holds t.
+      if (separated == 0 && contact == 3 && one.sign == Sign::alive) {
+        EXPECT_NEAR(one.lower, other.lower, 1e-6);
+      }
+      EXPECT_GT(scale, 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::nodes

@@ -1,0 +1,196 @@
+// Ties: the list of maximal cones, solid or flat, against the extremal rays in the plane and against
+// all leaves one by one in space.
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "nodes/maximal_cones.hpp"
+#include "nodes/sign_pattern.hpp"
+#include "problems/input_error.hpp"
+#include "problems/precise_compliance.hpp"
+#include "problems/rays/double_description.hpp"
+#include "problems/rays/maximal_cones.hpp"
+#include "problems/space_truss.hpp"
+#include "random_structure.hpp"
+
+namespace kusabi::nodes {
+namespace {
+
+/// (S, G): what a cone loads and what it moves.
+using Cones = std::set<std::pair<std::uint64_t, std::uint64_t>>;
+
+std::vector<Configuration> leaves_of(const problems::WedgedProblem& problem, double mu) {
+  SignPatternTree tree(problem, std::vector<double>(problem.contact_names.size(), mu));
+  std::vector<Configuration> leaves;
+  for (auto& found : engine::search(tree).solutions) leaves.push_back(std::move(found.solution));
+  return maximal_cones(std::move(leaves));
+}
+
+// Every cone of one block with every cone of the others; nothing if a leaf is open.
+std::optional<Cones> whole_cones(const problems::WedgedProblem& problem, double mu) {
+  std::vector<Cones> of_blocks(problems::blocks_of(problem).size());
+  for (const auto& leaf : leaves_of(problem, mu)) {
+    if (leaf.state != LeafState::alive && leaf.state != LeafState::flat) return std::nullopt;
+    of_blocks[leaf.block].emplace(leaf.pattern.contact, leaf.pattern.separated);
+  }
+  Cones product{{0, 0}};
+  for (const Cones& own : of_blocks) {
+    if (own.empty()) continue;
+    Cones longer;
+    for (const auto& [contact, separated] : product)
+      for (const auto& [more_contact, more_separated] : own)
+        longer.emplace(contact | more_contact, separated | more_separated);
+    product = std::move(longer);
+  }
+  product.erase({0, 0});
+  return product;
+}
+
+std::optional<problems::WedgedProblem> problem_of(const problems::Structure& structure) {
+  try {
+    return problems::wedged_problem(structure);
+  } catch (const problems::InputError&) {  // a mechanism, which is no fault of ours
+    return std::nullopt;
+  }
+}
+
+// Nothing couples the two candidates, but the problem does not say so. The first can stick by
+// itself, with r_t = 2 r_n; the second is then at rest.
+TEST(FlatCones, AreFoundOnceWithTheirCandidatesAtRest) {
+  problems::WedgedProblem problem;
+  problem.dimension = 2;
+  problem.contact_names = {"sticks", "rests"};
+  problem.compliance = Eigen::MatrixXd::Identity(4, 4);
+  problem.compliance(0, 1) = problem.compliance(1, 0) = -0.5;
+  problem.stiffness = problem.compliance.inverse();
+  SignPatternTree tree(problem, std::vector<double>{3.0, 3.0});
+  const auto outcome = engine::search(tree);
+  ASSERT_EQ(outcome.solutions.size(), 1U);
+  const auto& cone = outcome.solutions[0].solution;
+  EXPECT_EQ(cone.state, LeafState::flat);
+  EXPECT_EQ(cone.pattern, (SignPattern{.contact = 0b01, .separated = 0, .at_rest = 0b10}));
+  EXPECT_EQ(tree.tally().found, 0U);
+  EXPECT_EQ(tree.tally().flat, 1U);
+}
+
+// Of k candidates that nothing moves each pattern has 2^k names.
+TEST(FlatCones, TakeNoMoreNodesThanThereAreCandidates) {
+  constexpr int candidates = 24;
+  problems::WedgedProblem problem;
+  problem.dimension = 2;
+  problem.contact_names.resize(candidates);
+  problem.compliance = Eigen::MatrixXd::Identity(2 * candidates, 2 * candidates);
+  problem.compliance(0, 1) = problem.compliance(1, 0) = -0.5;
+  problem.stiffness = problem.compliance.inverse();
+  SignPatternTree tree(problem, std::vector<double>(candidates, 3.0));
+  const auto outcome = engine::search(tree);
+  ASSERT_EQ(outcome.solutions.size(), 1U);
+  EXPECT_EQ(outcome.solutions[0].solution.pattern.contact, 1U);
+  EXPECT_LE(outcome.opened(), 2U * candidates + 1);
+}
+
+// Candidate 1 alone sticks with r_t = 2 r_n, and what it does to candidate 2 is in proportion to
+// its own u_n = 0: candidate 2 does not move. In contact as well, both carry.
+TEST(FlatCones, ThatAreFacesOfAnotherAreLeftOut) {
+  problems::WedgedProblem problem;
+  problem.dimension = 2;
+  problem.contact_names = {"first", "second"};
+  problem.compliance = Eigen::MatrixXd{{1.0, -0.5, 0.3, 0.0},  //
+                                       {-0.5, 1.0, -0.15, 0.0},
+                                       {0.3, -0.15, 1.0, -0.5},
+                                       {0.0, 0.0, -0.5, 1.0}};
+  problem.stiffness = problem.compliance.inverse();
+  SignPatternTree tree(problem, std::vector<double>{3.0, 3.0});
+  EXPECT_EQ(engine::search(tree).solutions.size(), 3U);
+  EXPECT_EQ(tree.tally().flat, 1U);
+  EXPECT_EQ(whole_cones(problem, 3.0), (Cones{{0b10, 0b01}, {0b11, 0}}));
+}
+
+// W (11) against W (16): the rays know nothing of sign patterns, nor of blocks.
+TEST(FlatCones, InThePlaneAreTheMaximalCliquesOfTheRays) {
+  std::size_t cones = 0;
+  std::size_t flat = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    const auto structure = random_structure(2, seed);
+    const auto problem = problem_of(structure);
+    if (!problem) continue;
+    for (const double mu : {0.7, 1.3, 3.1}) {
+      const std::vector<double> friction(problem->contact_names.size(), mu);
+      const rays::ReactionCone cone(problems::precise_compliance(structure), friction);
+      const auto found = rays::complementary_rays(cone);
+      ASSERT_TRUE(found.health.sound()) << seed;
+      Cones expected;
+      for (const auto& each : rays::maximal_cones(found.rays, cone.all()))
+        expected.emplace(each.reaction, each.separated);
+      EXPECT_EQ(whole_cones(*problem, mu), expected) << seed << ' ' << mu;
+      cones += expected.size();
+      for (const auto& [contact, separated] : expected)
+        flat += (contact | separated) != cone.all() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(cones, 200U);
+  EXPECT_GT(flat, 100U);
+}
+
+// All 3^m ways in which a candidate can be loaded, moved or neither: the relative interior of each
+// cone D(Y), leaf by leaf, and of these the maximal ones.
+TEST(FlatCones, InSpaceAreThoseOfAllLeavesOneByOne) {
+  std::size_t cones = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const auto problem = problem_of(random_structure(3, seed));
+    if (!problem || problem->contact_names.size() > 6) continue;
+    const double mu = 1.3;
+    const std::vector<double> friction(problem->contact_names.size(), mu);
+    auto one = *problem;
+    one.blocks.clear();
+    const auto all = problems::all_candidates(one);
+    ContactSolver solver(one, friction, {});
+    std::vector<SignPattern> found;
+    for (std::uint64_t contact = 1; contact <= all; ++contact) {
+      const auto answer = solver.solve(contact, all & ~contact, {.when_alive = false});
+      if (answer.sign == conic::Sign::dead) continue;
+      SignPattern pattern{.contact = contact, .separated = all & ~contact};
+      if (answer.sign == conic::Sign::marginal) {
+        const auto inside = solver.relative_interior(contact, all & ~contact);
+        ASSERT_TRUE(inside) << seed;
+        pattern = {.contact = inside->loaded, .separated = inside->moved};
+      }
+      found.push_back(pattern);
+    }
+    Cones expected;
+    for (const auto& pattern : found) {
+      const bool face = std::any_of(found.begin(), found.end(), [&](const auto& other) {
+        return within(pattern, other) && !within(other, pattern);
+      });
+      if (!face) expected.emplace(pattern.contact, pattern.separated);
+    }
+    EXPECT_EQ(whole_cones(*problem, mu), expected) << seed;
+    EXPECT_EQ(whole_cones(one, mu), expected) << seed;
+    cones += expected.size();
+  }
+  EXPECT_GT(cones, 20U);
+}
+
+// On a truss of one bay each candidate is a block: as one tree it has hundreds of ties.
+TEST(FlatCones, OfAOneBayTrussAreTheProductOfItsBlocks) {
+  const auto problem = problems::wedged_problem(problems::space_truss({5, 2, 1}));
+  ASSERT_GT(problem.blocks.size(), 1U);
+  auto one = problem;
+  one.blocks.clear();
+  for (const double mu : {0.65, 1.0}) EXPECT_EQ(whole_cones(one, mu), whole_cones(problem, mu));
+}
+
+TEST(MaximalCones, OfIndependentBlocksMultiply) {
+  EXPECT_EQ(combinations(std::vector<std::uint64_t>{}), 0U);
+  EXPECT_EQ(combinations(std::vector<std::uint64_t>{0, 0}), 0U);
+  EXPECT_EQ(combinations(std::vector<std::uint64_t>{11, 0}), 11U);
+  EXPECT_EQ(combinations(std::vector<std::uint64_t>{3, 1, 4}), 12U);
+}
+
+}  // namespace
+}  // namespace kusabi::nodes

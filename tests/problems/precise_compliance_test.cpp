@@ -1,0 +1,121 @@
+// F in 104 bits against 60-digit arithmetic, and whether its error bound holds and says something.
+#include "problems/precise_compliance.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "problems/wedged_problem.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+using nlohmann::json;
+using numbers::Precise;
+
+Eigen::VectorXd vector_of(const json& list) {
+  Eigen::VectorXd vector(static_cast<Eigen::Index>(list.size()));
+  for (Eigen::Index i = 0; i < vector.size(); ++i) vector(i) = list[static_cast<std::size_t>(i)];
+  return vector;
+}
+
+Structure structure_of(const json& data) {
+  Structure structure;
+  structure.name = "random";
+  structure.dimension = data.at("dimension");
+  structure.units = {"m", "kN"};
+  const auto& places = data.at("coordinates");
+  structure.coordinates.resize(structure.dimension, static_cast<Eigen::Index>(places.size()));
+  for (std::size_t node = 0; node < places.size(); ++node) {
+    const bool held = node >= data.at("free").get<std::size_t>();
+    structure.node_names.push_back("n" + std::to_string(node));
+    structure.fixed.push_back({held, held, held});
+    structure.coordinates.col(static_cast<Eigen::Index>(node)) = vector_of(places[node]);
+  }
+  for (const auto& bar : data.at("members"))
+    structure.members.push_back({bar[0], bar[1], bar[2], std::nullopt});
+  for (const auto& element : data.at("elements"))
+    structure.elements.push_back({element.at("nodes"), element.at("E"), element.at("nu"),
+                                  element.at("thickness"), PlaneState::stress});
+  for (const auto& candidate : data.at("contact")) {
+    std::optional<Eigen::VectorXd> tangent;
+    if (!candidate[2].is_null()) tangent = vector_of(candidate[2]);
+    structure.contact.push_back({candidate[0], vector_of(candidate[1]), tangent, 1.0});
+  }
+  return structure;
+}
+
+json references() {
+  std::ifstream file(KUSABI_SOURCE_DIR "/tests/reference/mpmath_compliances.json");
+  return json::parse(file);
+}
+
+TEST(PreciseCompliance, IsWithinItsErrorOfSixtyDigits) {
+  const json cases = references();
+  ASSERT_EQ(cases.size(), 12U);
+  for (std::size_t number = 0; number < cases.size(); ++number) {
+    SCOPED_TRACE(::testing::Message() << "case " << number);
+    const auto& data = cases[number];
+    const WedgedProblem problem = wedged_problem(structure_of(data));
+    const auto& rows = data.at("compliance");
+    ASSERT_EQ(problem.precise_compliance.rows(), static_cast<Eigen::Index>(rows.size()));
+    EXPECT_LE(problem.precise_error, 1e-17);
+    const auto truth = [&](std::size_t i, std::size_t j) {
+      return Precise(rows[i][j].get<std::string>().c_str());
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t j = 0; j < rows.size(); ++j) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const auto column = static_cast<Eigen::Index>(j);
+        const double size = to_double(sqrt(truth(i, i) * truth(j, j)));
+        const Precise off = problem.precise_compliance(row, column) - truth(i, j);
+        // The truth itself is rounded to 104 bits here.
+        EXPECT_LE(std::abs(to_double(off)), (problem.precise_error + 1e-31) * size);
+        const Precise rounded_off = Precise(problem.compliance(row, column)) - truth(i, j);
+        EXPECT_LE(std::abs(to_double(rounded_off)), problem.compliance_error * size);
+      }
+    }
+    EXPECT_LE(problem.compliance_error, 1.2e-16);
+  }
+}
+
+// The stiffness in doubles is the rounding of the inverse.
+TEST(PreciseCompliance, HasItsInverseForStiffness) {
+  for (const auto& data : references()) {
+    const WedgedProblem problem = wedged_problem(structure_of(data));
+    const numbers::PreciseMatrix stiffness = stiffness_of(problem.precise_compliance);
+    EXPECT_EQ(problem.stiffness, stiffness.cast<double>());
+    const numbers::PreciseMatrix product = stiffness * problem.precise_compliance;
+    const Eigen::MatrixXd rest =
+        product.cast<double>() - Eigen::MatrixXd::Identity(product.rows(), product.cols());
+    EXPECT_LE(rest.cwiseAbs().maxCoeff(), 1e-17);
+    EXPECT_TRUE(problem.stiffness == problem.stiffness.transpose());
+  }
+}
+
+// A bar along the normal and one across it: F = diag(L_n / EA_n, L_t / EA_t).
+TEST(PreciseCompliance, OfTwoCrossingBarsOfAnyContrastIsAccepted) {
+  for (const double stiff : {1.0, 1e6, 1e9, 1e12}) {
+    Structure structure;
+    structure.name = "cross";
+    structure.dimension = 2;
+    structure.node_names = {"c", "a", "b"};
+    structure.coordinates.resize(2, 3);
+    structure.coordinates << 0, 1, 0, 0, 0, 3;
+    structure.fixed = {{false, false, false}, {true, true, true}, {true, true, true}};
+    structure.members = {{0, 1, stiff, {}}, {0, 2, 1.0, {}}};
+    structure.contact = {{0, Eigen::Vector2d(1, 0), std::nullopt, 1.0}};
+    const WedgedProblem problem = wedged_problem(structure);
+    EXPECT_EQ(problem.compliance(0, 0), 1 / stiff);
+    EXPECT_EQ(problem.compliance(1, 1), 3);
+    EXPECT_EQ(problem.compliance(0, 1), 0);
+    EXPECT_EQ(problem.stiffness(0, 0), stiff);
+    EXPECT_LE(problem.precise_error, 1e-25);
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::problems

@@ -1,0 +1,205 @@
+// `kusabi verify` as a user calls it: of the certificate alone, and of the structure in a file.
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string quoted(const std::string& word) {
+  return "'" + word + "'";
+}
+
+const std::string command = quoted(KUSABI_COMMAND);
+
+std::string example_file(const std::string& name) {
+  return std::string(KUSABI_SOURCE_DIR) + "/examples/" + name;
+}
+
+std::string given_certificate(const std::string& name) {
+  return quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/verify/certificates/" + name);
+}
+
+struct Run {
+  int exit_code;
+  std::string output;  // both streams
+};
+
+Run shell(const std::string& line) {
+  FILE* pipe = popen((line + " 2>&1").c_str(), "r");
+  std::string output;
+  std::array<char, 4096> piece{};
+  while (const auto count = std::fread(piece.data(), 1, piece.size(), pipe)) {
+    output.append(piece.data(), count);
+  }
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+}
+
+// A folder of its own for each test, gone afterwards.
+class VerifyCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "kusabi verify-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+  // Searches and writes the certificate.
+  [[nodiscard]] std::string certificate_of(const std::string& file, double mu) const {
+    const auto name = quoted(path(fmt::format("{}-{}.cert", fs::path(file).stem().string(), mu)));
+    const auto run = shell(fmt::format("{} patterns {} --mu {} --quiet --certificate {}", command,
+                                       quoted(file), mu, name));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return name;
+  }
+
+  // An example with one thing changed.
+  [[nodiscard]] std::string changed(const std::string& example, const std::string& what,
+                                    const std::string& with) const {
+    std::ifstream file(example_file(example));
+    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const auto place = text.find(what);
+    EXPECT_NE(place, std::string::npos) << what;
+    text.replace(place, what.size(), with);
+    std::ofstream(path("changed.toml")) << text;
+    return path("changed.toml");
+  }
+
+  [[nodiscard]] static Run verify(const std::string& certificate, const std::string& file) {
+    return shell(fmt::format("{} verify {} --problem {}", command, certificate, quoted(file)));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(VerifyCommand, GenuineCertificatesAreProvedOfTheProblemFile) {
+  struct Row {
+    const char* example;
+    double mu;
+    const char* patterns;
+  };
+  const Row table[] = {{"two-bars.toml", 1.9, "the list of 0 patterns"},
+                       {"two-bars.toml", 2.1, "the list of 1 pattern "},
+                       {"plane-truss.toml", 1, "the list of 11 patterns"},
+                       {"space-truss.toml", 0.65, "the list of 27 patterns"},
+                       {"elastic-body.toml", 0.7, "PROVED: the list of"}};
+  for (const auto& [example, mu, patterns] : table) {
+    const auto certificate = certificate_of(example_file(example), mu);
+    const auto run = verify(certificate, example_file(example));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_THAT(run.output,
+                AllOf(HasSubstr(patterns), HasSubstr("problem: "), HasSubstr("fingerprint "),
+                      HasSubstr(fmt::format("friction coefficient: {}", mu)),
+                      HasSubstr("K was computed anew from the structure, up to ")));
+    // Without the file it is said what is proved, and what is not.
+    const auto own = shell(command + " verify " + certificate);
+    EXPECT_EQ(own.exit_code, 0);
+    EXPECT_THAT(own.output, AllOf(HasSubstr(patterns), HasSubstr("the certificate's own")));
+    EXPECT_THAT(own.output, Not(HasSubstr("computed anew")));
+  }
+}
+
+TEST_F(VerifyCommand, AForgedStiffnessIsRefused) {
+  const auto forged = given_certificate("forged-decoupled-K.cert");
+  const auto run = verify(forged, example_file("plane-truss.toml"));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output,
+              AllOf(HasSubstr("refused: "), HasSubstr("its K is not that of the structure"),
+                    HasSubstr("NOT PROVED")));
+}
+
+TEST_F(VerifyCommand, AnotherProblemFileIsRefused) {
+  const auto certificate = certificate_of(example_file("two-bars.toml"), 3);
+  struct Row {
+    const char* what;
+    const char* with;
+    const char* said;
+  };
+  const Row table[] = {
+      {"EA = 3.0", "EA = 3.00001", "its K is not that of the structure"},
+      {"top = [1.0, 1.0]", "top = [1.0, 1.0001]", "its K is not that of the structure"},
+      {"normal = [-1.0, 1.0]", "normal = [-1.0, 1.0]\nfriction = 2.0", ""},  // mu = 1.5: all agree
+      {"normal = [-1.0, 1.0]", "normal = [-1.0, 1.001]", "its K is not that of the structure"},
+  };
+  for (const auto& [what, with, said] : table) {
+    const auto run = verify(certificate, changed("two-bars.toml", what, with));
+    EXPECT_EQ(run.exit_code, *said == '\0' ? 0 : 1) << with << run.output;
+    EXPECT_THAT(run.output, HasSubstr(said));
+  }
+  std::ifstream file(example_file("two-bars.toml"));
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  for (auto place = text.find("tip"); place != std::string::npos; place = text.find("tip", place)) {
+    text.replace(place, 3, "end");
+  }
+  std::ofstream(path("renamed.toml")) << text;
+  const auto run = verify(certificate, path("renamed.toml"));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output, HasSubstr("its contact candidate 1 is tip, that of the structure end"));
+}
+
+TEST_F(VerifyCommand, AFileThatIsNoProblemGetsItsLine) {
+  const auto certificate = certificate_of(example_file("two-bars.toml"), 3);
+  const auto none = verify(certificate, path("none.toml"));
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.output, HasSubstr("none.toml: the file cannot be read"));
+  const auto wrong = verify(certificate, changed("two-bars.toml", "EA = 3.0", "EA = -3.0"));
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("changed.toml:"));
+}
+
+TEST_F(VerifyCommand, WhatIsMarginalIsNotProvedAndSaidSo) {
+  const auto run = shell(command + " verify " + given_certificate("everything-marginal.cert"));
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.output, AllOf(HasSubstr("NOTHING PROVED: all nodes are marginal"),
+                                HasSubstr("marginal: 32 not proved")));
+  const auto quiet =
+      shell(command + " verify --quiet " + given_certificate("everything-marginal.cert"));
+  EXPECT_EQ(quiet.exit_code, 3);
+}
+
+TEST_F(VerifyCommand, AnUpperEndBeyondAllNumbersIsRefused) {
+  const auto run = shell(command + " verify " + given_certificate("limit-beyond-doubles.cert"));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.output, HasSubstr("the upper end: it is beyond any number in double precision"));
+}
+
+TEST_F(VerifyCommand, LimitLoadsAreProvedOfTheProblemFile) {
+  const auto certificate = quoted(path("grid.cert"));
+  const auto file = example_file("grid-3x3.toml");
+  const auto run = shell(fmt::format("{} limit {} --alpha 40 --quiet --certificate {}", command,
+                                     quoted(file), certificate));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  const auto proved = verify(certificate, file);
+  EXPECT_EQ(proved.exit_code, 0);
+  EXPECT_THAT(proved.output,
+              AllOf(HasSubstr("PROVED: the least load factor for alpha = 40 is between 37.0120041"),
+                    HasSubstr("problem: "), HasSubstr("direction cosines were computed anew")));
+  EXPECT_THAT(shell(command + " verify " + certificate).output,
+              HasSubstr("the truss is the certificate's own"));
+  const auto other = verify(certificate, example_file("grid-4x4.toml"));
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.output, HasSubstr("refused: "));
+  const auto wrong = verify(certificate, example_file("two-bars.toml"));
+  EXPECT_EQ(wrong.exit_code, 2);  // no truss that limit analysis is for
+}
+
+}  // namespace

@@ -1,0 +1,182 @@
+// A certificate and a problem file: genuine ones are proved of the structure, all others refused.
+#include "verify/agreement.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "problems/structure_file.hpp"
+#include "run/verified_structure.hpp"
+#include "searched.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Structure structure_of(const std::string& name) {
+  return run::verified_structure(example_structure(name));
+}
+
+TEST(Agreement, GenuineCertificatesAreProvedOfTheirStructures) {
+  for (const auto* name :
+       {"two-bars.toml", "plane-truss.toml", "space-truss.toml", "elastic-body.toml"}) {
+    const auto structure = structure_of(name);
+    for (const double mu : {0.3, 0.65, 1.0}) {
+      const auto text = searched(example(name), mu).text();
+      const auto own = verdict(text);
+      const auto said = verdict(text, &structure);
+      EXPECT_THAT(said.refusals, IsEmpty()) << name << ' ' << mu;
+      EXPECT_EQ(said.alive, own.alive) << name << ' ' << mu;
+      EXPECT_EQ(said.dead, own.dead) << name << ' ' << mu;
+    }
+  }
+}
+
+TEST(Agreement, TheCertificateOfAnotherProblemIsRefused) {
+  const auto text = searched(example("plane-truss.toml"), 1.0).text();
+  const auto structure = structure_of("plane-truss.toml");
+  ASSERT_TRUE(verdict(text, &structure).proved());
+  const auto refusal = [&](const auto& change) {
+    auto other = structure;
+    change(other);
+    const auto said = verdict(text, &other);
+    return said.proved() ? std::string() : said.refusals.front();
+  };
+  EXPECT_THAT(refusal([](Structure& s) { s.bars[3].axial_stiffness *= 1.001; }),
+              HasSubstr("its K is not that of the structure"));
+  EXPECT_THAT(refusal([](Structure& s) { s.places[s.contact[1].node][0] += 1e-3; }),
+              HasSubstr("its K is not that of the structure"));
+  EXPECT_THAT(refusal([](Structure& s) { s.contact[2].normal[1] += 1e-3; }),
+              HasSubstr("its K is not that of the structure"));
+  EXPECT_THAT(refusal([](Structure& s) { std::swap(s.contact[0], s.contact[1]); }),
+              HasSubstr("its contact candidate 1 is r1, that of the structure r2"));
+  EXPECT_THAT(refusal([](Structure& s) { s.names[s.contact[4].node] = "x"; }),
+              HasSubstr("its contact candidate 5 is r5, that of the structure x"));
+  EXPECT_THAT(refusal([](Structure& s) { s.contact.pop_back(); }),
+              HasSubstr("it has 5 contact candidates, the structure has 4"));
+  EXPECT_THAT(refusal([](Structure& s) { s.contact[1].friction = 2; }),
+              HasSubstr("the friction at r2 is 1"));
+  EXPECT_THAT(refusal([](Structure& s) { s.dimension = 3; }), HasSubstr("dimension"));
+  EXPECT_THAT(refusal([](Structure& s) { s.bars.clear(); }), HasSubstr("was not enclosed"));
+}
+
+// What is smaller than the comparison notices is not proved of the wrong structure either: the
+// proof uses the structure's K alone.
+TEST(Agreement, TheKOfTheStructureIsWhatIsProved) {
+  const auto structure = structure_of("plane-truss.toml");
+  const auto certificate = read_certificate(searched(example("plane-truss.toml"), 1.0).text(), "c");
+  auto other = structure;
+  for (auto& bar : other.bars) bar.axial_stiffness *= 1 + 1e-9;
+  const auto one = std::get<Agreement>(agreement(certificate, structure));
+  const auto two = std::get<Agreement>(agreement(certificate, other));
+  const double ratio =
+      two.stiffness.middle.entries[0].nearest() / one.stiffness.middle.entries[0].nearest();
+  EXPECT_NEAR(ratio - 1, 1e-9, 1e-15);
+  EXPECT_EQ(one.friction, 1.0);
+}
+
+TEST(Agreement, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
+  auto problem = example("plane-truss.toml");
+  auto structure = structure_of("plane-truss.toml");
+  auto draft = searched(problem, 1.0);
+  const std::vector<double> relative{1, 0.1, 3, 0.7, 0};
+  for (auto& line : draft.header) {
+    if (!line.starts_with("friction")) continue;
+    line = "friction";
+    for (std::size_t i = 0; i < relative.size(); ++i) {
+      structure.contact[i].friction = relative[i];
+      char number[64];
+      std::snprintf(number, sizeof number, " %a", 0.3 * relative[i]);
+      line += number;
+    }
+    line += "\n";
+  }
+  const auto found = agreement(read_certificate(draft.text(), "c"), structure);
+  ASSERT_TRUE(std::holds_alternative<Agreement>(found)) << std::get<std::string>(found);
+  EXPECT_EQ(std::get<Agreement>(found).friction, 0.3);
+  structure.contact[4].friction = 1e-3;
+  EXPECT_THAT(std::get<std::string>(agreement(read_certificate(draft.text(), "c"), structure)),
+              HasSubstr("the friction at r5 is 0"));
+}
+
+// Two towers without a connection: they may be two blocks or one; what is one may not be two.
+TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
+  auto structure = structure_of("two-bars.toml");
+  const auto single = searched(example("two-bars.toml"), 3.0);
+  const auto nodes = structure.names.size();
+  for (std::size_t node = 0; node < nodes; ++node) {
+    structure.places.push_back(structure.places[node]);
+    structure.fixed.push_back(structure.fixed[node]);
+    structure.names.push_back("b-" + structure.names[node]);
+    structure.names[node] = "a-" + structure.names[node];
+  }
+  for (std::size_t bar = 0; bar < 2; ++bar) {
+    auto copy = structure.bars[bar];
+    copy.first += nodes;
+    copy.second += nodes;
+    structure.bars.push_back(copy);
+  }
+  structure.contact.push_back(structure.contact[0]);
+  structure.contact[1].node += nodes;
+  const auto text = in_blocks(single, single).text();
+  const auto said = verdict(text, &structure);
+  EXPECT_THAT(said.refusals, IsEmpty());
+  EXPECT_THAT(said.alive, ElementsAre(1U, 2U));
+  // A bar between the two, however weak.
+  Bar weak;
+  weak.first = structure.contact[0].node;
+  weak.second = structure.contact[1].node;
+  weak.axial_stiffness = 1e-40;
+  structure.places[weak.second][0] += 0x1p-40;
+  structure.bars.push_back(weak);
+  EXPECT_THAT(verdict(text, &structure).refusals,
+              ElementsAre(HasSubstr("in different blocks, but the structure connects them")));
+}
+
+// Stiffnesses from 1 to 1e9: K in double precision is known to a few digits only, and t* = 0 is
+// near.
+TEST(Agreement, HoldsForStiffnessesNineOrdersApart) {
+  const auto file = problems::read_structure(R"(
+name = "contrast"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+a = [0.0, 0.0]
+b = [1.0, 0.3]
+c = [-0.98, 1.53]
+tip = [1.13, 2.66]
+[[members]]
+EA = 1.0
+between = [["a","c"], ["b","c"], ["b","tip"]]
+[[members]]
+EA = 1000000000.0
+between = [["c","tip"]]
+[[supports]]
+nodes = ["a", "b"]
+[[contact]]
+nodes = ["tip"]
+normal = [0.99, -0.1]
+)",
+                                             "contrast.toml");
+  const auto structure = run::verified_structure(file);
+  const auto problem = problems::wedged_problem(file);
+  for (const double mu : {100.0, 107.0, 108.5, 120.0}) {
+    const auto said = verdict(searched(problem, mu).text(), &structure);
+    EXPECT_THAT(said.refusals, IsEmpty()) << mu;
+    EXPECT_EQ(said.alive.size(), mu > 107.78064 ? 1U : 0U) << mu;
+  }
+}
+
+TEST(Agreement, ANameIsComparedAsTheFileHoldsIt) {
+  EXPECT_EQ(on_one_line("a b"), "a b");
+  EXPECT_EQ(on_one_line("a\nb\x7f"), "a\\x0ab\\x7f");
+}
+
+}  // namespace
+}  // namespace kusabi::verify

@@ -1,0 +1,248 @@
+// Certificates of limit loads and the truss in a file; and what harms no reader.
+#include "verify/limit_agreement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <random>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "searched.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+using testing::HasSubstr;
+
+// A tip on a level bar and one that rises by 45 degrees to the wall, both with yield force 1; the
+// reference load is 1 downwards. With r along the wall uncertain by +-alpha the factor is
+// min(1/sqrt 2, 1 - alpha).
+Structure truss() {
+  Structure structure;
+  structure.dimension = 2;
+  structure.names = {"low", "high", "tip"};
+  structure.places = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
+  structure.fixed = {{true, true, false}, {true, true, false}, {false, false, false}};
+  structure.bars = {{0, 2, 1, 1, 1}, {1, 2, 1, 1, 1}};
+  structure.reference = {{2, {0, -1, 0}}};
+  return structure;
+}
+
+// What proves the factor 1/2 for alpha = 1/2, from below up to 1e-9.
+LimitCertificate evidence() {
+  const double half_root = std::sqrt(0.5);
+  LimitCertificate certificate;
+  certificate.displacements = 2;
+  certificate.tension = certificate.compression = {1, 1};
+  certificate.columns = {{{0, 1.0}}, {{0, half_root}, {1, -half_root}}};
+  certificate.dead = {0, 0};
+  certificate.reference = {0, -1};
+  certificate.uncertain = {{0, 1.0}};
+  certificate.alpha = 0.5;
+  certificate.load = {-0.5};
+  certificate.motion = {-1, -1};
+  certificate.cuts = {{0, 0.0, {{0, 1.0}}}};
+  LimitNode node;
+  node.signs = {0};
+  node.one_sided = {0};
+  node.factor = 0.5 - 1e-9;
+  node.forces = {-node.factor, node.factor / half_root};
+  node.shares = {{0, 0.5}};
+  certificate.nodes = {node};
+  return certificate;
+}
+
+LimitErrors agreed(const LimitCertificate& certificate, const Structure& structure) {
+  auto found = limit_agreement(certificate, structure);
+  if (const auto* why = std::get_if<std::string>(&found)) {
+    ADD_FAILURE() << *why;
+    return {};
+  }
+  return std::get<LimitErrors>(found);
+}
+
+TEST(LimitAgreement, TheEndsAreProvedOfTheTruss) {
+  const auto certificate = evidence();
+  const auto errors = agreed(certificate, truss());
+  ASSERT_EQ(errors.columns.size(), 2U);
+  EXPECT_EQ(errors.columns[0].sign(), 0);     // its cosines are 1 and 0
+  EXPECT_GT(errors.columns[1].nearest(), 0);  // the root of 1/2 is no double
+  EXPECT_LT(errors.columns[1].nearest(), 3e-16);
+  const LimitProof proof(certificate, errors);
+  ASSERT_TRUE(proof.stable());
+  const auto upper = std::get<mpq_class>(proof.upper());
+  EXPECT_GT(upper, mpq_class(0.5));  // the motion stretches the rising bar by a rounding
+  EXPECT_LT(upper.get_d(), 0.5 + 1e-14);
+  EXPECT_EQ(std::get<mpq_class>(proof.lower(certificate.nodes[0])), mpq_class(0.5 - 1e-9));
+}
+
+// The proof takes the errors into account: with larger ones the same evidence is worth less.
+TEST(LimitAgreement, ErrorsMoveTheUpperEndAndForbidTheLower) {
+  const auto certificate = evidence();
+  LimitErrors errors = agreed(certificate, truss());
+  errors.columns[1] = Dyadic(0x1p-20);
+  const LimitProof coarse(certificate, errors);
+  EXPECT_GE(std::get<mpq_class>(coarse.upper()).get_d(), 0.5 + 0x1p-20);
+  EXPECT_THAT(std::get<std::string>(coarse.lower(certificate.nodes[0])), HasSubstr("yields"));
+  errors = agreed(certificate, truss());
+  errors.dead = {Dyadic(0x1p-20), Dyadic(0.0)};
+  const LimitProof dead(certificate, errors);
+  EXPECT_GE(std::get<mpq_class>(dead.upper()).get_d(), 0.5 + 0x1p-20);
+  EXPECT_THAT(std::get<std::string>(dead.lower(certificate.nodes[0])), HasSubstr("yields"));
+  errors = agreed(certificate, truss());
+  errors.reference = {Dyadic(0.0), Dyadic(0x1p-20)};
+  const LimitProof reference(certificate, errors);
+  EXPECT_GE(std::get<mpq_class>(reference.upper()).get_d(), 0.5 + 0x1p-22);
+  EXPECT_THAT(std::get<std::string>(reference.lower(certificate.nodes[0])), HasSubstr("yields"));
+  errors = agreed(certificate, truss());
+  errors.columns[0] = Dyadic(1.0);
+  EXPECT_FALSE(LimitProof(certificate, errors).stable());
+}
+
+TEST(LimitAgreement, AnotherTrussIsRefused) {
+  const auto refusal = [&](const auto& change) {
+    auto other = truss();
+    change(other);
+    const auto found = limit_agreement(evidence(), other);
+    const auto* const why = std::get_if<std::string>(&found);
+    return why == nullptr ? std::string() : *why;
+  };
+  EXPECT_EQ(refusal([](Structure&) {}), "");
+  EXPECT_EQ(refusal([](Structure& s) { s.bars[0].axial_stiffness = 7; }), "");  // not in its laws
+  EXPECT_THAT(refusal([](Structure& s) { s.places[1][1] += 1e-12; }),
+              HasSubstr("its direction of member high-tip is not that of the truss"));
+  EXPECT_THAT(refusal([](Structure& s) { s.bars[0].tension = 1 + 1e-15; }),
+              HasSubstr("its yield forces of member low-tip are not those of the truss"));
+  EXPECT_THAT(refusal([](Structure& s) { s.bars[1].compression = 2; }), HasSubstr("yield forces"));
+  EXPECT_THAT(refusal([](Structure& s) { s.dead = {{2, {0, 1e-9, 0}}}; }), HasSubstr("dead load"));
+  EXPECT_THAT(refusal([](Structure& s) { s.reference[0].components[1] = -1.5; }),
+              HasSubstr("reference load"));
+  EXPECT_THAT(refusal([](Structure& s) { s.uncertain.emplace(); }),
+              HasSubstr("uncertain components"));
+  EXPECT_THAT(refusal([](Structure& s) {
+                s.uncertain = {{2, 0, 0.5}};
+              }),
+              HasSubstr("uncertain components"));
+  EXPECT_EQ(refusal([](Structure& s) { s.uncertain = {{2, 0, 1}}; }), "");
+  EXPECT_THAT(refusal([](Structure& s) { s.fixed[2][0] = true; }), HasSubstr("displacements"));
+  EXPECT_THAT(refusal([](Structure& s) { s.bars.pop_back(); }), HasSubstr("members"));
+}
+
+TEST(LimitAgreement, AnEntryMayBeThereOnceOnly) {
+  auto certificate = evidence();
+  certificate.columns[0] = {{0, 0.5}, {0, 0.5}};
+  EXPECT_TRUE(std::holds_alternative<std::string>(limit_agreement(certificate, truss())));
+  certificate = evidence();
+  certificate.columns[0].clear();
+  EXPECT_TRUE(std::holds_alternative<std::string>(limit_agreement(certificate, truss())));
+  certificate = evidence();
+  certificate.columns[0].emplace_back(1, 0x1p-60);
+  const auto errors = agreed(certificate, truss());  // a rounding of 0
+  EXPECT_EQ(errors.columns[0].nearest(), 0x1p-60);
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    read_limit_certificate(text, "cert");
+    return {};
+  } catch (const CertificateError& error) {
+    return error.what();
+  }
+}
+
+TEST(LimitCertificate, NoMemoryIsTakenForWhatTheFileCannotHold) {
+  const auto text = limit_certificate_text(evidence());
+  ASSERT_EQ(complaint(text), "");
+  struct Wrong {
+    const char* what;
+    const char* with;
+    const char* said;
+  };
+  const Wrong table[] = {
+      {"displacements 2", "displacements 200000",
+       "cert:2: 'displacements 200000', expected 'displacements' and a number that the rest of"},
+      {"members 2", "members 9000000",
+       "cert:3: 'members 9000000', expected 'members' and a number"},
+      {"members 2", "members 1", "expected as many members as displacements at least"},
+      {"member 0x1p+0 0x1p+0 1 ", "member 0x1p+0 0x1p+0 2 ",
+       "the place of one of the entries of B"},
+      {"member 0x1p+0 0x1p+0 1 0 0x1p+0", "member 0x1p+0 0x1p+0 2 0", "that the line holds"},
+      {"uncertain 1", "uncertain 4000000", "expected 'uncertain' and a number that the rest"},
+      {"cuts 1", "cuts 4000000", "expected 'cuts' and a number that the rest of the file holds"},
+      {"nodes 1", "nodes 4000000", "expected 'nodes' and a number that the rest of the file holds"},
+  };
+  for (const auto& [what, with, said] : table) {
+    auto wrong = text;
+    ASSERT_NE(wrong.find(what), std::string::npos) << what;
+    wrong.replace(wrong.find(what), std::string(what).size(), with);
+    EXPECT_THAT(complaint(sealed(wrong)), HasSubstr(said)) << with;
+  }
+}
+
+// A motion on which the reference load does 2^-1060 of work: the upper end is beyond all doubles.
+TEST(LimitCertificate, AnEndBeyondAllDoublesIsRoundedToInfinity) {
+  const mpq_class far = Dyadic(mpz_class(3), 1060).rational();
+  const double largest = std::numeric_limits<double>::max();
+  EXPECT_EQ(rounded_up(far), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(rounded_down(far), largest);
+  EXPECT_EQ(rounded_down(mpq_class(-far)), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(rounded_up(mpq_class(-far)), -largest);
+  EXPECT_EQ(rounded_up(mpq_class(1, 4)), 0.25);
+  EXPECT_EQ(rounded_down(mpq_class(1, 3)), std::nextafter(rounded_up(mpq_class(1, 3)), 0.0));
+  auto certificate = evidence();
+  certificate.motion = {-1, -0x1p-1060};
+  const auto upper = LimitProof(certificate).upper();
+  EXPECT_EQ(rounded_up(std::get<mpq_class>(upper)), std::numeric_limits<double>::infinity());
+}
+
+TEST(LimitCertificate, NoChangeAnywhereDoesHarm) {
+  const auto text = limit_certificate_text(evidence());
+  std::mt19937_64 generator(5);
+  const std::string likely = "0123456789abcdef-+xp \n";
+  const std::string extremes[] = {"0x1p-1060",
+                                  "0x0.0000000000001p-1022",
+                                  "0x1.fffffffffffffp+1023",
+                                  "-0x1.fffffffffffffp+1023",
+                                  "0x1p-1000",
+                                  "0x1p+99999999999",
+                                  "0x0p+0",
+                                  "4294967296",
+                                  "18446744073709551615",
+                                  "9999999"};
+  int read = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    auto altered = text;
+    for (auto changes = 1 + generator() % 4; changes > 0; --changes) {
+      const auto place = generator() % altered.size();
+      const auto start = altered.find(' ', place);
+      if (generator() % 2 == 0 && start != std::string::npos) {
+        const auto end = altered.find_first_of(" \n", start + 1);
+        altered.replace(start + 1, end - start - 1, extremes[generator() % std::size(extremes)]);
+      } else {
+        altered[place] = likely[generator() % likely.size()];
+      }
+    }
+    try {
+      const auto certificate = read_limit_certificate(sealed(altered), "cert");
+      ++read;
+      const LimitProof proof(certificate);
+      const auto upper = proof.upper();
+      if (const auto* value = std::get_if<mpq_class>(&upper)) rounded_up(*value);
+      flaw_of_sign_cover(certificate);
+      for (const auto& node : certificate.nodes) {
+        if (!proof.stable()) break;
+        const auto lower = proof.lower(node);
+        if (const auto* value = std::get_if<mpq_class>(&lower)) rounded_down(*value);
+      }
+    } catch (const CertificateError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("cert"));
+    }
+  }
+  EXPECT_GT(read, 1000);
+}
+
+}  // namespace
+}  // namespace kusabi::verify

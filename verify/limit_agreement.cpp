@@ -1,0 +1,133 @@
+// Member by member, then the loads.
+#include "verify/limit_agreement.hpp"
+
+#include <map>
+#include <optional>
+
+#include "verify/assembly.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+std::string bar_name(const Structure& structure, const Bar& bar) {
+  return structure.names[bar.first] + "-" + structure.names[bar.second];
+}
+
+// How far the column of a member is from the one that its bar has; nothing if that is no rounding.
+std::optional<Dyadic> column_error(const Sparse& column, const Structure& structure,
+                                   const Freedom& freedom, const Bar& bar) {
+  std::map<std::size_t, double> recorded;
+  for (const auto& [place, value] : column) {
+    if (!recorded.emplace(place, value).second) return {};
+  }
+  const auto cosines = direction(structure, bar).cosines;
+  Dyadic total;
+  for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+    if (!cosines[axis].finite()) return {};
+    for (const auto node : {bar.first, bar.second}) {
+      const auto number = freedom.number[node][axis];
+      if (number == Freedom::none) continue;
+      const auto entry = node == bar.first ? -cosines[axis] : cosines[axis];
+      const auto found = recorded.find(number);
+      const double value = found == recorded.end() ? 0.0 : found->second;
+      if (found != recorded.end()) recorded.erase(found);
+      const auto error = entry.distance(Dyadic(value));
+      if (error > Dyadic(cosine_tolerance)) return {};
+      total = total + error;
+    }
+  }
+  for (const auto& [place, value] : recorded) {
+    if (value != 0) return {};
+  }
+  return total;
+}
+
+std::vector<Enclosure> sum_of(const std::vector<Force>& forces, const Structure& structure,
+                              const Freedom& freedom) {
+  std::vector<Enclosure> sum(freedom.count);
+  for (const auto& force : forces) {
+    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+      const auto number = freedom.number[force.node][axis];
+      if (number != Freedom::none) sum[number] += Enclosure(force.components[axis]);
+    }
+  }
+  return sum;
+}
+
+// Sums of doubles, added in double precision: a few roundings off.
+std::optional<std::vector<Dyadic>> load_errors(const std::vector<double>& recorded,
+                                               const std::vector<Enclosure>& load) {
+  constexpr long roundings = -40;
+  std::vector<Dyadic> errors;
+  for (std::size_t e = 0; e < load.size(); ++e) {
+    errors.push_back(load[e].distance(Dyadic(recorded[e])));
+    if (errors.back() > absolute(Dyadic(recorded[e])).scaled(roundings)) return {};
+  }
+  return errors;
+}
+
+std::map<std::size_t, double> uncertain_weights(const Structure& structure, const Freedom& freedom,
+                                                const std::vector<Enclosure>& dead,
+                                                const std::vector<Enclosure>& reference) {
+  std::map<std::size_t, double> weights;
+  if (structure.uncertain) {
+    for (const auto& [node, axis, weight] : *structure.uncertain) {
+      weights.emplace(freedom.number[node][axis], weight);
+    }
+  } else {
+    for (std::size_t e = 0; e < freedom.count; ++e) {
+      if (dead[e].is_zero() && reference[e].is_zero()) weights.emplace(e, 1.0);
+    }
+  }
+  return weights;
+}
+
+std::optional<std::string> other_bars(const LimitCertificate& certificate,
+                                      const Structure& structure, const Freedom& freedom,
+                                      LimitErrors& errors) {
+  for (std::size_t i = 0; i < structure.bars.size(); ++i) {
+    const auto& bar = structure.bars[i];
+    if (certificate.tension[i] != bar.tension || certificate.compression[i] != bar.compression) {
+      return "its yield forces of member " + bar_name(structure, bar) +
+             " are not those of the truss";
+    }
+    const auto error = column_error(certificate.columns[i], structure, freedom, bar);
+    if (!error) {
+      return "its direction of member " + bar_name(structure, bar) + " is not that of the truss";
+    }
+    errors.columns.push_back(*error);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::variant<LimitErrors, std::string> limit_agreement(const LimitCertificate& certificate,
+                                                       const Structure& structure) {
+  const Freedom freedom(structure);
+  if (certificate.displacements != freedom.count ||
+      certificate.members() != structure.bars.size()) {
+    return "it has " + std::to_string(certificate.displacements) + " displacements and " +
+           std::to_string(certificate.members()) + " members, the truss has " +
+           std::to_string(freedom.count) + " and " + std::to_string(structure.bars.size());
+  }
+  LimitErrors errors;
+  if (auto why = other_bars(certificate, structure, freedom, errors)) return *why;
+  const auto dead = sum_of(structure.dead, structure, freedom);
+  const auto reference = sum_of(structure.reference, structure, freedom);
+  auto dead_errors = load_errors(certificate.dead, dead);
+  auto reference_errors = load_errors(certificate.reference, reference);
+  if (!dead_errors) return "its dead load is not that of the truss";
+  if (!reference_errors) return "its reference load is not that of the truss";
+  errors.dead = std::move(*dead_errors);
+  errors.reference = std::move(*reference_errors);
+  const auto weights = uncertain_weights(structure, freedom, dead, reference);
+  const std::map<std::size_t, double> recorded(certificate.uncertain.begin(),
+                                               certificate.uncertain.end());
+  if (weights != recorded || recorded.size() != certificate.uncertain.size()) {
+    return "its uncertain components of the load are not those of the truss";
+  }
+  return errors;
+}
+
+}  // namespace kusabi::verify

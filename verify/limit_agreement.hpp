@@ -1,0 +1,24 @@
+// Whether a certificate of a limit load speaks of a truss in a problem file: its B, its yield
+// forces, its loads and what is uncertain of them.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "verify/limit_certificate.hpp"
+#include "verify/limit_proof.hpp"
+#include "verify/structure.hpp"
+
+namespace kusabi::verify {
+
+/// Direction cosines of the certificate may differ from those of the truss by so much: they are
+/// roundings of them. The proof takes the difference into account, whatever it is.
+inline constexpr double cosine_tolerance = 0x1p-48;
+
+/// Compares all numbers that describe the truss: yield forces and weights must be the same, loads
+/// and direction cosines the same but for rounding, by how much is returned.
+/// @return a sentence that says where they disagree, if they do
+std::variant<LimitErrors, std::string> limit_agreement(const LimitCertificate& certificate,
+                                                       const Structure& structure);
+
+}  // namespace kusabi::verify
