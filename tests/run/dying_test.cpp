@@ -258,7 +258,7 @@ TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
         "p.cert --checkpoint state --checkpoint-interval 0.05 > said 2>&1) & p=$!;"
         " (cd {}; {} sleep {:.3f}; kill -{} $p) &\n",
         quoted(folder), ranks(2), command, quoted(problem), quoted(folder),
-        moment % 4 < 2 ? await_search : std::string{}, 0.1 + 2 * place,
+        moment % 4 < 2 ? await_search : std::string{}, 0.1 + place,
         moment % 2 == 0 ? "TERM" : "INT");
     if (moment % at_a_time == at_a_time - 1) script += "wait\n";
   }
