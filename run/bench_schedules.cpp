@@ -13,6 +13,7 @@
 #include "engine/simulation.hpp"
 #include "nodes/sized_tree.hpp"
 #include "run/exit_code.hpp"
+#include "run/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -120,8 +121,7 @@ int bench_schedules(Session& session, const BenchSchedulesOptions& options) {
     }
     if (!session.speaks() || Clock::now() < next_line) continue;
     next_line = Clock::now() + interval;
-    fmt::print(stderr, "{} of {} schedules, {} failed\n", tried * step, options.seeds,
-               failed_seeds);
+    tell("{} of {} schedules, {} failed\n", tried * step, options.seeds, failed_seeds);
   }
   fmt::print("{} schedules{}, {} failed\n", tried,
              step == 1 ? "" : fmt::format(" on rank {}", session.transport().rank()), failed_seeds);

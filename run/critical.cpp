@@ -4,15 +4,19 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "nodes/critical_friction.hpp"
 #include "problems/structure_file.hpp"
+#include "run/agreement.hpp"
 #include "run/critical_ends.hpp"
 #include "run/critical_report.hpp"
 #include "run/critical_search.hpp"
 #include "run/exit_code.hpp"
+#include "run/last_steps.hpp"
+#include "run/outputs.hpp"
 #include "run/problem_summary.hpp"
 #include "run/result_file.hpp"
 #include "run/standard_output.hpp"
@@ -21,10 +25,10 @@ namespace kusabi::run {
 namespace {
 
 void announce(const CriticalOptions& options, const problems::WedgedProblem& problem, int ranks) {
-  fmt::print(stderr, "kusabi {} · critical · {}\n{}; up to a friction coefficient of {}{}; {}\n",
-             KUSABI_VERSION, options.file, problem_line(problem), options.most.value_or(usual_most),
-             uniform_friction(problem) ? "" : " times that of each candidate",
-             ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+  tell("kusabi {} · critical · {}\n{}; up to a friction coefficient of {}{}; {}\n", KUSABI_VERSION,
+       options.file, problem_line(problem), options.most.value_or(usual_most),
+       uniform_friction(problem) ? "" : " times that of each candidate",
+       ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
 void check(const CriticalOptions& options) {
@@ -43,10 +47,10 @@ void check(const CriticalOptions& options) {
 
 void tell_what_is_open(const CriticalFindings& findings) {
   if (findings.status != "solved") {
-    fmt::print(stderr, "stopped early ({}): nothing lives below {:.10g}; more is not proved\n",
-               findings.status, findings.lower);
+    tell("stopped early ({}): nothing lives below {:.10g}; more is not proved\n", findings.status,
+         findings.lower);
   }
-  for (const auto& sentence : findings.open) fmt::print(stderr, "open: {}\n", sentence);
+  for (const auto& sentence : findings.open) tell("open: {}\n", sentence);
 }
 
 }  // namespace
@@ -57,6 +61,12 @@ int critical(Session& session, const CriticalOptions& asked) {
   const std::string text = session.on_first_rank([&] {
     check(options);
     auto content = problems::file_text(options.file);
+    std::vector<NamedFile> files{{"--output", options.output}};
+    if (!options.certificate.empty()) {
+      for (const char* const end : {".lower", ".upper"})
+        files.push_back({"--certificate", options.certificate + end});
+    }
+    check_outputs(options.file, files);
     result_file.emplace(options.output, options.file);
     return content;
   });
@@ -66,6 +76,7 @@ int critical(Session& session, const CriticalOptions& asked) {
   const double most = nodes::CriticalFriction::range(problem).most;
   if (options.most) friction_at(problem, *options.most, options.file);
   if (!options.most && most < usual_most) options.most = most;
+  agree(session, problem);
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
   const Budget budget(options.limits);
   auto findings = options.way == CriticalWay::global
@@ -74,9 +85,10 @@ int critical(Session& session, const CriticalOptions& asked) {
   if (findings.status == "solved") prove_ends(session, options, structure, problem, budget, findings);
   int code = findings.answered() ? solved : stopped_early;
   if (session.speaks()) {
-    result_file->write(critical_json(options, problem, findings));
-    if (!options.quiet) fmt::print("{}", critical_table(options, problem, findings));
-    flush_standard_output();
+    do_all({[&] { result_file->write(critical_json(options, problem, findings)); },
+            [&] {
+              if (!options.quiet) print_answer(critical_table(options, problem, findings));
+            }});
     if (!options.quiet) tell_written({options.output});
     tell_what_is_open(findings);
   }

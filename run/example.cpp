@@ -10,6 +10,7 @@
 #include "problems/structure_writer.hpp"
 #include "run/exit_code.hpp"
 #include "run/output_file.hpp"
+#include "run/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -30,7 +31,7 @@ int write_example(Session& session, const char* name, const std::string& output,
       file.stream() << text;
       file.put_in_place();
     } else {
-      fmt::print("{}", text);
+      print_answer(text);
     }
     return {};
   });

@@ -21,10 +21,12 @@
 #include "problems/limit_problem.hpp"
 #include "problems/structure_file.hpp"
 #include "run/exit_code.hpp"
+#include "run/last_steps.hpp"
 #include "run/limit_evidence.hpp"
 #include "run/limit_mixed.hpp"
 #include "run/limit_report.hpp"
 #include "run/output_file.hpp"
+#include "run/outputs.hpp"
 #include "run/result_file.hpp"
 #include "run/shared_work.hpp"
 #include "run/shown_search.hpp"
@@ -133,8 +135,8 @@ void LimitRun::say_round(std::size_t columns) {
   const auto now = std::chrono::steady_clock::now();
   if (!session_.speaks() || options_.quiet || now - said_ < std::chrono::seconds(2)) return;
   said_ = now;
-  fmt::print(stderr, "at the root: {} of {} uncertain components are looked at for cuts\n", columns,
-             model_.uncertain_count());
+  tell("at the root: {} of {} uncertain components are looked at for cuts\n", columns,
+       model_.uncertain_count());
 }
 
 RootResult LimitRun::root(double alpha) {
@@ -358,13 +360,13 @@ LimitAnswer LimitRun::answer() {
 }
 
 void announce(const LimitOptions& options, const LimitProblem& problem, int ranks) {
-  fmt::print(stderr,
-             "kusabi {} · limit · {}\n"
-             "{}: {}, {} nodes, {} members, {} free displacements; {}\n",
-             KUSABI_VERSION, options.file, problem.name,
-             problem.dimension == 2 ? "in the plane" : "in space", problem.node_names.size(),
-             problem.member_count(), problem.free_count(),
-             ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+  tell(
+      "kusabi {} · limit · {}\n"
+      "{}: {}, {} nodes, {} members, {} free displacements; {}\n",
+      KUSABI_VERSION, options.file, problem.name,
+      problem.dimension == 2 ? "in the plane" : "in space", problem.node_names.size(),
+      problem.member_count(), problem.free_count(),
+      ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
 }  // namespace
@@ -374,12 +376,15 @@ int limit(Session& session, const LimitOptions& options) {
   std::optional<OutputFile> certificate_file;
   const std::string text = session.on_first_rank([&] {
     auto content = problems::file_text(options.file);
+    check_outputs(options.file,
+                  {{"--output", options.output}, {"--certificate", options.certificate}});
     result_file.emplace(options.output, options.file);
     certificate_file.emplace("--certificate", options.certificate, options.file);
     return content;
   });
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   const auto problem = problems::limit_problem(problems::read_structure(text, options.file));
+  session.agree(problem.fingerprint);
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
   LimitRun run(session, options, problem);
   const auto answer = run.answer();
@@ -388,13 +393,15 @@ int limit(Session& session, const LimitOptions& options) {
                                      answer.worst->search != engine::Status::solved);
   if (session.speaks()) {
     const LimitReport report{options, problem, answer, session.ranks()};
-    if (!options.quiet) fmt::print("{}", report.table());
-    flush_standard_output();
-    result_file->write(report.json());
-    if (certificate_file->wanted() && run.certificate()) {
-      certificate_file->stream() << limit_certificate_text(*run.certificate());
-      certificate_file->put_in_place();
-    }
+    do_all({[&] { result_file->write(report.json()); },
+            [&] {
+              if (!certificate_file->wanted() || !run.certificate()) return;
+              certificate_file->stream() << limit_certificate_text(*run.certificate());
+              certificate_file->put_in_place();
+            },
+            [&] {
+              if (!options.quiet) print_answer(report.table());
+            }});
     if (!options.quiet) tell_written({options.output, options.certificate});
   }
   return open ? stopped_early : solved;

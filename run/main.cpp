@@ -26,6 +26,7 @@
 #include "run/patterns.hpp"
 #include "run/rays.hpp"
 #include "run/session.hpp"
+#include "run/standard_output.hpp"
 #include "run/verify.hpp"
 
 namespace {
@@ -57,7 +58,7 @@ const CLI::Validator facet_count(
 int complain(Session& session, const std::string& message) {
   if (session.speaks()) {
     std::fflush(stdout);
-    fmt::print(stderr, "{}\n", message);
+    tell("{}\n", message);
   }
   return wrong_input;
 }
@@ -484,21 +485,21 @@ int run(Session& session, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    if (session.speaks()) fmt::print("{}", app.help());
+    if (session.speaks()) print_answer(app.help());
     return solved;
   } catch (const CLI::CallForAllHelp&) {
-    if (session.speaks()) fmt::print("{}", app.help("", CLI::AppFormatMode::All));
+    if (session.speaks()) print_answer(app.help("", CLI::AppFormatMode::All));
     return solved;
   } catch (const CLI::CallForVersion& version) {
-    if (session.speaks()) fmt::print("{}\n", version.what());
+    if (session.speaks()) print_answer(fmt::format("{}\n", version.what()));
     return solved;
   } catch (const CLI::ParseError& error) {
     return complain(session, fmt::format("kusabi: {} (try --help)", error.what()));
   }
 
-  if (serial && Session::serial_among_many()) {
-    return complain(session,
-                    "kusabi: --serial under mpirun: every process would do the whole search");
+  if (const auto fault = session.fault_of_launch(serial)) {
+    if (!fault->empty()) complain(session, "kusabi: " + *fault);
+    return wrong_input;
   }
   return action(session);
 }
@@ -506,6 +507,7 @@ int run(Session& session, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  secure_standard_streams();  // before MPI and anything else opens a file
   Session session(argc, argv);
   try {
     return run(session, argc, argv);
@@ -513,9 +515,12 @@ int main(int argc, char** argv) {
     return complain(session, error.what());
   } catch (const kusabi::problems::InputError& error) {
     return complain(session, error.what());
+  } catch (const Disagreement& error) {
+    if (session.speaks()) tell("kusabi: {}\n", error.what());
+    return failed;
   } catch (const std::exception& error) {
     session.transport().abandon(error.what());
-    fmt::print(stderr, "kusabi: {}\n", error.what());
+    tell("kusabi: {}\n", error.what());
     return failed;
   }
 }

@@ -11,7 +11,9 @@
 #include "nodes/linear/program_file.hpp"
 #include "problems/fingerprint.hpp"
 #include "run/exit_code.hpp"
+#include "run/last_steps.hpp"
 #include "run/mip_report.hpp"
+#include "run/outputs.hpp"
 #include "run/rank_table.hpp"
 #include "run/restart.hpp"
 #include "run/result_file.hpp"
@@ -27,13 +29,13 @@ using nodes::linear::ProgramFile;
 
 void announce(const MipOptions& options, const ProgramFile& program, int ranks) {
   const auto& [name, constant, columns, rows, entries] = program.mixed.program;
-  fmt::print(stderr,
-             "kusabi {} · mip · {}\n"
-             "{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}\n",
-             KUSABI_VERSION, options.file, name.empty() ? "a program without a name" : name,
-             rows.size(), columns.size(), program.mixed.binaries.size(), entries.size(),
-             program.maximise ? "maximise (progress shows the negative objective)" : "minimise",
-             ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+  tell(
+      "kusabi {} · mip · {}\n"
+      "{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}\n",
+      KUSABI_VERSION, options.file, name.empty() ? "a program without a name" : name, rows.size(),
+      columns.size(), program.mixed.binaries.size(), entries.size(),
+      program.maximise ? "maximise (progress shows the negative objective)" : "minimise",
+      ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
 // Rank 0 reads; the others get what it read.
@@ -41,6 +43,9 @@ ProgramFile read_on_first_rank(Session& session, const MipOptions& options,
                                std::optional<ResultFile>& result_file) {
   return told_by_first_rank(session, [&] {
     auto program = nodes::linear::read_program(options.file);
+    check_outputs(
+        options.file, {{"--output", options.output}},
+        {{"--checkpoint", options.checkpoint.empty() ? options.restart : options.checkpoint}});
     result_file.emplace(options.output, options.file);
     return program;
   });
@@ -81,8 +86,7 @@ std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options)
 
 void tell_what_is_left(const MipOptions& options, const std::string& checkpoint,
                        const engine::Outcome<nodes::ZeroOneTree>& outcome) {
-  fmt::print(stderr, "stopped early ({}): {} open nodes are left\n", status_name(outcome.status),
-             outcome.open);
+  tell("stopped early ({}): {} open nodes are left\n", status_name(outcome.status), outcome.open);
   std::string call = fmt::format("kusabi mip {}", options.file);
   if (options.cuts == nodes::ZeroOneCuts::disjunctive) call += " --cuts disjunctive";
   if (options.branching == nodes::ZeroOneBranching::look_ahead) {
@@ -134,9 +138,10 @@ int mip(Session& session, const MipOptions& options) {
   const bool whole = outcome.status == engine::Status::solved;
   if (session.speaks()) {
     const MipReport report{options, program, fingerprint, tree, outcome, unbounded};
-    if (!options.quiet) fmt::print("{}", report.table());
-    flush_standard_output();
-    result_file->write(report.json());
+    do_all({[&] { result_file->write(report.json()); },
+            [&] {
+              if (!options.quiet) print_answer(report.table());
+            }});
     if (!options.quiet) tell_written({options.output});
     if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
   }

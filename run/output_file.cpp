@@ -1,11 +1,20 @@
-// Which place, and what to open there.
+// Which place, what to open there, and what others have left there.
 #include "run/output_file.hpp"
 
+#include <array>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "run/session.hpp"
@@ -13,6 +22,55 @@
 namespace kusabi::run {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view suffix = ".tmp";
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  if (gethostname(name.data(), name.size() - 1) != 0) return "host";
+  std::string text = name.data();
+  for (char& c : text) {
+    if (c == '/') c = '_';
+  }
+  return text;
+}
+
+// The process of a name PLACE.HOST.PROCESS.tmp or PLACE.HOST.PROCESS.NUMBER.tmp, of this host.
+std::optional<pid_t> process_of(std::string_view file, const std::string& place) {
+  const auto prefix = fmt::format("{}.{}.", place, host_name());
+  if (!file.starts_with(prefix) || !file.ends_with(suffix)) return std::nullopt;
+  pid_t process = 0;
+  const char* const last = file.data() + file.size() - suffix.size();
+  const auto [end, error] = std::from_chars(file.data() + prefix.size(), last, process);
+  if (error != std::errc{} || process <= 0 || (end != last && *end != '.')) return std::nullopt;
+  return process;
+}
+
+// A process of this host that is gone, and a lock that nobody holds: only both together say that
+// the file is nobody's, since a host's name may be shared by several machines, and locks need not
+// reach beyond one.
+void remove_if_left(const fs::path& file, pid_t process) {
+  if (kill(process, 0) == 0 || errno != ESRCH) return;
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (descriptor < 0) return;
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(file.c_str());
+  close(descriptor);
+}
+
+void remove_what_the_dead_left(const fs::path& place) {
+  std::error_code error;
+  const auto name = place.filename().string();
+  for (fs::directory_iterator entry(place.parent_path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (const auto process = process_of(entry->path().filename().string(), name)) {
+      remove_if_left(entry->path(), *process);
+    }
+  }
+}
+
+}  // namespace
 
 OutputFile::OutputFile(const std::string& option, const std::string& name,
                        const std::string& input) {
@@ -24,33 +82,59 @@ OutputFile::OutputFile(const std::string& option, const std::string& name,
   const auto kind = fs::status(name, error).type();
   if (kind == fs::file_type::directory) refuse("is a folder, expected a file name");
   if (kind == fs::file_type::not_found || kind == fs::file_type::regular) {
-    place_ = fs::weakly_canonical(name, error);
+    place_ = fs::weakly_canonical(fs::absolute(name), error);
     if (error) refuse(error.message());
     if (fs::equivalent(place_, input, error)) refuse("is the problem file itself");
-    beside_ = place_;
-    beside_ += fmt::format(".{}.tmp", getpid());
-    if (fs::exists(beside_, error)) refuse(beside_.string() + " is in the way");
+    if (const auto why = open_beside(); !why.empty()) refuse("cannot be written: " + why);
   } else {
     place_ = name;  // a device or a pipe, whose real name nobody can open
+    file_.open(place_, std::ios::binary | std::ios::trunc);
+    if (!file_) refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
   }
-  file_.open(beside_.empty() ? place_ : beside_, std::ios::binary | std::ios::trunc);
-  if (!file_) refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
+}
+
+std::string OutputFile::open_beside() {
+  remove_what_the_dead_left(place_);
+  const auto stem = fmt::format("{}.{}.{}", place_.string(), host_name(), getpid());
+  constexpr mode_t for_all = 0666;
+  // A process of the same number, of a machine or container of the same name, may have one there.
+  for (int number = 0; lock_ < 0; ++number) {
+    auto name = number == 0 ? fmt::format("{}{}", stem, suffix)
+                            : fmt::format("{}.{}{}", stem, number, suffix);
+    const int made = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, for_all);
+    if (made < 0 && errno == EEXIST) continue;
+    if (made < 0) return std::strerror(errno);
+    lock_ = made;
+    beside_ = std::move(name);
+  }
+  flock(lock_, LOCK_EX | LOCK_NB);  // where there are no locks, nobody removes what is left
+  file_.open(beside_, std::ios::binary | std::ios::in | std::ios::out);
+  if (!file_) return std::strerror(errno);
+  return {};
 }
 
 OutputFile::~OutputFile() {
-  if (beside_.empty()) return;
-  std::error_code nothing_to_be_done;
-  fs::remove(beside_, nothing_to_be_done);
+  if (!beside_.empty()) {
+    std::error_code nothing_to_be_done;
+    fs::remove(beside_, nothing_to_be_done);
+  }
+  if (lock_ >= 0) close(lock_);
 }
 
 void OutputFile::put_in_place() {
+  const auto fail = [&](const std::string& why) {
+    throw std::runtime_error(fmt::format("{}: {}", place_.string(), why));
+  };
   file_.close();
-  if (!file_) {
-    throw std::runtime_error(
-        fmt::format("{}: could not be written in full; is the disk full?", place_.string()));
-  }
+  if (!file_) fail("could not be written in full; is the disk full?");
   if (beside_.empty()) return;
-  fs::rename(beside_, place_);
+  // Some file systems report only here that there is no room; others have nothing to sync.
+  if (fsync(lock_) != 0 && errno != EINVAL && errno != ENOTSUP) {
+    fail(fmt::format("could not be written in full: {}", std::strerror(errno)));
+  }
+  std::error_code error;
+  fs::rename(beside_, place_, error);
+  if (error) fail("cannot be put in place: " + error.message());
   beside_.clear();
 }
 

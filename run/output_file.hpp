@@ -1,5 +1,9 @@
 // A file that the command writes: beside its place and renamed, so that a reader never sees half of
 // one, and opened before the work begins, so that a wrong name costs a second and not a night.
+//
+// The file beside is named PLACE.HOST.PROCESS.tmp and locked while its process lives. One that was
+// left by a process that was killed is removed by the next that writes to the same place; nothing
+// ever stands in the way.
 #pragma once
 
 #include <filesystem>
@@ -25,14 +29,17 @@ class OutputFile {
   /// Where to write to. @pre wanted()
   [[nodiscard]] std::ostream& stream() { return file_; }
 
-  /// Closes the file and puts it into its place.
+  /// Closes the file, syncs it to the disk and puts it into its place.
   /// @pre wanted()
   /// @throws std::runtime_error if the disk is full, or the like.
   void put_in_place();
 
  private:
+  std::string open_beside();  // @return what is wrong, or nothing
+
   std::filesystem::path place_;
   std::filesystem::path beside_;  // empty: the place is written to directly
+  int lock_ = -1;                 // a descriptor of the file beside
   std::ofstream file_;
 };
 

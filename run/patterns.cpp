@@ -12,9 +12,12 @@
 #include "nodes/sign_pattern.hpp"
 #include "problems/fingerprint.hpp"
 #include "problems/structure_file.hpp"
+#include "run/agreement.hpp"
 #include "run/certificate_file.hpp"
 #include "run/exit_code.hpp"
+#include "run/last_steps.hpp"
 #include "run/output_file.hpp"
+#include "run/outputs.hpp"
 #include "run/patterns_report.hpp"
 #include "run/problem_summary.hpp"
 #include "run/rank_table.hpp"
@@ -29,12 +32,12 @@ namespace kusabi::run {
 namespace {
 
 void announce(const PatternsOptions& options, const problems::WedgedProblem& problem, int ranks) {
-  fmt::print(stderr,
-             "kusabi {} · patterns · {}\n"
-             "{}; friction coefficient {}{}; {}\n",
-             KUSABI_VERSION, options.file, problem_line(problem), options.friction,
-             uniform_friction(problem) ? "" : " times that of each candidate",
-             ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+  tell(
+      "kusabi {} · patterns · {}\n"
+      "{}; friction coefficient {}{}; {}\n",
+      KUSABI_VERSION, options.file, problem_line(problem), options.friction,
+      uniform_friction(problem) ? "" : " times that of each candidate",
+      ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
 // A checkpoint belongs to a tree, and the tree hangs on the friction and the tolerance as well.
@@ -51,8 +54,8 @@ std::uint64_t tree_fingerprint(const problems::WedgedProblem& problem,
 
 void tell_what_is_left(const PatternsOptions& options, const std::string& checkpoint,
                        const engine::Outcome<nodes::SignPatternTree>& outcome) {
-  fmt::print(stderr, "stopped early ({}): {} open nodes are left, the list is not complete\n",
-             status_name(outcome.status), outcome.open);
+  tell("stopped early ({}): {} open nodes are left, the list is not complete\n",
+       status_name(outcome.status), outcome.open);
   std::string call = fmt::format("kusabi patterns {} --mu {}", options.file, options.friction);
   const PatternsOptions usual;
   if (options.tolerance != usual.tolerance)
@@ -64,26 +67,33 @@ void tell_what_is_left(const PatternsOptions& options, const std::string& checkp
 }
 
 void tell_what_is_open(std::size_t leaves) {
-  fmt::print(stderr,
-             "open: of {} sign pattern{} it could not be told whether anything wedges: the list is "
-             "complete but for {}\n",
-             leaves, leaves == 1 ? "" : "s", leaves == 1 ? "it" : "them");
+  tell(
+      "open: of {} sign pattern{} it could not be told whether anything wedges: the list is "
+      "complete but for {}\n",
+      leaves, leaves == 1 ? "" : "s", leaves == 1 ? "it" : "them");
 }
 
-// Of a search that stopped early the parts stay, if anything can go on from them.
+// Of a search that stopped early the parts stay, if anything can go on from them. On all ranks.
 void end_certificate(Session& session, CertificateFile& certificate, const std::string& header,
-                     const PatternsOptions& options, bool whole, bool goes_on) {
+                     bool whole, bool goes_on) {
   if (!certificate.wanted()) return;
   certificate.close();
   if (!session.speaks()) return;
   if (whole) {
     certificate.put_in_place(header);
+  } else if (!goes_on) {
+    certificate.drop();
+  }
+}
+
+void tell_what_became_of_the_certificate(const PatternsOptions& options, bool whole, bool goes_on) {
+  if (options.certificate.empty()) return;
+  if (whole) {
     if (!options.quiet) tell_written({options.certificate});
   } else if (goes_on) {
-    fmt::print(stderr, "what is proved so far is in {}.part.*\n", options.certificate);
+    tell("what is proved so far is in {}.part.*\n", options.certificate);
   } else {
-    certificate.drop();
-    fmt::print(stderr, "no certificate: nothing could go on with an incomplete one\n");
+    tell("no certificate: nothing could go on with an incomplete one\n");
   }
 }
 
@@ -94,6 +104,12 @@ int patterns(Session& session, const PatternsOptions& options) {
   std::optional<OutputFile> trace_file;
   const std::string text = session.on_first_rank([&] {
     auto content = problems::file_text(options.file);
+    check_outputs(
+        options.file,
+        {{"--output", options.output},
+         {"--trace", options.trace},
+         {"--certificate", options.certificate}},
+        {{"--checkpoint", options.checkpoint.empty() ? options.restart : options.checkpoint}});
     result_file.emplace(options.output, options.file);
     trace_file.emplace("--trace", options.trace, options.file);
     return content;
@@ -101,6 +117,7 @@ int patterns(Session& session, const PatternsOptions& options) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   const auto problem = problems::wedged_problem(problems::read_structure(text, options.file));
   const auto friction = friction_at(problem, options.friction, options.file);
+  agree(session, problem);
   if (options.facets != 0 && problem.dimension == 2) {
     throw WrongInput(fmt::format(
         "--method polyhedral: {} is in the plane, where the friction cone is a polyhedron already; "
@@ -130,24 +147,31 @@ int patterns(Session& session, const PatternsOptions& options) {
   const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
 
   const bool whole = outcome.status == engine::Status::solved;
+  const bool goes_on = !checkpoint.file.empty() && engine::checkpoint_exists(checkpoint.file);
+  const auto certified = [&] {
+    end_certificate(session, certificate, certificate_header(problem, friction), whole, goes_on);
+  };
   std::size_t open = 0;
-  if (session.speaks()) {
+  if (!session.speaks()) {
+    certified();
+  } else {
     const PatternsReport report(options, problem, outcome);
     open = report.open();
-    result_file->write(report.json());
-    if (!options.quiet) fmt::print("{}", report.table());
-    flush_standard_output();
-    if (trace_file->wanted()) {
-      write_trace(trace_file->stream(), outcome.traces);
-      trace_file->put_in_place();
-    }
+    do_all({[&] { result_file->write(report.json()); },
+            [&] {
+              if (!trace_file->wanted()) return;
+              write_trace(trace_file->stream(), outcome.traces);
+              trace_file->put_in_place();
+            },
+            certified,
+            [&] {
+              if (!options.quiet) print_answer(report.table());
+            }});
     if (!options.quiet) tell_written({options.output, options.trace});
     if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
     if (open != 0) tell_what_is_open(open);
+    tell_what_became_of_the_certificate(options, whole, goes_on);
   }
-  const bool goes_on = !checkpoint.file.empty() && engine::checkpoint_exists(checkpoint.file);
-  end_certificate(session, certificate, certificate_header(problem, friction), options, whole,
-                  goes_on);
   const bool answered = told_by_first_rank(session, [&] { return whole && open == 0; });
   return answered ? solved : stopped_early;
 }

@@ -7,6 +7,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "run/standard_output.hpp"
+
 namespace kusabi::run {
 namespace {
 
@@ -32,7 +34,7 @@ ProgressLine::ProgressLine(engine::Goal goal)
 }
 
 ProgressLine::~ProgressLine() {
-  if (bar_shown_) fmt::print(stderr, "\r\033[K");  // the result follows; the bar has done its work
+  if (bar_shown_) tell("\r\033[K");  // the result follows; the bar has done its work
 }
 
 void ProgressLine::show(const engine::Progress& progress) {
@@ -59,14 +61,14 @@ void ProgressLine::show(const engine::Progress& progress) {
 
 void ProgressLine::show_bar() {
   bar_shown_ = true;
-  fmt::print(stderr, "\r\033[K{}", progress_bar(state_, terminal_width()));
+  tell("\r\033[K{}", progress_bar(state_, terminal_width()));
 }
 
 void ProgressLine::show_row() {
   if (rows_++ % rows_a_page == 0) {
-    fmt::print(stderr, "{}\n", progress_header(state_.minimising));
+    tell("{}\n", progress_header(state_.minimising));
   }
-  fmt::print(stderr, "{}\n", progress_row(state_));
+  tell("{}\n", progress_row(state_));
 }
 
 }  // namespace kusabi::run

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <optional>
-#include <stdexcept>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -15,8 +14,11 @@
 #include "nodes/ray_tree.hpp"
 #include "problems/precise_compliance.hpp"
 #include "problems/structure_file.hpp"
+#include "run/agreement.hpp"
 #include "run/exit_code.hpp"
+#include "run/last_steps.hpp"
 #include "run/output_file.hpp"
+#include "run/outputs.hpp"
 #include "run/patterns_report.hpp"
 #include "run/problem_summary.hpp"
 #include "run/rank_table.hpp"
@@ -104,8 +106,7 @@ std::optional<RaysFound> by_tree(Session& session, const RaysOptions& options,
 
 void announce(const RaysOptions& options, const problems::WedgedProblem& problem, RayMethod method,
               int ranks) {
-  fmt::print(
-      stderr,
+  tell(
       "kusabi {} · rays · {}\n"
       "{}; friction coefficient {}{}; {}{}\n",
       KUSABI_VERSION, options.file, problem_line(problem), options.friction,
@@ -121,37 +122,59 @@ void refuse_space(const std::string& file) {
       file));
 }
 
+// The files that rank 0 writes.
+struct RaysFiles {
+  RaysFiles(const RaysOptions& options)
+      : result(options.output, options.file),
+        csv("--csv", options.csv, options.file),
+        dot("--dot", options.dot, options.file) {}
+  ResultFile result;
+  OutputFile csv;
+  OutputFile dot;
+};
+
 // @return the exit code
 int report(const RaysOptions& options, const problems::WedgedProblem& problem,
-           const rays::ReactionCone& cone, RaysFound& found, ResultFile& result, OutputFile& csv,
-           OutputFile& dot) {
+           const rays::ReactionCone& cone, RaysFound& found, RaysFiles& files) {
   const bool whole = found.status == "solved";
   std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
   if (whole) found.cones = rays::maximal_cones(found.rays, cone.all());
   RaysReport report(options, problem, cone, found);
-  report.write(options.quiet ? nullptr : &std::cout, csv.wanted() ? &csv.stream() : nullptr,
-               result);
-  std::cout.flush();
-  if (!std::cout) throw std::runtime_error("standard output cannot be written");
-  if (csv.wanted()) csv.put_in_place();
-  if (dot.wanted()) {
-    report.draw(dot.stream());
-    dot.put_in_place();
-  }
+  std::ostringstream table;
+  std::ostream* const csv = files.csv.wanted() ? &files.csv.stream() : nullptr;
+  const auto write_all = [&](JsonWriter* json) {
+    report.write(options.quiet ? nullptr : &table, csv, json);
+  };
+  do_all({[&] {
+            if (files.result.wanted()) {
+              files.result.write([&](JsonWriter& json) { write_all(&json); });
+            } else {
+              write_all(nullptr);
+            }
+          },
+          [&] {
+            if (files.csv.wanted()) files.csv.put_in_place();
+          },
+          [&] {
+            if (!files.dot.wanted()) return;
+            report.draw(files.dot.stream());
+            files.dot.put_in_place();
+          },
+          [&] { print_answer(table.str()); }});
   if (!options.quiet) tell_written({options.output, options.csv, options.dot});
   if (!found.health.sound()) {
-    fmt::print(stderr,
-               "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
-               "expected a structure with less cancellation, fewer candidates, or another friction "
-               "coefficient\n",
-               found.health.doubtful);
+    tell(
+        "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
+        "expected a structure with less cancellation, fewer candidates, or another friction "
+        "coefficient\n",
+        found.health.doubtful);
     return failed;
   }
   if (!whole) {
-    fmt::print(stderr,
-               "stopped early ({}): the list of rays is not complete, and no cones are made "
-               "of it\n",
-               found.status);
+    tell(
+        "stopped early ({}): the list of rays is not complete, and no cones are made "
+        "of it\n",
+        found.status);
   }
   return whole ? solved : stopped_early;
 }
@@ -159,9 +182,7 @@ int report(const RaysOptions& options, const problems::WedgedProblem& problem,
 }  // namespace
 
 int rays(Session& session, const RaysOptions& options) {
-  std::optional<ResultFile> result_file;
-  std::optional<OutputFile> csv;
-  std::optional<OutputFile> dot;
+  std::optional<RaysFiles> files;
   const std::string text = session.on_first_rank([&] {
     if (options.method == RayMethod::double_description && limited(options.limits)) {
       throw WrongInput(
@@ -169,14 +190,15 @@ int rays(Session& session, const RaysOptions& options) {
           "limit, or --method tree");
     }
     auto content = problems::file_text(options.file);
-    result_file.emplace(options.output, options.file);
-    csv.emplace("--csv", options.csv, options.file);
-    dot.emplace("--dot", options.dot, options.file);
+    check_outputs(options.file,
+                  {{"--output", options.output}, {"--csv", options.csv}, {"--dot", options.dot}});
+    files.emplace(options);
     return content;
   });
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   const auto structure = problems::read_structure(text, options.file);
   const auto problem = problems::wedged_problem(structure);
+  agree(session, problem);
   if (problem.dimension != 2) refuse_space(options.file);
   const auto friction = friction_at(problem, options.friction, options.file);
   const rays::ReactionCone cone(problems::precise_compliance(structure), friction);
@@ -189,8 +211,7 @@ int rays(Session& session, const RaysOptions& options) {
   } else if (session.speaks()) {
     found = by_double_description(cone);
   }
-  const int code =
-      found ? report(options, problem, cone, *found, *result_file, *csv, *dot) : int{solved};
+  const int code = found ? report(options, problem, cone, *found, *files) : int{solved};
   session.meet({});
   return code;
 }

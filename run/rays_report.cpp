@@ -19,9 +19,6 @@ using rays::Candidates;
 /// A table of more rays or cones is for programs: --output and --csv have them all.
 constexpr std::size_t longest_table = 60;
 
-const std::string rays_mark = "the rays";
-const std::string cones_mark = "the cones";
-
 struct State {
   char letter;
   const char* word;
@@ -63,36 +60,21 @@ std::string RaysReport::states(std::size_t number) const {
   return letters;
 }
 
-void RaysReport::write(std::ostream* table, std::ostream* csv, ResultFile& json_file) {
+void RaysReport::write(std::ostream* table, std::ostream* csv, JsonWriter* json) {
   if (table != nullptr && !found_.rays.empty()) {
     *table << fmt::format("\n{:>7}  {}\n", "", fmt::join(problem_.contact_names, "  "));
     *table << "        x sticks   + slides, r_t = mu r_n   - slides, r_t = -mu r_n   o separates   "
               ". neither\n";
   }
   if (csv != nullptr) *csv << csv_head();
-  std::size_t at = 0;
-  const auto next_ray = [&](ordered_json* element) {
-    if (at == found_.rays.size()) return false;
+  if (json != nullptr) begin(*json);
+  for (std::size_t at = 0; at < found_.rays.size(); ++at) {
     const rays::Ray ray = cone_.ray(found_.rays[at], found_.health);
     if (table != nullptr && at < longest_table) *table << ray_lines(at, ray);
     if (csv != nullptr) *csv << csv_line(at, ray);
-    if (element != nullptr) *element = ray_json(at, ray);
-    ++at;
-    return true;
-  };
-  std::size_t at_cone = 0;
-  const auto next_cone = [&](ordered_json& element) {
-    if (at_cone == found_.cones.size()) return false;
-    element = cone_json(found_.cones[at_cone++]);
-    return true;
-  };
-  const LongList lists[] = {
-      {rays_mark, [&](ordered_json& element) { return next_ray(&element); }},
-      {cones_mark, next_cone},
-  };
-  json_file.write([this] { return json(); }, lists);
-  while (next_ray(nullptr)) {
+    if (json != nullptr) json->value(ray_json(at, ray));
   }
+  if (json != nullptr) end_rays_and_all(*json);
   if (table != nullptr) *table << summary();
 }
 
@@ -146,23 +128,37 @@ std::string RaysReport::summary() const {
   return text;
 }
 
-ordered_json RaysReport::json() const {
+void RaysReport::begin(JsonWriter& json) const {
+  json.begin_object();
+  json.member("command", "rays");
+  json.member("version", KUSABI_VERSION);
+  json.member("problem", problem_json(problem_, options_.file));
+  json.member("options", {{"mu", options_.friction}, {"method", method_name(found_.method)}});
+  json.member("status", found_.status);
+  json.key("result");
+  json.begin_object();
+  json.member("friction", options_.friction);
+  json.member("count", found_.rays.size());
+  if (!found_.tree.is_null()) json.member("tree", found_.tree);
+  json.key("rays");
+  json.begin_list();
+}
+
+// The health is that of the numbers, too, which are made while the rays are written.
+void RaysReport::end_rays_and_all(JsonWriter& json) const {
+  json.end_list();
+  json.key("cones");
+  json.begin_list();
+  for (const auto& each : found_.cones) json.value(cone_json(each));
+  json.end_list();
   const auto& health = found_.health;
-  ordered_json result = {{"friction", options_.friction}, {"count", found_.rays.size()}};
-  if (!found_.tree.is_null()) result["tree"] = found_.tree;
-  result["rays"] = rays_mark;
-  result["cones"] = cones_mark;
-  result["health"] = {{"tolerance", rays::zero_tolerance},
-                      {"largest_zero", health.largest_zero},
-                      {"smallest_nonzero", health.smallest_nonzero},
-                      {"doubtful", health.doubtful}};
-  return {{"command", "rays"},
-          {"version", KUSABI_VERSION},
-          {"problem", problem_json(problem_, options_.file)},
-          {"options", {{"mu", options_.friction}, {"method", method_name(found_.method)}}},
-          {"status", found_.status},
-          {"result", std::move(result)},
-          {"statistics", found_.statistics}};
+  json.member("health", {{"tolerance", rays::zero_tolerance},
+                         {"largest_zero", health.largest_zero},
+                         {"smallest_nonzero", health.smallest_nonzero},
+                         {"doubtful", health.doubtful}});
+  json.end_object();
+  json.member("statistics", found_.statistics);
+  json.end_object();
 }
 
 ordered_json RaysReport::ray_json(std::size_t number, const rays::Ray& ray) const {

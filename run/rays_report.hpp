@@ -14,8 +14,8 @@
 #include "problems/rays/maximal_cones.hpp"
 #include "problems/rays/reaction_cone.hpp"
 #include "problems/wedged_problem.hpp"
+#include "run/json_writer.hpp"
 #include "run/rays.hpp"
-#include "run/result_file.hpp"
 
 namespace kusabi::run {
 
@@ -40,21 +40,21 @@ class RaysReport {
       : options_(options), problem_(problem), cone_(cone), found_(found) {}
 
   /// Makes the numbers of all rays, and writes to those of `table`, `csv` and `json` that are
-  /// wanted. The health of the numbers is then part of `found`.
-  void write(std::ostream* table, std::ostream* csv, ResultFile& json);
+  /// there. The health of the numbers is then part of `found`.
+  void write(std::ostream* table, std::ostream* csv, JsonWriter* json);
 
   /// The cross-complementarity graph of the paper's section 4.3, in the language of Graphviz.
   void draw(std::ostream& out) const;
-
-  /// The last lines of the table: cones, counts, health.
-  [[nodiscard]] std::string summary() const;
 
  private:
   [[nodiscard]] rays::Supports supports(std::size_t number) const {
     return {found_.rays[number], cone_.all()};
   }
   [[nodiscard]] std::string states(std::size_t number) const;
-  [[nodiscard]] nlohmann::ordered_json json() const;
+  /// The last lines of the table: cones, counts, health.
+  [[nodiscard]] std::string summary() const;
+  void begin(JsonWriter& json) const;             // up to the list of rays, which is open then
+  void end_rays_and_all(JsonWriter& json) const;  // the rest
   [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;
   [[nodiscard]] nlohmann::ordered_json cone_json(const rays::Cone& cone) const;
   [[nodiscard]] std::string ray_lines(std::size_t number, const rays::Ray& ray) const;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
+#include "run/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -25,7 +26,7 @@ void require_writable_folder(const std::string& checkpoint) {
 }  // namespace
 
 void warn(const std::string& line) {
-  fmt::print(stderr, "kusabi: {}\n", line);
+  tell("kusabi: {}\n", line);
 }
 
 std::string restart_from(Session& session, const std::string& checkpoint,
@@ -55,12 +56,11 @@ std::string restart_from(Session& session, const std::string& checkpoint,
 void tell_how_to_go_on(const std::string& call, const std::string& checkpoint, bool saved) {
   if (checkpoint.empty()) return;
   if (!saved && !engine::checkpoint_exists(checkpoint)) {
-    fmt::print(stderr, "nothing is saved: no checkpoint could be written\n");
+    tell("nothing is saved: no checkpoint could be written\n");
     return;
   }
-  if (!saved) fmt::print(stderr, "the last checkpoint could not be written\n");
-  fmt::print(stderr, "go on{} with: {} --restart {}\n", saved ? "" : " from the one before it",
-             call, checkpoint);
+  if (!saved) tell("the last checkpoint could not be written\n");
+  tell("go on{} with: {} --restart {}\n", saved ? "" : " from the one before it", call, checkpoint);
 }
 
 }  // namespace kusabi::run

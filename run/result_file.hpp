@@ -2,21 +2,14 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "run/json_writer.hpp"
 #include "run/output_file.hpp"
 
 namespace kusabi::run {
-
-/// A list that is too long to be held: `result` has `mark` in its place, and `next` yields one
-/// element after another until it returns false.
-struct LongList {
-  std::string mark;
-  std::function<bool(nlohmann::ordered_json& element)> next;
-};
 
 class ResultFile {
  public:
@@ -24,14 +17,14 @@ class ResultFile {
   /// @throws WrongInput if it cannot be written
   ResultFile(const std::string& name, const std::string& input);
 
+  [[nodiscard]] bool wanted() const { return file_.wanted(); }
+
   /// Writes `result` and puts the file into its place.
   /// @throws std::runtime_error if the disk is full, or the like.
   void write(const nlohmann::ordered_json& result);
 
-  /// The same for a result with `lists`, in the order in which they stand in it. `result` is called
-  /// anew after each, so that what follows a list may hang on it.
-  void write(const std::function<nlohmann::ordered_json()>& result,
-             std::span<const LongList> lists);
+  /// The same for a result that is too long to be held: `write` is given the writer of the file.
+  void write(const std::function<void(JsonWriter&)>& write);
 
  private:
   OutputFile file_;

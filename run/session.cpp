@@ -8,9 +8,12 @@
 #include <string_view>
 #include <thread>
 
+#include <fmt/format.h>
+
 #include "engine/transport/mpi.hpp"
 #include "engine/transport/single_process.hpp"
 #include "problems/input_error.hpp"
+#include "run/launch.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -23,12 +26,6 @@ bool serial_wanted(int argc, char** argv) {
 }
 
 }  // namespace
-
-bool Session::serial_among_many() {
-  // Open MPI's variable; other launchers have no common one, and the mistake is then seen by eye.
-  const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
-  return size != nullptr && std::string_view(size) != "1";
-}
 
 struct Session::Mpi {
   Mpi(int& argc, char**& argv) : environment(argc, argv) {}
@@ -49,6 +46,13 @@ Session::~Session() = default;
 engine::Transport& Session::transport() {
   if (mpi_) return mpi_->transport;
   return *alone_;
+}
+
+std::optional<std::string> Session::fault_of_launch(bool serial) {
+  const auto launch = launch_told_by([](const char* name) { return std::getenv(name); });
+  auto fault = run::fault_of_launch(launch, static_cast<unsigned>(ranks()), serial);
+  if (fault && launch->number != 0) fault->clear();
+  return fault;
 }
 
 std::string Session::on_first_rank(const std::function<std::string()>& prepare) {
@@ -72,6 +76,17 @@ std::string Session::on_first_rank(const std::function<std::string()>& prepare) 
   std::string text(message.begin() + 1, message.end());
   if (message.front() == wrong) throw WrongInput(text);
   return text;
+}
+
+void Session::agree(std::uint64_t fingerprint) {
+  const std::string first = on_first_rank([&] { return std::to_string(fingerprint); });
+  // A survey counts, and here it counts the ranks that have something else.
+  const auto all = meet({.ranks = 1, .found = first == std::to_string(fingerprint) ? 0U : 1U});
+  if (all.found == 0) return;
+  throw Disagreement(fmt::format(
+      "{} of {} ranks have worked out another problem from the same file than rank 0: expected "
+      "machines of one kind and the same build of kusabi on each",
+      all.found, all.ranks));
 }
 
 engine::Survey Session::meet(const engine::Survey& own) {

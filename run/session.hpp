@@ -1,8 +1,10 @@
 // One run of the command on one or many ranks: MPI or not, who speaks, who reads files.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +18,12 @@ class WrongInput : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The ranks have not come to the same; thrown on every rank.
+class Disagreement : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Whether the command runs alone or as one rank of an MPI job.
 ///
 /// It runs alone, without a call of MPI, if it was not started by an MPI launcher or if
@@ -24,9 +32,10 @@ class Session {
  public:
   Session(int& argc, char**& argv);
 
-  /// Whether `--serial` keeps one of several processes from joining its fellows: each would do the
-  /// whole search.
-  [[nodiscard]] static bool serial_among_many();
+  /// Whether a launcher has started several processes that are not joined, so that each would do
+  /// the whole work (run/launch.hpp); what to say of it, but only on the first of them. An empty
+  /// text: the others say nothing, but must not go on.
+  [[nodiscard]] std::optional<std::string> fault_of_launch(bool serial);
 
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -42,6 +51,11 @@ class Session {
   /// read even if their file systems do not. If it throws a WrongInput or a problems::InputError,
   /// every rank throws a WrongInput that says the same.
   std::string on_first_rank(const std::function<std::string()>& prepare);
+
+  /// Throws a Disagreement on every rank unless all bring the same number, say the fingerprint of
+  /// the problem that each has worked out by itself: machines of different kinds, or another build
+  /// on one of them, would search different trees. Not for use during a search.
+  void agree(std::uint64_t fingerprint);
 
   /// Returns when all ranks have come here, with what they brought, merged. Not for use during a
   /// search.

@@ -23,6 +23,8 @@ extern "C" void note_checkpoint(int /*signal*/) {
 void heed_signals() {
   std::signal(SIGINT, &note_stop);
   std::signal(SIGTERM, &note_stop);
+  // The terminal is closed; nohup has it ignored, and then it stays so.
+  if (std::signal(SIGHUP, &note_stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGUSR1, &note_checkpoint);
 }
 

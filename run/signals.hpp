@@ -5,7 +5,8 @@
 
 namespace kusabi::run {
 
-/// From now on SIGINT and SIGTERM ask for an end (a second SIGINT ends the process at once), and
+/// From now on SIGINT, SIGTERM and SIGHUP (unless nohup has it ignored) ask for an end (a second
+/// SIGINT ends the process at once), and
 /// SIGUSR1, which batch systems send before the time is up, asks for a checkpoint.
 void heed_signals();
 

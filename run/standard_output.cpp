@@ -1,20 +1,59 @@
-// Flushing and naming.
+// Descriptors, signals and flushing.
 #include "run/standard_output.hpp"
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <stdexcept>
 
-#include <fmt/format.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace kusabi::run {
+namespace {
+
+[[noreturn]] void fail() {
+  throw std::runtime_error(
+      fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+}
+
+}  // namespace
+
+void secure_standard_streams() {
+  // Each is opened the wrong way round for its use, but for standard error: whoever closed standard
+  // output and still asks for a table is told so. open() takes the least free descriptor.
+  struct Stream {
+    int descriptor;
+    int mode;
+  };
+  for (const auto [descriptor, mode] :
+       {Stream{STDIN_FILENO, O_WRONLY}, {STDOUT_FILENO, O_RDONLY}, {STDERR_FILENO, O_WRONLY}}) {
+    if (fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) {
+      static_cast<void>(open("/dev/null", mode));
+    }
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void print_answer(std::string_view text) {
+  // What fills the buffer is written before the flush, and stdio forgets it when that fails.
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
+  flush_standard_output();
+}
 
 void flush_standard_output() {
-  if (std::fflush(stdout) != 0) throw std::runtime_error("standard output cannot be written");
+  if (std::fflush(stdout) != 0) fail();
+}
+
+void tell_text(std::string_view text) noexcept {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
 void tell_written(std::initializer_list<std::string> files) {
   for (const auto& file : files) {
-    if (!file.empty()) fmt::print(stderr, "wrote {}\n", file);
+    if (!file.empty()) tell("wrote {}\n", file);
   }
 }
 

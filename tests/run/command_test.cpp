@@ -15,83 +15,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
+#include <sys/stat.h>
+
+#include "shell.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-// One word for the shell, whatever it holds.
-std::string quoted(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
-const std::string command = quoted(KUSABI_COMMAND);
-const std::string truss_file = std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml";
-const std::string truss = quoted(truss_file);
-
-struct Run {
-  int exit_code;
-  std::string output;  // both streams
-};
-
-Run shell(const std::string& line) {
-  FILE* pipe = popen((line + " 2>&1").c_str(), "r");
-  std::string output;
-  std::array<char, 4096> piece{};
-  while (const auto count = std::fread(piece.data(), 1, piece.size(), pipe)) {
-    output.append(piece.data(), count);
-  }
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
-}
-
-std::string ranks(int count) {
-  // The settings of cmake/KusabiTest.cmake: root, more ranks than cores, no pinning.
-  return fmt::format(
-      "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-      "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
-      "OMPI_MCA_mpi_yield_when_idle=0 OMPI_MCA_btl_vader_single_copy_mechanism=none "
-      "ASAN_OPTIONS=detect_leaks=0 {} {} ",
-      KUSABI_MPIEXEC, count);
-}
-
-// A folder of its own for each test, gone afterwards.
-class Command : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "kusabi test-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string in_folder(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-  // The same for the shell.
-  [[nodiscard]] std::string argument(const std::string& name) const {
-    return quoted(in_folder(name));
-  }
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_))
-      names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
-  fs::path folder_;
-};
-
-std::string content(const std::string& name) {
-  std::ifstream file(name);
-  EXPECT_TRUE(file) << name;
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
+using namespace kusabi::test;
 
 // The text of the file from "command" to "statistics", byte for byte.
 std::string without_statistics(const std::string& file) {
@@ -336,21 +268,14 @@ TEST_F(Command, WritesToWhereALinkPoints) {
   EXPECT_EQ(nlohmann::json::parse(content(in_folder("old.json")))["command"], "patterns");
 }
 
-TEST_F(Command, WritesToADeviceWithoutReplacingIt) {
+TEST_F(Command, WritesToAPipeWithoutReplacingIt) {
   const auto call = command + " patterns " + truss + " --mu 0.5 --quiet --output ";
   EXPECT_EQ(nlohmann::json::parse(shell(call + "/dev/stdout").output)["command"], "patterns");
-  EXPECT_EQ(shell(call + "/dev/null").exit_code, 0);
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
-}
-
-TEST_F(Command, SaysThatTheDiskIsFull) {
-  const auto call = command + " patterns " + truss + " --mu 0.5 ";
-  const auto file = shell(call + "--quiet --output /dev/full");
-  EXPECT_EQ(file.exit_code, 1);
-  EXPECT_THAT(file.output, HasSubstr("/dev/full: could not be written in full"));
-  const auto table = shell("{ " + call + " > /dev/full; }");
-  EXPECT_EQ(table.exit_code, 1);
-  EXPECT_THAT(table.output, HasSubstr("standard output cannot be written"));
+  ASSERT_EQ(mkfifo(in_folder("pipe").c_str(), 0600), 0);
+  const auto run =
+      shell("{ cat " + argument("pipe") + " & " + call + argument("pipe") + "; wait; }");
+  EXPECT_EQ(nlohmann::json::parse(run.output)["command"], "patterns");
+  EXPECT_TRUE(fs::is_fifo(in_folder("pipe")));
 }
 
 TEST_F(Command, LeavesNoHalfWrittenFileBehindAfterAnError) {

@@ -1,0 +1,21 @@
+// Do all ranks search the same problem? With the argument `different` the last rank brings another
+// fingerprint, and all ranks must end with the line that rank 0 prints.
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+#include "run/session.hpp"
+
+int main(int argc, char** argv) {
+  kusabi::run::Session session(argc, argv);
+  const bool different = argc > 1 && std::strcmp(argv[1], "different") == 0;
+  const bool last = session.transport().rank() == session.ranks() - 1;
+  try {
+    session.agree(different && last ? 0xBAD : 0x900D);
+  } catch (const kusabi::run::Disagreement& error) {
+    if (session.speaks()) std::printf("%s\n", error.what());
+    return 0;
+  }
+  if (session.speaks()) std::printf("all ranks agree\n");
+  return 0;
+}

@@ -1,0 +1,17 @@
+// A hash of what was read and of what was computed.
+#include "run/agreement.hpp"
+
+#include "problems/fingerprint.hpp"
+
+namespace kusabi::run {
+
+void agree(Session& session, const problems::WedgedProblem& problem) {
+  problems::Fingerprint computed;
+  computed.add(problem.fingerprint);
+  for (const auto* matrix : {&problem.stiffness, &problem.compliance}) {
+    for (const double number : matrix->reshaped()) computed.add(number);
+  }
+  session.agree(computed.value());
+}
+
+}  // namespace kusabi::run

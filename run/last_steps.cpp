@@ -1,0 +1,26 @@
+// The first error waits for its turn.
+#include "run/last_steps.hpp"
+
+#include <exception>
+
+#include "run/standard_output.hpp"
+
+namespace kusabi::run {
+
+void do_all(std::initializer_list<std::function<void()>> steps) {
+  std::exception_ptr first;
+  for (const auto& step : steps) {
+    try {
+      step();
+    } catch (const std::exception& error) {
+      if (first) {
+        tell("kusabi: {}\n", error.what());
+      } else {
+        first = std::current_exception();
+      }
+    }
+  }
+  if (first) std::rethrow_exception(first);
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,15 @@
+// The end of a command: each file in its place, then the answer printed. A step that fails (the
+// disk is full, nobody reads) must not keep the others from saving what they can.
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+
+namespace kusabi::run {
+
+/// Does all of `steps` in their order, also after one has failed, and then throws what the first
+/// that failed has thrown; what the others say goes to standard error.
+/// @throws std::runtime_error, say
+void do_all(std::initializer_list<std::function<void()>> steps);
+
+}  // namespace kusabi::run

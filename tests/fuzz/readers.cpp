@@ -1,0 +1,229 @@
+// Each reader with what comes after it; and the checksums that stand before what lies behind them.
+#include "readers.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+
+#include <boost/crc.hpp>
+#include <unistd.h>
+
+#include "engine/checkpoint.hpp"
+#include "nodes/linear/program_file.hpp"
+#include "nodes/sha1.hpp"
+#include "problems/input_error.hpp"
+#include "problems/limit_problem.hpp"
+#include "problems/structure_file.hpp"
+#include "problems/wedged_problem.hpp"
+#include "verify/certificate.hpp"
+#include "verify/cover.hpp"
+#include "verify/limit_certificate.hpp"
+
+namespace kusabi::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of this process alone, for readers that want a file; removed at the end.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "kusabi-fuzz-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for the fuzzer");
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code nothing_to_be_done;
+    fs::remove_all(path_, nothing_to_be_done);
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+const Folder& folder() {
+  static const Folder own;
+  return own;
+}
+
+void write(const std::string& file, std::string_view bytes) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+// What `read` throws as an `Error`, which must be one line of a bounded length.
+template <class Error, class Read>
+std::optional<std::string> refusal(Read read) {
+  try {
+    read();
+    return std::nullopt;
+  } catch (const Error& error) {
+    std::string line = error.what();
+    constexpr std::size_t longest = 2000;
+    if (line.empty() || line.size() > longest || line.find('\n') != std::string::npos) {
+      throw Defect("not one line: " + line);
+    }
+    return line;
+  } catch (const Defect&) {
+    throw;
+  } catch (const std::exception& other) {
+    throw Defect(std::string("not the reader's error: ") + other.what());
+  }
+}
+
+std::optional<std::string> try_structure(const std::string& bytes) {
+  // What follows takes the cube of the size.
+  constexpr std::size_t most_nodes = 60;
+  std::optional<problems::Structure> structure;
+  auto refused = refusal<problems::InputError>(
+      [&] { structure = problems::read_structure(bytes, "fuzzed.toml"); });
+  if (refused || structure->node_names.size() > most_nodes) return refused;
+  refused = refusal<problems::InputError>([&] { problems::wedged_problem(*structure); });
+  const auto other = refusal<problems::InputError>([&] { problems::limit_problem(*structure); });
+  return refused && other ? refused : std::nullopt;
+}
+
+void check(const problems::MixedProgram& mixed) {
+  const auto& program = mixed.program;
+  const auto require = [](bool holds, const char* what) {
+    if (!holds) throw Defect(what);
+  };
+  for (const auto& column : program.columns) {
+    require(std::isfinite(column.cost), "a cost that is no number");
+    require(column.lower <= column.upper, "bounds of a column that cross, or are no numbers");
+  }
+  for (const auto& row : program.rows) {
+    require(row.lower <= row.upper, "bounds of a row that cross, or are no numbers");
+  }
+  for (const auto& entry : program.entries) {
+    require(std::isfinite(entry.value), "an entry that is no number");
+    require(static_cast<std::size_t>(entry.row) < program.rows.size() &&
+                static_cast<std::size_t>(entry.column) < program.columns.size(),
+            "an entry outside of the matrix");
+  }
+  for (const int column : mixed.binaries) {
+    require(static_cast<std::size_t>(column) < program.columns.size(), "a binary of no column");
+  }
+}
+
+std::optional<std::string> try_program(const std::string& bytes, const char* name) {
+  const auto file = folder().file(name);
+  write(file, bytes);
+  return refusal<problems::InputError>([&] { check(nodes::linear::read_program(file).mixed); });
+}
+
+std::optional<std::string> try_certificate(const std::string& bytes) {
+  return refusal<verify::CertificateError>([&] {
+    if (bytes.starts_with(verify::limit_first_line)) {
+      verify::read_limit_certificate(bytes, "fuzzed");
+    } else {
+      static_cast<void>(verify::flaw_of_cover(verify::read_certificate(bytes, "fuzzed")));
+    }
+  });
+}
+
+std::optional<std::string> try_checkpoint(const std::string& bytes) {
+  const auto file = folder().file("state");
+  const auto line_end = bytes.find('\n');
+  if (line_end == std::string::npos) {
+    write(file, bytes);
+    return refusal<engine::CheckpointError>([&] { engine::read_manifest(file); });
+  }
+  write(file, std::string_view(bytes).substr(0, line_end + 1));
+  return refusal<engine::CheckpointError>([&] {
+    const auto manifest = engine::read_manifest(file);
+    const auto part = file + "." + std::to_string(manifest.epoch) + "." + std::to_string(0);
+    write(part, std::string_view(bytes).substr(line_end + 1));
+    std::string warning;
+    try {
+      static_cast<void>(engine::usable_checkpoint(file, manifest.problem, warning));
+      engine::remove_leftovers(file);
+    } catch (...) {
+      fs::remove(part);
+      throw;
+    }
+    fs::remove(part);
+  });
+}
+
+void repair_digest(std::string& bytes) {
+  const auto at = bytes.rfind("\ndigest ");
+  if (at == std::string::npos) return;
+  bytes.resize(at + 1);
+  bytes += "digest " + nodes::hexadecimal(nodes::sha1(bytes)) + '\n';
+}
+
+std::string checksummed(std::string header, const std::string& body) {
+  const auto last = header.rfind(' ');
+  if (last != std::string::npos) header.resize(last);
+  boost::crc_32_type crc;
+  crc.process_bytes(header.data(), header.size());
+  crc.process_bytes(body.data(), body.size());
+  return header + ' ' + std::to_string(crc.checksum()) + '\n' + body;
+}
+
+void repair_checksums(std::string& bytes) {
+  const auto manifest_end = bytes.find('\n');
+  if (manifest_end == std::string::npos) return;
+  const auto part = bytes.substr(manifest_end + 1);
+  auto repaired = checksummed(bytes.substr(0, manifest_end), "");
+  const auto header_end = part.find('\n');
+  repaired += header_end == std::string::npos
+                  ? part
+                  : checksummed(part.substr(0, header_end), part.substr(header_end + 1));
+  bytes = repaired;
+}
+
+}  // namespace
+
+std::string name_of(Reader reader) {
+  switch (reader) {
+    case Reader::structure:
+      return "structure";
+    case Reader::mps:
+      return "mps";
+    case Reader::lp:
+      return "lp";
+    case Reader::certificate:
+      return "certificate";
+    case Reader::checkpoint:
+      return "checkpoint";
+  }
+  return {};
+}
+
+std::optional<Reader> reader_named(std::string_view name) {
+  for (const auto reader : readers) {
+    if (name == name_of(reader)) return reader;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> try_reader(Reader reader, const std::string& bytes) {
+  switch (reader) {
+    case Reader::structure:
+      return try_structure(bytes);
+    case Reader::mps:
+      return try_program(bytes, "fuzzed.mps");
+    case Reader::lp:
+      return try_program(bytes, "fuzzed.lp");
+    case Reader::certificate:
+      return try_certificate(bytes);
+    case Reader::checkpoint:
+      return try_checkpoint(bytes);
+  }
+  return std::nullopt;
+}
+
+void repair(Reader reader, std::string& bytes) {
+  if (reader == Reader::certificate) repair_digest(bytes);
+  if (reader == Reader::checkpoint) repair_checksums(bytes);
+}
+
+}  // namespace kusabi::fuzz

@@ -1,0 +1,47 @@
+// What a fuzzer throws at the command's readers: any bytes must be read, or refused in one line.
+// The same harness serves libFuzzer (fuzz_readers.cpp) and the quick test of every build
+// (readers_test.cpp).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace kusabi::fuzz {
+
+/// The kinds of file that the command reads.
+enum class Reader {
+  structure,    ///< a problem file (TOML)
+  mps,          ///< a mixed zero-one program
+  lp,           ///< the same in CPLEX LP format
+  certificate,  ///< of patterns, or of a worst-case limit load, whichever its first line says
+  checkpoint,   ///< a manifest (the first line) and its first part (the rest)
+};
+
+inline constexpr std::array readers{Reader::structure, Reader::mps, Reader::lp, Reader::certificate,
+                                    Reader::checkpoint};
+
+/// The name of its folder in tests/fuzz/corpus, and of its value of KUSABI_FUZZ_READER.
+std::string name_of(Reader reader);
+
+/// @return nothing if no reader has that name
+std::optional<Reader> reader_named(std::string_view name);
+
+/// A reader did what none may do.
+class Defect : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Gives the bytes to the reader, and what it accepts to the next step that the command takes.
+/// @return the line with which they are refused, or nothing
+/// @throws Defect if something else than the reader's own error comes out, if its message is not
+///   one line, or if what it has accepted breaks its promises
+std::optional<std::string> try_reader(Reader reader, const std::string& bytes);
+
+/// Makes checksums and digests fit again, so that a change gets past them.
+void repair(Reader reader, std::string& bytes);
+
+}  // namespace kusabi::fuzz

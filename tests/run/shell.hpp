@@ -1,0 +1,95 @@
+// The command called as a user calls it: by the shell, alone or under mpirun, in a folder that is
+// gone afterwards.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+namespace kusabi::test {
+
+namespace fs = std::filesystem;
+
+// One word for the shell, whatever it holds.
+inline std::string quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+inline const std::string command = quoted(KUSABI_COMMAND);
+inline const std::string truss_file = std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml";
+inline const std::string truss = quoted(truss_file);
+
+struct Run {
+  int exit_code;
+  std::string output;  // both streams
+};
+
+inline Run shell(const std::string& line) {
+  FILE* pipe = popen((line + " 2>&1").c_str(), "r");
+  std::string output;
+  std::array<char, 4096> piece{};
+  while (const auto count = std::fread(piece.data(), 1, piece.size(), pipe)) {
+    output.append(piece.data(), count);
+  }
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+}
+
+inline std::string ranks(int count) {
+  // The settings of cmake/KusabiTest.cmake: root, more ranks than cores, no pinning.
+  return fmt::format(
+      "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+      "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
+      "OMPI_MCA_mpi_yield_when_idle=0 OMPI_MCA_btl_vader_single_copy_mechanism=none "
+      "ASAN_OPTIONS=detect_leaks=0 {} {} ",
+      KUSABI_MPIEXEC, count);
+}
+
+// A folder of its own for each test, gone afterwards.
+class Command : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "kusabi test-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string in_folder(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+  // The same for the shell.
+  [[nodiscard]] std::string argument(const std::string& name) const {
+    return quoted(in_folder(name));
+  }
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  fs::path folder_;
+};
+
+inline std::string content(const std::string& name) {
+  std::ifstream file(name);
+  EXPECT_TRUE(file) << name;
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace kusabi::test
