@@ -143,8 +143,8 @@ std::optional<conic::RelativeInterior> ContactSolver::relative_interior(std::uin
 }
 
 // Reactions that vanish move others all the same as long as they are not quite zero. What is left
-// counts as zero if it is no more than cancellation leaves, than a direction in sixteen digits takes
-// from the others of its block of F, or than the error of F.
+// counts as zero if it is no more than cancellation leaves, than a direction in sixteen digits
+// takes from the others of its block of F, or than the error of F.
 std::uint64_t ContactSolver::moved_by(std::uint64_t loaded) const {
   constexpr double cancelled = 1e-12;
   const double unknown = precise_compliance_.size() == 0 ? compliance_error_ : precise_error_;

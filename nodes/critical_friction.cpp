@@ -120,13 +120,13 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   set_friction(factor);
   const auto answer = solver_.solve(node.contact, node.separated, stop);
   pull_.noalias() = normal_compliance_.transpose() * solver_.multipliers();
-  FrictionProbe probe{.sign = answer.sign,
-                      .tie = answer.sign == conic::Sign::marginal &&
-                             conic::is_tie(answer, tolerances),
-                      .dead_below = infinity,
-                      .alive_from = 0,
-                      .newton = infinity,
-                      .level = 0.5 * (answer.lower + answer.upper)};
+  FrictionProbe probe{
+      .sign = answer.sign,
+      .tie = answer.sign == conic::Sign::marginal && conic::is_tie(answer, tolerances),
+      .dead_below = infinity,
+      .alive_from = 0,
+      .newton = infinity,
+      .level = 0.5 * (answer.lower + answer.upper)};
 
   // The multipliers are normal forces y, and w their displacements. For every configuration of the
   // node y'u_n >= 0, while y'u_n = sum w_i'r_i <= sum (w_ni + mu_i |w_ti|) r_ni: dead as long as
@@ -200,7 +200,8 @@ bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, st
 }
 
 bool CriticalFriction::dead(const SignPattern& pattern, std::int64_t point) {
-  if (at(point) < range_.least) return point == 0;  // without friction nothing wedges, K being definite
+  if (at(point) < range_.least)
+    return point == 0;  // without friction nothing wedges, K being definite
   return probe(pattern, at(point), {}).sign == conic::Sign::dead;
 }
 

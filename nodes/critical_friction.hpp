@@ -20,7 +20,7 @@ namespace kusabi::nodes {
 /// What one cone program says.
 struct FrictionProbe {
   conic::Sign sign = conic::Sign::marginal;  ///< at the coefficient asked for
-  bool tie = false;  ///< of a marginal one: its bracket lies within the tolerance
+  bool tie = false;       ///< of a marginal one: its bracket lies within the tolerance
   double dead_below = 0;  ///< dead for every coefficient below, by the multipliers; 0: none
   double alive_from = 0;  ///< alive from here on, by the configuration; infinity: nowhere
   double newton = 0;      ///< where the tangent of t* vanishes; infinity where there is none
@@ -103,7 +103,6 @@ class CriticalFriction {
   }
 
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
-
 
  private:
   static constexpr conic::StopEarly full{.when_dead = false, .when_alive = false};

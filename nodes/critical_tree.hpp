@@ -1,11 +1,12 @@
 // The global minimum of the critical friction coefficient, by one best-first search.
 //
-// The tree is that of the sign patterns, of all blocks. A node is bounded by the smallest coefficient
-// at which its relaxation lives, which no pattern below it can undercut; a leaf has its own critical
-// coefficient, bracketed on the grid. The best leaf prunes: also what can at best begin in the same
-// cell of the grid, since the bracket is all that is asked for. (Which patterns begin to live in it
-// is found at its upper end, by the tree of sign patterns.) No coefficient to start from is needed,
-// and what is opened is about what a proof that nothing lives below the answer needs anyway.
+// The tree is that of the sign patterns, of all blocks. A node is bounded by the smallest
+// coefficient at which its relaxation lives, which no pattern below it can undercut; a leaf has its
+// own critical coefficient, bracketed on the grid. The best leaf prunes: also what can at best
+// begin in the same cell of the grid, since the bracket is all that is asked for. (Which patterns
+// begin to live in it is found at its upper end, by the tree of sign patterns.) No coefficient to
+// start from is needed, and what is opened is about what a proof that nothing lives below the
+// answer needs anyway.
 #pragma once
 
 #include <cstdint>

@@ -163,8 +163,7 @@ SignPatternTree::Fate SignPatternTree::branch(const Node& node, std::uint64_t op
           .leaf = {}};
 }
 
-SignPatternTree::Fate SignPatternTree::prune(const Node& node,
-                                             const Eigen::VectorXd& multipliers) {
+SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {
   ++tally_.dead;
   if (!witness_) return {};
   const std::span<const double> numbers(multipliers.data(),

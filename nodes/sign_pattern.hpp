@@ -140,8 +140,8 @@ struct SignPatternOptions {
   /// to the test of the cones (Algorithm 5.8).
   int facets = 0;
   /// Whether ties that have nothing of their own are searched all the same: then each sign pattern
-  /// below them is decided by itself, which a certificate needs. Up to 2^k times as many nodes where k
-  /// candidates stay at rest.
+  /// below them is decided by itself, which a certificate needs. Up to 2^k times as many nodes
+  /// where k candidates stay at rest.
   bool thorough = false;
 };
 

@@ -61,8 +61,7 @@ std::vector<std::uint64_t> contact_blocks(const Structure& structure, const Free
   std::map<std::size_t, std::size_t> place;  // of the block with this representative
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
     const int first = free_of(structure, degrees, structure.contact[i].node).front();
-    const auto [entry, is_new] =
-        place.emplace(connections.representative(first), blocks.size());
+    const auto [entry, is_new] = place.emplace(connections.representative(first), blocks.size());
     if (is_new) blocks.push_back(0);
     blocks[entry->second] |= std::uint64_t{1} << i;
   }

@@ -64,8 +64,7 @@ Eigen::MatrixXd contact_frame(const ContactCandidate& candidate) {
 numbers::PreciseMatrix precise_contact_frame(const ContactCandidate& candidate) {
   using numbers::Precise;
   using numbers::PreciseVector;
-  const PreciseVector direction =
-      candidate.direction.value_or(candidate.normal).cast<Precise>();
+  const PreciseVector direction = candidate.direction.value_or(candidate.normal).cast<Precise>();
   const PreciseVector normal = direction / direction.norm();
   std::optional<PreciseVector> wish;
   if (candidate.tangent) {

@@ -225,8 +225,8 @@ void StructureFile::mesh(const TomlTable& group) {
   }
 }
 
-// Meshes are joined where their nodes are, and nowhere else: two edges on one line with nodes at other
-// places would gape there.
+// Meshes are joined where their nodes are, and nowhere else: two edges on one line with nodes at
+// other places would gape there.
 void StructureFile::refuse_unjoined(const std::vector<int>& edge, SourcePosition position) const {
   for (const auto& [other_name, other] : edges_) {
     int node = node_between(structure_.coordinates, other, edge);

@@ -14,8 +14,10 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include "engine/checkpoint.hpp"
 #include "nodes/sha1.hpp"
 #include "problems/problem_block.hpp"
 
@@ -84,6 +86,25 @@ std::string first_line(const std::string& name) {
   return next_line(file, line) ? line : std::string{};
 }
 
+constexpr std::string_view of_checkpoint = " of the checkpoint ";
+
+// The checkpoint that a part can go on with, if it is still there.
+std::string checkpoint_of(const std::string& part) {
+  const auto line = first_line(part);
+  const auto at = line.find(of_checkpoint);
+  if (at == std::string::npos) return {};
+  auto checkpoint = line.substr(at + of_checkpoint.size());
+  return engine::checkpoint_exists(checkpoint) ? checkpoint : std::string{};
+}
+
+bool is_being_written(const std::string& part) {
+  const int descriptor = open(part.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return locked;
+}
+
 // Writes the text and takes it into the digest.
 class Writer {
  public:
@@ -135,7 +156,8 @@ std::string certificate_line(const nodes::Evidence& evidence) {
 }
 
 CertificateFile::CertificateFile(Session& session, const std::string& name,
-                                 const std::string& input, std::uint64_t tree, bool goes_on)
+                                 const std::string& input, std::uint64_t tree, bool goes_on,
+                                 const std::string& checkpoint)
     : session_(session), name_(name), tree_(fmt::format("part of the tree {:016x}", tree)) {
   if (!wanted()) return;
   run_ = session.on_first_rank([&] { return prepare(input, goes_on); });
@@ -145,7 +167,9 @@ CertificateFile::CertificateFile(Session& session, const std::string& name,
   if (part_ < 0) {
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", file, std::strerror(errno)));
   }
-  put(tree_ + '\n');
+  flock(part_, LOCK_EX | LOCK_NB);
+  const auto state = checkpoint.empty() ? std::string{} : fs::absolute(checkpoint).string();
+  put(state.empty() ? tree_ + '\n' : fmt::format("{}{}{}\n", tree_, of_checkpoint, state));
 }
 
 CertificateFile::~CertificateFile() {
@@ -164,13 +188,25 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on) {
   }
   whole_.emplace("--certificate", name_, input);
   const auto parts = parts_of(name_);
-  if (!goes_on && !parts.empty()) {
-    refuse(
-        fmt::format("{} is in the way, a part of a search that did not end; expected --restart "
-                    "to go on with it, or a new name",
-                    parts.front().file));
+  for (const auto& part : parts) {
+    if (is_being_written(part.file)) {
+      refuse(
+          fmt::format("{} is being written by another search; expected another name", part.file));
+    }
+    const auto checkpoint = goes_on ? std::string{} : checkpoint_of(part.file);
+    if (!checkpoint.empty()) {
+      refuse(
+          fmt::format("{} is in the way, a part of a search that did not end; expected --restart "
+                      "{} to go on with it, or a new name",
+                      part.file, checkpoint));
+    }
   }
-  if (goes_on && parts.empty()) {
+  const unsigned run = parts.empty() ? 1 : parts.back().run + 1;
+  if (!goes_on) {
+    drop();
+    return std::to_string(run);
+  }
+  if (parts.empty()) {
     refuse(
         fmt::format("there is no {}.part.*, so what the search has proved so far is not known; "
                     "expected the name that it began with",
@@ -179,11 +215,11 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on) {
   for (const auto& part : parts) {
     const auto line = first_line(part.file);
     // A part without a whole line was killed before it had begun.
-    if (!line.empty() && line != tree_) {
+    if (!line.empty() && !line.starts_with(tree_)) {
       refuse(fmt::format("{} belongs to another problem, friction or tolerance", part.file));
     }
   }
-  return std::to_string(parts.empty() ? 1 : parts.back().run + 1);
+  return std::to_string(run);
 }
 
 void CertificateFile::add(const nodes::Evidence& evidence) {
@@ -203,7 +239,8 @@ void CertificateFile::close() {
   part_ = -1;
   engine::Survey own{.ranks = 1};
   if (failed_) own.wishes = engine::wish_failed;
-  if ((session_.meet(own).wishes & engine::wish_failed) != 0) {
+  const bool failed = (session_.meet(own).wishes & engine::wish_failed) != 0;
+  if (failed && session_.speaks()) {
     throw std::runtime_error(
         fmt::format("{}: a part could not be written in full; is the disk full?", name_));
   }

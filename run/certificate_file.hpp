@@ -25,17 +25,20 @@ std::string certificate_header(const problems::WedgedProblem& problem,
 std::string certificate_line(const nodes::Evidence& evidence);
 
 /// A certificate that is being written, by all ranks together. Part `rank` of a run lies in
-/// NAME.part.RUN.RANK until the certificate is in its place.
+/// NAME.part.RUN.RANK until the certificate is in its place, and is locked while the rank lives.
+/// Its first line says of which tree it is, and with which checkpoint it can go on.
 class CertificateFile {
  public:
   /// Opens the files. An empty name: nothing will be written.
   /// @param input the problem file, which must not be the same
   /// @param tree fingerprint of the tree that is searched
   /// @param goes_on whether the search goes on from a checkpoint: then there must be parts of the
-  ///        same tree already, otherwise there must be none
+  ///        same tree already. Otherwise parts that nothing can go on from any more are removed,
+  ///        and there must be no others
+  /// @param checkpoint that the search keeps; empty: none
   /// @throws WrongInput on every rank alike; std::runtime_error if a rank cannot open its part
   CertificateFile(Session& session, const std::string& name, const std::string& input,
-                  std::uint64_t tree, bool goes_on);
+                  std::uint64_t tree, bool goes_on, const std::string& checkpoint = {});
   CertificateFile(const CertificateFile&) = delete;
   CertificateFile& operator=(const CertificateFile&) = delete;
   ~CertificateFile();
@@ -47,7 +50,9 @@ class CertificateFile {
   void add(const nodes::Evidence& evidence);
 
   /// Ends this rank's part; every rank calls it, and it returns when all have.
-  /// @throws std::runtime_error if a part could not be written in full
+  /// @throws std::runtime_error on rank 0 if a part could not be written in full: the others may
+  /// not
+  ///   end the job before it has saved the rest
   /// @pre wanted()
   void close();
 
@@ -66,7 +71,7 @@ class CertificateFile {
 
   Session& session_;
   std::string name_;
-  std::string tree_;  // the first line of each part
+  std::string tree_;  // how the first line of each part begins
   std::optional<OutputFile> whole_;
   std::string run_;
   int part_ = -1;  // a file descriptor

@@ -82,7 +82,8 @@ int critical(Session& session, const CriticalOptions& asked) {
   auto findings = options.way == CriticalWay::global
                       ? global_search(session, options, problem, budget)
                       : pattern_by_pattern(session, options, problem, budget);
-  if (findings.status == "solved") prove_ends(session, options, structure, problem, budget, findings);
+  if (findings.status == "solved")
+    prove_ends(session, options, structure, problem, budget, findings);
   int code = findings.answered() ? solved : stopped_early;
   if (session.speaks()) {
     do_all({[&] { result_file->write(critical_json(options, problem, findings)); },

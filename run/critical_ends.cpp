@@ -31,15 +31,15 @@ namespace {
 constexpr int most_moves = 7;
 constexpr double growth = 8;
 
-/// A bracket counts as wider than asked for from this many widths on: a coefficient that is itself a
-/// multiple of the width has a neighbour on either side.
+/// A bracket counts as wider than asked for from this many widths on: a coefficient that is itself
+/// a multiple of the width has a neighbour on either side.
 constexpr double wide = 2.5;
 
 /// What lives at one coefficient.
 struct Decided {
   std::string status;
   std::vector<nodes::Configuration> leaves;  ///< maximal cones and open leaves
-  std::uint64_t alive = 0;     ///< leaves that live by the verifier's test
+  std::uint64_t alive = 0;                   ///< leaves that live by the verifier's test
   std::uint64_t unproved = 0;  ///< nodes whose evidence it refuses, or of which nothing is claimed
 
   template <class Archive>
@@ -78,14 +78,14 @@ class Ends {
     return why != nullptr ? *why : std::string{};
   }
 
-  /// All sign patterns at one coefficient. @param certificate the evidence goes here; empty: nowhere
+  /// All sign patterns at one coefficient. @param certificate the evidence goes here; empty:
+  /// nowhere
   /// @param wanted whether what was found is worth a certificate
   template <class Wanted>
   Decided decide(double factor, const std::string& certificate, Wanted wanted) {
     const auto friction = friction_at(problem_, factor, options_.file);
     nodes::SignPatternTree tree(
-        problem_, friction,
-        {.tolerances = nodes::CriticalFriction::tolerances, .thorough = true});
+        problem_, friction, {.tolerances = nodes::CriticalFriction::tolerances, .thorough = true});
     problems::Fingerprint fingerprint;
     fingerprint.add(problem_.fingerprint);
     fingerprint.add(factor);
@@ -200,8 +200,7 @@ void prove_upper(Ends& ends, const CriticalOptions& options, double most,
   }
   if (options.way != CriticalWay::global) return;
   for (const auto& leaf : living->leaves) {
-    const bool cone =
-        leaf.state == nodes::LeafState::alive || leaf.state == nodes::LeafState::flat;
+    const bool cone = leaf.state == nodes::LeafState::alive || leaf.state == nodes::LeafState::flat;
     if (cone) findings.patterns.push_back(entry_of(leaf, findings));
   }
 }
@@ -220,9 +219,8 @@ void say_what_is_open(const CriticalOptions& options, double most, CriticalFindi
                     *findings.upper - findings.lower, options.width));
   }
   if (!findings.lower_proved) {
-    findings.open.push_back(
-        fmt::format("that nothing wedges at {:.12g} is not proved in exact arithmetic",
-                    findings.lower));
+    findings.open.push_back(fmt::format(
+        "that nothing wedges at {:.12g} is not proved in exact arithmetic", findings.lower));
   }
 }
 

@@ -71,11 +71,12 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   std::size_t number = 0;
   for (const auto& entry : findings.patterns) {
     const auto& [contact, separated, at_rest] = entry.pattern;
-    fmt::format_to(
-        out, "{:>5}  {:>16.12g}  {:>16}  {}{}\n", ++number, entry.lower,
-        entry.upper ? fmt::format("{:.12g}", *entry.upper) : "?",
-        listed(candidate_names(problem, contact)),
-        at_rest == 0 ? "" : fmt::format("  at rest: {}", listed(candidate_names(problem, at_rest))));
+    fmt::format_to(out, "{:>5}  {:>16.12g}  {:>16}  {}{}\n", ++number, entry.lower,
+                   entry.upper ? fmt::format("{:.12g}", *entry.upper) : "?",
+                   listed(candidate_names(problem, contact)),
+                   at_rest == 0
+                       ? ""
+                       : fmt::format("  at rest: {}", listed(candidate_names(problem, at_rest))));
   }
   const auto* const times =
       problems::uniform_friction(problem) ? "" : " (times that of each candidate)";

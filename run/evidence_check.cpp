@@ -27,8 +27,8 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
 bool EvidenceCheck::holds(const nodes::Evidence& evidence) const {
   if (evidence.kind == nodes::Evidence::Kind::marginal || !proof_->least_eigenvalue()) return false;
   verify::Record record;
-  record.claim = evidence.kind == nodes::Evidence::Kind::dead ? verify::Claim::dead
-                                                              : verify::Claim::alive;
+  record.claim =
+      evidence.kind == nodes::Evidence::Kind::dead ? verify::Claim::dead : verify::Claim::alive;
   record.block = evidence.block;
   record.contact = evidence.node.contact;
   record.separated = evidence.node.separated;

@@ -1,5 +1,5 @@
-// The verifier's own test of evidence, as a search meets it: what `kusabi verify --problem` would say
-// of a certificate with these nodes.
+// The verifier's own test of evidence, as a search meets it: what `kusabi verify --problem` would
+// say of a certificate with these nodes.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,8 @@
 
 namespace kusabi::run {
 
-/// Most displacements, supported ones included, of a structure whose K is enclosed unasked: a second.
+/// Most displacements, supported ones included, of a structure whose K is enclosed unasked: a
+/// second.
 inline constexpr int most_enclosed_displacements = 2000;
 
 /// K of the structure with a proved bound, computed by the verifier; or why not, a sentence.

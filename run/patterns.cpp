@@ -138,7 +138,7 @@ int patterns(Session& session, const PatternsOptions& options) {
   checkpoint.resume_from =
       restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
   CertificateFile certificate(session, options.certificate, options.file, checkpoint.problem,
-                              !options.restart.empty());
+                              !options.restart.empty(), checkpoint.file);
   if (certificate.wanted())
     tree.report_to([&](const auto& evidence) { certificate.add(evidence); });
   if (!options.trace.empty()) search_options.trace_events = trace_events_a_rank(session.ranks());

@@ -126,8 +126,9 @@ std::string PatternsReport::list() const {
 std::string PatternsReport::verdict() const {
   std::string text;
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "\n{} of wedged configurations at friction coefficient {}{}; {} marginal "
-                      "(|t*| <= {})\n",
+  fmt::format_to(out,
+                 "\n{} of wedged configurations at friction coefficient {}{}; {} marginal "
+                 "(|t*| <= {})\n",
                  patterns(count()), options_.friction,
                  problems::uniform_friction(problem_) ? "" : " times that of each candidate",
                  marginal_, options_.tolerance);
@@ -138,8 +139,9 @@ std::string PatternsReport::verdict() const {
                    flat_);
   }
   if (blocks_.size() > 1) {
-    fmt::format_to(out, "the structure comes apart into {} blocks, which wedge or rest each by "
-                        "itself:\n",
+    fmt::format_to(out,
+                   "the structure comes apart into {} blocks, which wedge or rest each by "
+                   "itself:\n",
                    blocks_.size());
     for (const auto& block : blocks_) {
       fmt::format_to(out, "  {}: {}\n", listed(candidate_names(problem_, block.candidates)),
@@ -188,8 +190,8 @@ ordered_json PatternsReport::json() const {
   }
   ordered_json blocks = ordered_json::array();
   for (const auto& block : blocks_) {
-    blocks.push_back({{"candidates", candidate_names(problem_, block.candidates)},
-                      {"count", block.cones}});
+    blocks.push_back(
+        {{"candidates", candidate_names(problem_, block.candidates)}, {"count", block.cones}});
   }
   ordered_json tree = tally_json(total());
   tree["opened"] = outcome_.opened();

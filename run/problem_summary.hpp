@@ -29,8 +29,8 @@ std::vector<double> friction_at(const problems::WedgedProblem& problem, double c
 std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
                                          std::uint64_t candidates);
 
-/// Where a pattern touches, separates and, if anywhere, stays at rest; the number of its block, from
-/// 1, if there are several. Blocks that cannot wedge at all are at rest as well, see `idle`.
+/// Where a pattern touches, separates and, if anywhere, stays at rest; the number of its block,
+/// from 1, if there are several. Blocks that cannot wedge at all are at rest as well, see `idle`.
 /// @param idle candidates of such blocks
 nlohmann::ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
                                     const nodes::SignPattern& pattern, std::uint64_t idle = 0);

@@ -121,7 +121,8 @@ void expect_reference(const nlohmann::json& list, const Found& found, double rou
 
 TEST(CriticalFriction, OfTheTwoBarsIsTwo) {
   // r_t = 2 r_n, see docs/problem-files.md. The grid has a point there, which is marginal.
-  const auto cell = least(example("two-bars.toml"), 10, width * static_cast<double>(multiple(2) - 1));
+  const auto cell =
+      least(example("two-bars.toml"), 10, width * static_cast<double>(multiple(2) - 1));
   EXPECT_LT(cell.dead, multiple(2));
   EXPECT_GT(cell.alive, multiple(2));
   EXPECT_LE(cell.alive - cell.dead, 2);

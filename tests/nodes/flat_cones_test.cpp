@@ -1,5 +1,5 @@
-// Ties: the list of maximal cones, solid or flat, against the extremal rays in the plane and against
-// all leaves one by one in space.
+// Ties: the list of maximal cones, solid or flat, against the extremal rays in the plane and
+// against all leaves one by one in space.
 #include <algorithm>
 #include <optional>
 #include <set>

@@ -71,8 +71,7 @@ inline problems::Structure random_structure(int dimension, std::uint64_t seed) {
     };
     const int candidates = 1 + pick(4);
     std::vector<int> loose;
-    for (int i = 0; i < candidates; ++i)
-      loose.push_back(builder.node(origin + new_place(), false));
+    for (int i = 0; i < candidates; ++i) loose.push_back(builder.node(origin + new_place(), false));
     // Enough bars to the ground to hold each node, and rods from one to the next.
     for (std::size_t i = 0; i < loose.size(); ++i) {
       const bool rod = i > 0 && pick(2) == 0;

@@ -18,8 +18,8 @@ std::vector<rays::ZeroSet> sorted(std::vector<rays::ZeroSet> list) {
 
 TEST(RayTree, FindsTheRaysOfTheDoubleDescription) {
   using problems::PlaneTrussSize;
-  // The trusses of one bay have idle candidates: their cones are flat, and so are those of rays that
-  // no living pattern reports.
+  // The trusses of one bay have idle candidates: their cones are flat, and so are those of rays
+  // that no living pattern reports.
   for (const PlaneTrussSize& size :
        {PlaneTrussSize{.rows = 8}, PlaneTrussSize{.rows = 7, .bays = 1},
         PlaneTrussSize{.rows = 7, .bays = 3}}) {

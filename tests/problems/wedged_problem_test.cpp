@@ -161,7 +161,8 @@ TEST(WedgedProblem, RefusesAStiffnessThatLeavesNoDigits) {
                 testing::StartsWith("test: the stiffness is too ill-conditioned"));
   }
   // Doubles have lost six digits and more here, but F is computed with more.
-  for (const double axial_stiffness : {1e-9, 1e11}) EXPECT_EQ(error_with(axial_stiffness), "no error");
+  for (const double axial_stiffness : {1e-9, 1e11})
+    EXPECT_EQ(error_with(axial_stiffness), "no error");
 }
 
 TEST(WedgedProblem, ChecksAStructureMadeByAProgram) {

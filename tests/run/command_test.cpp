@@ -11,11 +11,14 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "shell.hpp"
 
@@ -470,8 +473,8 @@ std::string many_wedges(int count) {
 TEST_F(Command, SearchesAStructureThatComesApartPieceByPiece) {
   constexpr int pieces = 14;
   std::ofstream(in_folder("many.toml")) << many_wedges(pieces);
-  const auto run = shell(command + " patterns " + argument("many.toml") +
-                         " --mu 3 --output " + argument("result.json"));
+  const auto run = shell(command + " patterns " + argument("many.toml") + " --mu 3 --output " +
+                         argument("result.json"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
   const auto result = nlohmann::json::parse(content(in_folder("result.json")))["result"];
   EXPECT_EQ(result["count"], 1);  // all of them at once
@@ -628,7 +631,11 @@ TEST_F(Command, SaysThatACertificateWasAltered) {
 
 TEST_F(Command, RefusesWrongCallsAboutCertificates) {
   const std::string good = "patterns " + truss + " --mu 0.5 ";
-  std::ofstream(in_folder("cert.part.1.0")) << "part of the tree 0\n";
+  // A part that a checkpoint can go on with.
+  std::ofstream(in_folder("state")) << "kusabi-checkpoint";
+  std::ofstream(in_folder("cert.part.1.0"))
+      << "part of the tree 0 of the checkpoint " << in_folder("state") << '\n';
+  ASSERT_EQ(mkfifo(in_folder("pipe").c_str(), 0600), 0);
   const std::vector<std::string> wrong{
       "verify",
       "verify " + argument("none"),
@@ -636,7 +643,7 @@ TEST_F(Command, RefusesWrongCallsAboutCertificates) {
       "verify " + truss,
       good + "--certificate /nowhere/at/all",
       good + "--certificate " + quoted(folder_.string()),
-      good + "--certificate /dev/null",
+      good + "--certificate " + argument("pipe"),
       good + "--certificate " + truss,
       good + "--certificate " + argument("cert"),
       good + "--certificate " + argument("same") + " --output " + argument("same"),
@@ -646,6 +653,28 @@ TEST_F(Command, RefusesWrongCallsAboutCertificates) {
     EXPECT_EQ(run.exit_code, 2) << call;
     EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
   }
+  EXPECT_EQ(files(), (std::vector<std::string>{"cert.part.1.0", "pipe", "state"}));
+}
+
+TEST_F(Command, ACertificateIsNotKeptFromItsPlaceByPartsOfTheDead) {
+  std::ofstream(in_folder("cert.part.1.0")) << "part of the tree 0\nmarginal 1 0 0\n";
+  std::ofstream(in_folder("cert.part.3.1"))
+      << "part of the tree 0 of the checkpoint " << in_folder("gone") << '\n';
+  const auto run =
+      shell(command + " patterns " + truss + " --mu 0.5 --quiet --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(files(), std::vector<std::string>{"cert"});
+}
+
+TEST_F(Command, ACertificateThatIsBeingWrittenIsNotTouched) {
+  std::ofstream(in_folder("cert.part.1.0")) << "part of the tree 0\n";
+  const int part = open(in_folder("cert.part.1.0").c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(part, LOCK_EX), 0);
+  const auto run =
+      shell(command + " patterns " + truss + " --mu 0.5 --quiet --certificate " + argument("cert"));
+  close(part);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("is being written by another search"));
   EXPECT_EQ(files(), std::vector<std::string>{"cert.part.1.0"});
 }
 
