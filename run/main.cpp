@@ -42,6 +42,18 @@ const CLI::Validator positive(
     },
     "> 0");
 
+// From where on a margin counts as one: doubles have no more digits in theirs, and above nothing
+// would be left to find.
+const CLI::Validator sensible_tolerance(
+    [](std::string& text) -> std::string {
+      constexpr double least = 1e-12;
+      constexpr double most = 1e-3;
+      double value = 0;
+      if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return {};
+      return fmt::format("'{}', expected a number from {:g} to {:g}", text, least, most);
+    },
+    "1e-12 - 1e-3");
+
 // How many facets a polyhedral friction cone may have.
 const CLI::Validator facet_count(
     [](std::string& text) -> std::string {
@@ -83,7 +95,7 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
   command
       .add_option("--tolerance", options->tolerance,
                   "a margin t* up to this size is a tie, neither positive nor negative")
-      ->check(CLI::Range(1e-12, 1e-3))
+      ->check(sensible_tolerance)
       ->capture_default_str();
   command
       .add_option_function<std::string>(

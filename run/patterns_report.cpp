@@ -134,8 +134,8 @@ std::string PatternsReport::verdict() const {
                  marginal_, options_.tolerance);
   if (flat_ != 0) {
     fmt::format_to(out,
-                   "{} of the list flat: t* = 0, the candidates at rest have neither a reaction "
-                   "nor a gap in any of their configurations\n",
+                   "{} of the list flat (t* = 0): in all configurations of one the candidates at "
+                   "rest have neither a reaction nor a gap, or those in contact slip\n",
                    flat_);
   }
   if (blocks_.size() > 1) {
