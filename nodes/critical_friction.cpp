@@ -175,7 +175,7 @@ void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
   auto dead = static_cast<std::int64_t>(std::floor(below / width_));
   if (at(dead + 1) <= below) ++dead;
   cell.dead = std::max(cell.dead, std::min(dead, most));
-  if (probe.alive_from < at(cell.alive)) {
+  if (probe.alive_from < at(cell.alive) && probe.alive_from <= at(most)) {
     cell.alive = static_cast<std::int64_t>(std::ceil(probe.alive_from / width_));
     if (at(cell.alive - 1) >= probe.alive_from) --cell.alive;
   }
