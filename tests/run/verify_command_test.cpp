@@ -1,7 +1,4 @@
 // `kusabi verify` as a user calls it: of the certificate alone, and of the structure in a file.
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,20 +7,18 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+
+#include "shell.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+using kusabi::test::command;
+using kusabi::test::quoted;
+using kusabi::test::shell;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-
-std::string quoted(const std::string& word) {
-  return "'" + word + "'";
-}
-
-const std::string command = quoted(KUSABI_COMMAND);
 
 std::string example_file(const std::string& name) {
   return std::string(KUSABI_SOURCE_DIR) + "/examples/" + name;
@@ -33,35 +28,9 @@ std::string given_certificate(const std::string& name) {
   return quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/verify/certificates/" + name);
 }
 
-struct Ran {
-  int exit_code;
-  std::string output;  // both streams
-};
-
-Ran shell(const std::string& line) {
-  FILE* pipe = popen((line + " 2>&1").c_str(), "r");
-  std::string output;
-  std::array<char, 4096> piece{};
-  while (const auto count = std::fread(piece.data(), 1, piece.size(), pipe)) {
-    output.append(piece.data(), count);
-  }
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
-}
-
-// A folder of its own for each test, gone afterwards.
-class VerifyCommand : public testing::Test {
+class VerifyCommand : public kusabi::test::Command {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "kusabi verify-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return in_folder(name); }
 
   // Searches and writes the certificate.
   [[nodiscard]] std::string certificate_of(const std::string& file, double mu) const {
@@ -84,11 +53,9 @@ class VerifyCommand : public testing::Test {
     return path("changed.toml");
   }
 
-  [[nodiscard]] static Ran verify(const std::string& certificate, const std::string& file) {
+  [[nodiscard]] static auto verify(const std::string& certificate, const std::string& file) {
     return shell(fmt::format("{} verify {} --problem {}", command, certificate, quoted(file)));
   }
-
-  fs::path folder_;
 };
 
 TEST_F(VerifyCommand, GenuineCertificatesAreProvedOfTheProblemFile) {
