@@ -18,8 +18,8 @@
 #include "engine/search.hpp"
 #include "nodes/limit/sign_tree.hpp"
 #include "problems/grid_truss.hpp"
-#include "problems/input_error.hpp"
 #include "problems/limit_problem.hpp"
+#include "support/input_error.hpp"
 
 namespace {
 

@@ -13,7 +13,7 @@
 
 #include <boost/serialization/array.hpp>
 
-#include "nodes/sha1.hpp"
+#include "support/sha1.hpp"
 
 namespace kusabi::nodes {
 

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "problems/fingerprint.hpp"
 #include "problems/mechanism.hpp"
 #include "problems/structure_check.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::problems {
 namespace {

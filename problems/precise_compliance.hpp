@@ -9,8 +9,8 @@
 
 #include <Eigen/Core>
 
-#include "numbers/precise.hpp"
 #include "problems/structure.hpp"
+#include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {
 

@@ -10,10 +10,10 @@
 
 #include <Eigen/SparseCore>
 
-#include "numbers/precise.hpp"
 #include "problems/elongation.hpp"
 #include "problems/structure.hpp"
 #include "problems/truss.hpp"
+#include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {
 

@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/input_error.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::problems {
 

@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 #include <toml++/toml.h>
 
-#include "problems/input_error.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::problems {
 

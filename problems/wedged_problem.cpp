@@ -9,11 +9,11 @@
 
 #include "problems/contact_blocks.hpp"
 #include "problems/contact_frame.hpp"
-#include "problems/fingerprint.hpp"
 #include "problems/mechanism.hpp"
 #include "problems/precise_compliance.hpp"
 #include "problems/structure_check.hpp"
 #include "problems/truss.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -11,8 +11,8 @@
 
 #include <Eigen/Core>
 
-#include "numbers/precise.hpp"
 #include "problems/structure.hpp"
+#include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {
 

@@ -1,7 +1,7 @@
 // A hash of what was read and of what was computed.
 #include "run/agreement.hpp"
 
-#include "problems/fingerprint.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 

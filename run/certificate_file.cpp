@@ -18,8 +18,8 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
-#include "nodes/sha1.hpp"
 #include "problems/problem_block.hpp"
+#include "support/sha1.hpp"
 
 namespace kusabi::run {
 

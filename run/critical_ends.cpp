@@ -15,7 +15,6 @@
 #include "nodes/critical_friction.hpp"
 #include "nodes/maximal_cones.hpp"
 #include "nodes/sign_pattern.hpp"
-#include "problems/fingerprint.hpp"
 #include "run/certificate_file.hpp"
 #include "run/evidence_check.hpp"
 #include "run/problem_summary.hpp"
@@ -23,6 +22,7 @@
 #include "run/shown_search.hpp"
 #include "run/standard_output.hpp"
 #include "run/told.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 namespace {

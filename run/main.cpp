@@ -14,7 +14,6 @@
 
 #include "nodes/facets.hpp"
 #include "nodes/standard_trees.hpp"
-#include "problems/input_error.hpp"
 #include "run/bench_scaling.hpp"
 #include "run/bench_schedules.hpp"
 #include "run/bench_uts.hpp"
@@ -28,6 +27,7 @@
 #include "run/session.hpp"
 #include "run/standard_output.hpp"
 #include "run/verify.hpp"
+#include "support/input_error.hpp"
 
 namespace {
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "nodes/linear/program_file.hpp"
-#include "problems/fingerprint.hpp"
 #include "run/exit_code.hpp"
 #include "run/last_steps.hpp"
 #include "run/mip_report.hpp"
@@ -21,6 +20,7 @@
 #include "run/signals.hpp"
 #include "run/standard_output.hpp"
 #include "run/told.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "engine/checkpoint.hpp"
 #include "nodes/sign_pattern.hpp"
-#include "problems/fingerprint.hpp"
 #include "problems/structure_file.hpp"
 #include "run/agreement.hpp"
 #include "run/certificate_file.hpp"
@@ -27,6 +26,7 @@
 #include "run/standard_output.hpp"
 #include "run/told.hpp"
 #include "run/trace_file.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 namespace {

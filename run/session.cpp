@@ -12,8 +12,8 @@
 
 #include "engine/transport/mpi.hpp"
 #include "engine/transport/single_process.hpp"
-#include "problems/input_error.hpp"
 #include "run/launch.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::run {
 namespace {

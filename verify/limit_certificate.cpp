@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "nodes/sha1.hpp"
+#include "support/sha1.hpp"
 #include "verify/lines.hpp"
 
 namespace kusabi::verify {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "nodes/sha1.hpp"
+#include "support/sha1.hpp"
 #include "verify/certificate.hpp"
 
 namespace kusabi::verify {

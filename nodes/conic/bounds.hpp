@@ -30,7 +30,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include "numbers/precise.hpp"
+#include "support/numbers/precise.hpp"
 
 namespace kusabi::conic {
 

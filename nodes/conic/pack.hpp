@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "numbers/precise.hpp"
+#include "support/numbers/precise.hpp"
 
 // Functions with this mark are compiled for AVX2 too and chosen when the program starts; what they
 // call has to be inlined into them. AVX2 by itself has no fused multiply-add.

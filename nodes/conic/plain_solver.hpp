@@ -15,7 +15,7 @@
 #include "nodes/conic/answer.hpp"
 #include "nodes/conic/bounds.hpp"
 #include "nodes/conic/cone.hpp"
-#include "numbers/precise.hpp"
+#include "support/numbers/precise.hpp"
 
 namespace kusabi::conic {
 

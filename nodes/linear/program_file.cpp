@@ -12,7 +12,7 @@
 #include <glpk.h>
 
 #include "nodes/linear/glpk_call.hpp"
-#include "problems/input_error.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::nodes::linear {
 namespace {

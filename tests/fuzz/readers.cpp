@@ -14,11 +14,11 @@
 
 #include "engine/checkpoint.hpp"
 #include "nodes/linear/program_file.hpp"
-#include "nodes/sha1.hpp"
-#include "problems/input_error.hpp"
 #include "problems/limit_problem.hpp"
 #include "problems/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
+#include "support/input_error.hpp"
+#include "support/sha1.hpp"
 #include "verify/certificate.hpp"
 #include "verify/cover.hpp"
 #include "verify/limit_certificate.hpp"

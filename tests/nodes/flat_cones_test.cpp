@@ -11,12 +11,12 @@
 
 #include "nodes/maximal_cones.hpp"
 #include "nodes/sign_pattern.hpp"
-#include "problems/input_error.hpp"
 #include "problems/precise_compliance.hpp"
 #include "problems/rays/double_description.hpp"
 #include "problems/rays/maximal_cones.hpp"
 #include "problems/space_truss.hpp"
 #include "random_structure.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::nodes {
 namespace {

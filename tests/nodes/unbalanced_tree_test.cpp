@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/simulation.hpp"
-#include "nodes/sha1.hpp"
 #include "nodes/standard_trees.hpp"
+#include "support/sha1.hpp"
 
 namespace kusabi::nodes {
 

@@ -1,5 +1,5 @@
 // The fingerprint: changes with every ingredient of a problem, and with nothing else.
-#include "problems/fingerprint.hpp"
+#include "support/fingerprint.hpp"
 
 #include <functional>
 #include <set>

@@ -1,5 +1,5 @@
 // An input error is one line, whatever it quotes.
-#include "problems/input_error.hpp"
+#include "support/input_error.hpp"
 
 #include <string>
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "nodes/sha1.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/structure_file.hpp"
+#include "support/sha1.hpp"
 #include "verify/agreement.hpp"
 #include "verify/certificate.hpp"
 #include "verify/cover.hpp"

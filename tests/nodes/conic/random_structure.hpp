@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "problems/input_error.hpp"
 #include "problems/structure.hpp"
 #include "problems/wedged_problem.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::nodes::testing {
 

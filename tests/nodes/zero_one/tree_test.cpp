@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "nodes/linear/program_file.hpp"
-#include "problems/input_error.hpp"
+#include "support/input_error.hpp"
 #include "tests/nodes/zero_one/programs.hpp"
 
 namespace kusabi::nodes {

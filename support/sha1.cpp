@@ -1,5 +1,5 @@
 // The compression function and the padding.
-#include "nodes/sha1.hpp"
+#include "support/sha1.hpp"
 
 #include <bit>
 #include <string>

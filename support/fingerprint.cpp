@@ -1,5 +1,5 @@
 // FNV-1a, 64 bits, least significant byte first.
-#include "problems/fingerprint.hpp"
+#include "support/fingerprint.hpp"
 
 #include <bit>
 

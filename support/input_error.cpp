@@ -1,5 +1,5 @@
 // The text of an input error: always one line, whatever bytes the input held.
-#include "problems/input_error.hpp"
+#include "support/input_error.hpp"
 
 #include <cstddef>
 
