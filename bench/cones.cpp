@@ -21,9 +21,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "nodes/conic/node_solver.hpp"
 #include "problems/space_truss.hpp"
 #include "problems/wedged_problem.hpp"
+#include "solvers/conic/node_solver.hpp"
 
 namespace {
 

@@ -16,11 +16,11 @@
 #include <fmt/format.h>
 
 #include "engine/search.hpp"
-#include "nodes/conic/node_solver.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/space_truss.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/remaining_time.hpp"
+#include "solvers/conic/node_solver.hpp"
 
 namespace {
 

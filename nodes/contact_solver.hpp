@@ -18,9 +18,9 @@
 
 #include <Eigen/Core>
 
-#include "nodes/conic/node_solver.hpp"
-#include "nodes/conic/plain_solver.hpp"
 #include "problems/wedged_problem.hpp"
+#include "solvers/conic/node_solver.hpp"
+#include "solvers/conic/plain_solver.hpp"
 
 namespace kusabi::nodes {
 

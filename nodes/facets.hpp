@@ -14,7 +14,7 @@
 
 #include <Eigen/Core>
 
-#include "nodes/conic/node_solver.hpp"
+#include "solvers/conic/node_solver.hpp"
 
 namespace kusabi::nodes {
 

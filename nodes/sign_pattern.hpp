@@ -1,7 +1,7 @@
 // The tree of sign patterns: Algorithm 5.1 of the wedged paper, or 5.8.
 //
 // A node is a pair (U, R) of disjoint sets of the contact candidates of one block: those held in
-// contact, u_n = 0, and those held separated, r = 0. Its bound is the cone program of nodes/conic,
+// contact, u_n = 0, and those held separated, r = 0. Its bound is the cone program of solvers/conic,
 // whose optimal value t* tells whether a wedged configuration can exist below the node:
 //
 //   t* < 0   none can: the node is dead;

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/conic/node_solver.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "run/session.hpp"
+#include "solvers/conic/node_solver.hpp"
 
 namespace kusabi::run {
 

@@ -6,7 +6,7 @@
 //   A_{i, q_k} = F_{n_i n_k} / (2 mu_k) + F_{n_i t_k} / 2,
 //
 // and C_r = {x >= 0, A x >= 0}. Without friction there is one generator instead of two: p_k is then
-// r_nk itself, and q_k is zero. It needs Eigen only, like nodes/conic.
+// r_nk itself, and q_k is zero. It needs Eigen only, like solvers/conic.
 #pragma once
 
 #include <span>

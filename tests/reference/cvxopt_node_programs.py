@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes cvxopt_node_programs.json: node programs of the wedged problem with their optimal values.
 
-The cone solver in nodes/conic is tested against these. They are solved here by another program
+The cone solver in solvers/conic is tested against these. They are solved here by another program
 (cvxopt's conelp), from another formulation: in the original variables r and t,
 
     max t   (F r)_{n,i} = 0 (i in U),   (F r)_{n,j} >= t (j not in U),

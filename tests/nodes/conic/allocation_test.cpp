@@ -2,7 +2,7 @@
 // check does the counting; the sources are compiled into this test with it switched on.
 #include <gtest/gtest.h>
 
-#include "nodes/conic/node_solver.hpp"
+#include "solvers/conic/node_solver.hpp"
 #include "tests/nodes/conic/contact_problem.hpp"
 
 namespace kusabi::conic {

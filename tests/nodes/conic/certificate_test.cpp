@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nodes/conic/node_solver.hpp"
+#include "solvers/conic/node_solver.hpp"
 #include "tests/nodes/conic/contact_problem.hpp"
 
 namespace kusabi::conic {

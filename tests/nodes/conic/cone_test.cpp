@@ -1,5 +1,5 @@
 // The algebra of one cone, by its defining identities, inside the cone and close to its boundary.
-#include "nodes/conic/cone.hpp"
+#include "solvers/conic/cone.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // The standard form says the same as the node program, and bad input is refused.
-#include "nodes/conic/node_program.hpp"
+#include "solvers/conic/node_program.hpp"
 
 #include <algorithm>
 #include <stdexcept>

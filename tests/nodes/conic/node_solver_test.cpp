@@ -1,5 +1,5 @@
 // Answers that can be worked out by hand, ties, and what solve() promises about its stopping.
-#include "nodes/conic/node_solver.hpp"
+#include "solvers/conic/node_solver.hpp"
 
 #include <array>
 #include <cmath>

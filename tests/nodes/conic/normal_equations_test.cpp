@@ -1,6 +1,6 @@
 // The small dense kernels against Eigen, at every size up to the largest: products with padded
 // columns, the rank update, and Cholesky with right sides that ride along.
-#include "nodes/conic/normal_equations.hpp"
+#include "solvers/conic/normal_equations.hpp"
 
 #include <limits>
 #include <utility>
@@ -8,7 +8,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "nodes/conic/pack.hpp"
+#include "solvers/conic/pack.hpp"
 
 namespace kusabi::conic {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "nodes/conic/node_solver.hpp"
+#include "solvers/conic/node_solver.hpp"
 
 namespace kusabi::conic {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "nodes/conic/columns.hpp"
+#include "solvers/conic/columns.hpp"
 
 namespace kusabi::conic {
 

@@ -1,6 +1,6 @@
 // The interior-point iteration of interior_point.cpp in plain words; see there for the reasons of
 // its constants.
-#include "nodes/conic/plain_solver.hpp"
+#include "solvers/conic/plain_solver.hpp"
 
 #include <algorithm>
 #include <cmath>

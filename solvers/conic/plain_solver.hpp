@@ -12,9 +12,9 @@
 
 #include <Eigen/Core>
 
-#include "nodes/conic/answer.hpp"
-#include "nodes/conic/bounds.hpp"
-#include "nodes/conic/cone.hpp"
+#include "solvers/conic/answer.hpp"
+#include "solvers/conic/bounds.hpp"
+#include "solvers/conic/cone.hpp"
 #include "support/numbers/precise.hpp"
 
 namespace kusabi::conic {

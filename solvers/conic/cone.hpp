@@ -10,7 +10,7 @@
 
 #include <array>
 
-#include "nodes/conic/pack.hpp"
+#include "solvers/conic/pack.hpp"
 
 namespace kusabi::conic {
 

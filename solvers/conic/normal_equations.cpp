@@ -1,10 +1,10 @@
 // Left-looking Cholesky by panels of four columns; the rank update and what the panels before take
 // from a panel are the same product of blocks.
-#include "nodes/conic/normal_equations.hpp"
+#include "solvers/conic/normal_equations.hpp"
 
 #include <cmath>
 
-#include "nodes/conic/pack.hpp"
+#include "solvers/conic/pack.hpp"
 
 namespace kusabi::conic {
 

@@ -27,8 +27,8 @@
 
 #include <Eigen/Core>
 
-#include "nodes/conic/bounds.hpp"
-#include "nodes/conic/columns.hpp"
+#include "solvers/conic/bounds.hpp"
+#include "solvers/conic/columns.hpp"
 
 namespace kusabi::conic {
 

@@ -13,10 +13,10 @@
 
 #include <Eigen/Core>
 
-#include "nodes/conic/cone.hpp"
-#include "nodes/conic/node_program.hpp"
-#include "nodes/conic/normal_equations.hpp"
-#include "nodes/conic/pack.hpp"
+#include "solvers/conic/cone.hpp"
+#include "solvers/conic/node_program.hpp"
+#include "solvers/conic/normal_equations.hpp"
+#include "solvers/conic/pack.hpp"
 
 namespace kusabi::conic {
 

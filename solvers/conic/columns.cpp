@@ -1,7 +1,7 @@
 // Products with the padded columns, in registers as far as they go.
-#include "nodes/conic/columns.hpp"
+#include "solvers/conic/columns.hpp"
 
-#include "nodes/conic/pack.hpp"
+#include "solvers/conic/pack.hpp"
 
 namespace kusabi::conic {
 

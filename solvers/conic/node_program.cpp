@@ -1,5 +1,5 @@
 // Builds the standard form of a node program; the header states it.
-#include "nodes/conic/node_program.hpp"
+#include "solvers/conic/node_program.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "nodes/conic/pack.hpp"
+#include "solvers/conic/pack.hpp"
 
 namespace kusabi::conic {
 

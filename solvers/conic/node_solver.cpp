@@ -1,5 +1,5 @@
 // Turns the interior-point iteration into a proved bracket of t* and stops when it says enough.
-#include "nodes/conic/node_solver.hpp"
+#include "solvers/conic/node_solver.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The interior-point iteration; the header states the pair of programs it solves.
-#include "nodes/conic/interior_point.hpp"
+#include "solvers/conic/interior_point.hpp"
 
 #include <algorithm>
 #include <bit>

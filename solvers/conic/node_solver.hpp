@@ -2,8 +2,8 @@
 // evidence: a feasible reaction proves t* from below, a dual vector proves it from above.
 //
 // The tree asks only for the sign of t*, so the iteration stops as soon as one side has proved it.
-// Both sides hold in spite of rounding (nodes/conic/bounds.hpp); what doubles leave open is for the
-// solvers with more digits (nodes/conic/plain_solver.hpp).
+// Both sides hold in spite of rounding (solvers/conic/bounds.hpp); what doubles leave open is for
+// the solvers with more digits (solvers/conic/plain_solver.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 #include <Eigen/Core>
 
-#include "nodes/conic/answer.hpp"
-#include "nodes/conic/interior_point.hpp"
-#include "nodes/conic/node_program.hpp"
+#include "solvers/conic/answer.hpp"
+#include "solvers/conic/interior_point.hpp"
+#include "solvers/conic/node_program.hpp"
 
 namespace kusabi::conic {
 
@@ -52,7 +52,7 @@ class NodeSolver {
   const Eigen::VectorXd& reaction() const { return reaction_; }
   /// u = F r of reaction(), Dm.
   const Eigen::VectorXd& displacement() const { return displacement_; }
-  /// y, m: proves `upper` (nodes/conic/bounds.hpp); y_j >= 0 for j not in U; zero if R is
+  /// y, m: proves `upper` (solvers/conic/bounds.hpp); y_j >= 0 for j not in U; zero if R is
   /// everything.
   const Eigen::VectorXd& multipliers() const { return multipliers_; }
 
