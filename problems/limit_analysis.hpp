@@ -13,7 +13,7 @@
 #include <Eigen/SparseCore>
 
 #include "problems/limit_problem.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::problems {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "problems/limit_analysis.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::problems {
 

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "nodes/linear/program_file.hpp"
 #include "run/exit_code.hpp"
 #include "run/last_steps.hpp"
 #include "run/mip_report.hpp"
@@ -20,6 +19,7 @@
 #include "run/signals.hpp"
 #include "run/standard_output.hpp"
 #include "run/told.hpp"
+#include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {

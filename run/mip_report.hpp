@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/outcome.hpp"
-#include "nodes/linear/program_file.hpp"
 #include "nodes/zero_one/tree.hpp"
 #include "run/mip.hpp"
+#include "solvers/linear/program_file.hpp"
 
 namespace kusabi::run {
 

@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "nodes/linear/simplex.hpp"
 #include "problems/limit_analysis.hpp"
+#include "solvers/linear/simplex.hpp"
 
 namespace kusabi::nodes::limit {
 

@@ -20,8 +20,8 @@
 #include <Eigen/Core>
 
 #include "nodes/limit/static_cut.hpp"
-#include "nodes/linear/simplex.hpp"
 #include "problems/limit_analysis.hpp"
+#include "solvers/linear/simplex.hpp"
 
 namespace kusabi::nodes::limit {
 

@@ -17,8 +17,8 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "nodes/linear/simplex.hpp"
 #include "problems/limit_analysis.hpp"
+#include "solvers/linear/simplex.hpp"
 
 namespace kusabi::nodes::limit {
 

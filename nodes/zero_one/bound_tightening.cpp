@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "nodes/linear/safe_bound.hpp"
+#include "solvers/linear/safe_bound.hpp"
 
 namespace kusabi::nodes {
 namespace {

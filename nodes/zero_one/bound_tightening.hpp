@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "nodes/linear/basis.hpp"
-#include "nodes/linear/simplex.hpp"
 #include "nodes/zero_one/implied_bounds.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/basis.hpp"
+#include "solvers/linear/linear_program.hpp"
+#include "solvers/linear/simplex.hpp"
 
 namespace kusabi::nodes {
 

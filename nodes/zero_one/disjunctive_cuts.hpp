@@ -16,8 +16,8 @@
 #include <optional>
 #include <vector>
 
-#include "nodes/linear/basis.hpp"
 #include "nodes/zero_one/relaxation.hpp"
+#include "solvers/linear/basis.hpp"
 
 namespace kusabi::nodes {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "nodes/linear/rounded.hpp"
+#include "solvers/linear/rounded.hpp"
 
 namespace kusabi::nodes {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/linear_program.hpp"
+#include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::nodes {
 

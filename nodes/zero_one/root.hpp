@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "nodes/linear/basis.hpp"
 #include "nodes/zero_one/incumbent_search.hpp"
 #include "nodes/zero_one/relaxation.hpp"
+#include "solvers/linear/basis.hpp"
 
 namespace kusabi::nodes {
 

@@ -18,11 +18,11 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/search.hpp"
-#include "nodes/linear/basis.hpp"
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/incumbent_search.hpp"
 #include "nodes/zero_one/relaxation.hpp"
 #include "nodes/zero_one/root.hpp"
+#include "solvers/linear/basis.hpp"
 
 namespace kusabi::nodes {
 

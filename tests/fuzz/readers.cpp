@@ -13,10 +13,10 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
-#include "nodes/linear/program_file.hpp"
 #include "problems/limit_problem.hpp"
 #include "problems/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
+#include "solvers/linear/program_file.hpp"
 #include "support/input_error.hpp"
 #include "support/sha1.hpp"
 #include "verify/certificate.hpp"

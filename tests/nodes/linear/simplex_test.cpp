@@ -1,7 +1,7 @@
 // Linear programs: answers known by hand, both methods against each other on random programs,
 // bounds and contradictions that must hold in spite of rounding, and a result that forgets what was
 // solved before.
-#include "nodes/linear/simplex.hpp"
+#include "solvers/linear/simplex.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/wire.hpp"
-#include "nodes/linear/glpk_call.hpp"
-#include "nodes/linear/safe_bound.hpp"
+#include "solvers/linear/glpk_call.hpp"
+#include "solvers/linear/safe_bound.hpp"
 
 namespace kusabi::nodes::linear {
 namespace {

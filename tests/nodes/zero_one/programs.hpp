@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "nodes/linear/simplex.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/linear_program.hpp"
+#include "solvers/linear/simplex.hpp"
 
 namespace kusabi::tests {
 

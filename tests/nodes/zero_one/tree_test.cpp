@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "nodes/linear/program_file.hpp"
+#include "solvers/linear/program_file.hpp"
 #include "support/input_error.hpp"
 #include "tests/nodes/zero_one/programs.hpp"
 

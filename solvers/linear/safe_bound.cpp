@@ -1,12 +1,12 @@
 // The safe bound, in intervals.
-#include "nodes/linear/safe_bound.hpp"
+#include "solvers/linear/safe_bound.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-#include "nodes/linear/rounded.hpp"
+#include "solvers/linear/rounded.hpp"
 
 namespace kusabi::nodes::linear {
 namespace {

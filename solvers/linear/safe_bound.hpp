@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "nodes/linear/rounded.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/linear_program.hpp"
+#include "solvers/linear/rounded.hpp"
 
 namespace kusabi::nodes::linear {
 

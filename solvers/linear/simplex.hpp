@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "nodes/linear/basis.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/basis.hpp"
+#include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::nodes::linear {
 

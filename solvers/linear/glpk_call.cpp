@@ -1,5 +1,5 @@
 // How GLPK is kept quiet and alive.
-#include "nodes/linear/glpk_call.hpp"
+#include "solvers/linear/glpk_call.hpp"
 
 #include <csetjmp>
 

@@ -1,5 +1,5 @@
 // GLPK reads; what it prints is the message, and what it has read becomes plain data.
-#include "nodes/linear/program_file.hpp"
+#include "solvers/linear/program_file.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <glpk.h>
 
-#include "nodes/linear/glpk_call.hpp"
+#include "solvers/linear/glpk_call.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::nodes::linear {

@@ -1,5 +1,5 @@
 // A linear program and a mixed zero-one program as plain data: what mechanics writes down and
-// nodes/linear and nodes/zero_one solve. The form is that of the limit paper's (29) and of every
+// solvers/linear and nodes/zero_one solve. The form is that of the limit paper's (29) and of every
 // solver: rows and columns with two-sided bounds.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The owner of a glp_prob.
-#include "nodes/linear/simplex.hpp"
+#include "solvers/linear/simplex.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <glpk.h>
 
-#include "nodes/linear/glpk_call.hpp"
+#include "solvers/linear/glpk_call.hpp"
 
 namespace kusabi::nodes::linear {
 namespace {
