@@ -16,8 +16,8 @@
 #include <boost/serialization/vector.hpp>
 
 #include "nodes/sign_pattern.hpp"
-#include "problems/rays/double_description.hpp"
-#include "problems/rays/reaction_cone.hpp"
+#include "solvers/rays/double_description.hpp"
+#include "solvers/rays/reaction_cone.hpp"
 
 namespace kusabi::nodes {
 

@@ -10,12 +10,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "problems/rays/double_description.hpp"
-#include "problems/rays/maximal_cones.hpp"
-#include "problems/rays/reaction_cone.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/json_writer.hpp"
 #include "run/rays.hpp"
+#include "solvers/rays/double_description.hpp"
+#include "solvers/rays/maximal_cones.hpp"
+#include "solvers/rays/reaction_cone.hpp"
 
 namespace kusabi::run {
 

@@ -12,10 +12,10 @@
 #include "nodes/maximal_cones.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/precise_compliance.hpp"
-#include "problems/rays/double_description.hpp"
-#include "problems/rays/maximal_cones.hpp"
 #include "problems/space_truss.hpp"
 #include "random_structure.hpp"
+#include "solvers/rays/double_description.hpp"
+#include "solvers/rays/maximal_cones.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::nodes {

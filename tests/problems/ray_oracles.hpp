@@ -1,4 +1,4 @@
-// Other ways to the rays and the cones: slow, and without anything of problems/rays.
+// Other ways to the rays and the cones: slow, and without anything of solvers/rays.
 #pragma once
 
 #include <random>

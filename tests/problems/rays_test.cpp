@@ -10,12 +10,12 @@
 
 #include "problems/plane_truss.hpp"
 #include "problems/precise_compliance.hpp"
-#include "problems/rays/bit_pattern_tree.hpp"
-#include "problems/rays/double_description.hpp"
-#include "problems/rays/maximal_cones.hpp"
 #include "problems/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
 #include "ray_oracles.hpp"
+#include "solvers/rays/bit_pattern_tree.hpp"
+#include "solvers/rays/double_description.hpp"
+#include "solvers/rays/maximal_cones.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::rays {

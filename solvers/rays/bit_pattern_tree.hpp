@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/rays/zero_set.hpp"
+#include "solvers/rays/zero_set.hpp"
 
 namespace kusabi::rays {
 

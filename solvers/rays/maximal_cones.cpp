@@ -1,5 +1,5 @@
 // The walk over sign patterns.
-#include "problems/rays/maximal_cones.hpp"
+#include "solvers/rays/maximal_cones.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // Where a bit pattern tree is split, and the query for supersets.
-#include "problems/rays/bit_pattern_tree.hpp"
+#include "solvers/rays/bit_pattern_tree.hpp"
 
 #include <algorithm>
 #include <array>

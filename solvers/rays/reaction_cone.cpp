@@ -1,5 +1,5 @@
 // From F and mu to A, and from a zero set to a ray.
-#include "problems/rays/reaction_cone.hpp"
+#include "solvers/rays/reaction_cone.hpp"
 
 #include <cmath>
 #include <cstddef>

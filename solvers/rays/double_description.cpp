@@ -1,5 +1,5 @@
 // One cut after another, cheapest first, with bit patterns in place of linear algebra.
-#include "problems/rays/double_description.hpp"
+#include "solvers/rays/double_description.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "problems/rays/bit_pattern_tree.hpp"
+#include "solvers/rays/bit_pattern_tree.hpp"
 
 namespace kusabi::rays {
 namespace {

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/rays/health.hpp"
-#include "problems/rays/reaction_cone.hpp"
-#include "problems/rays/zero_set.hpp"
+#include "solvers/rays/health.hpp"
+#include "solvers/rays/reaction_cone.hpp"
+#include "solvers/rays/zero_set.hpp"
 
 namespace kusabi::rays {
 

@@ -14,8 +14,8 @@
 
 #include <Eigen/Core>
 
-#include "problems/rays/health.hpp"
-#include "problems/rays/zero_set.hpp"
+#include "solvers/rays/health.hpp"
+#include "solvers/rays/zero_set.hpp"
 
 namespace kusabi::rays {
 
