@@ -5,7 +5,7 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include "problems/elongation.hpp"
+#include "problems/structure/elongation.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/structure.hpp"
-#include "problems/truss.hpp"
+#include "problems/structure/structure.hpp"
+#include "problems/structure/truss.hpp"
 
 namespace kusabi::problems {
 

@@ -4,7 +4,7 @@
 // the paper.
 #pragma once
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace kusabi::problems {
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "problems/mechanism.hpp"
-#include "problems/structure_check.hpp"
+#include "problems/structure/mechanism.hpp"
+#include "problems/structure/structure_check.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::problems {

@@ -16,8 +16,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "problems/structure.hpp"
-#include "problems/truss.hpp"
+#include "problems/structure/structure.hpp"
+#include "problems/structure/truss.hpp"
 
 namespace kusabi::problems {
 

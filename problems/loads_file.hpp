@@ -6,7 +6,7 @@
 #include <functional>
 #include <string_view>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 #include "problems/toml_reader.hpp"
 
 namespace kusabi::problems {

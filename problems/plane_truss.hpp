@@ -2,7 +2,7 @@
 // enumeration of rays is measured on. examples/plane-truss.toml is the member with the sizes below.
 #pragma once
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace kusabi::problems {
 

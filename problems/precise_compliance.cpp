@@ -11,10 +11,10 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include "problems/contact_frame.hpp"
-#include "problems/elongation.hpp"
-#include "problems/quadrilateral.hpp"
-#include "problems/truss.hpp"
+#include "problems/structure/contact_frame.hpp"
+#include "problems/structure/elongation.hpp"
+#include "problems/structure/quadrilateral.hpp"
+#include "problems/structure/truss.hpp"
 
 namespace kusabi::problems {
 namespace {

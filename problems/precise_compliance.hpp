@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 #include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "problems/wedged_problem.hpp"
+#include "problems/structure/structure_check.hpp"
 
 namespace kusabi::problems {
 namespace {

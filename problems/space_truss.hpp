@@ -2,7 +2,7 @@
 // searches are measured on. examples/space-truss.toml is the member of it with the sizes below.
 #pragma once
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace kusabi::problems {
 

@@ -13,8 +13,8 @@
 #include <fmt/format.h>
 
 #include "problems/loads_file.hpp"
-#include "problems/structure_check.hpp"
-#include "problems/structured_mesh.hpp"
+#include "problems/structure/structure_check.hpp"
+#include "problems/structure/structured_mesh.hpp"
 #include "problems/toml_reader.hpp"
 
 namespace kusabi::problems {

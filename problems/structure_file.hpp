@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace kusabi::problems {
 

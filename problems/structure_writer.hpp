@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace kusabi::problems {
 

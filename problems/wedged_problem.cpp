@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "problems/contact_blocks.hpp"
-#include "problems/contact_frame.hpp"
-#include "problems/mechanism.hpp"
 #include "problems/precise_compliance.hpp"
-#include "problems/structure_check.hpp"
-#include "problems/truss.hpp"
+#include "problems/structure/contact_frame.hpp"
+#include "problems/structure/mechanism.hpp"
+#include "problems/structure/structure_check.hpp"
+#include "problems/structure/truss.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::problems {

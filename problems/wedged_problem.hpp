@@ -11,13 +11,10 @@
 
 #include <Eigen/Core>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 #include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {
-
-/// Most contact candidates of a problem: a sign pattern is two sets of candidates, 64 bits each.
-inline constexpr int most_contact_candidates = 64;
 
 /// Largest error of the precise F (EnclosedCompliance::error) that a problem is accepted with: the
 /// doubles of K and F are then right to their last digit or so.

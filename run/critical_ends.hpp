@@ -3,7 +3,7 @@
 // that does not stand it is moved outwards until it does.
 #pragma once
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/critical.hpp"
 #include "run/critical_report.hpp"

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "nodes/sign_pattern.hpp"
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 #include "problems/wedged_problem.hpp"
 #include "verify/certificate.hpp"
 #include "verify/exact.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 #include "verify/structure.hpp"
 
 namespace kusabi::run {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 #include "run/session.hpp"
 #include "run/verify.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace kusabi::nodes {
 

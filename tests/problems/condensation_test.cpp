@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "problems/truss.hpp"
+#include "problems/structure/truss.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::problems {

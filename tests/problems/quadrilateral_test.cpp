@@ -1,5 +1,5 @@
 // Four-node elements: patch tests, hand calculations, meshes in files.
-#include "problems/quadrilateral.hpp"
+#include "problems/structure/quadrilateral.hpp"
 
 #include <string>
 
@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/mechanism.hpp"
 #include "problems/precise_compliance.hpp"
-#include "problems/structure_check.hpp"
+#include "problems/structure/mechanism.hpp"
+#include "problems/structure/structure_check.hpp"
 #include "problems/structure_file.hpp"
 #include "problems/structure_writer.hpp"
 #include "problems/wedged_problem.hpp"

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace kusabi::problems::test {
 

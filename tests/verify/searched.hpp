@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 #include "problems/wedged_problem.hpp"
 #include "verify/structure.hpp"
 

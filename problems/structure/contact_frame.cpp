@@ -1,5 +1,5 @@
 // Contact frames by one Gram-Schmidt step.
-#include "problems/contact_frame.hpp"
+#include "problems/structure/contact_frame.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,9 +1,9 @@
 // Assembly of the stiffness of a truss, member by member.
-#include "problems/truss.hpp"
+#include "problems/structure/truss.hpp"
 
 #include <cstddef>
 
-#include "problems/elongation.hpp"
+#include "problems/structure/elongation.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -1,5 +1,5 @@
 // The rules a structure must meet before any number is computed from it.
-#include "problems/structure_check.hpp"
+#include "problems/structure/structure_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "problems/contact_frame.hpp"
-#include "problems/quadrilateral.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/structure/contact_frame.hpp"
+#include "problems/structure/quadrilateral.hpp"
 
 namespace kusabi::problems {
 namespace {

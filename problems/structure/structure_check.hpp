@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace kusabi::problems {
 
@@ -13,6 +13,9 @@ namespace kusabi::problems {
 /// these, EA / L and its inverse stay within 1e+-100, and their squares within the range of double.
 inline constexpr double smallest_magnitude = 1e-50;
 inline constexpr double largest_magnitude = 1e50;
+
+/// Most contact candidates of a problem: a sign pattern is two sets of candidates, 64 bits each.
+inline constexpr int most_contact_candidates = 64;
 
 /// Smallest and largest weight of an uncertain component: relative to the others, of one size.
 inline constexpr double smallest_weight = 1e-6;

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 #include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {

@@ -1,5 +1,5 @@
 // Places, edges and elements of a structured mesh.
-#include "problems/structured_mesh.hpp"
+#include "problems/structure/structured_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

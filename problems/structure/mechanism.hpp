@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "problems/structure.hpp"
-#include "problems/truss.hpp"
+#include "problems/structure/structure.hpp"
+#include "problems/structure/truss.hpp"
 
 namespace kusabi::problems {
 

@@ -1,5 +1,5 @@
 // Shape functions, the strain-displacement matrix and the square root of the elasticity matrix.
-#include "problems/quadrilateral.hpp"
+#include "problems/structure/quadrilateral.hpp"
 
 #include <array>
 #include <cmath>

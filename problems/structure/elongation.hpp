@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "problems/structure.hpp"
-#include "problems/truss.hpp"
+#include "problems/structure/structure.hpp"
+#include "problems/structure/truss.hpp"
 
 namespace kusabi::problems {
 

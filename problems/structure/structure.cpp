@@ -1,5 +1,5 @@
 // Errors that know where in its file a structure's entry stands.
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 #include <cstddef>
 

@@ -10,9 +10,9 @@
 
 #include <Eigen/SparseCore>
 
-#include "problems/elongation.hpp"
-#include "problems/structure.hpp"
-#include "problems/truss.hpp"
+#include "problems/structure/elongation.hpp"
+#include "problems/structure/structure.hpp"
+#include "problems/structure/truss.hpp"
 #include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {

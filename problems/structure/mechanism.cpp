@@ -1,5 +1,5 @@
 // The softest motion of a truss, by inverse iteration with the slightly shifted G.
-#include "problems/mechanism.hpp"
+#include "problems/structure/mechanism.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
-#include "problems/quadrilateral.hpp"
+#include "problems/structure/quadrilateral.hpp"
 
 namespace kusabi::problems {
 namespace {
