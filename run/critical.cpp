@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "nodes/critical_friction.hpp"
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "run/agreement.hpp"
 #include "run/critical_ends.hpp"
 #include "run/critical_report.hpp"

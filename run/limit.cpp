@@ -17,9 +17,9 @@
 
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
+#include "problems/files/structure_file.hpp"
 #include "problems/limit_analysis.hpp"
 #include "problems/limit_problem.hpp"
-#include "problems/structure_file.hpp"
 #include "run/exit_code.hpp"
 #include "run/last_steps.hpp"
 #include "run/limit_evidence.hpp"

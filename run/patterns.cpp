@@ -10,7 +10,7 @@
 
 #include "engine/checkpoint.hpp"
 #include "nodes/sign_pattern.hpp"
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "run/agreement.hpp"
 #include "run/certificate_file.hpp"
 #include "run/exit_code.hpp"

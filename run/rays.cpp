@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "nodes/ray_tree.hpp"
+#include "problems/files/structure_file.hpp"
 #include "problems/precise_compliance.hpp"
-#include "problems/structure_file.hpp"
 #include "run/agreement.hpp"
 #include "run/exit_code.hpp"
 #include "run/last_steps.hpp"

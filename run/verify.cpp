@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/exit_code.hpp"
 #include "run/progress_line.hpp"

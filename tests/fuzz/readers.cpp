@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
+#include "problems/files/structure_file.hpp"
 #include "problems/limit_problem.hpp"
-#include "problems/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/input_error.hpp"

@@ -14,7 +14,7 @@
 #include "engine/simulation.hpp"
 #include "nodes/bisection.hpp"
 #include "nodes/critical_tree.hpp"
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
 
 namespace kusabi::nodes {

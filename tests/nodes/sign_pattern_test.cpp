@@ -16,7 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/simulation.hpp"
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
 
 namespace kusabi::nodes {

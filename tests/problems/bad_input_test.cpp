@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "problems/files/structure_file.hpp"
 #include "problems/limit_problem.hpp"
-#include "problems/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
 #include "trusses.hpp"
 

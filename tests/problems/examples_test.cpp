@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
 #include "trusses.hpp"
 

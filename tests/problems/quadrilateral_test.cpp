@@ -8,11 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "problems/files/structure_file.hpp"
+#include "problems/files/structure_writer.hpp"
 #include "problems/precise_compliance.hpp"
 #include "problems/structure/mechanism.hpp"
 #include "problems/structure/structure_check.hpp"
-#include "problems/structure_file.hpp"
-#include "problems/structure_writer.hpp"
 #include "problems/wedged_problem.hpp"
 #include "trusses.hpp"
 

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "problems/files/structure_file.hpp"
 #include "problems/plane_truss.hpp"
 #include "problems/precise_compliance.hpp"
-#include "problems/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
 #include "ray_oracles.hpp"
 #include "solvers/rays/bit_pattern_tree.hpp"

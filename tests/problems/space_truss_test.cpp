@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/structure_file.hpp"
-#include "problems/structure_writer.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/files/structure_writer.hpp"
 #include "problems/wedged_problem.hpp"
 #include "trusses.hpp"
 

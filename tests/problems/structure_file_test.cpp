@@ -1,5 +1,5 @@
 // Reading well-formed problem files. The malformed ones are in bad_input_test.cpp.
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::problems {

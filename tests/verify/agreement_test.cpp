@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "run/verified_structure.hpp"
 #include "searched.hpp"
 

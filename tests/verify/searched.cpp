@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "nodes/sign_pattern.hpp"
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "support/sha1.hpp"
 #include "verify/agreement.hpp"
 #include "verify/certificate.hpp"

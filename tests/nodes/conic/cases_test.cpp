@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "nodes/contact_solver.hpp"
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
 
 namespace kusabi::nodes {

@@ -1,5 +1,5 @@
 // The problem file, section by section: which keys there are and what they mean.
-#include "problems/structure_file.hpp"
+#include "problems/files/structure_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,10 +12,10 @@
 
 #include <fmt/format.h>
 
-#include "problems/loads_file.hpp"
+#include "problems/files/loads_file.hpp"
+#include "problems/files/toml_reader.hpp"
 #include "problems/structure/structure_check.hpp"
 #include "problems/structure/structured_mesh.hpp"
-#include "problems/toml_reader.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -1,5 +1,5 @@
 // Loads and what is uncertain about them, key by key.
-#include "problems/loads_file.hpp"
+#include "problems/files/loads_file.hpp"
 
 #include <cstddef>
 

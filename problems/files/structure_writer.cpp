@@ -1,5 +1,5 @@
 // The sections of a problem file, one after another (docs/problem-files.md).
-#include "problems/structure_writer.hpp"
+#include "problems/files/structure_writer.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Typed reading of TOML: checks of kind and size, and errors that say what was expected.
-#include "problems/toml_reader.hpp"
+#include "problems/files/toml_reader.hpp"
 
 #include <algorithm>
 #include <cmath>

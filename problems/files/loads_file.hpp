@@ -6,8 +6,8 @@
 #include <functional>
 #include <string_view>
 
+#include "problems/files/toml_reader.hpp"
 #include "problems/structure/structure.hpp"
-#include "problems/toml_reader.hpp"
 
 namespace kusabi::problems {
 
