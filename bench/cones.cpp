@@ -22,7 +22,7 @@
 #include <nlohmann/json.hpp>
 
 #include "problems/space_truss.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "solvers/conic/node_solver.hpp"
 
 namespace {

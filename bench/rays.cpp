@@ -24,8 +24,8 @@
 #include "engine/search.hpp"
 #include "nodes/ray_tree.hpp"
 #include "problems/plane_truss.hpp"
-#include "problems/precise_compliance.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/precise_compliance.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace {
 

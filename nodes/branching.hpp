@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::nodes {
 

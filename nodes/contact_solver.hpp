@@ -18,7 +18,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "solvers/conic/node_solver.hpp"
 #include "solvers/conic/plain_solver.hpp"
 

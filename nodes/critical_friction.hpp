@@ -13,7 +13,7 @@
 
 #include "nodes/contact_solver.hpp"
 #include "nodes/sign_pattern.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::nodes {
 

@@ -1,8 +1,9 @@
 // The tree of sign patterns: Algorithm 5.1 of the wedged paper, or 5.8.
 //
 // A node is a pair (U, R) of disjoint sets of the contact candidates of one block: those held in
-// contact, u_n = 0, and those held separated, r = 0. Its bound is the cone program of solvers/conic,
-// whose optimal value t* tells whether a wedged configuration can exist below the node:
+// contact, u_n = 0, and those held separated, r = 0. Its bound is the cone program of
+// solvers/conic, whose optimal value t* tells whether a wedged configuration can exist below the
+// node:
 //
 //   t* < 0   none can: the node is dead;
 //   t* > 0   the relaxation is alive: a leaf is a pattern, any other node is branched;
@@ -33,8 +34,8 @@
 #include "nodes/branching.hpp"
 #include "nodes/contact_solver.hpp"
 #include "nodes/facets.hpp"
-#include "problems/problem_block.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/problem_block.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::nodes {
 

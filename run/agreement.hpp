@@ -3,7 +3,7 @@
 // of them, may round differently, and then its part of the tree is that of another problem.
 #pragma once
 
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "run/session.hpp"
 
 namespace kusabi::run {

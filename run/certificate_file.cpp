@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
-#include "problems/problem_block.hpp"
+#include "problems/wedged/problem_block.hpp"
 #include "support/sha1.hpp"
 
 namespace kusabi::run {

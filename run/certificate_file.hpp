@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "nodes/sign_pattern.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "run/output_file.hpp"
 #include "run/session.hpp"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "problems/structure/structure.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "run/critical.hpp"
 #include "run/critical_report.hpp"
 #include "run/critical_search.hpp"

@@ -1,7 +1,7 @@
 // A certificate without nodes, and one record at a time.
 #include "run/evidence_check.hpp"
 
-#include "problems/problem_block.hpp"
+#include "problems/wedged/problem_block.hpp"
 #include "run/verified_structure.hpp"
 #include "verify/condensation.hpp"
 

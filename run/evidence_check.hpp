@@ -9,7 +9,7 @@
 
 #include "nodes/sign_pattern.hpp"
 #include "problems/structure/structure.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "verify/certificate.hpp"
 #include "verify/exact.hpp"
 #include "verify/proof.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/problem_block.hpp"
+#include "problems/wedged/problem_block.hpp"
 #include "run/problem_summary.hpp"
 #include "run/rank_table.hpp"
 

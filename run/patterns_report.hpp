@@ -11,7 +11,7 @@
 #include "engine/outcome.hpp"
 #include "nodes/maximal_cones.hpp"
 #include "nodes/sign_pattern.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "run/patterns.hpp"
 
 namespace kusabi::run {

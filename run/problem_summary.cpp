@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/problem_block.hpp"
+#include "problems/wedged/problem_block.hpp"
 #include "run/session.hpp"
 
 namespace kusabi::run {

@@ -13,7 +13,7 @@
 
 #include "nodes/ray_tree.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/precise_compliance.hpp"
+#include "problems/wedged/precise_compliance.hpp"
 #include "run/agreement.hpp"
 #include "run/exit_code.hpp"
 #include "run/last_steps.hpp"

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "run/json_writer.hpp"
 #include "run/rays.hpp"
 #include "solvers/rays/double_description.hpp"

@@ -17,7 +17,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "run/exit_code.hpp"
 #include "run/progress_line.hpp"
 #include "run/standard_output.hpp"

@@ -19,7 +19,7 @@
 
 namespace kusabi::rays {
 
-/// F and A are kept with more digits than a double has: see problems/precise_compliance.hpp.
+/// F and A are kept with more digits than a double has: see problems/wedged/precise_compliance.hpp.
 using PreciseMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using PreciseVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 

@@ -15,7 +15,7 @@
 #include "engine/checkpoint.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit_problem.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/input_error.hpp"
 #include "support/sha1.hpp"

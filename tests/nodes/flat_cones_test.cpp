@@ -11,8 +11,8 @@
 
 #include "nodes/maximal_cones.hpp"
 #include "nodes/sign_pattern.hpp"
-#include "problems/precise_compliance.hpp"
 #include "problems/space_truss.hpp"
+#include "problems/wedged/precise_compliance.hpp"
 #include "random_structure.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/maximal_cones.hpp"

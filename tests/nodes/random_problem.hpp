@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::nodes {
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/plane_truss.hpp"
-#include "problems/precise_compliance.hpp"
+#include "problems/wedged/precise_compliance.hpp"
 
 namespace kusabi::nodes {
 namespace {

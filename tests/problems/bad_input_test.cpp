@@ -12,7 +12,7 @@
 
 #include "problems/files/structure_file.hpp"
 #include "problems/limit_problem.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::problems {

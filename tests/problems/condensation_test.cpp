@@ -1,5 +1,5 @@
 // Condensation, equation (3): against dense algebra and against the energy of the whole structure.
-#include "problems/condensation.hpp"
+#include "problems/wedged/condensation.hpp"
 
 #include <algorithm>
 

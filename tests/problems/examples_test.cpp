@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::problems {

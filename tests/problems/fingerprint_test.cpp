@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::problems {

@@ -1,5 +1,5 @@
 // F in 104 bits against 60-digit arithmetic, and whether its error bound holds and says something.
-#include "problems/precise_compliance.hpp"
+#include "problems/wedged/precise_compliance.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "problems/files/structure_file.hpp"
 #include "problems/files/structure_writer.hpp"
-#include "problems/precise_compliance.hpp"
 #include "problems/structure/mechanism.hpp"
 #include "problems/structure/structure_check.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/precise_compliance.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::problems {

@@ -10,8 +10,8 @@
 
 #include "problems/files/structure_file.hpp"
 #include "problems/plane_truss.hpp"
-#include "problems/precise_compliance.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/precise_compliance.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "ray_oracles.hpp"
 #include "solvers/rays/bit_pattern_tree.hpp"
 #include "solvers/rays/double_description.hpp"

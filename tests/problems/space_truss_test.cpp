@@ -6,7 +6,7 @@
 
 #include "problems/files/structure_file.hpp"
 #include "problems/files/structure_writer.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::problems {

@@ -1,6 +1,6 @@
 // The wedged problem: numbers known by hand, identities of K and F, independence of units and of
 // the choice of tangents, and the refusal of what cannot be computed.
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 #include <cmath>
 #include <tuple>

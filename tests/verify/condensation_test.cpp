@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "run/verified_structure.hpp"
 #include "searched.hpp"
 

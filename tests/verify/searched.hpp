@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "problems/structure/structure.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "verify/structure.hpp"
 
 namespace kusabi::verify {

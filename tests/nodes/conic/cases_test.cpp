@@ -11,7 +11,7 @@
 
 #include "nodes/contact_solver.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::nodes {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "problems/structure/structure.hpp"
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::nodes::testing {

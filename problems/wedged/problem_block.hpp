@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::problems {
 

@@ -1,5 +1,5 @@
 // From a structure to K and F of the wedged problem, with the checks that they deserve the name.
-#include "problems/wedged_problem.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "problems/contact_blocks.hpp"
-#include "problems/precise_compliance.hpp"
 #include "problems/structure/contact_frame.hpp"
 #include "problems/structure/mechanism.hpp"
 #include "problems/structure/structure_check.hpp"
 #include "problems/structure/truss.hpp"
+#include "problems/wedged/contact_blocks.hpp"
+#include "problems/wedged/precise_compliance.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::problems {

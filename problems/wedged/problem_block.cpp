@@ -1,5 +1,5 @@
 // Rows, columns and bits picked out.
-#include "problems/problem_block.hpp"
+#include "problems/wedged/problem_block.hpp"
 
 #include <bit>
 

@@ -1,5 +1,5 @@
 // Assembly in 104 bits, refinement, and the bound of what is left.
-#include "problems/precise_compliance.hpp"
+#include "problems/wedged/precise_compliance.hpp"
 
 #include <algorithm>
 #include <cmath>

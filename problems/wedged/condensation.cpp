@@ -1,5 +1,5 @@
 // Static condensation with sparse Cholesky factorisations.
-#include "problems/condensation.hpp"
+#include "problems/wedged/condensation.hpp"
 
 #include <cstddef>
 

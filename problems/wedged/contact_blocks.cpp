@@ -1,5 +1,5 @@
 // Connected displacements, by disjoint sets.
-#include "problems/contact_blocks.hpp"
+#include "problems/wedged/contact_blocks.hpp"
 
 #include <map>
 
