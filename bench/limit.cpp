@@ -18,7 +18,7 @@
 #include "engine/search.hpp"
 #include "nodes/limit/sign_tree.hpp"
 #include "problems/grid_truss.hpp"
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 #include "support/input_error.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "nodes/limit/sign_tree.hpp"
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 #include "verify/limit_certificate.hpp"
 
 namespace kusabi::run {

@@ -10,7 +10,7 @@
 #include "nodes/limit/motion_bounds.hpp"
 #include "nodes/zero_one/root.hpp"
 #include "nodes/zero_one/tree.hpp"
-#include "problems/mixed_limit.hpp"
+#include "problems/limit/mixed_limit.hpp"
 #include "run/shown_search.hpp"
 #include "run/told.hpp"
 

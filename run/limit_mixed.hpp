@@ -6,7 +6,7 @@
 
 #include "engine/outcome.hpp"
 #include "nodes/limit/worst_case.hpp"
-#include "problems/limit_analysis.hpp"
+#include "problems/limit/limit_analysis.hpp"
 #include "run/limit.hpp"
 #include "run/session.hpp"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/collapse_mode.hpp"
+#include "problems/limit/collapse_mode.hpp"
 #include "run/rank_table.hpp"
 
 namespace kusabi::run {

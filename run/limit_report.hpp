@@ -11,7 +11,7 @@
 #include "engine/outcome.hpp"
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 #include "run/limit.hpp"
 
 namespace kusabi::run {

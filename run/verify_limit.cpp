@@ -15,7 +15,7 @@
 #include <boost/serialization/string.hpp>
 #include <fmt/format.h>
 
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 #include "run/exit_code.hpp"
 #include "run/shared_work.hpp"
 #include "run/standard_output.hpp"

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/limit_analysis.hpp"
+#include "problems/limit/limit_analysis.hpp"
 #include "solvers/linear/simplex.hpp"
 
 namespace kusabi::nodes::limit {

@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 
 #include "nodes/limit/static_cut.hpp"
-#include "problems/limit_analysis.hpp"
+#include "problems/limit/limit_analysis.hpp"
 
 namespace kusabi::nodes::limit {
 

@@ -17,7 +17,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "problems/limit_analysis.hpp"
+#include "problems/limit/limit_analysis.hpp"
 #include "solvers/linear/simplex.hpp"
 
 namespace kusabi::nodes::limit {

@@ -14,7 +14,7 @@
 
 #include "engine/checkpoint.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/input_error.hpp"

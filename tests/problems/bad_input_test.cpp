@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "trusses.hpp"
 

@@ -1,5 +1,5 @@
 // From a structure to B, f_D, f_R, T and the yield forces.
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 
 namespace kusabi::problems {
 

@@ -1,5 +1,5 @@
 // (27) to (29), row by row.
-#include "problems/mixed_limit.hpp"
+#include "problems/limit/mixed_limit.hpp"
 
 #include <array>
 #include <cmath>

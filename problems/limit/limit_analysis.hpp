@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 #include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::problems {

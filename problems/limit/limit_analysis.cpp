@@ -1,5 +1,5 @@
 // The symmetric, scaled form, and its two programs.
-#include "problems/limit_analysis.hpp"
+#include "problems/limit/limit_analysis.hpp"
 
 #include <algorithm>
 #include <cstddef>

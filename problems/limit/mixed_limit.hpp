@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/limit_analysis.hpp"
+#include "problems/limit/limit_analysis.hpp"
 #include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::problems {

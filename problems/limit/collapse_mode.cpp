@@ -1,5 +1,5 @@
 // Velocities node by node, elongations member by member.
-#include "problems/collapse_mode.hpp"
+#include "problems/limit/collapse_mode.hpp"
 
 #include <cmath>
 
