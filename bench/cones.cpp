@@ -6,8 +6,8 @@
 //                                     beside it
 //   bench_cones --walk ROWS DEPTH BAYS MU    writes an instance
 //
-// An instance is a space truss (problems/space_truss) and 200 nodes of its tree, those of random
-// walks from the root. Run it on a quiet machine; the best of several rounds counts.
+// An instance is a space truss (problems/families/space_truss) and 200 nodes of its tree, those of
+// random walks from the root. Run it on a quiet machine; the best of several rounds counts.
 #include <bit>
 #include <chrono>
 #include <cstdint>
@@ -21,7 +21,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "problems/space_truss.hpp"
+#include "problems/families/space_truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "solvers/conic/node_solver.hpp"
 

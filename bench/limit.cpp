@@ -17,7 +17,7 @@
 
 #include "engine/search.hpp"
 #include "nodes/limit/sign_tree.hpp"
-#include "problems/grid_truss.hpp"
+#include "problems/families/grid_truss.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "support/input_error.hpp"
 

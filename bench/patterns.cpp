@@ -17,7 +17,7 @@
 
 #include "engine/search.hpp"
 #include "nodes/sign_pattern.hpp"
-#include "problems/space_truss.hpp"
+#include "problems/families/space_truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/remaining_time.hpp"
 #include "solvers/conic/node_solver.hpp"

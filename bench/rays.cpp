@@ -23,7 +23,7 @@
 
 #include "engine/search.hpp"
 #include "nodes/ray_tree.hpp"
-#include "problems/plane_truss.hpp"
+#include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "problems/families/grid_truss.hpp"
 #include "problems/files/structure_writer.hpp"
-#include "problems/grid_truss.hpp"
 #include "run/exit_code.hpp"
 #include "run/output_file.hpp"
 #include "run/standard_output.hpp"

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "problems/plane_truss.hpp"
-#include "problems/space_truss.hpp"
+#include "problems/families/plane_truss.hpp"
+#include "problems/families/space_truss.hpp"
 #include "run/session.hpp"
 
 namespace kusabi::run {

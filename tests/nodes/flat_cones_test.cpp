@@ -11,7 +11,7 @@
 
 #include "nodes/maximal_cones.hpp"
 #include "nodes/sign_pattern.hpp"
-#include "problems/space_truss.hpp"
+#include "problems/families/space_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "random_structure.hpp"
 #include "solvers/rays/double_description.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/plane_truss.hpp"
+#include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 
 namespace kusabi::nodes {

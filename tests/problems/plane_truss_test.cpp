@@ -1,5 +1,5 @@
 // The family of plane trusses.
-#include "problems/plane_truss.hpp"
+#include "problems/families/plane_truss.hpp"
 
 #include <algorithm>
 #include <cmath>

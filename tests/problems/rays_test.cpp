@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "problems/families/plane_truss.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "ray_oracles.hpp"

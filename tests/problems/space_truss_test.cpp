@@ -1,5 +1,5 @@
 // The family of space trusses, and problem files written by the program.
-#include "problems/space_truss.hpp"
+#include "problems/families/space_truss.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -11,8 +11,8 @@
 
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
+#include "problems/families/grid_truss.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/grid_truss.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "run/limit_evidence.hpp"
 #include "verify/limit_proof.hpp"

@@ -1,5 +1,5 @@
 // Where the nodes of the space truss are and which of them are joined.
-#include "problems/space_truss.hpp"
+#include "problems/families/space_truss.hpp"
 
 #include <algorithm>
 #include <cmath>

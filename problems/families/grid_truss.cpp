@@ -1,5 +1,5 @@
 // Nodes, members and loads of a grid truss.
-#include "problems/grid_truss.hpp"
+#include "problems/families/grid_truss.hpp"
 
 #include <cmath>
 #include <stdexcept>

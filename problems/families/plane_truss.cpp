@@ -1,5 +1,5 @@
 // Where the nodes of the plane truss are and which of them are joined.
-#include "problems/plane_truss.hpp"
+#include "problems/families/plane_truss.hpp"
 
 #include <cmath>
 #include <numbers>
