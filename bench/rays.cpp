@@ -22,7 +22,7 @@
 #include <unistd.h>
 
 #include "engine/search.hpp"
-#include "nodes/ray_tree.hpp"
+#include "nodes/wedged/ray_tree.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "problems/wedged/wedged_problem.hpp"

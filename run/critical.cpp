@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "nodes/critical_friction.hpp"
+#include "nodes/wedged/critical_friction.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/agreement.hpp"
 #include "run/critical_ends.hpp"

@@ -12,9 +12,9 @@
 #include <boost/serialization/vector.hpp>
 #include <fmt/format.h>
 
-#include "nodes/critical_friction.hpp"
-#include "nodes/maximal_cones.hpp"
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/critical_friction.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "run/certificate_file.hpp"
 #include "run/evidence_check.hpp"
 #include "run/problem_summary.hpp"

@@ -9,9 +9,9 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "nodes/bisection.hpp"
-#include "nodes/critical_tree.hpp"
-#include "nodes/maximal_cones.hpp"
+#include "nodes/wedged/bisection.hpp"
+#include "nodes/wedged/critical_tree.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
 #include "run/problem_summary.hpp"
 #include "run/rank_table.hpp"
 #include "run/shown_search.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "problems/structure/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "verify/certificate.hpp"

@@ -12,8 +12,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "nodes/facets.hpp"
 #include "nodes/standard_trees.hpp"
+#include "nodes/wedged/facets.hpp"
 #include "run/bench_scaling.hpp"
 #include "run/bench_schedules.hpp"
 #include "run/bench_uts.hpp"

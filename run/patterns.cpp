@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/checkpoint.hpp"
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/agreement.hpp"
 #include "run/certificate_file.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "run/session.hpp"
 #include "solvers/conic/node_solver.hpp"
 

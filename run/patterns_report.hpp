@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/outcome.hpp"
-#include "nodes/maximal_cones.hpp"
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/patterns.hpp"
 

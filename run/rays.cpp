@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "nodes/ray_tree.hpp"
+#include "nodes/wedged/ray_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "run/agreement.hpp"

@@ -17,7 +17,7 @@
 // There is exactly one row for each candidate, so the normal equations are m x m.
 //
 // A candidate may have several cones, whose reactions add up to its own and which share its row: so
-// polyhedral friction cones are solved, as sums of plane ones (nodes/facets.hpp).
+// polyhedral friction cones are solved, as sums of plane ones (nodes/wedged/facets.hpp).
 // docs/theory.md, section 3, has the derivation.
 #pragma once
 

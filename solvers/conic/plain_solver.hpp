@@ -2,7 +2,7 @@
 //
 // The same standard form, iteration and proofs as in node_program.hpp, interior_point.hpp and
 // node_solver.hpp, written for clarity and not for speed, on any kind of number. It is the upper
-// rungs of a ladder: long double, then 104 bits (nodes/contact_solver.hpp).
+// rungs of a ladder: long double, then 104 bits (nodes/wedged/contact_solver.hpp).
 #pragma once
 
 #include <cstdint>

@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/simulation.hpp"
-#include "nodes/bisection.hpp"
-#include "nodes/critical_tree.hpp"
+#include "nodes/wedged/bisection.hpp"
+#include "nodes/wedged/critical_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
 

@@ -9,8 +9,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "nodes/maximal_cones.hpp"
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "problems/families/space_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "random_structure.hpp"

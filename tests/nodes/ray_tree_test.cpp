@@ -1,5 +1,5 @@
 // The rays pattern by pattern are those of Algorithm 4.2.
-#include "nodes/ray_tree.hpp"
+#include "nodes/wedged/ray_tree.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "problems/files/structure_file.hpp"
 #include "support/sha1.hpp"
 #include "verify/agreement.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "nodes/contact_solver.hpp"
+#include "nodes/wedged/contact_solver.hpp"
 #include "tests/nodes/conic/random_structure.hpp"
 
 namespace kusabi::nodes {

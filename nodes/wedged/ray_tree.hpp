@@ -15,7 +15,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/reaction_cone.hpp"
 

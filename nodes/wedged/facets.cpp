@@ -1,5 +1,5 @@
 // Polyhedral friction cones as sums of plane ones.
-#include "nodes/facets.hpp"
+#include "nodes/wedged/facets.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // How a node is bounded by a friction coefficient, and what becomes of a leaf.
-#include "nodes/critical_tree.hpp"
+#include "nodes/wedged/critical_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What a leaf of the tree of sign patterns is worth here.
-#include "nodes/ray_tree.hpp"
+#include "nodes/wedged/ray_tree.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // Doubles first, more digits where they are needed.
-#include "nodes/contact_solver.hpp"
+#include "nodes/wedged/contact_solver.hpp"
 
 #include <algorithm>
 #include <cmath>

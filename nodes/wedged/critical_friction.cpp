@@ -1,5 +1,5 @@
 // Newton's method and bisection for the critical friction coefficient of one node.
-#include "nodes/critical_friction.hpp"
+#include "nodes/wedged/critical_friction.hpp"
 
 #include <algorithm>
 #include <bit>

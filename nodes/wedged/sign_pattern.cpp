@@ -1,5 +1,5 @@
 // How a node of the sign-pattern tree is decided and split.
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // Comparison of cones by the bits of their relative interiors.
-#include "nodes/maximal_cones.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
 
 #include <algorithm>
 #include <bit>

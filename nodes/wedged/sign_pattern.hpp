@@ -31,9 +31,9 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/search.hpp"
-#include "nodes/branching.hpp"
-#include "nodes/contact_solver.hpp"
-#include "nodes/facets.hpp"
+#include "nodes/wedged/branching.hpp"
+#include "nodes/wedged/contact_solver.hpp"
+#include "nodes/wedged/facets.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 

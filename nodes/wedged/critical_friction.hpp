@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "nodes/contact_solver.hpp"
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/contact_solver.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::nodes {

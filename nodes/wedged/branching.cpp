@@ -1,5 +1,5 @@
 // The weights of the relative rule.
-#include "nodes/branching.hpp"
+#include "nodes/wedged/branching.hpp"
 
 namespace kusabi::nodes {
 

@@ -1,5 +1,5 @@
 // How ranges, patterns and cells are split.
-#include "nodes/bisection.hpp"
+#include "nodes/wedged/bisection.hpp"
 
 #include <algorithm>
 #include <utility>

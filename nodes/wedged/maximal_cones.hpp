@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 
 namespace kusabi::nodes {
 
