@@ -3,7 +3,7 @@
 
 #include "engine/search.hpp"
 #include "engine/transport/mpi.hpp"
-#include "nodes/standard_trees.hpp"
+#include "nodes/benchmark/standard_trees.hpp"
 
 namespace kusabi::nodes {
 namespace {

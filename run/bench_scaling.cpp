@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/simulation.hpp"
-#include "nodes/sized_tree.hpp"
+#include "nodes/benchmark/sized_tree.hpp"
 #include "run/exit_code.hpp"
 
 namespace kusabi::run {

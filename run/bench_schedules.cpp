@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "engine/simulation.hpp"
-#include "nodes/sized_tree.hpp"
+#include "nodes/benchmark/sized_tree.hpp"
 #include "run/exit_code.hpp"
 #include "run/standard_output.hpp"
 

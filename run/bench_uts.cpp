@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "engine/search.hpp"
-#include "nodes/standard_trees.hpp"
+#include "nodes/benchmark/standard_trees.hpp"
 #include "run/exit_code.hpp"
 
 namespace kusabi::run {

@@ -12,7 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "nodes/standard_trees.hpp"
+#include "nodes/benchmark/standard_trees.hpp"
 #include "nodes/wedged/facets.hpp"
 #include "run/bench_scaling.hpp"
 #include "run/bench_schedules.hpp"

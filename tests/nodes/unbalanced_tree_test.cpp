@@ -1,6 +1,6 @@
 // The Unbalanced Tree Search trees: the hash they grow from, their published counts, and the same
 // counts on many simulated ranks.
-#include "nodes/unbalanced_tree.hpp"
+#include "nodes/benchmark/unbalanced_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/simulation.hpp"
-#include "nodes/standard_trees.hpp"
+#include "nodes/benchmark/standard_trees.hpp"
 #include "support/sha1.hpp"
 
 namespace kusabi::nodes {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "nodes/unbalanced_tree.hpp"
+#include "nodes/benchmark/unbalanced_tree.hpp"
 
 namespace kusabi::nodes {
 

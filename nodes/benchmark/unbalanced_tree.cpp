@@ -1,6 +1,6 @@
 // How many children a node has. The expressions are evaluated as published, operation by operation:
 // a rounding error in one of them would grow another tree.
-#include "nodes/unbalanced_tree.hpp"
+#include "nodes/benchmark/unbalanced_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

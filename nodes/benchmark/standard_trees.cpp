@@ -1,5 +1,5 @@
 // The table. Its counts are those that come with the benchmark's own code (sample_trees.sh).
-#include "nodes/standard_trees.hpp"
+#include "nodes/benchmark/standard_trees.hpp"
 
 #include <algorithm>
 #include <array>
