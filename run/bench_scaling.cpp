@@ -9,7 +9,7 @@
 
 #include "engine/simulation.hpp"
 #include "nodes/benchmark/sized_tree.hpp"
-#include "run/exit_code.hpp"
+#include "run/output/exit_code.hpp"
 
 namespace kusabi::run {
 namespace {

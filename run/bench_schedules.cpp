@@ -12,8 +12,8 @@
 
 #include "engine/simulation.hpp"
 #include "nodes/benchmark/sized_tree.hpp"
-#include "run/exit_code.hpp"
-#include "run/standard_output.hpp"
+#include "run/output/exit_code.hpp"
+#include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {

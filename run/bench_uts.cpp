@@ -14,7 +14,7 @@
 
 #include "engine/search.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
-#include "run/exit_code.hpp"
+#include "run/output/exit_code.hpp"
 
 namespace kusabi::run {
 namespace {

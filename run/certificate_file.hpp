@@ -12,7 +12,7 @@
 
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/output_file.hpp"
+#include "run/output/output_file.hpp"
 #include "run/session.hpp"
 
 namespace kusabi::run {

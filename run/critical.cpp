@@ -14,12 +14,12 @@
 #include "run/critical_ends.hpp"
 #include "run/critical_report.hpp"
 #include "run/critical_search.hpp"
-#include "run/exit_code.hpp"
-#include "run/last_steps.hpp"
-#include "run/outputs.hpp"
+#include "run/output/exit_code.hpp"
+#include "run/output/last_steps.hpp"
+#include "run/output/outputs.hpp"
+#include "run/output/result_file.hpp"
+#include "run/output/standard_output.hpp"
 #include "run/problem_summary.hpp"
-#include "run/result_file.hpp"
-#include "run/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -17,10 +17,10 @@
 #include "nodes/wedged/sign_pattern.hpp"
 #include "run/certificate_file.hpp"
 #include "run/evidence_check.hpp"
+#include "run/output/rank_table.hpp"
+#include "run/output/standard_output.hpp"
 #include "run/problem_summary.hpp"
-#include "run/rank_table.hpp"
 #include "run/shown_search.hpp"
-#include "run/standard_output.hpp"
 #include "run/told.hpp"
 #include "support/fingerprint.hpp"
 

@@ -12,8 +12,8 @@
 #include "nodes/wedged/bisection.hpp"
 #include "nodes/wedged/critical_tree.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
+#include "run/output/rank_table.hpp"
 #include "run/problem_summary.hpp"
-#include "run/rank_table.hpp"
 #include "run/shown_search.hpp"
 #include "run/told.hpp"
 

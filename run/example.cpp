@@ -8,9 +8,9 @@
 
 #include "problems/families/grid_truss.hpp"
 #include "problems/files/structure_writer.hpp"
-#include "run/exit_code.hpp"
-#include "run/output_file.hpp"
-#include "run/standard_output.hpp"
+#include "run/output/exit_code.hpp"
+#include "run/output/output_file.hpp"
+#include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {

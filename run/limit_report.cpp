@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/limit/collapse_mode.hpp"
-#include "run/rank_table.hpp"
+#include "run/output/rank_table.hpp"
 
 namespace kusabi::run {
 namespace {

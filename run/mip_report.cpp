@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "run/rank_table.hpp"
+#include "run/output/rank_table.hpp"
 
 namespace kusabi::run {
 namespace {

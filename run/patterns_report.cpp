@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "problems/wedged/problem_block.hpp"
+#include "run/output/rank_table.hpp"
 #include "run/problem_summary.hpp"
-#include "run/rank_table.hpp"
 
 namespace kusabi::run {
 namespace {

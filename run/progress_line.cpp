@@ -7,7 +7,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "run/standard_output.hpp"
+#include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/json_writer.hpp"
+#include "run/output/json_writer.hpp"
 #include "run/rays.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/maximal_cones.hpp"

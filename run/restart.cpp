@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
-#include "run/standard_output.hpp"
+#include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
 namespace {

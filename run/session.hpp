@@ -9,14 +9,9 @@
 #include <string>
 
 #include "engine/transport/transport.hpp"
+#include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
-
-/// Something that rank 0 found wrong with the input or the call; thrown on every rank.
-class WrongInput : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// The ranks have not come to the same; thrown on every rank.
 class Disagreement : public std::runtime_error {

@@ -18,9 +18,9 @@
 
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/exit_code.hpp"
+#include "run/output/exit_code.hpp"
+#include "run/output/standard_output.hpp"
 #include "run/progress_line.hpp"
-#include "run/standard_output.hpp"
 #include "run/verification.hpp"
 #include "run/verified_structure.hpp"
 #include "run/verify_limit.hpp"

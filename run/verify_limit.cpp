@@ -16,9 +16,9 @@
 #include <fmt/format.h>
 
 #include "problems/limit/limit_problem.hpp"
-#include "run/exit_code.hpp"
+#include "run/output/exit_code.hpp"
+#include "run/output/standard_output.hpp"
 #include "run/shared_work.hpp"
-#include "run/standard_output.hpp"
 #include "run/verified_structure.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_certificate.hpp"

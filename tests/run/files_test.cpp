@@ -17,11 +17,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "run/json_writer.hpp"
-#include "run/last_steps.hpp"
 #include "run/launch.hpp"
-#include "run/output_file.hpp"
-#include "run/outputs.hpp"
+#include "run/output/json_writer.hpp"
+#include "run/output/last_steps.hpp"
+#include "run/output/output_file.hpp"
+#include "run/output/outputs.hpp"
 #include "run/session.hpp"
 
 namespace kusabi::run {

@@ -1,5 +1,5 @@
 // The summary of the ranks, from figures made up.
-#include "run/rank_table.hpp"
+#include "run/output/rank_table.hpp"
 
 #include <sstream>
 #include <string>

@@ -1,5 +1,5 @@
 // The timeline as a file: valid JSON that a viewer can draw.
-#include "run/trace_file.hpp"
+#include "run/output/trace_file.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,9 +1,9 @@
 // The first error waits for its turn.
-#include "run/last_steps.hpp"
+#include "run/output/last_steps.hpp"
 
 #include <exception>
 
-#include "run/standard_output.hpp"
+#include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
 

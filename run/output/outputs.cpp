@@ -1,5 +1,5 @@
 // Comparing names and what they lead to, then trying each.
-#include "run/outputs.hpp"
+#include "run/output/outputs.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include "run/output_file.hpp"
-#include "run/session.hpp"
+#include "run/output/output_file.hpp"
+#include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
 namespace {

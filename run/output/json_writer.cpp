@@ -1,5 +1,5 @@
 // Where lines begin.
-#include "run/json_writer.hpp"
+#include "run/output/json_writer.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Descriptors, signals and flushing.
-#include "run/standard_output.hpp"
+#include "run/output/standard_output.hpp"
 
 #include <cerrno>
 #include <csignal>

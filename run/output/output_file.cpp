@@ -1,5 +1,5 @@
 // Which place, what to open there, and what others have left there.
-#include "run/output_file.hpp"
+#include "run/output/output_file.hpp"
 
 #include <array>
 #include <cerrno>
@@ -17,7 +17,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "run/session.hpp"
+#include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
 

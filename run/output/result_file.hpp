@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "run/json_writer.hpp"
-#include "run/output_file.hpp"
+#include "run/output/json_writer.hpp"
+#include "run/output/output_file.hpp"
 
 namespace kusabi::run {
 

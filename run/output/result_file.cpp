@@ -1,5 +1,5 @@
 // One value and the end of its line.
-#include "run/result_file.hpp"
+#include "run/output/result_file.hpp"
 
 #include <ostream>
 

@@ -1,5 +1,5 @@
 // All columns are numbers until they are printed, so that sums and means are one loop.
-#include "run/rank_table.hpp"
+#include "run/output/rank_table.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 // One line an event: "X" a slice, "i" an instant, "s" and "f" the two ends of an arrow, "C" a point
 // of a curve, "M" a name. A rank is a "process" with two "threads".
-#include "run/trace_file.hpp"
+#include "run/output/trace_file.hpp"
 
 #include <algorithm>
 #include <cmath>
