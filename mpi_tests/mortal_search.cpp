@@ -29,8 +29,8 @@
 
 #include "engine/checkpoint.hpp"
 #include "engine/search.hpp"
+#include "engine/signals.hpp"
 #include "engine/transport/mpi.hpp"
-#include "run/signals.hpp"
 
 namespace {
 
@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
 
   engine::Options options;
   options.survey_interval = 2e-3;
-  options.interrupt = kusabi::run::asked_by_signal;
+  options.interrupt = kusabi::engine::asked_by_signal;
   options.warn = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   if (state != "-") {
     options.checkpoint.file = state;
@@ -180,7 +180,7 @@ int main(int argc, char** argv) {
     auto event = parsed(argv[i]);
     if (event.rank == -1 || event.rank == transport->rank()) planned.push_back(std::move(event));
   }
-  kusabi::run::heed_signals();
+  kusabi::engine::heed_signals();
 
   Tree tree;
   const auto outcome = engine::search(tree, *transport, options);

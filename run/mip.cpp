@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/signals.hpp"
 #include "run/mip_report.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
@@ -17,7 +18,6 @@
 #include "run/output/standard_output.hpp"
 #include "run/restart.hpp"
 #include "run/shown_search.hpp"
-#include "run/signals.hpp"
 #include "run/told.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
@@ -127,7 +127,8 @@ int mip(Session& session, const MipOptions& options) {
       restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
   search_options.warn = warn;
   if (session.speaks() && !options.quiet) announce(options, program, session.ranks());
-  heed_signals();  // one that comes while the root is prepared stops the search at its beginning
+  // One that comes while the root is prepared stops the search at its beginning.
+  engine::heed_signals();
   const nodes::ZeroOneRootOptions root_options{
       .cuts = options.cuts, .tighten = options.tighten, .dive = options.dive};
   auto root = nodes::prepare_root(program.mixed, root_options);

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "engine/search.hpp"
+#include "engine/signals.hpp"
 #include "run/progress_line.hpp"
 #include "run/session.hpp"
-#include "run/signals.hpp"
 
 namespace kusabi::run {
 
@@ -18,13 +18,13 @@ template <class Tree>
 engine::Outcome<Tree> shown_search(Session& session, Tree& tree, engine::Options options,
                                    const engine::Limits& limits, bool quiet) {
   options.limits = limits;
-  options.interrupt = asked_by_signal;
+  options.interrupt = engine::asked_by_signal;
   std::optional<ProgressLine> progress;
   if (session.speaks() && !quiet) {
     progress.emplace(options.goal);
     options.progress = [&](const auto& state) { progress->show(state); };
   }
-  heed_signals();
+  engine::heed_signals();
   return engine::search(tree, session.transport(), options);
 }
 

@@ -3,7 +3,7 @@
 
 #include "engine/options.hpp"
 
-namespace kusabi::run {
+namespace kusabi::engine {
 
 /// From now on SIGINT, SIGTERM and SIGHUP (unless nohup has it ignored) ask for an end (a second
 /// SIGINT ends the process at once), and
@@ -11,6 +11,6 @@ namespace kusabi::run {
 void heed_signals();
 
 /// What has been asked for; a checkpoint is told once. Fits Options::interrupt.
-engine::Interrupt asked_by_signal();
+Interrupt asked_by_signal();
 
-}  // namespace kusabi::run
+}  // namespace kusabi::engine

@@ -1,9 +1,9 @@
 // The handlers do nothing but note the signal; the search looks at the note at its next survey.
-#include "run/signals.hpp"
+#include "engine/signals.hpp"
 
 #include <csignal>
 
-namespace kusabi::run {
+namespace kusabi::engine {
 namespace {
 
 volatile std::sig_atomic_t stop_asked = 0;
@@ -28,11 +28,11 @@ void heed_signals() {
   std::signal(SIGUSR1, &note_checkpoint);
 }
 
-engine::Interrupt asked_by_signal() {
-  if (stop_asked != 0) return engine::Interrupt::stop;
-  if (checkpoint_asked == 0) return engine::Interrupt::none;
+Interrupt asked_by_signal() {
+  if (stop_asked != 0) return Interrupt::stop;
+  if (checkpoint_asked == 0) return Interrupt::none;
   checkpoint_asked = 0;
-  return engine::Interrupt::checkpoint;
+  return Interrupt::checkpoint;
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::engine
