@@ -4,7 +4,7 @@
 #include <cstring>
 #include <exception>
 
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 int main(int argc, char** argv) {
   kusabi::run::Session session(argc, argv);

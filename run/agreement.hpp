@@ -4,7 +4,7 @@
 #pragma once
 
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/transport/simulated.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

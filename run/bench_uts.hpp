@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

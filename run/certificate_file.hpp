@@ -13,7 +13,7 @@
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/output_file.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

@@ -20,8 +20,8 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/problem_summary.hpp"
-#include "run/shown_search.hpp"
-#include "run/told.hpp"
+#include "run/session/shown_search.hpp"
+#include "run/session/told.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {

@@ -8,7 +8,7 @@
 #include "run/critical.hpp"
 #include "run/critical_report.hpp"
 #include "run/critical_search.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

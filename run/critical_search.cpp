@@ -14,8 +14,8 @@
 #include "nodes/wedged/maximal_cones.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/problem_summary.hpp"
-#include "run/shown_search.hpp"
-#include "run/told.hpp"
+#include "run/session/shown_search.hpp"
+#include "run/session/told.hpp"
 
 namespace kusabi::run {
 namespace {

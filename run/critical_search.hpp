@@ -7,7 +7,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/critical.hpp"
 #include "run/critical_report.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

@@ -5,7 +5,7 @@
 
 #include "problems/families/plane_truss.hpp"
 #include "problems/families/space_truss.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

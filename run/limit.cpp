@@ -29,9 +29,9 @@
 #include "run/output/outputs.hpp"
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/shared_work.hpp"
-#include "run/shown_search.hpp"
-#include "run/told.hpp"
+#include "run/session/shared_work.hpp"
+#include "run/session/shown_search.hpp"
+#include "run/session/told.hpp"
 #include "verify/limit_proof.hpp"
 
 namespace kusabi::run {

@@ -11,8 +11,8 @@
 #include "nodes/zero_one/root.hpp"
 #include "nodes/zero_one/tree.hpp"
 #include "problems/limit/mixed_limit.hpp"
-#include "run/shown_search.hpp"
-#include "run/told.hpp"
+#include "run/session/shown_search.hpp"
+#include "run/session/told.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -8,7 +8,7 @@
 #include "nodes/limit/worst_case.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "run/limit.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

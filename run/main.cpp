@@ -25,7 +25,7 @@
 #include "run/output/standard_output.hpp"
 #include "run/patterns.hpp"
 #include "run/rays.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 #include "run/verify.hpp"
 #include "support/input_error.hpp"
 

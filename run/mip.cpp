@@ -16,9 +16,9 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/restart.hpp"
-#include "run/shown_search.hpp"
-#include "run/told.hpp"
+#include "run/session/restart.hpp"
+#include "run/session/shown_search.hpp"
+#include "run/session/told.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 

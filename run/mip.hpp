@@ -7,7 +7,7 @@
 #include "engine/options.hpp"
 #include "nodes/zero_one/root.hpp"
 #include "nodes/zero_one/tree.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

@@ -23,9 +23,9 @@
 #include "run/output/trace_file.hpp"
 #include "run/patterns_report.hpp"
 #include "run/problem_summary.hpp"
-#include "run/restart.hpp"
-#include "run/shown_search.hpp"
-#include "run/told.hpp"
+#include "run/session/restart.hpp"
+#include "run/session/shown_search.hpp"
+#include "run/session/told.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {

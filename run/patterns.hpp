@@ -5,7 +5,7 @@
 
 #include "engine/options.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 #include "solvers/conic/node_solver.hpp"
 
 namespace kusabi::run {

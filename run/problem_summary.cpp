@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/wedged/problem_block.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 namespace {

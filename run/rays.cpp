@@ -25,7 +25,7 @@
 #include "run/patterns_report.hpp"
 #include "run/problem_summary.hpp"
 #include "run/rays_report.hpp"
-#include "run/shown_search.hpp"
+#include "run/session/shown_search.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

@@ -20,7 +20,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/progress_line.hpp"
+#include "run/session/progress_line.hpp"
 #include "run/verification.hpp"
 #include "run/verified_structure.hpp"
 #include "run/verify_limit.hpp"

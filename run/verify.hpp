@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

@@ -18,7 +18,7 @@
 #include "problems/limit/limit_problem.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/shared_work.hpp"
+#include "run/session/shared_work.hpp"
 #include "run/verified_structure.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_certificate.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "problems/structure/structure.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 #include "run/verify.hpp"
 
 namespace kusabi::run {

@@ -17,7 +17,7 @@ struct NamedFile {
 /// and outputs that cannot be written. The same are names of one place, links followed, and two
 /// names of one file (hard links), and one pipe or device; of /dev/null there is enough for all.
 ///
-/// A checkpoint is checked by its own rules (run/restart.hpp); name it in `others`.
+/// A checkpoint is checked by its own rules (run/session/restart.hpp); name it in `others`.
 /// @param input the file that is read
 /// @param outputs what will be opened as OutputFile; the files of a certificate that is written in
 ///        parts are PLACE and those that begin with PLACE.part.

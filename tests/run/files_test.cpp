@@ -17,12 +17,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "run/launch.hpp"
 #include "run/output/json_writer.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/output_file.hpp"
 #include "run/output/outputs.hpp"
-#include "run/session.hpp"
+#include "run/session/launch.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "run/progress_text.hpp"
-#include "run/remaining_time.hpp"
+#include "run/session/progress_text.hpp"
+#include "run/session/remaining_time.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "engine/options.hpp"
-#include "run/progress_text.hpp"
-#include "run/remaining_time.hpp"
+#include "run/session/progress_text.hpp"
+#include "run/session/remaining_time.hpp"
 
 namespace kusabi::run {
 

@@ -1,5 +1,5 @@
 // How the state of a running search is written: the rows of the log table and the bar. Functions of
-// their arguments alone; run/progress_line.hpp decides when and where.
+// their arguments alone; run/session/progress_line.hpp decides when and where.
 #pragma once
 
 #include <cstddef>

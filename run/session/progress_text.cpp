@@ -1,5 +1,5 @@
 // Columns and their widths.
-#include "run/progress_text.hpp"
+#include "run/session/progress_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 
 #include "engine/search.hpp"
 #include "engine/signals.hpp"
-#include "run/progress_line.hpp"
-#include "run/session.hpp"
+#include "run/session/progress_line.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

@@ -1,5 +1,5 @@
 // When a line is due, and where it goes.
-#include "run/progress_line.hpp"
+#include "run/session/progress_line.hpp"
 
 #include <cstdio>
 

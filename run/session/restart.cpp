@@ -1,5 +1,5 @@
 // Checkpoints found, refused and pointed at.
-#include "run/restart.hpp"
+#include "run/session/restart.hpp"
 
 #include <cerrno>
 #include <cstring>

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "engine/wire.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

@@ -1,5 +1,5 @@
 // The choice between MPI and a single process, and the one broadcast that the command needs.
-#include "run/session.hpp"
+#include "run/session/session.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +12,7 @@
 
 #include "engine/transport/mpi.hpp"
 #include "engine/transport/single_process.hpp"
-#include "run/launch.hpp"
+#include "run/session/launch.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::run {

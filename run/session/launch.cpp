@@ -1,5 +1,5 @@
 // Which variables count, and in which order.
-#include "run/launch.hpp"
+#include "run/session/launch.hpp"
 
 #include <charconv>
 #include <cstdint>

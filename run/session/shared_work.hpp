@@ -11,9 +11,9 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/search.hpp"
-#include "run/index_range.hpp"
-#include "run/session.hpp"
-#include "run/told.hpp"
+#include "run/session/index_range.hpp"
+#include "run/session/session.hpp"
+#include "run/session/told.hpp"
 
 namespace kusabi::run {
 

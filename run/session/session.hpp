@@ -28,8 +28,8 @@ class Session {
   Session(int& argc, char**& argv);
 
   /// Whether a launcher has started several processes that are not joined, so that each would do
-  /// the whole work (run/launch.hpp); what to say of it, but only on the first of them. An empty
-  /// text: the others say nothing, but must not go on.
+  /// the whole work (run/session/launch.hpp); what to say of it, but only on the first of them. An
+  /// empty text: the others say nothing, but must not go on.
   [[nodiscard]] std::optional<std::string> fault_of_launch(bool serial);
 
   Session(const Session&) = delete;

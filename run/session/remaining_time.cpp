@@ -1,5 +1,5 @@
 // Exponential smoothing over unequal intervals, freed from the bias of its start.
-#include "run/remaining_time.hpp"
+#include "run/session/remaining_time.hpp"
 
 #include <algorithm>
 #include <cmath>
