@@ -20,7 +20,7 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "run/limit_evidence.hpp"
+#include "run/evidence/limit_evidence.hpp"
 #include "run/limit_mixed.hpp"
 #include "run/limit_report.hpp"
 #include "run/output/exit_code.hpp"

@@ -12,7 +12,7 @@
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/agreement.hpp"
-#include "run/certificate_file.hpp"
+#include "run/evidence/certificate_file.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/output_file.hpp"

@@ -18,11 +18,11 @@
 
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "run/evidence/verified_structure.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/session/progress_line.hpp"
 #include "run/verification.hpp"
-#include "run/verified_structure.hpp"
 #include "run/verify_limit.hpp"
 #include "verify/agreement.hpp"
 #include "verify/certificate.hpp"

@@ -16,10 +16,10 @@
 #include <fmt/format.h>
 
 #include "problems/limit/limit_problem.hpp"
+#include "run/evidence/verified_structure.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/session/shared_work.hpp"
-#include "run/verified_structure.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/limit_proof.hpp"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "run/verified_structure.hpp"
+#include "run/evidence/verified_structure.hpp"
 #include "searched.hpp"
 
 namespace kusabi::verify {

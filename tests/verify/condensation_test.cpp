@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/verified_structure.hpp"
+#include "run/evidence/verified_structure.hpp"
 #include "searched.hpp"
 
 namespace kusabi::verify {

@@ -14,7 +14,7 @@
 #include "problems/families/grid_truss.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/collapse_mode.hpp"
-#include "run/limit_evidence.hpp"
+#include "run/evidence/limit_evidence.hpp"
 #include "verify/limit_proof.hpp"
 
 namespace kusabi::nodes::limit {

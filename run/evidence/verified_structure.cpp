@@ -1,5 +1,5 @@
 // Number by number, none of them changed.
-#include "run/verified_structure.hpp"
+#include "run/evidence/verified_structure.hpp"
 
 #include <cmath>
 #include <cstddef>

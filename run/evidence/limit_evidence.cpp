@@ -1,5 +1,5 @@
 // A change of units, and the shares of cuts made sure to be large enough.
-#include "run/limit_evidence.hpp"
+#include "run/evidence/limit_evidence.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Parts by plain writes, a whole line at a time; and how they are found again.
-#include "run/certificate_file.hpp"
+#include "run/evidence/certificate_file.hpp"
 
 #include <algorithm>
 #include <cerrno>

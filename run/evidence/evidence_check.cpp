@@ -1,8 +1,8 @@
 // A certificate without nodes, and one record at a time.
-#include "run/evidence_check.hpp"
+#include "run/evidence/evidence_check.hpp"
 
 #include "problems/wedged/problem_block.hpp"
-#include "run/verified_structure.hpp"
+#include "run/evidence/verified_structure.hpp"
 #include "verify/condensation.hpp"
 
 namespace kusabi::run {
