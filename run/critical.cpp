@@ -10,7 +10,6 @@
 
 #include "nodes/wedged/critical_friction.hpp"
 #include "problems/files/structure_file.hpp"
-#include "run/agreement.hpp"
 #include "run/critical_ends.hpp"
 #include "run/critical_report.hpp"
 #include "run/critical_search.hpp"
@@ -19,7 +18,8 @@
 #include "run/output/outputs.hpp"
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/problem_summary.hpp"
+#include "run/wedged/agreement.hpp"
+#include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {

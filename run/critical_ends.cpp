@@ -19,9 +19,9 @@
 #include "run/evidence/evidence_check.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/problem_summary.hpp"
 #include "run/session/shown_search.hpp"
 #include "run/session/told.hpp"
+#include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {

@@ -13,9 +13,9 @@
 #include "nodes/wedged/critical_tree.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "run/output/rank_table.hpp"
-#include "run/problem_summary.hpp"
 #include "run/session/shown_search.hpp"
 #include "run/session/told.hpp"
+#include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -11,7 +11,6 @@
 #include "engine/checkpoint.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/files/structure_file.hpp"
-#include "run/agreement.hpp"
 #include "run/evidence/certificate_file.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
@@ -22,10 +21,11 @@
 #include "run/output/standard_output.hpp"
 #include "run/output/trace_file.hpp"
 #include "run/patterns_report.hpp"
-#include "run/problem_summary.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/shown_search.hpp"
 #include "run/session/told.hpp"
+#include "run/wedged/agreement.hpp"
+#include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {

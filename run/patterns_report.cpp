@@ -9,7 +9,7 @@
 
 #include "problems/wedged/problem_block.hpp"
 #include "run/output/rank_table.hpp"
-#include "run/problem_summary.hpp"
+#include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {

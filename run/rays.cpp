@@ -14,7 +14,6 @@
 #include "nodes/wedged/ray_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/precise_compliance.hpp"
-#include "run/agreement.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/output_file.hpp"
@@ -23,9 +22,10 @@
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/patterns_report.hpp"
-#include "run/problem_summary.hpp"
 #include "run/rays_report.hpp"
 #include "run/session/shown_search.hpp"
+#include "run/wedged/agreement.hpp"
+#include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "run/problem_summary.hpp"
+#include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {

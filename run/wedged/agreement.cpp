@@ -1,5 +1,5 @@
 // A hash of what was read and of what was computed.
-#include "run/agreement.hpp"
+#include "run/wedged/agreement.hpp"
 
 #include "support/fingerprint.hpp"
 

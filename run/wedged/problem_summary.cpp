@@ -1,5 +1,5 @@
 // The problem as a line and as JSON.
-#include "run/problem_summary.hpp"
+#include "run/wedged/problem_summary.hpp"
 
 #include <algorithm>
 #include <bit>
