@@ -36,20 +36,6 @@ std::string patterns(std::uint64_t count) {
 
 }  // namespace
 
-ordered_json tally_json(const nodes::SignPatternTally& tally) {
-  return {{"branched", tally.branched},
-          {"dead", tally.dead},
-          {"found", tally.found},
-          {"flat_nodes", tally.flat},
-          {"faces", tally.faces},
-          {"marginal_leaves", tally.marginal},
-          {"undecided_leaves", tally.undecided},
-          {"doubtful_branched", tally.doubtful},
-          {"climbed", tally.climbed},
-          {"iterations", tally.iterations},
-          {"candidates", tally.candidates}};
-}
-
 PatternsReport::PatternsReport(const PatternsOptions& options,
                                const problems::WedgedProblem& problem,
                                const engine::Outcome<nodes::SignPatternTree>& outcome)

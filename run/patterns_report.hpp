@@ -16,9 +16,6 @@
 
 namespace kusabi::run {
 
-/// What became of the nodes of a tree of sign patterns.
-nlohmann::ordered_json tally_json(const nodes::SignPatternTally& tally);
-
 /// Everything that the command has to tell.
 class PatternsReport {
  public:

@@ -21,7 +21,6 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/patterns_report.hpp"
 #include "run/rays_report.hpp"
 #include "run/session/shown_search.hpp"
 #include "run/wedged/agreement.hpp"

@@ -120,4 +120,18 @@ ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t bl
   return candidate_rows(whole, problem.dimension);
 }
 
+ordered_json tally_json(const nodes::SignPatternTally& tally) {
+  return {{"branched", tally.branched},
+          {"dead", tally.dead},
+          {"found", tally.found},
+          {"flat_nodes", tally.flat},
+          {"faces", tally.faces},
+          {"marginal_leaves", tally.marginal},
+          {"undecided_leaves", tally.undecided},
+          {"doubtful_branched", tally.doubtful},
+          {"climbed", tally.climbed},
+          {"iterations", tally.iterations},
+          {"candidates", tally.candidates}};
+}
+
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// What every command says about the problem it was given.
+// What patterns, rays and critical say about the problem they were given and about its tree.
 #pragma once
 
 #include <cstdint>
@@ -44,5 +44,8 @@ nlohmann::ordered_json candidate_rows(std::span<const double> values, int dimens
 /// The same of reactions or displacements of one block's candidates: those of all others are zero.
 nlohmann::ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
                                   std::span<const double> values);
+
+/// What became of the nodes of a tree of sign patterns.
+nlohmann::ordered_json tally_json(const nodes::SignPatternTally& tally);
 
 }  // namespace kusabi::run
