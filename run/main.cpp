@@ -23,7 +23,7 @@
 #include "run/mip.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/patterns.hpp"
+#include "run/patterns/patterns.hpp"
 #include "run/rays.hpp"
 #include "run/session/session.hpp"
 #include "run/verify.hpp"

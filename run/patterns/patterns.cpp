@@ -1,5 +1,5 @@
 // From the file to the report, on all ranks.
-#include "run/patterns.hpp"
+#include "run/patterns/patterns.hpp"
 
 #include <cstdio>
 #include <optional>
@@ -20,7 +20,7 @@
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/trace_file.hpp"
-#include "run/patterns_report.hpp"
+#include "run/patterns/patterns_report.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/shown_search.hpp"
 #include "run/session/told.hpp"

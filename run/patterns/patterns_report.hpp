@@ -12,7 +12,7 @@
 #include "nodes/wedged/maximal_cones.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/patterns.hpp"
+#include "run/patterns/patterns.hpp"
 
 namespace kusabi::run {
 

@@ -1,5 +1,5 @@
 // The table and the JSON of `kusabi patterns`.
-#include "run/patterns_report.hpp"
+#include "run/patterns/patterns_report.hpp"
 
 #include <algorithm>
 #include <iterator>
