@@ -24,7 +24,7 @@
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/patterns/patterns.hpp"
-#include "run/rays.hpp"
+#include "run/rays/rays.hpp"
 #include "run/session/session.hpp"
 #include "run/verify.hpp"
 #include "support/input_error.hpp"

@@ -12,7 +12,7 @@
 
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/json_writer.hpp"
-#include "run/rays.hpp"
+#include "run/rays/rays.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/maximal_cones.hpp"
 #include "solvers/rays/reaction_cone.hpp"

@@ -1,5 +1,5 @@
 // One pass over the rays, from which table, JSON and CSV are written together.
-#include "run/rays_report.hpp"
+#include "run/rays/rays_report.hpp"
 
 #include <algorithm>
 #include <cstddef>

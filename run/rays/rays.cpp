@@ -1,5 +1,5 @@
 // From the file to the report: which way, on which ranks.
-#include "run/rays.hpp"
+#include "run/rays/rays.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -21,7 +21,7 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/rays_report.hpp"
+#include "run/rays/rays_report.hpp"
 #include "run/session/shown_search.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
