@@ -17,7 +17,7 @@
 #include "run/bench_scaling.hpp"
 #include "run/bench_schedules.hpp"
 #include "run/bench_uts.hpp"
-#include "run/critical.hpp"
+#include "run/critical/critical.hpp"
 #include "run/example.hpp"
 #include "run/limit.hpp"
 #include "run/mip.hpp"

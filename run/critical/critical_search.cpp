@@ -1,5 +1,5 @@
 // Two ways to the bracket.
-#include "run/critical_search.hpp"
+#include "run/critical/critical_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The table and the JSON of `kusabi critical`.
-#include "run/critical_report.hpp"
+#include "run/critical/critical_report.hpp"
 
 #include <algorithm>
 #include <iterator>

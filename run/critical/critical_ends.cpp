@@ -1,5 +1,5 @@
 // One tree of sign patterns an end, or several if an end has to give way.
-#include "run/critical_ends.hpp"
+#include "run/critical/critical_ends.hpp"
 
 #include <algorithm>
 #include <cstdint>

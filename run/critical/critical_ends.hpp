@@ -5,9 +5,9 @@
 
 #include "problems/structure/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/critical.hpp"
-#include "run/critical_report.hpp"
-#include "run/critical_search.hpp"
+#include "run/critical/critical.hpp"
+#include "run/critical/critical_report.hpp"
+#include "run/critical/critical_search.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {

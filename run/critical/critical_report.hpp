@@ -11,7 +11,7 @@
 
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/critical.hpp"
+#include "run/critical/critical.hpp"
 
 namespace kusabi::run {
 

@@ -5,8 +5,8 @@
 
 #include "engine/options.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/critical.hpp"
-#include "run/critical_report.hpp"
+#include "run/critical/critical.hpp"
+#include "run/critical/critical_report.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {

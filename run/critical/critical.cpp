@@ -1,5 +1,5 @@
 // From the file to the bracket, on all ranks.
-#include "run/critical.hpp"
+#include "run/critical/critical.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -10,9 +10,9 @@
 
 #include "nodes/wedged/critical_friction.hpp"
 #include "problems/files/structure_file.hpp"
-#include "run/critical_ends.hpp"
-#include "run/critical_report.hpp"
-#include "run/critical_search.hpp"
+#include "run/critical/critical_ends.hpp"
+#include "run/critical/critical_report.hpp"
+#include "run/critical/critical_search.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/outputs.hpp"
