@@ -19,7 +19,7 @@
 #include "run/bench_uts.hpp"
 #include "run/critical/critical.hpp"
 #include "run/example.hpp"
-#include "run/limit.hpp"
+#include "run/limit/limit.hpp"
 #include "run/mip.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"

@@ -1,5 +1,5 @@
 // From the model to (29), to its root and its tree, and back to a load.
-#include "run/limit_mixed.hpp"
+#include "run/limit/limit_mixed.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // From the file to the report, on all ranks: the nominal load factor, the worst case at the root
 // and in the tree of signs, its proof, samples and curves.
-#include "run/limit.hpp"
+#include "run/limit/limit.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -21,8 +21,8 @@
 #include "problems/limit/limit_analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/evidence/limit_evidence.hpp"
-#include "run/limit_mixed.hpp"
-#include "run/limit_report.hpp"
+#include "run/limit/limit_mixed.hpp"
+#include "run/limit/limit_report.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/output_file.hpp"

@@ -1,5 +1,5 @@
 // The answer for a person and for a program.
-#include "run/limit_report.hpp"
+#include "run/limit/limit_report.hpp"
 
 #include <algorithm>
 #include <cmath>

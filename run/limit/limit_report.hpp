@@ -12,7 +12,7 @@
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "run/limit.hpp"
+#include "run/limit/limit.hpp"
 
 namespace kusabi::run {
 
