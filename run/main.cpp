@@ -20,7 +20,7 @@
 #include "run/critical/critical.hpp"
 #include "run/example.hpp"
 #include "run/limit/limit.hpp"
-#include "run/mip.hpp"
+#include "run/mip/mip.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/patterns/patterns.hpp"

@@ -1,5 +1,5 @@
 // The table and the JSON of `kusabi mip`.
-#include "run/mip_report.hpp"
+#include "run/mip/mip_report.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // From the file to the report, on all ranks.
-#include "run/mip.hpp"
+#include "run/mip/mip.hpp"
 
 #include <cstdio>
 #include <optional>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/signals.hpp"
-#include "run/mip_report.hpp"
+#include "run/mip/mip_report.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/outputs.hpp"

@@ -8,7 +8,7 @@
 
 #include "engine/outcome.hpp"
 #include "nodes/zero_one/tree.hpp"
-#include "run/mip.hpp"
+#include "run/mip/mip.hpp"
 #include "solvers/linear/program_file.hpp"
 
 namespace kusabi::run {
