@@ -26,7 +26,7 @@
 #include "run/patterns/patterns.hpp"
 #include "run/rays/rays.hpp"
 #include "run/session/session.hpp"
-#include "run/verify.hpp"
+#include "run/verify/verify.hpp"
 #include "support/input_error.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // One range of records.
-#include "run/verification.hpp"
+#include "run/verify/verification.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // The proofs of verify/limit_proof, shared among the ranks, and what is said of them.
-#include "run/verify_limit.hpp"
+#include "run/verify/verify_limit.hpp"
 
 #include <algorithm>
 #include <cmath>

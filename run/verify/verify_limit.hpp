@@ -6,7 +6,7 @@
 
 #include "problems/structure/structure.hpp"
 #include "run/session/session.hpp"
-#include "run/verify.hpp"
+#include "run/verify/verify.hpp"
 
 namespace kusabi::run {
 

@@ -1,5 +1,5 @@
 // From the file to the verdict, on all ranks.
-#include "run/verify.hpp"
+#include "run/verify/verify.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -22,8 +22,8 @@
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/session/progress_line.hpp"
-#include "run/verification.hpp"
-#include "run/verify_limit.hpp"
+#include "run/verify/verification.hpp"
+#include "run/verify/verify_limit.hpp"
 #include "verify/agreement.hpp"
 #include "verify/certificate.hpp"
 #include "verify/cover.hpp"
