@@ -18,7 +18,7 @@
 #include "run/bench_schedules.hpp"
 #include "run/bench_uts.hpp"
 #include "run/critical/critical.hpp"
-#include "run/example.hpp"
+#include "run/example/example.hpp"
 #include "run/limit/limit.hpp"
 #include "run/mip/mip.hpp"
 #include "run/output/exit_code.hpp"

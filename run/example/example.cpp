@@ -1,5 +1,5 @@
 // Writes the file, or says what is wrong with the size.
-#include "run/example.hpp"
+#include "run/example/example.hpp"
 
 #include <cstdio>
 #include <stdexcept>
