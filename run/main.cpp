@@ -14,9 +14,9 @@
 
 #include "nodes/benchmark/standard_trees.hpp"
 #include "nodes/wedged/facets.hpp"
-#include "run/bench_scaling.hpp"
-#include "run/bench_schedules.hpp"
-#include "run/bench_uts.hpp"
+#include "run/bench/bench_scaling.hpp"
+#include "run/bench/bench_schedules.hpp"
+#include "run/bench/bench_uts.hpp"
 #include "run/critical/critical.hpp"
 #include "run/example/example.hpp"
 #include "run/limit/limit.hpp"

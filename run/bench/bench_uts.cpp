@@ -2,7 +2,7 @@
 //
 // CPU time, not wall-clock time, and the least of some rounds: that is what a machine that others
 // use as well can measure.
-#include "run/bench_uts.hpp"
+#include "run/bench/bench_uts.hpp"
 
 #include <algorithm>
 #include <ctime>

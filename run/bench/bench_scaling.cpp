@@ -1,5 +1,5 @@
 // One simulated search a row, and where its time went.
-#include "run/bench_scaling.hpp"
+#include "run/bench/bench_scaling.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // What is drawn from a seed, and what must hold whatever was drawn.
-#include "run/bench_schedules.hpp"
+#include "run/bench/bench_schedules.hpp"
 
 #include <array>
 #include <chrono>
