@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/nodes/conic/contact_problem.hpp"
+#include "tests/solvers/conic/contact_problem.hpp"
 
 namespace kusabi::conic {
 namespace {

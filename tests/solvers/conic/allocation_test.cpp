@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "solvers/conic/node_solver.hpp"
-#include "tests/nodes/conic/contact_problem.hpp"
+#include "tests/solvers/conic/contact_problem.hpp"
 
 namespace kusabi::conic {
 namespace {
