@@ -16,7 +16,7 @@
 #include "solvers/rays/bit_pattern_tree.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/maximal_cones.hpp"
-#include "trusses.hpp"
+#include "tests/problems/trusses.hpp"
 
 namespace kusabi::rays {
 namespace {
