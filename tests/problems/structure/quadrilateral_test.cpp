@@ -14,7 +14,7 @@
 #include "problems/structure/structure_check.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "trusses.hpp"
+#include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {
 namespace {

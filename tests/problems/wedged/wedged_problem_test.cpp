@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "trusses.hpp"
+#include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {
 namespace {

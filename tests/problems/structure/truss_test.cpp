@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "trusses.hpp"
+#include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -11,7 +11,7 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/files/structure_writer.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "trusses.hpp"
+#include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {
 namespace {

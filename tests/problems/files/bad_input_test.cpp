@@ -13,7 +13,7 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "trusses.hpp"
+#include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/structure/truss.hpp"
-#include "trusses.hpp"
+#include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {
 namespace {
