@@ -13,8 +13,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "../nodes/random_problem.hpp"
 #include "searched.hpp"
+#include "tests/nodes/wedged/random_problem.hpp"
 #include "verify/certificate.hpp"
 
 namespace kusabi::verify {

@@ -17,7 +17,7 @@ namespace kusabi::nodes {
 namespace {
 
 problems::WedgedProblem problem_of(const std::string& name) {
-  const std::string path = KUSABI_SOURCE_DIR "/tests/nodes/conic/cases/" + name + ".toml";
+  const std::string path = KUSABI_SOURCE_DIR "/tests/nodes/wedged/cases/" + name + ".toml";
   std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();

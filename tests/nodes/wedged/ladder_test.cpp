@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "nodes/wedged/contact_solver.hpp"
-#include "tests/nodes/conic/random_structure.hpp"
+#include "tests/nodes/wedged/random_truss.hpp"
 
 namespace kusabi::nodes {
 namespace {
