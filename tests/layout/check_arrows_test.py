@@ -1,0 +1,86 @@
+"""Plants one offence after the other into a small house: each must be found, and named in one line.
+
+    python3 check_arrows_test.py CHECK_ARROWS
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CHECK = sys.argv.pop()
+TABLE = "low:\nlow/cellar: low\nhigh: low low/cellar\n"
+PAGE = "# A house\n\n```arrows\n{}```\n"
+
+
+class CheckArrows(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        self.write("docs/architecture.md", PAGE.format(TABLE))
+        self.write("low/stone.hpp", "#include <vector>\n")
+        self.write("low/cellar/wine.hpp", '#include "low/stone.hpp"\n')
+        self.write("high/roof.cpp", '#include "roof.hpp"\n#include "low/cellar/wine.hpp"\n')
+        self.write("high/roof.hpp", "")
+        self.write("tests/roof_test.cpp", '#include "high/roof.hpp"\n')
+
+    def write(self, name, text):
+        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.root / name).write_text(text)
+
+    def check(self):
+        run = subprocess.run([sys.executable, CHECK, self.root], capture_output=True, text=True, check=False)
+        self.assertEqual(run.stderr, "")
+        return run.returncode, run.stdout.splitlines()
+
+    def test_accepts_what_the_table_allows(self):
+        code, lines = self.check()
+        self.assertEqual((code, len(lines)), (0, 1))
+        self.assertRegex(lines[0], "^4 sources in 3 rooms")
+
+    def test_names_file_and_line_of_a_wrong_include(self):
+        self.write("low/stone.hpp", '// a stone\n#  include "high/roof.hpp"\n')
+        self.assertEqual(self.check(), (1, ["low/stone.hpp:2: room low may not include room high (allowed: none)"]))
+
+    def test_a_room_is_not_the_one_around_it(self):
+        self.write("low/stone.hpp", '#include "cellar/wine.hpp"\n')
+        self.assertEqual(self.check(), (1, ["low/stone.hpp:1: room low may not include room low/cellar (allowed: none)"]))
+
+    def test_no_room_includes_tests(self):
+        self.write("high/roof.hpp", '#include "tests/roof_test.cpp"\n')
+        self.assertEqual(
+            self.check(),
+            (1, ["high/roof.hpp:1: room high may not include room tests (allowed: low low/cellar)"]))
+
+    def test_finds_a_circle_of_the_table(self):
+        self.write("docs/architecture.md", PAGE.format(TABLE.replace("low:", "low: high")))
+        self.assertEqual(
+            self.check(), (1, ["docs/architecture.md: the rooms go in a circle: low -> high -> low"]))
+
+    def test_wants_every_source_in_a_room(self):
+        self.write("shed/spade.hpp", "")
+        self.write("low/attic/box.hpp", "")
+        self.assertEqual(self.check(), (1, [
+            "low/attic/box.hpp: low/attic is no room; expected it beside the others of low/ in docs/architecture.md",
+            "shed/spade.hpp: in no room; expected its folder among those of docs/architecture.md"]))
+
+    def test_wants_what_is_included_to_be_there(self):
+        self.write("high/roof.hpp", '#include "low/brick.hpp"\n')
+        self.assertEqual(self.check(), (
+            1, ['high/roof.hpp:1: no file "low/brick.hpp"; expected a path from the root of the sources']))
+
+    def test_wants_no_empty_room(self):
+        self.write("docs/architecture.md", PAGE.format(TABLE + "garden: low\n"))
+        self.assertEqual(self.check(), (
+            1, ["docs/architecture.md: garden has no source; expected a room only where there is one"]))
+
+    def test_refuses_a_table_that_names_no_room(self):
+        self.write("docs/architecture.md", PAGE.format(TABLE + "garden: pond\n"))
+        code, lines = self.check()
+        self.assertEqual(code, 2)
+        self.assertRegex(lines[0], r"/docs/architecture.md:7: pond is no room; expected one that has a line$")
+
+
+if __name__ == "__main__":
+    unittest.main()
