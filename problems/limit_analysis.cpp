@@ -2,22 +2,75 @@
 #include "problems/limit_analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace kusabi::problems {
+namespace {
+
+/// The unit of force for numbers of this size: F itself unless they are much smaller. Units that
+/// differ by less than `alike` are one, so that a program looks as its truss does; the others are F
+/// times a power of two.
+double unit_of(double size, double force_unit) {
+  constexpr double alike = 8;
+  if (size > force_unit / alike) return force_unit;
+  int exponent = 0;
+  std::frexp(size / force_unit, &exponent);
+  return std::ldexp(force_unit, exponent - 1);
+}
+
+}  // namespace
+
+LimitModel limit_model(const LimitProblem& problem, double force_unit) {
+  LimitModel model;
+  model.force_unit = force_unit;
+  const Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
+  const Eigen::VectorXd shift = (problem.tension - problem.compression) / 2;
+  model.member_unit.resize(yield.size());
+  for (Eigen::Index i = 0; i < yield.size(); ++i) {
+    model.member_unit(i) = unit_of(yield(i), force_unit);
+  }
+  model.yield = yield.cwiseQuotient(model.member_unit).cwiseMin(most_yield);
+  // Of a yield force that is cut off in tension and compression alike nothing is to be shifted but
+  // what is left on the smaller side.
+  const Eigen::VectorXd cut = model.yield.cwiseProduct(model.member_unit);
+  Eigen::VectorXd kept(shift.size());
+  for (Eigen::Index i = 0; i < shift.size(); ++i) {
+    const double tension =
+        std::min(problem.tension(i), 2 * cut(i) - std::min(problem.compression(i), cut(i)));
+    const double compression = std::min(problem.compression(i), 2 * cut(i) - tension);
+    kept(i) = cut(i) == yield(i) ? shift(i) : (tension - compression) / 2;
+  }
+  model.shift = kept.cwiseQuotient(model.member_unit);
+
+  const Eigen::SparseMatrix<double>& given = problem.equilibrium;
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(given.rows());  // Y
+  for (int i = 0; i < given.cols(); ++i) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(given, i); entry; ++entry) {
+      double& most = largest(entry.row());
+      most = std::max(most, std::abs(entry.value()) * model.member_unit(i));
+    }
+  }
+  const Eigen::VectorXd row_unit =
+      largest.unaryExpr([&](double most) { return unit_of(most, force_unit); });
+  const double reference_unit =
+      problem.reference.cwiseAbs().cwiseQuotient(row_unit).maxCoeff();  // R
+  model.displacement_unit = (reference_unit * row_unit).cwiseInverse();
+  model.factor_unit = 1 / reference_unit;
+  model.equilibrium = row_unit.cwiseInverse().asDiagonal() * given * model.member_unit.asDiagonal();
+  model.dead = problem.dead.cwiseQuotient(row_unit) - model.equilibrium * model.shift;
+  model.reference = problem.reference.cwiseQuotient(row_unit) / reference_unit;
+  model.uncertain = problem.uncertain;
+  for (auto& [degree, weight] : model.uncertain) weight *= model.force_unit / row_unit(degree);
+  return model;
+}
 
 LimitModel limit_model(const LimitProblem& problem) {
-  LimitModel model;
-  model.force_unit = std::max(problem.tension.maxCoeff(), problem.compression.maxCoeff());
-  const double reference_unit = problem.reference.cwiseAbs().maxCoeff();
-  model.factor_unit = model.force_unit / reference_unit;
-  model.equilibrium = problem.equilibrium;
-  model.yield = (problem.tension + problem.compression) / (2 * model.force_unit);
-  model.shift = (problem.tension - problem.compression) / (2 * model.force_unit);
-  model.dead = problem.dead / model.force_unit - problem.equilibrium * model.shift;
-  model.reference = problem.reference / reference_unit;
-  model.uncertain = problem.uncertain;
-  return model;
+  Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
+  const auto middle = yield.begin() + yield.size() / 2;
+  std::nth_element(yield.begin(), middle, yield.end());
+  return limit_model(problem, *middle);
 }
 
 Eigen::VectorXd dead_load(const LimitModel& model, const Eigen::VectorXd& zeta) {
@@ -27,6 +80,14 @@ Eigen::VectorXd dead_load(const LimitModel& model, const Eigen::VectorXd& zeta) 
     load(degree) += weight * zeta(j);
   }
   return load;
+}
+
+Eigen::VectorXd forces_in_units(const LimitModel& model, const Eigen::VectorXd& forces) {
+  return (forces + model.shift).cwiseProduct(model.member_unit);
+}
+
+Eigen::VectorXd motion_in_units(const LimitModel& model, const Eigen::VectorXd& motion) {
+  return motion.cwiseProduct(model.displacement_unit);
 }
 
 LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dead) {
@@ -68,12 +129,6 @@ LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& 
     }
   }
   return program;
-}
-
-double kinematic_factor(const LimitModel& model, const Eigen::VectorXd& dead,
-                        const Eigen::VectorXd& motion) {
-  const Eigen::VectorXd elongation = model.equilibrium.transpose() * motion;
-  return (model.yield.dot(elongation.cwiseAbs()) - dead.dot(motion)) / model.reference.dot(motion);
 }
 
 }  // namespace kusabi::problems

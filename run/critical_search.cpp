@@ -62,13 +62,6 @@ nodes::PatternBisection::Pattern pattern_of(const nodes::Configuration& leaf,
 
 }  // namespace
 
-engine::Limits Budget::left() const {
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-  engine::Limits limits = limits_;
-  limits.seconds = std::max(0.0, limits.seconds - spent.count());
-  return limits;
-}
-
 CriticalFindings global_search(Session& session, const CriticalOptions& options,
                                const problems::WedgedProblem& problem, const Budget& budget) {
   const double most = options.most.value_or(usual_most);

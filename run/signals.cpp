@@ -28,8 +28,12 @@ void heed_signals() {
   std::signal(SIGUSR1, &note_checkpoint);
 }
 
+bool end_asked_by_signal() {
+  return stop_asked != 0;
+}
+
 engine::Interrupt asked_by_signal() {
-  if (stop_asked != 0) return engine::Interrupt::stop;
+  if (end_asked_by_signal()) return engine::Interrupt::stop;
   if (checkpoint_asked == 0) return engine::Interrupt::none;
   checkpoint_asked = 0;
   return engine::Interrupt::checkpoint;

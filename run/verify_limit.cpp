@@ -70,7 +70,6 @@ int verify_limit(Session& session, const VerifyOptions& options,
   }
   const verify::LimitProof proof(certificate, std::move(errors));
   std::vector<std::string> refusals;
-  if (!proof.stable()) refusals.emplace_back("the truss was not shown to be no mechanism");
   const auto upper = proof.upper();
   if (const auto* why = std::get_if<std::string>(&upper)) {
     refusals.push_back("the upper end: " + *why);
@@ -79,7 +78,7 @@ int verify_limit(Session& session, const VerifyOptions& options,
   }
   if (const auto flaw = verify::flaw_of_sign_cover(certificate)) refusals.push_back(*flaw);
   double lower = infinity;
-  if (proof.stable() && !certificate.nodes.empty()) {
+  if (!certificate.nodes.empty()) {
     const auto verdict = [&](std::uint64_t number) {
       const auto bound = proof.lower(certificate.nodes[number]);
       NodeVerdict found;

@@ -14,14 +14,14 @@ std::string bar_name(const Structure& structure, const Bar& bar) {
 }
 
 // How far the column of a member is from the one that its bar has; nothing if that is no rounding.
-std::optional<Dyadic> column_error(const Sparse& column, const Structure& structure,
-                                   const Freedom& freedom, const Bar& bar) {
+std::optional<SparseError> column_error(const Sparse& column, const Structure& structure,
+                                        const Freedom& freedom, const Bar& bar) {
   std::map<std::size_t, double> recorded;
   for (const auto& [place, value] : column) {
     if (!recorded.emplace(place, value).second) return {};
   }
   const auto cosines = direction(structure, bar).cosines;
-  Dyadic total;
+  SparseError errors;
   for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
     if (!cosines[axis].finite()) return {};
     for (const auto node : {bar.first, bar.second}) {
@@ -33,13 +33,13 @@ std::optional<Dyadic> column_error(const Sparse& column, const Structure& struct
       if (found != recorded.end()) recorded.erase(found);
       const auto error = entry.distance(Dyadic(value));
       if (error > Dyadic(cosine_tolerance)) return {};
-      total = total + error;
+      if (error.sign() != 0) errors.emplace_back(number, error);
     }
   }
   for (const auto& [place, value] : recorded) {
     if (value != 0) return {};
   }
-  return total;
+  return errors;
 }
 
 std::vector<Enclosure> sum_of(const std::vector<Force>& forces, const Structure& structure,
@@ -91,11 +91,11 @@ std::optional<std::string> other_bars(const LimitCertificate& certificate,
       return "its yield forces of member " + bar_name(structure, bar) +
              " are not those of the truss";
     }
-    const auto error = column_error(certificate.columns[i], structure, freedom, bar);
+    auto error = column_error(certificate.columns[i], structure, freedom, bar);
     if (!error) {
       return "its direction of member " + bar_name(structure, bar) + " is not that of the truss";
     }
-    errors.columns.push_back(*error);
+    errors.columns.push_back(*std::move(error));
   }
   return {};
 }

@@ -4,12 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <span>
 #include <utility>
-
-#include "verify/cholesky.hpp"
-#include "verify/numbering.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -22,114 +18,41 @@ void add_product(Dyadic& sum, double a, double b) {
 
 LimitProof::LimitProof(const LimitCertificate& certificate, LimitErrors errors)
     : certificate_(certificate), errors_(std::move(errors)) {
-  for (const auto& error : errors_.dead) dead_error_ = dead_error_ + error;
-  for (const auto& error : errors_.reference) reference_error_ = reference_error_ + error;
-  bound_motions();
   for (const auto& cut : certificate.cuts) {
-    // rho = e + k f_R - B y
+    // e + k f_R - B y
     std::vector<Dyadic> load(certificate.displacements);
     load[certificate.uncertain[cut.column].first] = Dyadic(1.0);
-    for (std::size_t e = 0; e < load.size(); ++e) {
-      add_product(load[e], cut.factor, certificate.reference[e]);
+    auto& rounded = defects_.emplace_back();
+    const auto missing = defect(cut.forces, std::move(load), cut.factor);
+    for (std::size_t e = 0; e < missing.size(); ++e) {
+      if (missing[e].sign() != 0) rounded.emplace_back(e, double_above(missing[e]));
     }
-    defects_.push_back(defect(cut.forces, std::move(load)) +
-                       Dyadic(std::abs(cut.factor)) * reference_error_);
   }
 }
 
-Dyadic LimitProof::column_error(std::size_t member) const {
-  return errors_.columns.empty() ? Dyadic() : errors_.columns[member];
-}
-
-// |load - B q|_1
-Dyadic LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load) const {
-  Dyadic total;
+// |load + factor f_R - B forces|, by displacement, with what the errors of f_R and B add.
+std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
+                                       double factor) const {
+  for (std::size_t e = 0; e < load.size(); ++e) {
+    add_product(load[e], factor, certificate_.reference[e]);
+  }
   for (const auto& [member, force] : forces) {
     for (const auto& [e, entry] : certificate_.columns[member]) add_product(load[e], -force, entry);
-    total = total + Dyadic(std::abs(force)) * column_error(member);
   }
-  for (const auto& each : load) total = total + absolute(each);
-  return total;
-}
-
-namespace {
-
-// The factor of B B', and in which order it has the displacements.
-struct Gram {
-  std::vector<std::size_t> place;  // of each displacement
-  std::optional<Cholesky> factor;
-};
-
-Gram factor_of_gram(const LimitCertificate& certificate) {
-  const auto n = certificate.displacements;
-  constexpr std::size_t largest_profile = 50'000'000;
-  std::vector<std::map<std::size_t, double>> entries(n);
-  for (const auto& column : certificate.columns) {
-    for (const auto& [row, a] : column) {
-      for (const auto& [other, b] : column) entries[row][other] += a * b;
+  for (auto& each : load) each = absolute(each);
+  if (!errors_.reference.empty() && factor != 0) {
+    for (std::size_t e = 0; e < load.size(); ++e) {
+      load[e] = load[e] + Dyadic(std::abs(factor)) * errors_.reference[e];
     }
   }
-  std::vector<std::vector<std::size_t>> neighbours(n);
-  for (std::size_t row = 0; row < n; ++row) {
-    for (const auto& [other, value] : entries[row]) {
-      if (other != row) neighbours[row].push_back(other);
+  if (errors_.columns.empty()) return load;
+  for (const auto& [member, force] : forces) {
+    if (force == 0) continue;
+    for (const auto& [e, error] : errors_.columns[member]) {
+      load[e] = load[e] + Dyadic(std::abs(force)) * error;
     }
   }
-  const auto order = narrow_order(neighbours);
-  Gram gram;
-  gram.place.resize(n);
-  for (std::size_t at = 0; at < n; ++at) gram.place[order[at]] = at;
-  std::vector<std::size_t> first(n);
-  for (std::size_t at = 0; at < n; ++at) {
-    first[at] = at;
-    for (const auto& [other, value] : entries[order[at]]) {
-      first[at] = std::min(first[at], gram.place[other]);
-    }
-  }
-  const Profile profile(std::move(first));
-  if (profile.entries() > largest_profile) return gram;
-  std::vector<double> matrix(profile.entries(), 0.0);
-  for (std::size_t at = 0; at < n; ++at) {
-    for (const auto& [other, value] : entries[order[at]]) {
-      if (gram.place[other] <= at) matrix[profile.at(at, gram.place[other])] = value;
-    }
-  }
-  gram.factor = Cholesky::of(profile, matrix);
-  return gram;
-}
-
-}  // namespace
-
-// G = (B B')^-1 B is a guess of a left inverse of B'. With E = I - G B' and ‖E‖_inf <= 1/2,
-// u = G B'u + E u gives ‖u‖_inf <= 2 max_e sum_i |G_ei| |b_i'u|.
-void LimitProof::bound_motions() {
-  const auto n = certificate_.displacements;
-  if (certificate_.members() < n) return;  // fewer elongations than displacements
-  const auto [place, factor] = factor_of_gram(certificate_);
-  if (!factor) return;
-  std::vector<double> largest(certificate_.members(), 0.0);
-  std::vector<double> guess(n);  // row e of (B B')^-1
-  for (std::size_t e = 0; e < n; ++e) {
-    std::fill(guess.begin(), guess.end(), 0.0);
-    guess[place[e]] = 1;
-    factor->solve(guess);
-    std::vector<Dyadic> error(n);  // row e of E
-    error[e] = Dyadic(1.0);
-    Dyadic total;
-    for (std::size_t i = 0; i < certificate_.members(); ++i) {
-      double entry = 0;  // of G
-      for (const auto& [row, value] : certificate_.columns[i]) entry += guess[place[row]] * value;
-      if (!std::isfinite(entry)) return;
-      largest[i] = std::max(largest[i], std::abs(entry));
-      for (const auto& [row, value] : certificate_.columns[i]) {
-        add_product(error[row], -entry, value);
-      }
-      total = total + Dyadic(std::abs(entry)) * column_error(i);
-    }
-    for (const auto& each : error) total = total + absolute(each);
-    if (total > Dyadic(0.5)) return;
-  }
-  for (const double each : largest) reach_.push_back(Dyadic(2.0) * Dyadic(each));
+  return load;
 }
 
 std::variant<mpq_class, std::string> LimitProof::upper() const {
@@ -145,10 +68,8 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
   }
   // What the errors of the loads add to the value, and take from or add to the work.
   Dyadic doubt;
-  double largest = 0;
   for (std::size_t e = 0; e < u.size(); ++e) {
     const Dyadic size(std::abs(u[e]));
-    largest = std::max(largest, std::abs(u[e]));
     if (!errors_.dead.empty()) value = value + errors_.dead[e] * size;
     if (!errors_.reference.empty()) doubt = doubt + errors_.reference[e] * size;
   }
@@ -160,8 +81,12 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
     Dyadic elongation;
     for (const auto& [e, entry] : certificate_.columns[i]) add_product(elongation, entry, u[e]);
-    value = value + Dyadic(std::max(certificate_.compression[i], certificate_.tension[i])) *
-                        Dyadic(largest) * column_error(i);
+    if (!errors_.columns.empty()) {
+      const Dyadic most(std::max(certificate_.compression[i], certificate_.tension[i]));
+      for (const auto& [e, error] : errors_.columns[i]) {
+        value = value + most * Dyadic(std::abs(u[e])) * error;
+      }
+    }
     const double yield =
         elongation.sign() < 0 ? certificate_.compression[i] : certificate_.tension[i];
     value = value + Dyadic(yield) * absolute(elongation);
@@ -176,21 +101,18 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   // What the shares of the cuts take of each member, and what they leave undone.
   std::vector<Dyadic> taken(certificate.members());
   std::vector<Dyadic> share_of(m);
+  std::vector<Dyadic> defects(certificate.displacements);
   Dyadic value(node.factor);
-  Dyadic defects = dead_error_ + Dyadic(std::abs(node.factor)) * reference_error_;
   for (const auto& [c, share] : node.shares) {
     const auto& cut = certificate.cuts[c];
     share_of[cut.column] = share_of[cut.column] + Dyadic(share);
     add_product(value, -share, std::abs(cut.factor));
     for (const auto& [i, force] : cut.forces) add_product(taken[i], share, std::abs(force));
-    defects = defects + Dyadic(share) * defects_[c];
+    for (const auto& [e, missing] : defects_[c]) add_product(defects[e], share, missing);
   }
-  // r = f_D + sum over decided signs of s (alpha weight + nu) e + lambda f_R - B q
+  // f_D + sum over decided signs of s (alpha weight + nu) e + lambda f_R - B q
   std::vector<Dyadic> load;
-  for (std::size_t e = 0; e < certificate.displacements; ++e) {
-    load.emplace_back(certificate.dead[e]);
-    add_product(load[e], node.factor, certificate.reference[e]);
-  }
+  for (const double dead : certificate.dead) load.emplace_back(dead);
   for (std::size_t j = 0; j < m; ++j) {
     const auto& [e, weight] = certificate.uncertain[j];
     const Dyadic needed = Dyadic(certificate.alpha) * Dyadic(weight);
@@ -203,16 +125,58 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   }
   Sparse forces;
   for (std::size_t i = 0; i < node.forces.size(); ++i) forces.emplace_back(i, node.forces[i]);
-  defects = defects + defect(forces, std::move(load));
+  const auto own = defect(forces, std::move(load), node.factor);
+  std::vector<double> rounded;
+  for (std::size_t e = 0; e < defects.size(); ++e) {
+    const Dyadic dead = errors_.dead.empty() ? Dyadic() : errors_.dead[e];
+    rounded.push_back(double_above(defects[e] + own[e] + dead));
+  }
+  std::vector<double> slack;
   for (std::size_t i = 0; i < certificate.members(); ++i) {
-    const Dyadic all = taken[i] + defects * reach_[i];
     const Dyadic force(node.forces[i]);
-    if (Dyadic(certificate.tension[i]) < force + all ||
-        Dyadic(certificate.compression[i]) + force < all) {
-      return "member " + std::to_string(i) + " yields";
+    const Dyadic tension = Dyadic(certificate.tension[i]) - force - taken[i];
+    const Dyadic compression = Dyadic(certificate.compression[i]) + force - taken[i];
+    const Dyadic& least = tension < compression ? tension : compression;
+    if (least.sign() < 0) return "member " + std::to_string(i) + " yields";
+    slack.push_back(double_below(least));
+  }
+  const MemberColumns members{certificate.displacements, certificate.columns, errors_.columns};
+  const auto found = forces_against_defects(members, slack, rounded);
+  if (const auto* why = std::get_if<std::string>(&found)) return *why;
+  const auto& against = std::get<std::vector<double>>(found);
+  for (std::size_t i = 0; i < slack.size(); ++i) {
+    if (against[i] > slack[i]) {
+      return "member " + std::to_string(i) + " yields for what equilibrium lacks";
     }
   }
   return value.rational();
+}
+
+bool LimitProof::shows_no_factor() const {
+  const auto& reference = certificate_.reference;
+  if (certificate_.motion.size() != reference.size()) return false;
+  std::vector<mpq_class> motion(certificate_.motion.begin(), certificate_.motion.end());
+  const auto largest =
+      std::ranges::max_element(reference, {}, [](double value) { return std::abs(value); });
+  mpq_class work = 0;
+  for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e] * motion[e];
+  motion[static_cast<std::size_t>(largest - reference.begin())] -= work / mpq_class(*largest);
+  mpq_class excess = 0;  // of the work of the dead load
+  for (std::size_t e = 0; e < motion.size(); ++e) excess += certificate_.dead[e] * motion[e];
+  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
+    const auto& [e, weight] = certificate_.uncertain[j];
+    excess += mpq_class(certificate_.load[j]) * weight * motion[e];
+  }
+  const int sign = sgn(excess);
+  excess = abs(excess);
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    mpq_class elongation = 0;
+    for (const auto& [e, entry] : certificate_.columns[i]) elongation += entry * motion[e];
+    elongation *= sign;
+    const double yield = elongation < 0 ? certificate_.compression[i] : certificate_.tension[i];
+    excess -= yield * abs(elongation);
+  }
+  return excess > 0;
 }
 
 namespace {

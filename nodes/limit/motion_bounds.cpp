@@ -21,7 +21,7 @@ std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, dou
   for (const StaticCut& cut : cuts) master.add(cut);
   double most = problems::infinity;  // D
   for (const double rho : {0.5, 0.3, 0.1, 0.03, 0.01, 0.003, 0.001}) {
-    master.leave_room(rho);
+    master.leave_room(Eigen::VectorXd::Constant(model.member_count(), rho));
     if (master.solve() != linear::LinearStatus::optimal || master.presses_box()) continue;
     most = std::min(most, (upper - master.objective()) / rho);
   }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace kusabi::nodes::limit {
 namespace {
@@ -38,8 +39,8 @@ double StaticCut::bound(const Eigen::VectorXd& z) const {
   return total;
 }
 
-StaticPricing::StaticPricing(const problems::LimitModel& model)
-    : model_(model), simplex_(pricing_program(model)) {}
+StaticPricing::StaticPricing(const problems::LimitModel& model, linear::Stop stop)
+    : model_(model), stop_(std::move(stop)), simplex_(pricing_program(model)) {}
 
 void StaticPricing::aim(const Eigen::VectorXd& z, int first) {
   const int members = model_.member_count();
@@ -65,7 +66,8 @@ std::optional<StaticCut> StaticPricing::cut(int column) {
   if (last_degree_ >= 0) simplex_.set_row_bounds(last_degree_, 0, 0);
   simplex_.set_row_bounds(degree, 1, 1);
   last_degree_ = degree;
-  if (simplex_.solve_robustly() != linear::LinearStatus::optimal) return std::nullopt;
+  if (simplex_.solve_robustly({.stop = stop_}) != linear::LinearStatus::optimal)
+    return std::nullopt;
   StaticCut cut;
   cut.column = column;
   const int members = model_.member_count();
