@@ -47,10 +47,11 @@ int limit(Session& session, const LimitOptions& options) {
     return content;
   });
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  const auto problem = problems::limit_problem(problems::read_structure(text, options.file));
+  const auto truss = problems::read_structure(text, options.file);
+  const auto problem = problems::limit_problem(truss);
   session.agree(problem.fingerprint);
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  const auto [answer, certificate] = limit_search(session, options, problem);
+  const auto [answer, certificate] = limit_search(session, options, truss, problem);
   if (session.speaks()) {
     const LimitReport report{options, problem, answer, session.ranks()};
     do_all({[&] { result_file->write(report.json()); },

@@ -9,6 +9,7 @@
 
 #include "nodes/limit/worst_case.hpp"
 #include "run/limit_evidence.hpp"
+#include "verify/limit_agreement.hpp"
 #include "verify/limit_proof.hpp"
 
 namespace kusabi::run {
@@ -37,8 +38,8 @@ verify::LimitCertificate certificate_of(const LimitEvidence& evidence,
 }
 
 // Replaces the proof of a node by one with more room, if that shows more. @return what is shown
-double with_more_room(const LimitEvidence& evidence, ClosedNode& node, double shown,
-                      double wanted) {
+double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& truss,
+                      ClosedNode& node, double shown, double wanted) {
   auto cuts = evidence.cuts;
   cuts.insert(cuts.end(), node.own_cuts.begin(), node.own_cuts.end());
   const double alpha = evidence.alpha / evidence.model.force_unit;
@@ -47,7 +48,8 @@ double with_more_room(const LimitEvidence& evidence, ClosedNode& node, double sh
     if (!proof) continue;
     auto candidate = closed_node(*proof, node.own_cuts);
     const auto certificate = certificate_of(evidence, {candidate});
-    const double lower = lower_end(verify::LimitProof(certificate), certificate.nodes.front());
+    const double lower =
+        lower_end(verify::LimitProof(certificate, truss), certificate.nodes.front());
     if (lower <= shown) continue;
     shown = lower;
     node = std::move(candidate);
@@ -68,9 +70,12 @@ LimitEnds proved_ends(LimitEvidence evidence, bool again) {
   }
   LimitEnds ends;
   ends.certificate = certificate_of(evidence, nodes);
+  const auto agreed = verify::limit_agreement(ends.certificate, evidence.truss);
+  const auto* const found = std::get_if<verify::LimitTruss>(&agreed);
+  const auto truss = found ? *found : verify::recorded_truss(ends.certificate);
   bool changed = false;
   {
-    const verify::LimitProof proof(ends.certificate);
+    const verify::LimitProof proof(ends.certificate, truss);
     const auto upper = proof.upper();
     if (const auto* value = std::get_if<mpq_class>(&upper)) ends.upper = verify::rounded_up(*value);
     double least = infinite();
@@ -79,7 +84,7 @@ LimitEnds proved_ends(LimitEvidence evidence, bool again) {
       const double wanted = ends.upper.value_or(-infinite()) -
                             2 * nodes::limit::closed_gap * evidence.model.factor_unit;
       if (again && shown < wanted) {
-        const double more = with_more_room(evidence, nodes[k], shown, wanted);
+        const double more = with_more_room(evidence, truss, nodes[k], shown, wanted);
         changed = changed || more > shown;
         shown = more;
       }

@@ -8,11 +8,14 @@
 #include "nodes/limit/sign_tree.hpp"
 #include "problems/limit_problem.hpp"
 #include "verify/limit_certificate.hpp"
+#include "verify/limit_proof.hpp"
+#include "verify/structure.hpp"
 
 namespace kusabi::run {
 
 /// What was found and is to be proved.
 struct LimitEvidence {
+  const verify::Structure& truss;  ///< the proofs are of this one, with its true directions
   const problems::LimitProblem& problem;
   const problems::LimitModel& model;
   double alpha = 0;  ///< in the unit of force
@@ -37,7 +40,7 @@ inline constexpr double answered_gap = 1e-6;
 /// @param again whether to try again
 LimitEnds proved_ends(LimitEvidence evidence, bool again);
 
-/// Whether a motion shows that a load is carried at no factor.
+/// Whether a motion shows that a load is carried at no factor, of the truss as `problem` has it.
 /// @param zeta m @param motion n^d, both scaled as in `model`
 bool shows_no_factor(const problems::LimitProblem& problem, const problems::LimitModel& model,
                      const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion);

@@ -28,6 +28,7 @@
 #include "run/shown_search.hpp"
 #include "run/standard_output.hpp"
 #include "run/told.hpp"
+#include "run/verified_structure.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -86,8 +87,13 @@ struct Solvers {
 
 class LimitSearch {
  public:
-  LimitSearch(Session& session, const LimitOptions& options, const LimitProblem& problem)
-      : session_(session), options_(options), problem_(problem), budget_(options.limits) {}
+  LimitSearch(Session& session, const LimitOptions& options, const problems::Structure& truss,
+              const LimitProblem& problem)
+      : session_(session),
+        options_(options),
+        truss_(verified_structure(truss)),
+        problem_(problem),
+        budget_(options.limits) {}
 
   LimitFindings findings();
 
@@ -115,6 +121,7 @@ class LimitSearch {
 
   Session& session_;
   const LimitOptions& options_;
+  verify::Structure truss_;
   const LimitProblem& problem_;
   Budget budget_;
   bool ended_ = false;    // all ranks have agreed to end
@@ -262,7 +269,8 @@ void LimitSearch::prove(const RootResult& root, std::vector<ClosedNode> nodes,
   const auto shown = told_by_first_rank(session_, [&] {
     const bool again = worst.search == engine::Status::solved;
     auto ends = proved_ends(
-        {problem_, model(), *options_.alpha, *root.worst, root.cuts, std::move(nodes)}, again);
+        {truss_, problem_, model(), *options_.alpha, *root.worst, root.cuts, std::move(nodes)},
+        again);
     const double upper = ends.upper.value_or(root.worst->collapse.factor * unit);
     // What the nodes of a tree prove beyond the gap depends on what was known when they were
     // closed, and so on the number of ranks.
@@ -476,8 +484,8 @@ bool LimitAnswer::whole() const {
 }
 
 LimitFindings limit_search(Session& session, const LimitOptions& options,
-                           const LimitProblem& problem) {
-  return LimitSearch(session, options, problem).findings();
+                           const problems::Structure& truss, const LimitProblem& problem) {
+  return LimitSearch(session, options, truss, problem).findings();
 }
 
 }  // namespace kusabi::run

@@ -19,8 +19,9 @@ struct LimitFindings {
 };
 
 /// Every rank makes the same call.
+/// @param problem of `truss`
 /// @throws WrongInput on every rank alike, if a method cannot be used
 LimitFindings limit_search(Session& session, const LimitOptions& options,
-                           const problems::LimitProblem& problem);
+                           const problems::Structure& truss, const problems::LimitProblem& problem);
 
 }  // namespace kusabi::run

@@ -53,7 +53,7 @@ verify::LimitCertificate certificate_in(const std::string& text, const std::stri
 int verify_limit(Session& session, const VerifyOptions& options,
                  const std::optional<problems::Structure>& structure, const std::string& text) {
   const auto certificate = certificate_in(text, options.certificate);
-  verify::LimitErrors errors;
+  auto truss = verify::recorded_truss(certificate);
   std::uint64_t fingerprint = 0;
   if (structure) {
     fingerprint = problems::limit_problem(*structure).fingerprint;  // or an error: it is no truss
@@ -66,9 +66,9 @@ int verify_limit(Session& session, const VerifyOptions& options,
       }
       return failed;
     }
-    errors = std::move(std::get<verify::LimitErrors>(found));
+    truss = std::move(std::get<verify::LimitTruss>(found));
   }
-  const verify::LimitProof proof(certificate, std::move(errors));
+  const verify::LimitProof proof(certificate, std::move(truss));
   std::vector<std::string> refusals;
   const auto upper = proof.upper();
   if (const auto* why = std::get_if<std::string>(&upper)) {

@@ -4,20 +4,73 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <span>
 #include <utility>
+
+#include "verify/gram.hpp"
 
 namespace kusabi::verify {
 namespace {
 
-void add_product(Dyadic& sum, double a, double b) {
-  if (a != 0 && b != 0) sum = sum + Dyadic(a) * Dyadic(b);
+Dyadic product(const Dyadic& a, double b) {
+  return a * Dyadic(b);
+}
+
+using Column = std::vector<std::pair<std::size_t, Near>>;
+
+// b'u.
+Dyadic elongation_of(const Column& column, const std::vector<Dyadic>& motion) {
+  Dyadic total;
+  for (const auto& [e, entry] : column) total = total + entry.value * motion[e];
+  return total;
+}
+
+// How far the true columns are from those of the certificate, entry by entry; none if they are the
+// same.
+std::vector<SparseDyadic> errors_of(const LimitCertificate& certificate, const LimitTruss& truss) {
+  std::vector<SparseDyadic> errors(truss.columns.size());
+  bool any = false;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    std::map<std::size_t, Near> difference;
+    for (const auto& [e, entry] : truss.columns[i]) {
+      difference[e].value = difference[e].value + entry.value;
+      difference[e].error = difference[e].error + entry.error;
+    }
+    for (const auto& [e, entry] : certificate.columns[i]) {
+      difference[e].value = difference[e].value - Dyadic(entry);
+    }
+    for (const auto& [e, each] : difference) {
+      const auto error = absolute(each.value) + each.error;
+      if (error.sign() == 0) continue;
+      any = true;
+      errors[i].emplace_back(e, error);
+    }
+  }
+  if (!any) errors.clear();
+  return errors;
 }
 
 }  // namespace
 
-LimitProof::LimitProof(const LimitCertificate& certificate, LimitErrors errors)
-    : certificate_(certificate), errors_(std::move(errors)) {
+LimitTruss recorded_truss(const LimitCertificate& certificate) {
+  LimitTruss truss;
+  for (const auto& column : certificate.columns) {
+    auto& exact = truss.columns.emplace_back();
+    for (const auto& [e, entry] : column) exact.emplace_back(e, Near{Dyadic(entry), {}});
+  }
+  for (const double dead : certificate.dead) truss.dead.push_back({Dyadic(dead), {}});
+  for (const double reference : certificate.reference) {
+    truss.reference.push_back({Dyadic(reference), {}});
+  }
+  return truss;
+}
+
+LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
+    : certificate_(certificate),
+      truss_(std::move(truss)),
+      column_errors_(errors_of(certificate_, truss_)) {
   for (const auto& cut : certificate.cuts) {
     // e + k f_R - B y
     std::vector<Dyadic> load(certificate.displacements);
@@ -30,66 +83,139 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitErrors errors)
   }
 }
 
-// |load + factor f_R - B forces|, by displacement, with what the errors of f_R and B add.
+// |load + factor f_R - B forces|, by displacement, with what is not known of f_R and B.
 std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
                                        double factor) const {
-  for (std::size_t e = 0; e < load.size(); ++e) {
-    add_product(load[e], factor, certificate_.reference[e]);
+  std::vector<Dyadic> doubt(load.size());
+  const auto add = [&](std::size_t e, const Near& number, double times) {
+    load[e] = load[e] + product(number.value, times);
+    doubt[e] = doubt[e] + product(number.error, std::abs(times));
+  };
+  if (factor != 0) {
+    for (std::size_t e = 0; e < load.size(); ++e) add(e, truss_.reference[e], factor);
   }
-  for (const auto& [member, force] : forces) {
-    for (const auto& [e, entry] : certificate_.columns[member]) add_product(load[e], -force, entry);
-  }
-  for (auto& each : load) each = absolute(each);
-  if (!errors_.reference.empty() && factor != 0) {
-    for (std::size_t e = 0; e < load.size(); ++e) {
-      load[e] = load[e] + Dyadic(std::abs(factor)) * errors_.reference[e];
-    }
-  }
-  if (errors_.columns.empty()) return load;
   for (const auto& [member, force] : forces) {
     if (force == 0) continue;
-    for (const auto& [e, error] : errors_.columns[member]) {
-      load[e] = load[e] + Dyadic(std::abs(force)) * error;
-    }
+    for (const auto& [e, entry] : truss_.columns[member]) add(e, entry, -force);
   }
+  for (std::size_t e = 0; e < load.size(); ++e) load[e] = absolute(load[e]) + doubt[e];
   return load;
 }
 
+namespace {
+
+/// A member is meant to keep its length if what it stretches is less than this share of the motion,
+/// and is made to if that costs more than this share of all that the motion dissipates. (Of a body
+/// that is held together by more bars than it needs, not all keep their length exactly where the
+/// directions of bars are rounded.)
+constexpr double is_still = 1e-9;
+constexpr double is_dear = 1e-14;
+
+/// Each step takes off ten digits or so of what they stretch; fewer of trusses that are nearly
+/// mechanisms.
+constexpr int most_steps = 40;
+constexpr double shift = 1e-10;
+
+}  // namespace
+
+// The recorded motion, changed a little so that members which are meant to keep their length do: a
+// yield force that stands for "never" makes much of a rounding. A guess like any other: what is
+// made of it is exact.
+std::vector<Dyadic> LimitProof::still_motion() const {
+  std::vector<Dyadic> motion;
+  double largest = 0;
+  for (const double u : certificate_.motion) {
+    motion.emplace_back(u);
+    largest = std::max(largest, std::abs(u));
+  }
+  const auto cost_of = [this](std::size_t i, const Dyadic& stretch) {
+    return std::abs(stretch.nearest()) *
+           std::max(certificate_.tension[i], certificate_.compression[i]);
+  };
+  std::vector<double> costs;
+  std::vector<bool> may_be_still;
+  double dissipated = 0;
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    const auto stretch = elongation_of(truss_.columns[i], motion);
+    costs.push_back(cost_of(i, stretch));
+    may_be_still.push_back(std::abs(stretch.nearest()) <= is_still * largest);
+    if (!may_be_still.back()) dissipated += costs.back();
+  }
+  std::vector<std::size_t> still;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    if (may_be_still[i] && costs[i] > is_dear * dissipated) still.push_back(i);
+  }
+  if (still.empty()) return motion;
+  std::vector<bool> touched(certificate_.displacements);
+  for (const auto i : still) {
+    for (const auto& [e, entry] : certificate_.columns[i]) touched[e] = true;
+  }
+  std::vector<std::size_t> displacements;
+  for (std::size_t e = 0; e < touched.size(); ++e) {
+    if (touched[e]) displacements.push_back(e);
+  }
+  const std::vector<double> weight(certificate_.members(), 1.0);
+  const Gram gram(certificate_.columns, still, weight, displacements, certificate_.displacements,
+                  shift);
+  if (!gram.definite()) return motion;
+  std::vector<double> change(displacements.size());
+  double dearest = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < most_steps && dearest > is_dear * dissipated; ++step) {
+    // Relative to the largest, so that nothing is lost far below one.
+    std::vector<Dyadic> stretches;
+    long scale = std::numeric_limits<long>::min();
+    dearest = 0;
+    for (const auto i : still) {
+      stretches.push_back(elongation_of(truss_.columns[i], motion));
+      const auto& stretch = stretches.back();
+      dearest = std::max(dearest, cost_of(i, stretch));
+      if (stretch.sign() != 0) scale = std::max(scale, stretch.magnitude());
+    }
+    if (scale == std::numeric_limits<long>::min()) break;
+    std::ranges::fill(change, 0.0);
+    for (std::size_t k = 0; k < still.size(); ++k) {
+      const double stretch = stretches[k].scaled(-scale).nearest();
+      for (const auto& [e, entry] : certificate_.columns[still[k]]) {
+        change[gram.place(e)] += stretch * entry;
+      }
+    }
+    gram.solve(change);
+    for (const auto e : displacements) {
+      const double each = change[gram.place(e)];
+      if (!std::isfinite(each)) return motion;
+      motion[e] = motion[e] - Dyadic(each).scaled(scale);
+    }
+  }
+  return motion;
+}
+
 std::variant<mpq_class, std::string> LimitProof::upper() const {
-  const auto& u = certificate_.motion;
   for (const double zeta : certificate_.load) {
     if (std::abs(zeta) > certificate_.alpha) return "the load is outside of its bounds";
   }
-  Dyadic work;  // of f_R
+  const auto u = still_motion();
+  Dyadic work;   // of f_R
+  Dyadic doubt;  // of that
   Dyadic value;
   for (std::size_t e = 0; e < u.size(); ++e) {
-    add_product(work, certificate_.reference[e], u[e]);
-    add_product(value, -certificate_.dead[e], u[e]);
-  }
-  // What the errors of the loads add to the value, and take from or add to the work.
-  Dyadic doubt;
-  for (std::size_t e = 0; e < u.size(); ++e) {
-    const Dyadic size(std::abs(u[e]));
-    if (!errors_.dead.empty()) value = value + errors_.dead[e] * size;
-    if (!errors_.reference.empty()) doubt = doubt + errors_.reference[e] * size;
+    const auto size = absolute(u[e]);
+    work = work + truss_.reference[e].value * u[e];
+    doubt = doubt + truss_.reference[e].error * size;
+    value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * size;
   }
   if (!(work > doubt)) return "the reference load does no work on the motion";
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     const auto& [e, weight] = certificate_.uncertain[j];
-    value = value - Dyadic(certificate_.load[j]) * Dyadic(weight) * Dyadic(u[e]);
+    value = value - product(product(u[e], weight), certificate_.load[j]);
   }
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    Dyadic elongation;
-    for (const auto& [e, entry] : certificate_.columns[i]) add_product(elongation, entry, u[e]);
-    if (!errors_.columns.empty()) {
-      const Dyadic most(std::max(certificate_.compression[i], certificate_.tension[i]));
-      for (const auto& [e, error] : errors_.columns[i]) {
-        value = value + most * Dyadic(std::abs(u[e])) * error;
-      }
+    const auto elongation = elongation_of(truss_.columns[i], u);
+    const double tension = certificate_.tension[i];
+    const double compression = certificate_.compression[i];
+    value = value + product(absolute(elongation), elongation.sign() < 0 ? compression : tension);
+    for (const auto& [e, entry] : truss_.columns[i]) {
+      value = value + product(entry.error * absolute(u[e]), std::max(tension, compression));
     }
-    const double yield =
-        elongation.sign() < 0 ? certificate_.compression[i] : certificate_.tension[i];
-    value = value + Dyadic(yield) * absolute(elongation);
   }
   const auto divisor = value.sign() < 0 ? work + doubt : work - doubt;
   return mpq_class(value.rational() / divisor.rational());
@@ -106,13 +232,14 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   for (const auto& [c, share] : node.shares) {
     const auto& cut = certificate.cuts[c];
     share_of[cut.column] = share_of[cut.column] + Dyadic(share);
-    add_product(value, -share, std::abs(cut.factor));
-    for (const auto& [i, force] : cut.forces) add_product(taken[i], share, std::abs(force));
-    for (const auto& [e, missing] : defects_[c]) add_product(defects[e], share, missing);
+    const Dyadic mu(share);
+    value = value - product(mu, std::abs(cut.factor));
+    for (const auto& [i, force] : cut.forces) taken[i] = taken[i] + product(mu, std::abs(force));
+    for (const auto& [e, missing] : defects_[c]) defects[e] = defects[e] + product(mu, missing);
   }
   // f_D + sum over decided signs of s (alpha weight + nu) e + lambda f_R - B q
   std::vector<Dyadic> load;
-  for (const double dead : certificate.dead) load.emplace_back(dead);
+  for (const auto& dead : truss_.dead) load.push_back(dead.value);
   for (std::size_t j = 0; j < m; ++j) {
     const auto& [e, weight] = certificate.uncertain[j];
     const Dyadic needed = Dyadic(certificate.alpha) * Dyadic(weight);
@@ -128,8 +255,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   const auto own = defect(forces, std::move(load), node.factor);
   std::vector<double> rounded;
   for (std::size_t e = 0; e < defects.size(); ++e) {
-    const Dyadic dead = errors_.dead.empty() ? Dyadic() : errors_.dead[e];
-    rounded.push_back(double_above(defects[e] + own[e] + dead));
+    rounded.push_back(double_above(defects[e] + own[e] + truss_.dead[e].error));
   }
   std::vector<double> slack;
   for (std::size_t i = 0; i < certificate.members(); ++i) {
@@ -140,7 +266,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
     if (least.sign() < 0) return "member " + std::to_string(i) + " yields";
     slack.push_back(double_below(least));
   }
-  const MemberColumns members{certificate.displacements, certificate.columns, errors_.columns};
+  const MemberColumns members{certificate.displacements, certificate.columns, column_errors_};
   const auto found = forces_against_defects(members, slack, rounded);
   if (const auto* why = std::get_if<std::string>(&found)) return *why;
   const auto& against = std::get<std::vector<double>>(found);
@@ -153,16 +279,20 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
 }
 
 bool LimitProof::shows_no_factor() const {
-  const auto& reference = certificate_.reference;
-  if (certificate_.motion.size() != reference.size()) return false;
-  std::vector<mpq_class> motion(certificate_.motion.begin(), certificate_.motion.end());
-  const auto largest =
-      std::ranges::max_element(reference, {}, [](double value) { return std::abs(value); });
+  const auto& reference = truss_.reference;
+  if (certificate_.motion.size() != reference.size() || !column_errors_.empty()) return false;
+  const auto polished = still_motion();
+  std::vector<mpq_class> motion;
+  for (const auto& u : polished) motion.push_back(u.rational());
+  const auto largest = std::ranges::max_element(certificate_.reference, {},
+                                                [](double value) { return std::abs(value); });
   mpq_class work = 0;
-  for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e] * motion[e];
-  motion[static_cast<std::size_t>(largest - reference.begin())] -= work / mpq_class(*largest);
+  for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e].value.rational() * motion[e];
+  motion[static_cast<std::size_t>(largest - certificate_.reference.begin())] -=
+      work / mpq_class(*largest);
   mpq_class excess = 0;  // of the work of the dead load
-  for (std::size_t e = 0; e < motion.size(); ++e) excess += certificate_.dead[e] * motion[e];
+  for (std::size_t e = 0; e < motion.size(); ++e)
+    excess += truss_.dead[e].value.rational() * motion[e];
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     const auto& [e, weight] = certificate_.uncertain[j];
     excess += mpq_class(certificate_.load[j]) * weight * motion[e];
@@ -171,7 +301,8 @@ bool LimitProof::shows_no_factor() const {
   excess = abs(excess);
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
     mpq_class elongation = 0;
-    for (const auto& [e, entry] : certificate_.columns[i]) elongation += entry * motion[e];
+    for (const auto& [e, entry] : truss_.columns[i])
+      elongation += entry.value.rational() * motion[e];
     elongation *= sign;
     const double yield = elongation < 0 ? certificate_.compression[i] : certificate_.tension[i];
     excess -= yield * abs(elongation);

@@ -17,19 +17,29 @@
 
 namespace kusabi::verify {
 
-/// How far the numbers of a certificate may be from those of the truss that they are the roundings
-/// of. Empty lists: they are the truss's own.
-struct LimitErrors {
-  std::vector<SparseError> columns;  ///< of B, by member
-  std::vector<Dyadic> dead;          ///< f_D, by displacement
-  std::vector<Dyadic> reference;     ///< f_R
+/// A number within `error` of `value`.
+struct Near {
+  Dyadic value;
+  Dyadic error;
 };
+
+/// The truss that is meant: that of a certificate, whose numbers are doubles, or that of a problem
+/// file, whose directions are roots, known to a hundred digits.
+struct LimitTruss {
+  std::vector<std::vector<std::pair<std::size_t, Near>>> columns;  ///< B, by member
+  std::vector<Near> dead;                                          ///< f_D
+  std::vector<Near> reference;                                     ///< f_R
+};
+
+/// The truss as the certificate has it.
+LimitTruss recorded_truss(const LimitCertificate& certificate);
 
 class LimitProof {
  public:
   /// The certificate must outlive this.
-  /// @param errors what is shown is shown for every truss within them
-  explicit LimitProof(const LimitCertificate& certificate, LimitErrors errors = {});
+  LimitProof(const LimitCertificate& certificate, LimitTruss truss);
+  explicit LimitProof(const LimitCertificate& certificate)
+      : LimitProof(certificate, recorded_truss(certificate)) {}
 
   /// The kinematic principle for the recorded load and motion: no smaller than lambda_min, exactly.
   /// Otherwise why it proves nothing.
@@ -40,16 +50,18 @@ class LimitProof {
 
   /// Whether the recorded motion, or its opposite, shows that the recorded load is carried at no
   /// factor: made free of work of f_R at one displacement, the load does more work on it than the
-  /// members can dissipate. @pre no errors
+  /// members can dissipate.
   [[nodiscard]] bool shows_no_factor() const;
 
  private:
   [[nodiscard]] std::vector<Dyadic> defect(const Sparse& forces, std::vector<Dyadic> load,
                                            double factor) const;
+  [[nodiscard]] std::vector<Dyadic> still_motion() const;
 
   const LimitCertificate& certificate_;
-  LimitErrors errors_;
-  std::vector<Sparse> defects_;  // of each cut, where it is not zero, rounded up
+  LimitTruss truss_;
+  std::vector<SparseDyadic> column_errors_;  // how far B is from the doubles of the certificate
+  std::vector<Sparse> defects_;              // of each cut, where it is not zero, rounded up
 };
 
 /// What is wrong with the nodes as a cover of all signs; nothing if every combination of signs is

@@ -9,13 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
 
-#include "verify/cholesky.hpp"
-#include "verify/numbering.hpp"
+#include "verify/gram.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -26,9 +24,6 @@ constexpr double tiny = 1e-140;
 // Sums and products of numbers that are not negative are off by less than this share: a rounding
 // for each of some millions of terms, 2^-53 each.
 constexpr double all_roundings = 0x1p-28;
-
-// Memory for the factor of one truss: 400 MB.
-constexpr std::size_t largest_profile = 50'000'000;
 
 /// Which displacements are joined by members with slack.
 class Pieces {
@@ -93,59 +88,6 @@ std::optional<Part> part_with_defects(const MemberColumns& members,
   return part;
 }
 
-/// B W B' of a part, factorised.
-struct Gram {
-  std::vector<std::size_t> place;  // of each displacement of the truss, in the factor
-  std::vector<double> diagonal;    // by place
-  std::optional<Cholesky> factor;
-};
-
-Gram factor_of_gram(const MemberColumns& members, const Part& part,
-                    const std::vector<double>& weight) {
-  const auto n = part.displacements.size();
-  std::vector<std::size_t> local(members.displacements);
-  for (std::size_t k = 0; k < n; ++k) local[part.displacements[k]] = k;
-  std::vector<std::map<std::size_t, double>> entries(n);
-  for (const auto i : part.members) {
-    for (const auto& [row, a] : members.columns[i]) {
-      for (const auto& [other, b] : members.columns[i]) {
-        entries[local[row]][local[other]] += weight[i] * a * b;
-      }
-    }
-  }
-  std::vector<std::vector<std::size_t>> neighbours(n);
-  for (std::size_t row = 0; row < n; ++row) {
-    for (const auto& [other, value] : entries[row]) {
-      if (other != row) neighbours[row].push_back(other);
-    }
-  }
-  const auto order = narrow_order(neighbours);
-  std::vector<std::size_t> place(n);
-  for (std::size_t at = 0; at < n; ++at) place[order[at]] = at;
-  std::vector<std::size_t> first(n);
-  for (std::size_t at = 0; at < n; ++at) {
-    first[at] = at;
-    for (const auto& [other, value] : entries[order[at]]) {
-      first[at] = std::min(first[at], place[other]);
-    }
-  }
-  Gram gram;
-  gram.place.resize(members.displacements);
-  for (std::size_t k = 0; k < n; ++k) gram.place[part.displacements[k]] = place[k];
-  const Profile profile(std::move(first));
-  if (profile.entries() > largest_profile) return gram;
-  std::vector<double> matrix(profile.entries(), 0.0);
-  gram.diagonal.resize(n);
-  for (std::size_t at = 0; at < n; ++at) {
-    for (const auto& [other, value] : entries[order[at]]) {
-      if (place[other] <= at) matrix[profile.at(at, place[other])] = value;
-      if (place[other] == at) gram.diagonal[at] = value;
-    }
-  }
-  gram.factor = Cholesky::of(profile, matrix);
-  return gram;
-}
-
 /// The rows of G and of E, one after another, and what adds up over them.
 class Reach {
  public:
@@ -153,7 +95,7 @@ class Reach {
       : members_(members),
         part_(part),
         weight_(weight),
-        gram_(factor_of_gram(members, part, weight)) {}
+        gram_(members.columns, part.members, weight, part.displacements, members.displacements) {}
 
   // Nothing if the guess is too bad.
   std::optional<std::vector<double>> forces(const std::vector<double>& defect);
@@ -175,31 +117,31 @@ class Reach {
 };
 
 bool Reach::row(std::size_t e, double defect) {
-  const auto here = gram_.place[e];
+  const auto here = gram_.place(e);
   std::ranges::fill(solution_, 0.0);
   std::ranges::fill(missed_, 0.0);
   std::ranges::fill(doubt_, 0.0);
   solution_[here] = 1;
-  gram_.factor->solve(solution_);
+  gram_.solve(solution_);
   missed_[here] = 1;
   // A sum of products, one for each member at a displacement: the roundings of all of them are less
   // than this share of the sum of their sizes.
   const double rounding = 0x1p-52 * static_cast<double>(part_.members.size() + 4);
   for (const auto i : part_.members) {
     double guess = 0;  // G_ei
-    for (const auto& [k, value] : members_.columns[i]) guess += solution_[gram_.place[k]] * value;
+    for (const auto& [k, value] : members_.columns[i]) guess += solution_[gram_.place(k)] * value;
     guess *= weight_[i];
     if (!std::isfinite(guess)) return false;
     const double size = std::abs(guess);
     direct_[i] += defect * size;
     largest_[i] = std::max(largest_[i], size_[here] * size);
     for (const auto& [k, value] : members_.columns[i]) {
-      missed_[gram_.place[k]] -= guess * value;
-      doubt_[gram_.place[k]] += std::abs(guess * value) * rounding;
+      missed_[gram_.place(k)] -= guess * value;
+      doubt_[gram_.place(k)] += std::abs(guess * value) * rounding;
     }
     if (members_.errors.empty()) continue;
     for (const auto& [k, error] : members_.errors[i]) {
-      doubt_[gram_.place[k]] += size * double_above(error);
+      doubt_[gram_.place(k)] += size * double_above(error);
     }
   }
   double total = 0;
@@ -212,9 +154,9 @@ bool Reach::row(std::size_t e, double defect) {
 }
 
 std::optional<std::vector<double>> Reach::forces(const std::vector<double>& defect) {
-  if (!gram_.factor) return {};
+  if (!gram_.definite()) return {};
   const auto n = part_.displacements.size();
-  for (const double each : gram_.diagonal) {
+  for (const double each : gram_.diagonal()) {
     if (!(each > tiny)) return {};
     size_.push_back(std::sqrt(each));
   }

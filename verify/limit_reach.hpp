@@ -13,14 +13,14 @@
 
 namespace kusabi::verify {
 
-/// Bounds of what the entries of a column may be off by, where they are.
-using SparseError = std::vector<std::pair<std::size_t, Dyadic>>;
+/// Places and the numbers there, exactly.
+using SparseDyadic = std::vector<std::pair<std::size_t, Dyadic>>;
 
 /// The members of a truss: B by columns, and how far it may be from the true one.
 struct MemberColumns {
   std::size_t displacements = 0;
   const std::vector<Sparse>& columns;
-  const std::vector<SparseError>& errors;  ///< empty: none
+  const std::vector<SparseDyadic>& errors;  ///< bounds of them, by member; empty: none
 };
 
 /// Forces t_i >= 0 such that for every motion u

@@ -176,7 +176,7 @@ TEST(LimitSearch, ProvesTheWorstCornerOfRandomTrusses) {
     LimitOptions options;
     options.alpha = alpha;
     options.quiet = true;
-    const auto found = limit_search(session, options, *problem).answer;
+    const auto found = limit_search(session, options, truss, *problem).answer;
     EXPECT_TRUE(found.whole());
     if (!found.worst) {
       EXPECT_EQ(found.status, LoadStatus::not_carried);
