@@ -214,7 +214,9 @@ RootResult LimitSearch::balanced_root() {
     if (!doubtful || !result.worst) break;
     const double size = nodes::limit::dissipation(problem_, model(), result.worst->collapse.motion);
     if (!nodes::limit::is_out_of_balance(size)) break;
-    if (set_up(nodes::limit::rebalanced(problem_, model(), size)) != LoadStatus::collapses) break;
+    if (set_up(nodes::limit::rebalanced(problem_, model(), size, *options_.alpha)) !=
+        LoadStatus::collapses)
+      break;
     result = root(scaled_alpha());
   }
   return result;
@@ -447,7 +449,7 @@ std::vector<CurvePiece> LimitSearch::worst_curve() {
 
 LimitFindings LimitSearch::findings() {
   LimitAnswer answer;
-  answer.status = set_up(nodes::limit::balanced_model(problem_));
+  answer.status = set_up(nodes::limit::balanced_model(problem_, options_.alpha.value_or(0)));
   if (answer.status != LoadStatus::collapses) {
     if (answer.status == LoadStatus::not_carried) {
       answer.no_factor_proved =

@@ -105,11 +105,12 @@ std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic>
 namespace {
 
 /// A member is meant to keep its length if what it stretches is less than this share of the motion,
-/// and is made to if that costs more than this share of all that the motion dissipates. (Of a body
-/// that is held together by more bars than it needs, not all keep their length exactly where the
-/// directions of bars are rounded.)
+/// and is made to if rounding the motion may cost more than `is_dear` of all that it dissipates.
+/// (Of a body that is held together by more bars than it needs, not all keep their length exactly
+/// where the directions of bars are rounded.)
 constexpr double is_still = 1e-9;
 constexpr double is_dear = 1e-14;
+constexpr double rounding = 0x1p-53;
 
 /// Each step takes off ten digits or so of what they stretch; fewer of trusses that are nearly
 /// mechanisms.
@@ -132,18 +133,19 @@ std::vector<Dyadic> LimitProof::still_motion() const {
     return std::abs(stretch.nearest()) *
            std::max(certificate_.tension[i], certificate_.compression[i]);
   };
-  std::vector<double> costs;
-  std::vector<bool> may_be_still;
+  std::vector<std::size_t> may_be_still;
   double dissipated = 0;
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
     const auto stretch = elongation_of(truss_.columns[i], motion);
-    costs.push_back(cost_of(i, stretch));
-    may_be_still.push_back(std::abs(stretch.nearest()) <= is_still * largest);
-    if (!may_be_still.back()) dissipated += costs.back();
+    if (std::abs(stretch.nearest()) <= is_still * largest) {
+      may_be_still.push_back(i);
+    } else {
+      dissipated += cost_of(i, stretch);
+    }
   }
   std::vector<std::size_t> still;
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    if (may_be_still[i] && costs[i] > is_dear * dissipated) still.push_back(i);
+  for (const auto i : may_be_still) {
+    if (cost_of(i, Dyadic(rounding * largest)) > is_dear * dissipated) still.push_back(i);
   }
   if (still.empty()) return motion;
   std::vector<bool> touched(certificate_.displacements);

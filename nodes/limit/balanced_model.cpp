@@ -16,13 +16,15 @@ using problems::LimitProblem;
 constexpr int most_times = 8;
 
 // From one unit of force on. @return whether a collapse was found
-bool balance(const LimitProblem& problem, LimitModel& model) {
+bool balance(const LimitProblem& problem, LimitModel& model, double alpha) {
   for (int time = 0; time < most_times; ++time) {
     LoadFactor load_factor(model);
     if (load_factor.solve(model.dead) != LoadStatus::collapses) return false;
     const double size = dissipation(problem, model, load_factor.collapse().motion);
     if (!is_out_of_balance(size)) return true;
-    model = rebalanced(problem, model, size);
+    const double before = model.force_unit;
+    model = rebalanced(problem, model, size, alpha);
+    if (model.force_unit == before) return true;
   }
   return true;
 }
@@ -45,17 +47,21 @@ double dissipation(const LimitProblem& problem, const LimitModel& model,
   return total;
 }
 
-LimitModel rebalanced(const LimitProblem& problem, const LimitModel& model, double dissipation) {
-  constexpr double farthest = 0x1p60;  // an idle collapse dissipates next to nothing
-  return limit_model(problem, model.force_unit * std::clamp(dissipation, 1 / farthest, farthest));
+LimitModel rebalanced(const LimitProblem& problem, const LimitModel& model, double dissipation,
+                      double alpha) {
+  double load = problem.dead.cwiseAbs().maxCoeff();
+  for (const auto& [degree, weight] : problem.uncertain) load = std::max(load, alpha * weight);
+  constexpr double farthest = 0x1p60;  // a collapse may dissipate nothing at all
+  const double unit = model.force_unit * std::clamp(dissipation, 1 / farthest, farthest);
+  return limit_model(problem, std::max(unit, load));
 }
 
-LimitModel balanced_model(const LimitProblem& problem) {
+LimitModel balanced_model(const LimitProblem& problem, double alpha) {
   const LimitModel middle = limit_model(problem);
   const Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
   for (const double unit : {middle.force_unit, yield.maxCoeff(), yield.minCoeff()}) {
     LimitModel model = limit_model(problem, unit);
-    if (balance(problem, model)) return model;
+    if (balance(problem, model, alpha)) return model;
   }
   return middle;
 }

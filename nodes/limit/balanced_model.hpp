@@ -6,13 +6,16 @@
 
 namespace kusabi::nodes::limit {
 
-/// The model in which the nominal collapse dissipates about one. If the nominal load is carried at
-/// no factor, or the simplex method fails: in the median of the yield forces.
-problems::LimitModel balanced_model(const problems::LimitProblem& problem);
+/// The model in which the nominal collapse dissipates about one, or the loads are about one if that
+/// is less: what they strain must not be cut off. If the nominal load is carried at no factor, or
+/// the simplex method fails: in the median of the yield forces.
+/// @param alpha half the width of the uncertain components, in the unit of force
+problems::LimitModel balanced_model(const problems::LimitProblem& problem, double alpha);
 
 /// The same about a dissipation that is known, scaled as in `model`.
 problems::LimitModel rebalanced(const problems::LimitProblem& problem,
-                                const problems::LimitModel& model, double dissipation);
+                                const problems::LimitModel& model, double dissipation,
+                                double alpha);
 
 /// q^y'|B'u| of a motion, with the true yield forces: scaled as in `model`, which may have some cut
 /// off.

@@ -136,7 +136,7 @@ Corner worst_corner(const LimitProblem& problem, double alpha) {
       const auto& [degree, weight] = problem.uncertain[j];
       loaded.dead(degree) += ((corner >> j) & 1U) != 0 ? alpha * weight : -alpha * weight;
     }
-    const auto model = nodes::limit::balanced_model(loaded);
+    const auto model = nodes::limit::balanced_model(loaded, 0);
     nodes::limit::LoadFactor solver(model);
     const auto status = solver.solve(model.dead);
     if (status != LoadStatus::collapses) return {status, -infinity, 0};
