@@ -26,23 +26,9 @@ LimitModel limit_model(const LimitProblem& problem, double force_unit) {
   LimitModel model;
   model.force_unit = force_unit;
   const Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
-  const Eigen::VectorXd shift = (problem.tension - problem.compression) / 2;
-  model.member_unit.resize(yield.size());
-  for (Eigen::Index i = 0; i < yield.size(); ++i) {
-    model.member_unit(i) = unit_of(yield(i), force_unit);
-  }
-  model.yield = yield.cwiseQuotient(model.member_unit).cwiseMin(most_yield);
-  // Of a yield force that is cut off in tension and compression alike nothing is to be shifted but
-  // what is left on the smaller side.
-  const Eigen::VectorXd cut = model.yield.cwiseProduct(model.member_unit);
-  Eigen::VectorXd kept(shift.size());
-  for (Eigen::Index i = 0; i < shift.size(); ++i) {
-    const double tension =
-        std::min(problem.tension(i), 2 * cut(i) - std::min(problem.compression(i), cut(i)));
-    const double compression = std::min(problem.compression(i), 2 * cut(i) - tension);
-    kept(i) = cut(i) == yield(i) ? shift(i) : (tension - compression) / 2;
-  }
-  model.shift = kept.cwiseQuotient(model.member_unit);
+  model.member_unit = yield.unaryExpr([&](double size) { return unit_of(size, force_unit); });
+  model.tension = problem.tension.cwiseQuotient(model.member_unit).cwiseMin(most_yield);
+  model.compression = problem.compression.cwiseQuotient(model.member_unit).cwiseMin(most_yield);
 
   const Eigen::SparseMatrix<double>& given = problem.equilibrium;
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(given.rows());  // Y
@@ -59,7 +45,7 @@ LimitModel limit_model(const LimitProblem& problem, double force_unit) {
   model.displacement_unit = (reference_unit * row_unit).cwiseInverse();
   model.factor_unit = 1 / reference_unit;
   model.equilibrium = row_unit.cwiseInverse().asDiagonal() * given * model.member_unit.asDiagonal();
-  model.dead = problem.dead.cwiseQuotient(row_unit) - model.equilibrium * model.shift;
+  model.dead = problem.dead.cwiseQuotient(row_unit);
   model.reference = problem.reference.cwiseQuotient(row_unit) / reference_unit;
   model.uncertain = problem.uncertain;
   for (auto& [degree, weight] : model.uncertain) weight *= model.force_unit / row_unit(degree);
@@ -83,7 +69,7 @@ Eigen::VectorXd dead_load(const LimitModel& model, const Eigen::VectorXd& zeta) 
 }
 
 Eigen::VectorXd forces_in_units(const LimitModel& model, const Eigen::VectorXd& forces) {
-  return (forces + model.shift).cwiseProduct(model.member_unit);
+  return forces.cwiseProduct(model.member_unit);
 }
 
 Eigen::VectorXd motion_in_units(const LimitModel& model, const Eigen::VectorXd& motion) {
@@ -94,7 +80,7 @@ LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dea
   LinearProgram program;
   program.name = "static principle (5)";
   for (int i = 0; i < model.member_count(); ++i) {
-    program.add_column({.lower = -model.yield(i), .upper = model.yield(i)});
+    program.add_column({.lower = -model.compression(i), .upper = model.tension(i)});
   }
   const int factor = program.add_column({.cost = -1, .lower = -infinity});
   for (int k = 0; k < model.free_count(); ++k) {
@@ -113,13 +99,16 @@ LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& 
   LinearProgram program;
   program.name = "kinematic principle (15)";
   std::vector<LinearTerm> normalisation;
+  const Eigen::VectorXd yield = model.yield();
+  const Eigen::VectorXd shift = (model.tension - model.compression) / 2;
+  const Eigen::VectorXd load = dead - model.equilibrium * shift;
   for (int k = 0; k < model.free_count(); ++k) {
-    const int motion = program.add_column({.cost = -dead(k), .lower = -infinity});
+    const int motion = program.add_column({.cost = -load(k), .lower = -infinity});
     normalisation.push_back({motion, model.reference(k)});
   }
   program.add_row({.lower = 1, .upper = 1}, normalisation);
   for (int i = 0; i < model.member_count(); ++i) {
-    const int elongation = program.add_column({.cost = model.yield(i)});
+    const int elongation = program.add_column({.cost = yield(i)});
     for (const double sign : {-1.0, 1.0}) {
       std::vector<LinearTerm> terms{{elongation, 1}};
       for (Eigen::SparseMatrix<double>::InnerIterator entry(model.equilibrium, i); entry; ++entry) {

@@ -18,10 +18,8 @@ problems::LinearProgram relaxation(const problems::LimitModel& model, double alp
   for (int k = 0; k < model.free_count(); ++k) {
     program.add_column({.cost = -model.dead(k), .lower = -problems::infinity});
   }
-  for (int side = 0; side < 2; ++side) {
-    for (int i = 0; i < model.member_count(); ++i) {
-      program.add_column({.cost = model.yield(i), .upper = far});
-    }
+  for (const auto* yield : {&model.tension, &model.compression}) {
+    for (const double cost : *yield) program.add_column({.cost = cost, .upper = far});
   }
   for (int j = 0; j < model.uncertain_count(); ++j) {
     const double weight = model.uncertain[static_cast<std::size_t>(j)].weight;
@@ -40,9 +38,10 @@ problems::LinearProgram relaxation(const problems::LimitModel& model, double alp
     program.add_row({.lower = 0, .upper = 0}, terms);
   }
   terms.clear();
+  const Eigen::VectorXd yield = model.yield();
   for (int side = 0; side < 2; ++side) {
     for (int i = 0; i < model.member_count(); ++i) {
-      terms.push_back({model.free_count() + side * model.member_count() + i, model.yield(i)});
+      terms.push_back({model.free_count() + side * model.member_count() + i, yield(i)});
     }
   }
   program.add_row({}, terms);  // the dissipation
@@ -59,14 +58,13 @@ Master::Master(const problems::LimitModel& model, double alpha, linear::Stop sto
       signs_(model.uncertain.size(), 0),
       simplex_(relaxation(model, alpha)) {}
 
-void Master::leave_room(const Eigen::VectorXd& shares) {
-  if (shares == room_) return;
-  room_ = shares;
-  for (int side = 0; side < 2; ++side) {
-    for (int i = 0; i < model_.member_count(); ++i) {
-      simplex_.set_cost(model_.free_count() + side * model_.member_count() + i,
-                        model_.yield(i) * (1 - room_(i)));
-    }
+void Master::leave_room(const Eigen::VectorXd& room) {
+  if (room == room_) return;
+  room_ = room;
+  for (int i = 0; i < model_.member_count(); ++i) {
+    const int column = model_.free_count() + i;
+    simplex_.set_cost(column, model_.tension(i) - room_(i));
+    simplex_.set_cost(column + model_.member_count(), model_.compression(i) - room_(i));
   }
 }
 
@@ -93,7 +91,7 @@ bool Master::has_room(double share) const {
     if (room_(i) == 0) continue;
     for (const int side : {0, model_.member_count()}) {
       const double slack = simplex_.reduced_cost(model_.free_count() + side + i);
-      if (slack < -kept * room_(i) * model_.yield(i)) return false;
+      if (slack < -kept * room_(i)) return false;
     }
   }
   // A share that is too small is stretched, at the cost of the members.
@@ -110,7 +108,7 @@ bool Master::make_room(double first) {
   const double most = std::max(2e-7, first);
   Eigen::VectorXd has_choice = Eigen::VectorXd::Ones(model_.member_count());
   for (double share = first; share <= most;) {
-    leave_room(share * has_choice);
+    leave_room(share * has_choice);  // forces are of the order of one, or of their yield force
     if (solve() != linear::LinearStatus::optimal) return false;
     const auto without = members_without_choice();
     for (const int member : without) has_choice(member) = 0;

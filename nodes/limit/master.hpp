@@ -1,6 +1,6 @@
 // The relaxation that static cuts tighten, in the form of the limit paper's (23):
 //
-//   min  -sum_j alpha weight_j gamma_j - f_D'u + q^y'(c+ + c-)
+//   min  -sum_j alpha weight_j gamma_j - f_D'u + q^t'c+ + q^c'c-
 //   s.t. f_R'u = 1,  B'u - c+ + c- = 0,  c+, c- >= 0,
 //        0 <= gamma_j <= |y|'(c+ + c-) + |k|   for every cut (j, y, k),
 //
@@ -9,7 +9,8 @@
 //
 // Its dual is a static statement, which proves the bound without the simplex method: forces q and a
 // factor lambda in equilibrium with f_D, and shares mu_c >= 0 of the cuts, with
-//   |q| + sum_c mu_c |y_c| <= q^y,   sum of mu_c over the cuts of j = alpha weight_j,
+//   -q^c + sum_c mu_c |y_c| <= q <= q^t - sum_c mu_c |y_c|,   sum of mu_c over the cuts of j =
+//   alpha weight_j,
 // give lambda - sum_c mu_c |k_c|.
 #pragma once
 
@@ -51,11 +52,11 @@ class Master {
   Master(const problems::LimitModel& model, double alpha, linear::Stop stop = {});
   void set_stop(linear::Stop stop) { stop_ = std::move(stop); }
 
-  /// From now on for yield forces that are smaller by these shares, n^m; decide() takes it back.
-  void leave_room(const Eigen::VectorXd& shares);
+  /// From now on for yield forces that are smaller by this, n^m; decide() takes it back.
+  void leave_room(const Eigen::VectorXd& room);
 
-  /// After an optimal solve(): solves again, for yield forces that are smaller by a share, `first`
-  /// or ten times that and so on, until the proof holds for the true ones with room for rounding.
+  /// After an optimal solve(): solves again, for yield forces that are smaller by `first`, or by
+  /// ten times that and so on, until the proof holds for the true ones with room for rounding.
   /// The bound is lower by about as much. Members that equilibrium leaves no choice (an idle cable)
   /// keep theirs.
   /// @return false if the simplex method fails
@@ -102,7 +103,7 @@ class Master {
   const problems::LimitModel& model_;
   double alpha_;
   linear::Stop stop_;
-  Eigen::VectorXd room_;  // shares of the yield forces, n^m
+  Eigen::VectorXd room_;  // n^m
   Signs signs_;
   linear::Simplex simplex_;
   std::size_t cuts_ = 0;

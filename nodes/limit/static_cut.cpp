@@ -3,6 +3,7 @@
 // the dual simplex method goes on.
 #include "nodes/limit/static_cut.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -71,9 +72,13 @@ std::optional<StaticCut> StaticPricing::cut(int column) {
   StaticCut cut;
   cut.column = column;
   const int members = model_.member_count();
+  const auto force = [&](int i) { return simplex_.value(i) - simplex_.value(members + 1 + i); };
+  double largest = 0;
+  for (int i = 0; i < members; ++i) largest = std::max(largest, std::abs(force(i)));
+  // What is less is rounding; a member without a choice must be left out to the last bit.
+  constexpr double rounding = 1e-13;
   for (int i = 0; i < members; ++i) {
-    const double force = simplex_.value(i) - simplex_.value(members + 1 + i);
-    if (force != 0) cut.forces.emplace_back(i, force);
+    if (std::abs(force(i)) > rounding * largest) cut.forces.emplace_back(i, force(i));
   }
   cut.factor = simplex_.value(members) - simplex_.value(2 * members + 1);
   return cut;

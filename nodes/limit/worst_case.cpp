@@ -114,7 +114,7 @@ void Rounds::bound_at_the_end() {
 RootStatus Rounds::rounds() {
   const Eigen::VectorXd z =
       (model_.equilibrium.transpose() * result_.worst->collapse.motion).cwiseAbs();
-  master_.limit_dissipation(dissipation_share * model_.yield.dot(z));
+  master_.limit_dissipation(dissipation_share * model_.yield().dot(z));
   std::vector<int> columns(model_.uncertain.size());
   for (std::size_t j = 0; j < columns.size(); ++j) columns[j] = static_cast<int>(j);
   price(z, columns, nullptr);
