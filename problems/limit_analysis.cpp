@@ -22,9 +22,10 @@ double unit_of(double size, double force_unit) {
 
 }  // namespace
 
-LimitModel limit_model(const LimitProblem& problem, double force_unit) {
+LimitModel limit_model(const LimitProblem& problem, double force_unit, double most_yield) {
   LimitModel model;
   model.force_unit = force_unit;
+  model.most_yield = most_yield;
   const Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
   model.member_unit = yield.unaryExpr([&](double size) { return unit_of(size, force_unit); });
   model.tension = problem.tension.cwiseQuotient(model.member_unit).cwiseMin(most_yield);

@@ -28,29 +28,31 @@ struct LimitModel {
   Eigen::SparseMatrix<double> equilibrium;  ///< B~, n^d x n^m
   Eigen::VectorXd dead;                     ///< f~_D
   Eigen::VectorXd reference;                ///< f~_R: its largest component is of the order of one
-  Eigen::VectorXd tension;                  ///< q~^t, at most most_yield
-  Eigen::VectorXd compression;              ///< q~^c, at most most_yield
+  Eigen::VectorXd tension;                  ///< q~^t, at most `most_yield`
+  Eigen::VectorXd compression;              ///< q~^c, at most `most_yield`
   std::vector<UncertainColumn> uncertain;   ///< T~; its coefficients zeta are in force_unit
   Eigen::VectorXd member_unit;              ///< c, n^m: a scaled force times this is in force
   Eigen::VectorXd displacement_unit;        ///< 1 / (R Y), n^d: u~ times this is u, f_R^T u = 1
   double force_unit = 1;                    ///< F, force
+  double most_yield = 0;                    ///< scaled yield forces are cut off here
   double factor_unit = 1;                   ///< 1 / R: a scaled factor times this is the true one
 
   int free_count() const { return static_cast<int>(dead.size()); }
   int member_count() const { return static_cast<int>(tension.size()); }
   int uncertain_count() const { return static_cast<int>(uncertain.size()); }
-  /// (q~^t + q~^c) / 2, 1/8 to most_yield: half of what a member can take in all, n^m.
+  /// (q~^t + q~^c) / 2, 1/8 to `most_yield`: half of what a member can take in all, n^m.
   Eigen::VectorXd yield() const { return (tension + compression) / 2; }
   /// Y_e: a scaled load on displacement e times this is in force.
   double load_unit(int degree) const { return factor_unit / displacement_unit(degree); }
 };
 
-/// Scaled yield forces are cut off here. What lies between, with the fourteen digits that a simplex
-/// method has in its objective, still leaves the ten of `closed_gap`.
-inline constexpr double most_yield = 0x1p14;
+/// Where scaled yield forces are cut off, unless that is found to matter: what lies between, with
+/// the fourteen digits that a simplex method has in its objective, still leaves ten.
+inline constexpr double usual_most_yield = 0x1p14;
 
 /// @param force_unit F
-LimitModel limit_model(const LimitProblem& problem, double force_unit);
+LimitModel limit_model(const LimitProblem& problem, double force_unit,
+                       double most_yield = usual_most_yield);
 
 /// With the median of the yield forces as F.
 LimitModel limit_model(const LimitProblem& problem);

@@ -73,12 +73,18 @@ verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<s
     sum[columns[c]] += node.mu[c] * unit_of(columns[c]);
   }
   for (std::size_t c = 0; c < node.mu.size(); ++c) {
-    if (node.mu[c] == 0) continue;
     const auto j = columns[c];
     if (node.signs[j] != 0) continue;  // gamma_j is gone there
     const double needed = alpha_ * problem_.uncertain[j].weight * enough;
-    const double stretch = std::max(1.0, needed / sum[j]);
-    result.shares.emplace_back(places[c], node.mu[c] * unit_of(j) * stretch);
+    double share = node.mu[c] * unit_of(j);
+    if (sum[j] < needed / 2) {
+      // Of next to nothing the simplex method makes nothing: any cut will do.
+      share += needed - sum[j];
+      sum[j] = needed;
+    } else {
+      share *= std::max(1.0, needed / sum[j]);
+    }
+    if (share != 0) result.shares.emplace_back(places[c], share);
   }
   for (std::size_t j = 0; j < node.one_sided.size(); ++j) {
     result.one_sided.push_back(node.one_sided[j] * unit_of(j));

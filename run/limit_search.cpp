@@ -320,12 +320,17 @@ void LimitSearch::conclude(RootResult& root, LimitWorstCase& worst) {
 }
 
 LimitWorstCase LimitSearch::worst_case() {
-  LimitWorstCase worst;
-  RootResult result = balanced_root();
-  worst.counts = result.counts;
-  worst.cuts = result.cuts.size();
-  conclude(result, worst);
-  return worst;
+  for (;;) {
+    LimitWorstCase worst;
+    RootResult result = balanced_root();
+    worst.counts = result.counts;
+    worst.cuts = result.cuts.size();
+    conclude(result, worst);
+    if (worst.proved || worst.search != engine::Status::solved) return worst;
+    auto model_with_more = nodes::limit::with_more_yield(problem_, model());
+    if (!model_with_more) return worst;
+    if (set_up(*std::move(model_with_more)) != LoadStatus::collapses) return worst;
+  }
 }
 
 // By (29), and then the ends by the same evidence as without it: what a 0-1 tree finds in floating

@@ -129,23 +129,24 @@ std::vector<Dyadic> LimitProof::still_motion() const {
     motion.emplace_back(u);
     largest = std::max(largest, std::abs(u));
   }
-  const auto cost_of = [this](std::size_t i, const Dyadic& stretch) {
-    return std::abs(stretch.nearest()) *
-           std::max(certificate_.tension[i], certificate_.compression[i]);
+  // At most: of a rounding nobody knows the sign.
+  const auto cost_of = [this](std::size_t i, double stretch) {
+    return std::abs(stretch) * std::max(certificate_.tension[i], certificate_.compression[i]);
   };
   std::vector<std::size_t> may_be_still;
   double dissipated = 0;
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    const auto stretch = elongation_of(truss_.columns[i], motion);
-    if (std::abs(stretch.nearest()) <= is_still * largest) {
+    const double stretch = elongation_of(truss_.columns[i], motion).nearest();
+    if (std::abs(stretch) <= is_still * largest) {
       may_be_still.push_back(i);
     } else {
-      dissipated += cost_of(i, stretch);
+      dissipated +=
+          stretch * (stretch < 0 ? -certificate_.compression[i] : certificate_.tension[i]);
     }
   }
   std::vector<std::size_t> still;
   for (const auto i : may_be_still) {
-    if (cost_of(i, Dyadic(rounding * largest)) > is_dear * dissipated) still.push_back(i);
+    if (cost_of(i, rounding * largest) > is_dear * dissipated) still.push_back(i);
   }
   if (still.empty()) return motion;
   std::vector<bool> touched(certificate_.displacements);
@@ -170,7 +171,7 @@ std::vector<Dyadic> LimitProof::still_motion() const {
     for (const auto i : still) {
       stretches.push_back(elongation_of(truss_.columns[i], motion));
       const auto& stretch = stretches.back();
-      dearest = std::max(dearest, cost_of(i, stretch));
+      dearest = std::max(dearest, cost_of(i, stretch.nearest()));
       if (stretch.sign() != 0) scale = std::max(scale, stretch.magnitude());
     }
     if (scale == std::numeric_limits<long>::min()) break;

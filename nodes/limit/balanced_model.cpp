@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "nodes/limit/load_factor.hpp"
 
@@ -47,13 +48,22 @@ double dissipation(const LimitProblem& problem, const LimitModel& model,
   return total;
 }
 
+std::optional<LimitModel> with_more_yield(const LimitProblem& problem, const LimitModel& model) {
+  constexpr double more = 0x1p12;
+  constexpr double enough = 0x1p40;
+  const bool cut_off = model.tension.maxCoeff() >= model.most_yield ||
+                       model.compression.maxCoeff() >= model.most_yield;
+  if (!cut_off || model.most_yield >= enough) return {};
+  return limit_model(problem, model.force_unit, model.most_yield * more);
+}
+
 LimitModel rebalanced(const LimitProblem& problem, const LimitModel& model, double dissipation,
                       double alpha) {
   double load = problem.dead.cwiseAbs().maxCoeff();
   for (const auto& [degree, weight] : problem.uncertain) load = std::max(load, alpha * weight);
   constexpr double farthest = 0x1p60;  // a collapse may dissipate nothing at all
   const double unit = model.force_unit * std::clamp(dissipation, 1 / farthest, farthest);
-  return limit_model(problem, std::max(unit, load));
+  return limit_model(problem, std::max(unit, load), model.most_yield);
 }
 
 LimitModel balanced_model(const LimitProblem& problem, double alpha) {

@@ -2,6 +2,8 @@
 // decades, and only those of the order of what collapses matter to the last digit.
 #pragma once
 
+#include <optional>
+
 #include "problems/limit_analysis.hpp"
 
 namespace kusabi::nodes::limit {
@@ -16,6 +18,10 @@ problems::LimitModel balanced_model(const problems::LimitProblem& problem, doubl
 problems::LimitModel rebalanced(const problems::LimitProblem& problem,
                                 const problems::LimitModel& model, double dissipation,
                                 double alpha);
+
+/// The same with yield forces cut off much higher; nothing if none is cut off.
+std::optional<problems::LimitModel> with_more_yield(const problems::LimitProblem& problem,
+                                                    const problems::LimitModel& model);
 
 /// q^y'|B'u| of a motion, with the true yield forces: scaled as in `model`, which may have some cut
 /// off.
