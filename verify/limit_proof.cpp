@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -114,15 +114,15 @@ constexpr double rounding = 0x1p-53;
 
 /// Each step takes off ten digits or so of what they stretch; fewer of trusses that are nearly
 /// mechanisms.
-constexpr int most_steps = 40;
+constexpr int steps = 12;
 constexpr double shift = 1e-10;
 
 }  // namespace
 
-// The recorded motion, changed a little so that members which are meant to keep their length do: a
-// yield force that stands for "never" makes much of a rounding. A guess like any other: what is
-// made of it is exact.
-std::vector<Dyadic> LimitProof::still_motion() const {
+// The recorded motion, changed a little so that members which are meant to keep their length do,
+// and, if so wished, the reference load does no work: a yield force that stands for "never" makes
+// much of a rounding. A guess like any other: what is made of it is exact.
+std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
   std::vector<Dyadic> motion;
   double largest = 0;
   for (const double u : certificate_.motion) {
@@ -144,49 +144,63 @@ std::vector<Dyadic> LimitProof::still_motion() const {
           stretch * (stretch < 0 ? -certificate_.compression[i] : certificate_.tension[i]);
     }
   }
-  std::vector<std::size_t> still;
+  std::vector<const Column*> still;
+  std::vector<Sparse> roughly;
+  const auto keep_still = [&](const Column& column) {
+    still.push_back(&column);
+    auto& rough = roughly.emplace_back();
+    for (const auto& [e, entry] : column) rough.emplace_back(e, entry.value.nearest());
+  };
   for (const auto i : may_be_still) {
-    if (cost_of(i, rounding * largest) > is_dear * dissipated) still.push_back(i);
+    if (cost_of(i, rounding * largest) > is_dear * dissipated) keep_still(truss_.columns[i]);
+  }
+  Column reference;
+  if (without_work) {
+    for (std::size_t e = 0; e < truss_.reference.size(); ++e) {
+      if (truss_.reference[e].value.sign() != 0) reference.emplace_back(e, truss_.reference[e]);
+    }
+    keep_still(reference);
   }
   if (still.empty()) return motion;
   std::vector<bool> touched(certificate_.displacements);
-  for (const auto i : still) {
-    for (const auto& [e, entry] : certificate_.columns[i]) touched[e] = true;
+  std::vector<std::size_t> all;
+  std::vector<double> weight;  // so that each row is one
+  for (const auto& rough : roughly) {
+    double square = 0;
+    for (const auto& [e, entry] : rough) {
+      touched[e] = true;
+      square += entry * entry;
+    }
+    all.push_back(all.size());
+    weight.push_back(1 / square);
   }
   std::vector<std::size_t> displacements;
   for (std::size_t e = 0; e < touched.size(); ++e) {
     if (touched[e]) displacements.push_back(e);
   }
-  const std::vector<double> weight(certificate_.members(), 1.0);
-  const Gram gram(certificate_.columns, still, weight, displacements, certificate_.displacements,
-                  shift);
+  const Gram gram(roughly, all, weight, displacements, certificate_.displacements, shift);
   if (!gram.definite()) return motion;
   std::vector<double> change(displacements.size());
-  double dearest = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < most_steps && dearest > is_dear * dissipated; ++step) {
+  for (int step = 0; step < steps; ++step) {
     // Relative to the largest, so that nothing is lost far below one.
     std::vector<Dyadic> stretches;
-    long scale = std::numeric_limits<long>::min();
-    dearest = 0;
-    for (const auto i : still) {
-      stretches.push_back(elongation_of(truss_.columns[i], motion));
-      const auto& stretch = stretches.back();
-      dearest = std::max(dearest, cost_of(i, stretch.nearest()));
-      if (stretch.sign() != 0) scale = std::max(scale, stretch.magnitude());
+    std::optional<long> scale;
+    for (const auto* column : still) {
+      stretches.push_back(elongation_of(*column, motion));
+      if (stretches.back().sign() == 0) continue;
+      scale = std::max(scale.value_or(stretches.back().magnitude()), stretches.back().magnitude());
     }
-    if (scale == std::numeric_limits<long>::min()) break;
+    if (!scale) break;
     std::ranges::fill(change, 0.0);
     for (std::size_t k = 0; k < still.size(); ++k) {
-      const double stretch = stretches[k].scaled(-scale).nearest();
-      for (const auto& [e, entry] : certificate_.columns[still[k]]) {
-        change[gram.place(e)] += stretch * entry;
-      }
+      const double stretch = weight[k] * stretches[k].scaled(-*scale).nearest();
+      for (const auto& [e, entry] : roughly[k]) change[gram.place(e)] += stretch * entry;
     }
     gram.solve(change);
     for (const auto e : displacements) {
       const double each = change[gram.place(e)];
       if (!std::isfinite(each)) return motion;
-      motion[e] = motion[e] - Dyadic(each).scaled(scale);
+      motion[e] = motion[e] - Dyadic(each).scaled(*scale);
     }
   }
   return motion;
@@ -196,7 +210,7 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
   for (const double zeta : certificate_.load) {
     if (std::abs(zeta) > certificate_.alpha) return "the load is outside of its bounds";
   }
-  const auto u = still_motion();
+  const auto u = still_motion(false);
   Dyadic work;   // of f_R
   Dyadic doubt;  // of that
   Dyadic value;
@@ -284,7 +298,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
 bool LimitProof::shows_no_factor() const {
   const auto& reference = truss_.reference;
   if (certificate_.motion.size() != reference.size() || !column_errors_.empty()) return false;
-  const auto polished = still_motion();
+  const auto polished = still_motion(true);
   std::vector<mpq_class> motion;
   for (const auto& u : polished) motion.push_back(u.rational());
   const auto largest = std::ranges::max_element(certificate_.reference, {},

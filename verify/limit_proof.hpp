@@ -56,7 +56,7 @@ class LimitProof {
  private:
   [[nodiscard]] std::vector<Dyadic> defect(const Sparse& forces, std::vector<Dyadic> load,
                                            double factor) const;
-  [[nodiscard]] std::vector<Dyadic> still_motion() const;
+  [[nodiscard]] std::vector<Dyadic> still_motion(bool without_work) const;
 
   const LimitCertificate& certificate_;
   LimitTruss truss_;
