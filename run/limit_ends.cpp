@@ -24,6 +24,15 @@ double infinite() {
   return std::numeric_limits<double>::infinity();
 }
 
+// The truss with its true directions; as it was computed with if those cannot be told (a bar of no
+// length to speak of).
+verify::LimitTruss meant_truss(const verify::LimitCertificate& certificate,
+                               const verify::Structure& truss) {
+  auto found = verify::limit_agreement(certificate, truss);
+  if (auto* const meant = std::get_if<verify::LimitTruss>(&found)) return std::move(*meant);
+  return verify::recorded_truss(certificate);
+}
+
 // What is shown below all loads of a node; minus infinity: nothing.
 double lower_end(const verify::LimitProof& proof, const verify::LimitNode& node) {
   const auto found = proof.lower(node);
@@ -70,9 +79,7 @@ LimitEnds proved_ends(LimitEvidence evidence, bool again) {
   }
   LimitEnds ends;
   ends.certificate = certificate_of(evidence, nodes);
-  const auto agreed = verify::limit_agreement(ends.certificate, evidence.truss);
-  const auto* const found = std::get_if<verify::LimitTruss>(&agreed);
-  const auto truss = found ? *found : verify::recorded_truss(ends.certificate);
+  const auto truss = meant_truss(ends.certificate, evidence.truss);
   bool changed = false;
   {
     const verify::LimitProof proof(ends.certificate, truss);
@@ -96,13 +103,14 @@ LimitEnds proved_ends(LimitEvidence evidence, bool again) {
   return ends;
 }
 
-bool shows_no_factor(const problems::LimitProblem& problem, const problems::LimitModel& model,
-                     const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion) {
+bool shows_no_factor(const verify::Structure& truss, const problems::LimitProblem& problem,
+                     const problems::LimitModel& model, const Eigen::VectorXd& zeta,
+                     const Eigen::VectorXd& motion) {
   if (motion.size() != model.free_count() || !motion.allFinite()) return false;
   const double alpha = zeta.size() == 0 ? 0 : zeta.cwiseAbs().maxCoeff() * model.force_unit;
   const nodes::limit::Worst worst{zeta, {0, {}, motion}};
   const auto evidence = limit_certificate(problem, model, alpha, worst, {}, {});
-  return verify::LimitProof(evidence).shows_no_factor();
+  return verify::LimitProof(evidence, meant_truss(evidence, truss)).shows_no_factor();
 }
 
 }  // namespace kusabi::run

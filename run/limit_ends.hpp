@@ -40,9 +40,10 @@ inline constexpr double answered_gap = 1e-6;
 /// @param again whether to try again
 LimitEnds proved_ends(LimitEvidence evidence, bool again);
 
-/// Whether a motion shows that a load is carried at no factor, of the truss as `problem` has it.
+/// Whether a motion shows that a load is carried at no factor.
 /// @param zeta m @param motion n^d, both scaled as in `model`
-bool shows_no_factor(const problems::LimitProblem& problem, const problems::LimitModel& model,
-                     const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion);
+bool shows_no_factor(const verify::Structure& truss, const problems::LimitProblem& problem,
+                     const problems::LimitModel& model, const Eigen::VectorXd& zeta,
+                     const Eigen::VectorXd& motion);
 
 }  // namespace kusabi::run

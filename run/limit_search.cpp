@@ -105,6 +105,7 @@ class LimitSearch {
   bool ended();
   nodes::linear::Stop lockstep_stop();
   LoadStatus set_up(LimitModel model);
+  void nominal(LimitAnswer& answer);
   std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
   void say(const std::string& what);
   RootResult root(double alpha);
@@ -162,7 +163,11 @@ LoadStatus LimitSearch::set_up(LimitModel model) {
 
 LimitCollapse LimitSearch::in_units(const Collapse& collapse, const Eigen::VectorXd& dead) {
   auto least = solvers_->load_factor.least_factor(dead);
-  if (least) *least *= model().factor_unit;
+  if (least) {
+    // Zero, which is carried where there is no load, to the last bit.
+    if (std::abs(*least) <= nodes::limit::closed_gap) *least = 0;
+    *least *= model().factor_unit;
+  }
   return {collapse.factor * model().factor_unit, least,
           problems::forces_in_units(model(), collapse.forces),
           problems::motion_in_units(model(), collapse.motion)};
@@ -302,8 +307,8 @@ void LimitSearch::conclude(RootResult& root, LimitWorstCase& worst) {
   if (root.status == RootStatus::not_carried) {
     worst.status = RootStatus::not_carried;
     worst.zeta = root.overpowering_load * model().force_unit;
-    worst.proved = worst.upper_proved =
-        shows_no_factor(problem_, model(), root.overpowering_load, root.overpowering_motion);
+    worst.proved = worst.upper_proved = shows_no_factor(
+        truss_, problem_, model(), root.overpowering_load, root.overpowering_motion);
     return;
   }
   if (!root.worst) {
@@ -452,15 +457,26 @@ std::vector<CurvePiece> LimitSearch::worst_curve() {
   return in_units(nodes::limit::concave_curve(solve, 1, nodes::limit::closed_gap));
 }
 
+// Whether the nominal load is carried, in units that make it sure.
+void LimitSearch::nominal(LimitAnswer& answer) {
+  const auto shown = [&] {
+    return shows_no_factor(truss_, problem_, model(),
+                           Eigen::VectorXd::Zero(model().uncertain_count()),
+                           solvers_->load_factor.overpowering_motion());
+  };
+  answer.status = set_up(limit_model(problem_));
+  if (answer.status == LoadStatus::not_carried && shown()) {
+    answer.no_factor_proved = true;
+    return;
+  }
+  answer.status = set_up(nodes::limit::balanced_model(problem_, options_.alpha.value_or(0)));
+  answer.no_factor_proved = answer.status == LoadStatus::not_carried && shown();
+}
+
 LimitFindings LimitSearch::findings() {
   LimitAnswer answer;
-  answer.status = set_up(nodes::limit::balanced_model(problem_, options_.alpha.value_or(0)));
+  nominal(answer);
   if (answer.status != LoadStatus::collapses) {
-    if (answer.status == LoadStatus::not_carried) {
-      answer.no_factor_proved =
-          shows_no_factor(problem_, model(), Eigen::VectorXd::Zero(model().uncertain_count()),
-                          solvers_->load_factor.overpowering_motion());
-    }
     if (answer.status == LoadStatus::undetermined && ended()) answer.rest = budget_.why();
     return {answer, {}};
   }

@@ -297,32 +297,41 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
 
 bool LimitProof::shows_no_factor() const {
   const auto& reference = truss_.reference;
-  if (certificate_.motion.size() != reference.size() || !column_errors_.empty()) return false;
-  const auto polished = still_motion(true);
+  const auto exact = [](const Near& load) { return load.error.sign() == 0; };
+  if (certificate_.motion.size() != reference.size() || !std::ranges::all_of(reference, exact)) {
+    return false;
+  }
   std::vector<mpq_class> motion;
-  for (const auto& u : polished) motion.push_back(u.rational());
+  for (const auto& u : still_motion(true)) motion.push_back(u.rational());
   const auto largest = std::ranges::max_element(certificate_.reference, {},
                                                 [](double value) { return std::abs(value); });
+  const auto place = static_cast<std::size_t>(largest - certificate_.reference.begin());
   mpq_class work = 0;
   for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e].value.rational() * motion[e];
-  motion[static_cast<std::size_t>(largest - certificate_.reference.begin())] -=
-      work / mpq_class(*largest);
+  motion[place] -= work / reference[place].value.rational();
   mpq_class excess = 0;  // of the work of the dead load
-  for (std::size_t e = 0; e < motion.size(); ++e)
+  for (std::size_t e = 0; e < motion.size(); ++e) {
     excess += truss_.dead[e].value.rational() * motion[e];
+  }
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     const auto& [e, weight] = certificate_.uncertain[j];
     excess += mpq_class(certificate_.load[j]) * weight * motion[e];
   }
   const int sign = sgn(excess);
   excess = abs(excess);
+  for (std::size_t e = 0; e < motion.size(); ++e) {
+    excess -= truss_.dead[e].error.rational() * abs(motion[e]);
+  }
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    const double tension = certificate_.tension[i];
+    const double compression = certificate_.compression[i];
     mpq_class elongation = 0;
-    for (const auto& [e, entry] : truss_.columns[i])
+    for (const auto& [e, entry] : truss_.columns[i]) {
       elongation += entry.value.rational() * motion[e];
+      excess -= std::max(tension, compression) * entry.error.rational() * abs(motion[e]);
+    }
     elongation *= sign;
-    const double yield = elongation < 0 ? certificate_.compression[i] : certificate_.tension[i];
-    excess -= yield * abs(elongation);
+    excess -= (elongation < 0 ? compression : tension) * abs(elongation);
   }
   return excess > 0;
 }

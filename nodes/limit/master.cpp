@@ -68,18 +68,20 @@ void Master::leave_room(const Eigen::VectorXd& room) {
   }
 }
 
-// Those at whose cost some motion goes on to the end of its box: equilibrium leaves their force no
+// Those at whose cost some motion goes on to the end of its box: equilibrium leaves their forces no
 // choice, and so no room.
 std::vector<int> Master::members_without_choice() const {
+  constexpr double along = 1e-2 * far;  // what moves with it
   std::vector<int> members;
+  bool to_the_end = false;
   for (int i = 0; i < model_.member_count(); ++i) {
-    for (const int side : {0, model_.member_count()}) {
-      const int column = model_.free_count() + side + i;
-      if (room_(i) == 0 || simplex_.value(column) < far) continue;
-      members.push_back(i);
-      break;
-    }
+    const int column = model_.free_count() + i;
+    const double most =
+        std::max(simplex_.value(column), simplex_.value(column + model_.member_count()));
+    to_the_end = to_the_end || most >= far;
+    if (room_(i) != 0 && most >= along) members.push_back(i);
   }
+  if (!to_the_end) members.clear();
   return members;
 }
 
