@@ -33,6 +33,8 @@ struct LimitWorstCase {
   bool proved = false;  ///< whether both are shown in exact arithmetic, and near to each other
   bool lower_proved = false;
   bool upper_proved = false;
+  /// What the 0-1 tree of (29) has come to by itself, if it was asked for: not proved.
+  std::optional<double> zero_one_bound;
   Eigen::VectorXd zeta;
   std::optional<LimitCollapse> collapse;
   std::uint64_t cuts = 0;

@@ -219,6 +219,10 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
     }
     write_critical_load(text, problem, worst.zeta);
   }
+  if (worst.zero_one_bound) {
+    fmt::format_to(out, "  the 0-1 program by itself: at least {:.10g}{}\n", *worst.zero_one_bound,
+                   without_proof(false));
+  }
   if (worst.search != engine::Status::solved) {
     fmt::format_to(out, "  stopped early ({})\n", status_name(worst.search));
   }
@@ -298,6 +302,7 @@ ordered_json LimitReport::json() const {
                             {"proved", worst.proved},
                             {"lower_proved", worst.lower_proved},
                             {"upper_proved", worst.upper_proved}};
+    if (worst.zero_one_bound) result["zero_one_bound"] = finite(*worst.zero_one_bound);
     result["critical_load"] = load_json(problem, problems::dead_load(problem, worst.zeta));
     if (worst.collapse) {
       result["critical_interval"] = interval_json(*worst.collapse);

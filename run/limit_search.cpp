@@ -275,9 +275,10 @@ void LimitSearch::prove(const RootResult& root, std::vector<ClosedNode> nodes,
   const bool of_a_tree = nodes.size() > 1;
   const auto shown = told_by_first_rank(session_, [&] {
     const bool again = worst.search == engine::Status::solved;
-    auto ends = proved_ends(
-        {truss_, problem_, model(), *options_.alpha, *root.worst, root.cuts, std::move(nodes)},
-        again);
+    const bool any = again || !nodes.front().forces.empty();  // else only the upper end is left
+    auto ends = proved_ends({truss_, problem_, model(), *options_.alpha, *root.worst,
+                             any ? root.cuts : std::vector<StaticCut>(), std::move(nodes)},
+                            again);
     const double upper = ends.upper.value_or(root.worst->collapse.factor * unit);
     // What the nodes of a tree prove beyond the gap depends on what was known when they were
     // closed, and so on the number of ranks.
@@ -358,13 +359,8 @@ LimitWorstCase LimitSearch::mixed_worst_case() {
     worst.search = found.status;
     result.status = RootStatus::closed;  // no tree of signs: there is no time left
     conclude(result, worst);
-    const double lower = std::min(found.lower * model().factor_unit, worst.upper);
-    if (lower > worst.lower) {
-      worst.lower = lower;
-      worst.proved = worst.lower_proved = false;
-      certificate_.reset();
-    }
   }
+  worst.zero_one_bound = std::min(found.lower * model().factor_unit, worst.upper);
   worst.cuts = found.cuts;
   worst.nodes = found.nodes;
   worst.tree_programs += found.programs;
@@ -457,7 +453,7 @@ std::vector<CurvePiece> LimitSearch::worst_curve() {
   return in_units(nodes::limit::concave_curve(solve, 1, nodes::limit::closed_gap));
 }
 
-// Whether the nominal load is carried, in units that make it sure.
+// The nominal load factor, in units that make it sure.
 void LimitSearch::nominal(LimitAnswer& answer) {
   const auto shown = [&] {
     return shows_no_factor(truss_, problem_, model(),
@@ -465,7 +461,11 @@ void LimitSearch::nominal(LimitAnswer& answer) {
                            solvers_->load_factor.overpowering_motion());
   };
   answer.status = set_up(limit_model(problem_));
-  if (answer.status == LoadStatus::not_carried && shown()) {
+  if (ended()) return;
+  if (answer.status == LoadStatus::collapses) {
+    const double size = nodes::limit::dissipation(problem_, model(), solvers_->nominal.motion);
+    if (!nodes::limit::is_out_of_balance(size)) return;
+  } else if (answer.status == LoadStatus::not_carried && shown()) {
     answer.no_factor_proved = true;
     return;
   }
