@@ -51,7 +51,9 @@ int limit(Session& session, const LimitOptions& options) {
   const auto problem = problems::limit_problem(truss);
   session.agree(problem.fingerprint);
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  const auto [answer, certificate] = limit_search(session, options, truss, problem);
+  const auto found = limit_search(session, options, truss, problem);
+  const auto& answer = found.answer;
+  const auto& certificate = found.certificate;
   if (session.speaks()) {
     const LimitReport report{options, problem, answer, session.ranks()};
     do_all({[&] { result_file->write(report.json()); },
