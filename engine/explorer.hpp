@@ -260,7 +260,7 @@ class Explorer {
 
   void open_node() {
     Node node = frontier_.open();
-    if (incumbent_.exists && incumbent_.rules_out(bound_of(node), frontier_.path())) {
+    if (incumbent_.exists && incumbent_.rules_out(bound_of(node), frontier_.place())) {
       ++statistics_.pruned;
     } else {
       ++statistics_.opened;
@@ -315,7 +315,7 @@ double Expansion<P>::cutoff() const {
 
 template <class P>
 bool Expansion<P>::ruled_out(double bound) const {
-  return explorer_.incumbent_.rules_out_more(bound, explorer_.frontier_.path());
+  return explorer_.incumbent_.rules_out_more(bound, explorer_.frontier_.place());
 }
 
 template <class P>

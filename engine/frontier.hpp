@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -212,6 +213,30 @@ class Frontier {
     for (std::size_t depth = 1; depth <= depth_; ++depth) path.push_back(trail_[depth].branch);
     return path;
   }
+
+  /// The same to be compared with paths, which does not build it.
+  class Place {
+   public:
+    explicit Place(const Frontier& frontier) : frontier_(frontier) {}
+
+    friend std::strong_ordering operator<=>(const Path& path, const Place& place) {
+      return place.order_of(path);
+    }
+
+   private:
+    [[nodiscard]] std::strong_ordering order_of(const Path& path) const {
+      const std::size_t depth = frontier_.depth_;
+      const std::size_t common = std::min(path.size(), depth);
+      for (std::size_t above = 0; above < common; ++above) {
+        const auto order = path[above] <=> frontier_.trail_[above + 1].branch;
+        if (std::is_neq(order)) return order;
+      }
+      return path.size() <=> depth;
+    }
+
+    const Frontier& frontier_;
+  };
+  [[nodiscard]] Place place() const { return Place(*this); }
 
   /// Whether there is something to give: one node must be left.
   /// Children that the current expansion is still adding are not up for giving.

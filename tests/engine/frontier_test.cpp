@@ -23,10 +23,23 @@ std::uint64_t mark_of(const Path& path) {
   return mark;
 }
 
+// Paths that come before and after `path`, or are it, as they compare with it.
+void expect_compares_as(const Path& path, const Frontier<Witness>& frontier) {
+  std::vector<Path> others{{}, path, child_of(path, 0), child_of({}, 0), child_of({}, 9)};
+  if (!path.empty()) {
+    others.emplace_back(path.begin(), path.end() - 1);
+    others.push_back(path);
+    ++others.back().back();
+    if (path.back() > 0) others.push_back(path), --others.back().back();
+  }
+  for (const auto& other : others) EXPECT_EQ(other <=> frontier.place(), other <=> path);
+}
+
 // Opens one node, checks its path, and gives it `children` children.
 Witness open_and_branch(Frontier<Witness>& frontier, std::uint32_t children) {
   Witness node = frontier.open();
   EXPECT_EQ(frontier.path(), node);
+  expect_compares_as(node, frontier);
   EXPECT_EQ(frontier.mark(), mark_of(node));
   for (std::uint32_t branch = 0; branch < children; ++branch) {
     frontier.branch(child_of(node, branch));
