@@ -16,6 +16,7 @@
 #include "engine/frontier.hpp"
 #include "engine/heap.hpp"
 #include "engine/incumbent.hpp"
+#include "engine/open_nodes.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
@@ -74,7 +75,7 @@ class Explorer {
   // ---- opening nodes ----------------------------------------------------------------------------
 
   [[nodiscard]] bool has_nodes() const {
-    return !frontier_.empty() || !bundles_.empty() || !heap_.empty();
+    return !frontier_.empty() || !waiting_.empty() || !heap_.empty();
   }
 
   /// Whether this is called from inside an expansion.
@@ -86,7 +87,7 @@ class Explorer {
   /// Nodes waiting to be opened.
   [[nodiscard]] std::uint64_t open() const {
     std::uint64_t count = frontier_.size() + heap_.size();
-    for (const auto& bundle : bundles_) count += bundle.nodes.size();
+    for (const auto& bundle : waiting_) count += bundle.nodes.size();
     return count;
   }
 
@@ -102,10 +103,12 @@ class Explorer {
 
   /// The least bound of the nodes that wait; infinity if there is none.
   [[nodiscard]] double bound() const {
+    if (!has_nodes()) return std::numeric_limits<double>::infinity();
+    if (!looks_at_bounds()) return bound_of_any();
     double least = std::numeric_limits<double>::infinity();
     if (!heap_.empty()) least = bound_of(heap_.best());
     frontier_.for_each([&](const Node& node) { least = std::min(least, bound_of(node)); });
-    for (const auto& bundle : bundles_) {
+    for (const auto& bundle : waiting_) {
       for (const auto& open : bundle.nodes) least = std::min(least, bound_of(open.node));
     }
     return least;
@@ -123,9 +126,9 @@ class Explorer {
     if (heap_.can_give()) return heap_.give(limit);
     if (frontier_.can_give()) return {frontier_.give(limit)};
     if (!heap_.empty()) return {heap_.take()};
-    auto& bundle = bundles_.back();
-    Bundle<Node> part{bundle.trail, take_every_other(bundle.nodes, bundle.nodes.size(), limit)};
-    if (bundle.nodes.empty()) bundles_.pop_back();
+    auto& bundle = waiting_.back();
+    Bundle<Node> part{bundle.trail, bundle.nodes.give((bundle.nodes.size() + 1) / 2, limit)};
+    if (bundle.nodes.empty()) waiting_.pop_back();
     return {std::move(part)};
   }
 
@@ -179,7 +182,9 @@ class Explorer {
   /// @pre no node is being expanded
   [[nodiscard]] State state() const {
     State state{heap_.all(), found_, incumbent_, closed_};
-    state.bundles.insert(state.bundles.end(), bundles_.begin(), bundles_.end());
+    for (const auto& bundle : waiting_) {
+      state.bundles.push_back({bundle.trail, {bundle.nodes.begin(), bundle.nodes.end()}});
+    }
     if (!frontier_.empty()) state.bundles.push_back(frontier_.all());
     return state;
   }
@@ -193,6 +198,12 @@ class Explorer {
 
  private:
   friend class Expansion<P>;
+
+  // A bundle that waits, and that more can be given of.
+  struct Waiting {
+    std::vector<Step> trail;
+    NodeStack<Node> nodes;
+  };
 
   struct Work {
     static constexpr double of_first_child = [] {
@@ -212,8 +223,15 @@ class Explorer {
 
   [[nodiscard]] double bound_of(const Node& node) const {
     if constexpr (Bounded<P>) {
-      if (goal_ == Goal::best) return std::as_const(problem_).bound(node);
+      if (looks_at_bounds()) return std::as_const(problem_).bound(node);
     }
+    return bound_of_any();
+  }
+
+  [[nodiscard]] bool looks_at_bounds() const { return Bounded<P> && goal_ == Goal::best; }
+
+  // Of nodes whose bounds are not looked at.
+  [[nodiscard]] double bound_of_any() const {
     return goal_ == Goal::first ? 0 : -std::numeric_limits<double>::infinity();
   }
 
@@ -227,12 +245,12 @@ class Explorer {
   // for the node that is being expanded.
   [[nodiscard]] std::size_t stores() const {
     const bool own = expanding_ || !frontier_.empty();
-    return (own ? 1 : 0) + bundles_.size() + (heap_.empty() ? 0 : 1);
+    return (own ? 1 : 0) + waiting_.size() + (heap_.empty() ? 0 : 1);
   }
 
   void keep(Bundle<Node>&& bundle) {
     if (order_ == Order::depth_first) {
-      bundles_.push_back(std::move(bundle));
+      waiting_.push_back({std::move(bundle.trail), NodeStack<Node>(std::move(bundle.nodes))});
     } else {
       heap_.put(std::move(bundle), [this](const Node& node) { return rank_of(node); });
     }
@@ -243,9 +261,10 @@ class Explorer {
       frontier_.take(heap_.take());
       return true;
     }
-    if (bundles_.empty()) return false;
-    frontier_.take(std::move(bundles_.back()));
-    bundles_.pop_back();
+    if (waiting_.empty()) return false;
+    auto& next = waiting_.back();
+    frontier_.take({std::move(next.trail), next.nodes.take_all()});
+    waiting_.pop_back();
     return true;
   }
 
@@ -286,9 +305,9 @@ class Explorer {
   Goal goal_;
   Order order_;
   std::size_t heap_nodes_;
-  Frontier<Node, Work> frontier_;      // what is searched depth first
-  std::vector<Bundle<Node>> bundles_;  // what comes after it; only if the order is depth first,
-  Heap<Node> heap_;                    // and only if it is not
+  Frontier<Node, Work> frontier_;  // what is searched depth first
+  std::vector<Waiting> waiting_;   // what comes after it; only if the order is depth first,
+  Heap<Node> heap_;                // and only if it is not
   Expansion<P> expansion_;
   bool expanding_ = false;
   bool improved_ = false;

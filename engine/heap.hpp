@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/frontier.hpp"
+#include "engine/open_nodes.hpp"
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {
