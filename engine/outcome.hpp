@@ -90,6 +90,20 @@ struct Outcome {
     return sum([](const RankStatistics& rank) { return rank.opened; });
   }
 
+  /// What the problems of all ranks have counted, earlier runs included: the sum of their tallies.
+  [[nodiscard]] TallyOf<P> tally() const {
+    constexpr bool addable = requires(TallyOf<P> & sum, const TallyOf<P>& tally) {
+      sum += tally;
+    };
+    static_assert(addable, "a Tally needs `Tally& operator+=(const Tally& other)` to be summed up");
+    TallyOf<P> total{};
+    if constexpr (addable) {
+      for (const auto& report : earlier) total += report.tally;
+      for (const auto& report : ranks) total += report.tally;
+    }
+    return total;
+  }
+
   /// The sum of the path marks of all opened nodes: equal for two searches of one tree if and only
   /// if (but for a chance of 2^-64) both opened the same nodes, each once.
   [[nodiscard]] std::uint64_t fingerprint() const {
