@@ -31,7 +31,9 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <optional>
+#include <typeinfo>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,7 +72,9 @@ class Worker {
 
   /// The problem, the transport and the options must outlive the worker. Rank 0 plants the root,
   /// unless the search goes on from a checkpoint.
-  /// @throws CheckpointError if the checkpoint to go on from cannot be read
+  /// @throws CheckpointError if the checkpoint to go on from cannot be read or is of another search,
+  ///   or if one that is there would be overwritten
+  /// @throws std::invalid_argument if there is a checkpoint without the problem's fingerprint
   Worker(P& problem, Transport& transport, const Options& options)
       : problem_(problem),
         transport_(transport),
@@ -85,6 +89,7 @@ class Worker {
         last_checkpoint_(started_),
         idle_since_(started_),
         quiet_since_(started_) {
+    expect_checkpoint_options();
     if (transport.size() > 1) victims_.emplace(transport.rank(), transport.size(), options.seed);
     if (!options.checkpoint.resume_from.empty()) {
       resume();
@@ -499,12 +504,27 @@ class Worker {
   // ---- checkpoints ------------------------------------------------------------------------------
 
   [[nodiscard]] Manifest manifest(const Survey& wave) const {
-    return {.problem = options_.checkpoint.problem,
+  void expect_checkpoint_options() const {
+    const auto& [file, interval, resume_from, problem] = options_.checkpoint;
+    if (file.empty() && resume_from.empty()) return;
+    if (!problem) {
+      throw std::invalid_argument(
+          "a checkpoint needs the fingerprint of its problem; expected "
+          "Options::checkpoint.problem");
+    }
+    // No other rank can have written anything before this one takes part.
+    if (!file.empty() && transport_.rank() == 0) expect_no_other(file, resume_from);
+  }
+
+    return {.problem = *options_.checkpoint.problem,
             .epoch = epoch_,
             .ranks = transport_.size(),
             .opened = wave.opened,
             .fingerprint = wave.fingerprint,
-            .open = wave.open};
+            .open = wave.open,
+            .goal = name_of(options_.goal),
+            .node = typeid(Node).name(),
+            .solution = typeid(typename P::Solution).name()};
   }
 
   void write_checkpoint(const Survey& wave) {
@@ -548,6 +568,7 @@ class Worker {
     const auto& file = options_.checkpoint.resume_from;
     const auto found = read_manifest(file);
     epoch_ = good_epoch_ = found.epoch;
+    expect_same_search(file, found, manifest({}));
     // As many ranks as there were, or fewer, or more: parts are dealt round, ranks without one ask.
     for (int part = transport_.rank(); part < found.ranks; part += transport_.size()) {
       auto saved = unpack<Saved>(read_part(file, found, part));

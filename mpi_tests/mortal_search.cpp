@@ -164,7 +164,7 @@ int main(int argc, char** argv) {
       try {
         std::string warning;
         options.checkpoint.resume_from =
-            engine::usable_checkpoint(state, options.checkpoint.problem, warning);
+            engine::usable_checkpoint(state, *options.checkpoint.problem, warning);
       } catch (const engine::CheckpointError& error) {
         std::fprintf(stderr, "refused: %s\n", error.what());
         return 2;
