@@ -8,13 +8,13 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "engine/contract.hpp"
 #include "engine/open_nodes.hpp"
 #include "engine/path.hpp"
 
@@ -49,7 +49,7 @@ class Frontier {
   /// Takes the next node out; from now on the trail ends in it.
   /// @pre not empty()
   Node open() {
-    assert(!nodes_.empty());
+    ensure(!nodes_.empty(), "a node is opened only if one waits");
     auto& next = nodes_.back();
     depth_ = next.depth;
     branches_ = 0;
@@ -156,7 +156,7 @@ class Frontier {
   /// and forth.)
   /// @pre can_give()
   Bundle<Node> give(std::size_t limit) {
-    assert(can_give());
+    ensure(can_give(), "a frontier gives only if a node is left");
     Bundle<Node> gift;
     gift.nodes = nodes_.give(first_child_ / 2, limit);
     first_child_ -= gift.nodes.size();
@@ -168,7 +168,7 @@ class Frontier {
   /// Puts the nodes of a bundle in.
   /// @pre empty()
   void take(Bundle<Node>&& bundle) {
-    assert(nodes_.empty());
+    ensure(nodes_.empty(), "a frontier takes nodes of one line from the root only");
     trail_ = std::move(bundle.trail);
     nodes_ = NodeStack<Node>(std::move(bundle.nodes));
     trail_.resize(nodes_.back().depth + std::size_t{1});

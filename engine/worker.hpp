@@ -27,7 +27,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -39,6 +38,7 @@
 #include <vector>
 
 #include "engine/checkpoint.hpp"
+#include "engine/contract.hpp"
 #include "engine/explorer.hpp"
 #include "engine/lifelines.hpp"
 #include "engine/options.hpp"
@@ -322,13 +322,13 @@ class Worker {
   }
 
   void receive_gift(const Message& message) {
-    assert(message.from == asked_);
+    ensure(message.from == asked_, "a gift comes from the rank that was asked");
     asked_ = nobody;
     take_nodes(message);
   }
 
   void receive_refusal(int victim) {
-    assert(victim == asked_);
+    ensure(victim == asked_, "a refusal comes from the rank that was asked");
     asked_ = nobody;
     record(TraceEvent::Kind::refusal_arrived, victim);
     if (pleaded_) {
