@@ -20,6 +20,8 @@
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
+#include "engine/wire.hpp"
+#include "engine/yield.hpp"
 
 namespace kusabi::engine {
 
@@ -29,6 +31,14 @@ class ExpansionFailed : public std::runtime_error {
  public:
   ExpansionFailed(const Path& path, const std::string& reason)
       : std::runtime_error("node " + to_string(path) + ": " + reason) {}
+};
+
+/// A node that was opened twice and did not yield the same (Options::check_expand).
+class ExpansionDiffers : public std::logic_error {
+ public:
+  ExpansionDiffers(const Path& path, const std::string& what)
+      : std::logic_error("node " + to_string(path) + ": opened twice, " + what +
+                         "; expected that expand depends on the node alone") {}
 };
 
 template <class P>
@@ -58,6 +68,7 @@ class Explorer {
         goal_(options.goal),
         order_(options.order),
         heap_nodes_(options.heap_nodes),
+        check_share_(options.check_expand),
         expansion_(*this, std::move(serve)) {
     if (goal_ == Goal::best && !Minimising<P>) {
       throw std::invalid_argument("Goal::best is for problems with an objective()");
@@ -77,6 +88,9 @@ class Explorer {
   [[nodiscard]] bool has_nodes() const {
     return !frontier_.empty() || !waiting_.empty() || !heap_.empty();
   }
+
+  /// Whether a node is being opened twice: then nothing may change from outside.
+  [[nodiscard]] bool checking() const { return yield_ != nullptr; }
 
   /// Whether this is called from inside an expansion.
   [[nodiscard]] bool expanding() const { return expanding_; }
@@ -139,6 +153,7 @@ class Explorer {
   // ---- results ----------------------------------------------------------------------------------
 
   void report(Solution&& solution) {
+    if (yield_ != nullptr) yield_->solutions.push_back(pack(solution));
     if (goal_ == Goal::all) {
       found_.push_back({frontier_.path(), std::move(solution)});
       ++statistics_.found;
@@ -284,9 +299,53 @@ class Explorer {
     } else {
       ++statistics_.opened;
       statistics_.fingerprint += frontier_.mark();
-      expand(std::move(node));
+      if (check_share_ > 0 && is_checked(frontier_.mark())) [[unlikely]] {
+        expand_twice(std::move(node));
+      } else {
+        expand(std::move(node));
+      }
     }
     closed_ += frontier_.close();
+  }
+
+  // A share of the nodes that is the same for any number of ranks.
+  [[nodiscard]] bool is_checked(std::uint64_t mark) const {
+    constexpr double all_hashes = 0x1p64;
+    return static_cast<double>(hash_of_mark(mark)) <= check_share_ * all_hashes;
+  }
+
+  // Once in vain and once in earnest, both times with the same incumbent.
+  void expand_twice(Node&& node) {
+    const auto incumbent = incumbent_;
+    const auto statistics = statistics_;
+    const bool improved = improved_;
+    const auto found_before = found_.size();
+    const auto best_before = goal_ == Goal::all ? std::vector<Found<P>>{} : found_;
+    const auto first = yield_of(Node(node));
+    frontier_.take_back();
+    incumbent_ = incumbent;
+    statistics_ = statistics;
+    improved_ = improved;
+    if (goal_ == Goal::all) {
+      found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(found_before), found_.end());
+    } else {
+      found_ = best_before;
+    }
+    const auto second = yield_of(std::move(node));
+    if (const auto what = difference(first, second)) {
+      throw ExpansionDiffers(frontier_.path(), *what);
+    }
+  }
+
+  Yield yield_of(Node&& node) {
+    Yield yield;
+    yield_ = &yield;
+    expand(std::move(node));
+    yield_ = nullptr;
+    frontier_.for_each_child([&](const Node& child) {
+      yield.children.push_back({pack(child), rank_of(child)});
+    });
+    return yield;
   }
 
   void expand(Node&& node) {
@@ -305,6 +364,8 @@ class Explorer {
   Goal goal_;
   Order order_;
   std::size_t heap_nodes_;
+  double check_share_;             // of the nodes, opened twice
+  Yield* yield_ = nullptr;         // of the node that is being opened twice
   Frontier<Node, Work> frontier_;  // what is searched depth first
   std::vector<Waiting> waiting_;   // what comes after it; only if the order is depth first,
   Heap<Node> heap_;                // and only if it is not

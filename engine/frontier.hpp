@@ -72,6 +72,18 @@ class Frontier {
   /// Adds a child of the node opened last, to be opened after the children already added.
   void branch(Node&& child) { nodes_.emplace_back(std::move(child), depth_ + 1, branches_++); }
 
+  /// Calls `look(child)` for the children added so far to the node opened last.
+  template <class Look>
+  void for_each_child(Look look) const {
+    for (std::size_t place = first_child_; place < nodes_.size(); ++place) look(nodes_[place].node);
+  }
+
+  /// Takes back all children added to the node opened last.
+  void take_back() {
+    nodes_.shorten(first_child_);
+    branches_ = 0;
+  }
+
   /// Ends the expansion of the node opened last: its first child comes to the top of the stack.
   /// @return the share of the whole tree that this closes: the node's own, if it has no children
   double close() {

@@ -98,6 +98,15 @@ class NodeStack {
   [[nodiscard]] OpenNode<Node>& back() { return nodes_.back(); }
   [[nodiscard]] const OpenNode<Node>& back() const { return nodes_.back(); }
   void pop_back() { nodes_.pop_back(); }
+  [[nodiscard]] const OpenNode<Node>& operator[](std::size_t place) const {
+    return nodes_[front_ + place];
+  }
+
+  /// Keeps the first `size` nodes.
+  void shorten(std::size_t size) {
+    nodes_.erase(begin() + static_cast<std::ptrdiff_t>(size), nodes_.end());
+  }
+
   void emplace_back(Node&& node, std::uint32_t depth, std::uint32_t branch) {
     nodes_.emplace_back(std::move(node), depth, branch);
   }

@@ -93,6 +93,12 @@ struct Options {
   /// Upper limit, in bytes, that the engine aims at for one message.
   std::size_t message_bytes = std::size_t{64} * 1024;
 
+  /// Share of the nodes, 0 to 1, that are opened twice to see whether `expand` depends on the node
+  /// alone: children, solutions and bounds must be the same both times, byte for byte. If they are
+  /// not, the search ends with an error that names the node. For trying a problem out: what
+  /// `expand` counts or writes for itself, it counts or writes twice.
+  double check_expand = 0;
+
   /// Events that each rank keeps for a trace (Outcome::traces); 0: no trace. The same on all ranks.
   std::size_t trace_events = 0;
 

@@ -30,10 +30,10 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <optional>
-#include <typeinfo>
+#include <stdexcept>
 #include <string>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -242,6 +242,7 @@ class Worker {
 
   // Called from inside a long expansion.
   void poll() {
+    if (explorer_.checking()) return;
     now_ = transport_.now();
     if (explorer_.just_improved()) tell(nobody);
     serve();
@@ -503,7 +504,6 @@ class Worker {
 
   // ---- checkpoints ------------------------------------------------------------------------------
 
-  [[nodiscard]] Manifest manifest(const Survey& wave) const {
   void expect_checkpoint_options() const {
     const auto& [file, interval, resume_from, problem] = options_.checkpoint;
     if (file.empty() && resume_from.empty()) return;
@@ -516,6 +516,7 @@ class Worker {
     if (!file.empty() && transport_.rank() == 0) expect_no_other(file, resume_from);
   }
 
+  [[nodiscard]] Manifest manifest(const Survey& wave) const {
     return {.problem = *options_.checkpoint.problem,
             .epoch = epoch_,
             .ranks = transport_.size(),
@@ -567,8 +568,8 @@ class Worker {
   void resume() {
     const auto& file = options_.checkpoint.resume_from;
     const auto found = read_manifest(file);
-    epoch_ = good_epoch_ = found.epoch;
     expect_same_search(file, found, manifest({}));
+    epoch_ = good_epoch_ = found.epoch;
     // As many ranks as there were, or fewer, or more: parts are dealt round, ranks without one ask.
     for (int part = transport_.rank(); part < found.ranks; part += transport_.size()) {
       auto saved = unpack<Saved>(read_part(file, found, part));
