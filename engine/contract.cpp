@@ -6,12 +6,12 @@
 
 namespace kusabi::engine {
 
-void contract_broken(const char* promise, const std::source_location& place) {
+void contract_broken(const char* promise, const char* file, int line) {
   // From the folder on: where the program was built is nobody's business.
-  std::string_view file = place.file_name();
-  const auto folder = file.rfind("engine/");
-  if (folder != std::string_view::npos) file.remove_prefix(folder);
-  throw ContractBroken(std::string(file) + ':' + std::to_string(place.line()) +
+  std::string_view name = file;
+  const auto folder = name.rfind("engine/");
+  if (folder != std::string_view::npos) name.remove_prefix(folder);
+  throw ContractBroken(std::string(name) + ':' + std::to_string(line) +
                        ": a promise is broken: " + promise);
 }
 

@@ -4,7 +4,6 @@
 // with the sentence and the place, instead of a wrong answer or a crash elsewhere.
 #pragma once
 
-#include <source_location>
 #include <stdexcept>
 
 namespace kusabi::engine {
@@ -16,15 +15,16 @@ class ContractBroken : public std::logic_error {
 };
 
 /// @throws ContractBroken
-[[noreturn]] void contract_broken(const char* promise, const std::source_location& place);
+[[noreturn]] void contract_broken(const char* promise, const char* file, int line);
 
 /// Goes on if a promise is kept.
 /// @param promise what holds, in a sentence
-/// @throws ContractBroken with the sentence, file and line
-constexpr void ensure(bool kept, const char* promise,
-                      const std::source_location& place = std::source_location::current()) {
+/// @param file, line of the caller (std::source_location is not for clang 14)
+/// @throws ContractBroken with all three
+constexpr void ensure(bool kept, const char* promise, const char* file = __builtin_FILE(),
+                      int line = __builtin_LINE()) {
   if (!kept) [[unlikely]]
-    contract_broken(promise, place);
+    contract_broken(promise, file, line);
 }
 
 }  // namespace kusabi::engine
