@@ -69,7 +69,9 @@ class Explorer {
         order_(options.order),
         heap_nodes_(options.heap_nodes),
         check_share_(options.check_expand),
-        expansion_(*this, std::move(serve)) {
+        expansion_(
+            frontier_, incumbent_, [this](Solution&& solution) { report(std::move(solution)); },
+            std::move(serve)) {
     if (goal_ == Goal::best && !Minimising<P>) {
       throw std::invalid_argument("Goal::best is for problems with an objective()");
     }
@@ -184,6 +186,7 @@ class Explorer {
   [[nodiscard]] bool just_improved() { return std::exchange(improved_, false); }
 
   [[nodiscard]] std::vector<Found<P>>& found() { return found_; }
+  [[nodiscard]] const std::vector<Found<P>>& found() const { return found_; }
   [[nodiscard]] double closed() const { return closed_; }
 
   /// Nodes opened here, their fingerprint, solutions, nodes pruned, most open nodes.
@@ -212,21 +215,10 @@ class Explorer {
   }
 
  private:
-  friend class Expansion<P>;
-
   // A bundle that waits, and that more can be given of.
   struct Waiting {
     std::vector<Step> trail;
     NodeStack<Node> nodes;
-  };
-
-  struct Work {
-    static constexpr double of_first_child = [] {
-      if constexpr (Uneven<P>)
-        return double{P::work_of_first_child};
-      else
-        return 1.0;
-    }();
   };
 
   [[nodiscard]] double objective(const Solution& solution) const {
@@ -364,11 +356,11 @@ class Explorer {
   Goal goal_;
   Order order_;
   std::size_t heap_nodes_;
-  double check_share_;             // of the nodes, opened twice
-  Yield* yield_ = nullptr;         // of the node that is being opened twice
-  Frontier<Node, Work> frontier_;  // what is searched depth first
-  std::vector<Waiting> waiting_;   // what comes after it; only if the order is depth first,
-  Heap<Node> heap_;                // and only if it is not
+  double check_share_;                  // of the nodes, opened twice
+  Yield* yield_ = nullptr;              // of the node that is being opened twice
+  Frontier<Node, WorkOf<P>> frontier_;  // what is searched depth first
+  std::vector<Waiting> waiting_;        // what comes after it; only if the order is depth first,
+  Heap<Node> heap_;                     // and only if it is not
   Expansion<P> expansion_;
   bool expanding_ = false;
   bool improved_ = false;
@@ -377,30 +369,5 @@ class Explorer {
   double closed_ = 0;
   RankStatistics statistics_;
 };
-
-template <class P>
-void Expansion<P>::branch(Node child) {
-  explorer_.frontier_.branch(std::move(child));
-}
-
-template <class P>
-void Expansion<P>::solution(Solution solution) {
-  explorer_.report(std::move(solution));
-}
-
-template <class P>
-double Expansion<P>::cutoff() const {
-  return explorer_.incumbent_.objective;
-}
-
-template <class P>
-bool Expansion<P>::ruled_out(double bound) const {
-  return explorer_.incumbent_.rules_out_more(bound, explorer_.frontier_.place());
-}
-
-template <class P>
-Path Expansion<P>::path() const {
-  return explorer_.frontier_.path();
-}
 
 }  // namespace kusabi::engine

@@ -87,7 +87,7 @@ class NodeStack {
   NodeStack() = default;
   explicit NodeStack(std::vector<OpenNode<Node>>&& nodes) : nodes_(std::move(nodes)) {}
 
-  [[nodiscard]] bool empty() const { return nodes_.size() == front_; }
+  [[nodiscard]] bool empty() const { return begin() == end(); }
   [[nodiscard]] std::size_t size() const { return nodes_.size() - front_; }
 
   /// The shallowest one.

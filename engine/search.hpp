@@ -15,7 +15,7 @@
 //   auto outcome = engine::search(queens, transport);    // the same outcome, on rank 0
 //
 // tests/engine/queens.hpp is this example in full, tests/install/colouring a project of its own.
-// How the ranks share the tree is told in engine/worker.hpp and docs/engine.md.
+// How the ranks share the tree is told in engine/rank.hpp and docs/engine.md.
 #pragma once
 
 #include <chrono>

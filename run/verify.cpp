@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "engine/search.hpp"
 #include "problems/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/exit_code.hpp"
