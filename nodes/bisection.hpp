@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/search.hpp"
+#include "engine/expansion.hpp"
 #include "nodes/critical_friction.hpp"
 
 namespace kusabi::nodes {

@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/search.hpp"
+#include "engine/expansion.hpp"
 #include "nodes/critical_friction.hpp"
 #include "nodes/sign_pattern.hpp"
 

@@ -29,7 +29,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/search.hpp"
+#include "engine/expansion.hpp"
 #include "nodes/branching.hpp"
 #include "nodes/contact_solver.hpp"
 #include "nodes/facets.hpp"

@@ -75,9 +75,8 @@ CriticalFindings global_search(Session& session, const CriticalOptions& options,
   if (!session.speaks()) return findings;
 
   RankTable table({"branched", "pruned", "leaves", "programs"});
-  nodes::CriticalTree::Tally total;
+  const auto total = outcome.tally();
   for (const auto& [statistics, tally] : outcome.ranks) {
-    total += tally;
     table.add(statistics, {tally.branched, tally.dead, tally.leaves, tally.programs});
   }
   findings.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/search.hpp"
+#include "engine/expansion.hpp"
 #include "run/index_range.hpp"
 #include "verify/certificate.hpp"
 #include "verify/proof.hpp"

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "engine/search.hpp"
 #include "problems/structure_file.hpp"
 #include "problems/wedged_problem.hpp"
 #include "run/exit_code.hpp"
@@ -193,8 +194,7 @@ int verify(Session& session, const VerifyOptions& options) {
   for (const auto& found : outcome.solutions) print_refusal(options, certificate, found.solution);
   if (flaw) fmt::print("{}: refused: {}\n", options.certificate, *flaw);
   if (!options.quiet) {
-    Verification::Tally proved;
-    for (const auto& rank : outcome.ranks) proved += rank.tally;
+    const auto proved = outcome.tally();
     print_subject(options, certificate, structure, agreement);
     print_summary(certificate, proof, !flaw, proved);
     print_verdict(refused, proved);

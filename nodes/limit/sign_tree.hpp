@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 #include <boost/serialization/vector.hpp>
 
-#include "engine/search.hpp"
+#include "engine/expansion.hpp"
 #include "nodes/limit/worst_case.hpp"
 
 namespace kusabi::nodes::limit {

@@ -17,7 +17,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/search.hpp"
+#include "engine/expansion.hpp"
 #include "nodes/linear/basis.hpp"
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/incumbent_search.hpp"

@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "engine/search.hpp"
 #include "nodes/maximal_cones.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/input_error.hpp"

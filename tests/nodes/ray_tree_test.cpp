@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/search.hpp"
 #include "problems/plane_truss.hpp"
 #include "problems/precise_compliance.hpp"
 

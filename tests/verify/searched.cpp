@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/search.hpp"
 #include "nodes/sha1.hpp"
 #include "nodes/sign_pattern.hpp"
 #include "problems/structure_file.hpp"

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/search.hpp"
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
 #include "problems/collapse_mode.hpp"

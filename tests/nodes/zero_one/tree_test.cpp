@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/search.hpp"
 #include "nodes/linear/program_file.hpp"
 #include "problems/input_error.hpp"
 #include "tests/nodes/zero_one/programs.hpp"
