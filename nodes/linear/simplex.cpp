@@ -24,6 +24,11 @@ constexpr double dual_tolerance = 1e-9;
 constexpr int steps_a_row = 50;
 constexpr int least_steps = 2000;
 
+// A piece of a solve that may be stopped: so many steps that it takes a fraction of a second. A
+// step costs about as much as reading the program once.
+constexpr double reading_a_piece = 2e7;
+constexpr double least_piece = 50;
+
 int bound_type(double lower, double upper) {
   if (lower == upper) return GLP_FX;
   if (std::isfinite(lower) && std::isfinite(upper)) return GLP_DB;
@@ -256,6 +261,12 @@ LinearStatus Simplex::solve_robustly(const SolveLimits& limits) {
   return status_;
 }
 
+int Simplex::steps_a_piece() const {
+  const double size = static_cast<double>(rows()) + static_cast<double>(columns()) +
+                      static_cast<double>(glp_get_num_nz(problem_->lp));
+  return static_cast<int>(std::max(least_piece, reading_a_piece / std::max(1.0, size)));
+}
+
 LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
   ++solves_;
   if (empty_bounds()) return LinearStatus::infeasible;
@@ -266,12 +277,23 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
   control.tol_bnd = primal_tolerance;
   control.tol_dj = dual_tolerance;
   const int enough = least_steps + steps_a_row * (rows() + columns());
-  control.it_lim = std::min(limits.iterations, enough);
+  const int most = std::min(limits.iterations, enough);
   if (std::isfinite(limits.cutoff)) control.obj_ul = limits.cutoff;
   const int before = glp_get_it_cnt(problem_->lp);
+  const int piece = limits.stop ? steps_a_piece() : most;
+  int done = 0;
   int code = 0;
-  problem_->call([&] { code = glp_simplex(problem_->lp, &control); });
-  iterations_ += static_cast<std::uint64_t>(std::max(0, glp_get_it_cnt(problem_->lp) - before));
+  for (;;) {
+    control.it_lim = std::min(piece, most - done);
+    problem_->call([&] { code = glp_simplex(problem_->lp, &control); });
+    done = std::max(0, glp_get_it_cnt(problem_->lp) - before);
+    if (code != GLP_EITLIM || done >= most) break;
+    if (asked(limits.stop)) {
+      iterations_ += static_cast<std::uint64_t>(done);
+      return LinearStatus::interrupted;
+    }
+  }
+  iterations_ += static_cast<std::uint64_t>(done);
   if (code == GLP_EOBJUL) return LinearStatus::cut_off;
   if (code == GLP_EITLIM) {
     return limits.iterations <= enough ? LinearStatus::stopped : LinearStatus::failed;

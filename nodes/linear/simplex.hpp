@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "nodes/linear/basis.hpp"
+#include "nodes/linear/stop.hpp"
 #include "problems/linear_program.hpp"
 
 namespace kusabi::nodes::linear {
@@ -21,17 +22,21 @@ namespace kusabi::nodes::linear {
 /// What a solve found out. The first four are claims of a floating-point method: what they prove is
 /// told by safe_dual_bound().
 enum class LinearStatus {
-  optimal,     ///< within the tolerances
-  infeasible,  ///< no point satisfies all rows and bounds; farkas() is the reason
-  unbounded,   ///< feasible, and the objective has no lower bound
-  cut_off,     ///< dual simplex only: the optimum is above `SolveLimits::cutoff`
-  stopped,     ///< `SolveLimits::iterations` were not enough
-  failed,      ///< GLPK could not tell: a singular basis, lost accuracy
+  optimal,      ///< within the tolerances
+  infeasible,   ///< no point satisfies all rows and bounds; farkas() is the reason
+  unbounded,    ///< feasible, and the objective has no lower bound
+  cut_off,      ///< dual simplex only: the optimum is above `SolveLimits::cutoff`
+  stopped,      ///< `SolveLimits::iterations` were not enough
+  interrupted,  ///< `SolveLimits::stop` said so
+  failed,       ///< GLPK could not tell: a singular basis, lost accuracy
 };
 
 struct SolveLimits {
   double cutoff = std::numeric_limits<double>::infinity();  ///< of the objective
   int iterations = std::numeric_limits<int>::max();
+  /// Asked between pieces of a long solve, each of them a fraction of a second. Where it is given,
+  /// the solve is in pieces whatever it says, so that its result does not depend on the answers.
+  Stop stop = {};
 };
 
 class Simplex {
@@ -110,6 +115,7 @@ class Simplex {
   [[nodiscard]] bool empty_bounds() const;
   void refactorise();
   LinearStatus solve(int method, const SolveLimits& limits);
+  [[nodiscard]] int steps_a_piece() const;
 
   std::unique_ptr<Problem> problem_;
   std::vector<bool> row_empty_;     // lower > upper, which GLPK does not take

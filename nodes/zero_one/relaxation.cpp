@@ -115,6 +115,7 @@ void Relaxation::conclude() {
     case LinearStatus::optimal:
     case LinearStatus::cut_off:
     case LinearStatus::stopped:
+    case LinearStatus::interrupted:
       if (proves_) {
         safe_ = linear::safe_bound(mixed_.program, simplex_.duals(), node_.lower, node_.upper);
         bound_ = safe_.value;
