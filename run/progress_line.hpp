@@ -10,7 +10,8 @@ namespace kusabi::run {
 
 class ProgressLine {
  public:
-  explicit ProgressLine(engine::Goal goal);
+  /// @param factor objectives and bounds are shown times this
+  explicit ProgressLine(engine::Goal goal, double factor = 1);
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();

@@ -83,7 +83,8 @@ std::string progress_row(const ProgressState& state) {
                   count(static_cast<double>(progress.open)));
   const std::string answer =
       state.minimising
-          ? fmt::format(" {:>12} {:>12} {:>7}", number(progress.objective), number(bound(progress)),
+          ? fmt::format(" {:>12} {:>12} {:>7}", number(state.factor * progress.objective),
+                        number(state.factor * bound(progress)),
                         gap(progress.objective, bound(progress)))
           : fmt::format(" {:>7}", count(static_cast<double>(progress.found)));
   return fmt::format("{}{} {:>9} {:>7} {:>9}", common, answer, idle(progress),
@@ -97,7 +98,7 @@ std::string progress_bar(const ProgressState& state, std::size_t width) {
   std::vector<std::string> fields{
       percent(progress.closed),
       duration(state.remaining) + " left",
-      state.minimising ? fmt::format("best {}, gap {}", number(progress.objective),
+      state.minimising ? fmt::format("best {}, gap {}", number(state.factor * progress.objective),
                                      gap(progress.objective, bound(progress)))
                        : count(static_cast<double>(progress.found)) + " found",
       duration(progress.seconds),

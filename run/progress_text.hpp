@@ -16,6 +16,7 @@ struct ProgressState {
   double nodes_per_second = 0;      ///< lately
   std::optional<double> remaining;  ///< seconds; unknown if empty
   bool minimising = false;          ///< objective, bound and gap instead of solutions found
+  double factor = 1;                ///< what objective and bound are shown times
 };
 
 /// Seconds as "0:07", "12:34", "3:07:09", "2 d 03 h", or "> 99 d"; "?" if unknown.

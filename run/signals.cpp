@@ -29,10 +29,14 @@ void heed_signals() {
 }
 
 engine::Interrupt asked_by_signal() {
-  if (stop_asked != 0) return engine::Interrupt::stop;
+  if (end_asked_by_signal()) return engine::Interrupt::stop;
   if (checkpoint_asked == 0) return engine::Interrupt::none;
   checkpoint_asked = 0;
   return engine::Interrupt::checkpoint;
+}
+
+bool end_asked_by_signal() {
+  return stop_asked != 0;
 }
 
 }  // namespace kusabi::run

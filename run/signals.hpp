@@ -13,4 +13,7 @@ void heed_signals();
 /// What has been asked for; a checkpoint is told once. Fits Options::interrupt.
 engine::Interrupt asked_by_signal();
 
+/// Whether an end has been asked for.
+bool end_asked_by_signal();
+
 }  // namespace kusabi::run

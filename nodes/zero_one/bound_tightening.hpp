@@ -27,7 +27,8 @@ struct FormRange {
 class BoundTightening {
  public:
   /// @param cutoff infinity: all points matter
-  BoundTightening(const problems::LinearProgram& program, double cutoff);
+  /// @param stop asked within each program; one that is stopped says nothing
+  BoundTightening(const problems::LinearProgram& program, double cutoff, linear::Stop stop = {});
 
   /// From the basis of the last call. @throws std::invalid_argument if a term is no column
   FormRange range(std::span<const problems::LinearTerm> form);
@@ -45,6 +46,7 @@ class BoundTightening {
   problems::LinearProgram program_;  // the costs are those of a form; the objective is the last row
   linear::Simplex simplex_;
   ColumnBounds implied_;
+  linear::Stop stop_;
 };
 
 /// What tighten_big_m() did.
@@ -60,6 +62,8 @@ struct Tightening {
 /// Makes the coefficient of the binary in every row of the kind a'x + M tau <= b (one binary, other
 /// columns besides) as small as the points that matter allow, in rounds, until little changes.
 /// Points with an objective of at most `cutoff` stay; of others some may be lost.
-Tightening tighten_big_m(problems::MixedProgram& mixed, double cutoff);
+/// @param proofs_only whether to leave all as it is that is not proved
+Tightening tighten_big_m(problems::MixedProgram& mixed, double cutoff, bool proofs_only = false,
+                         const linear::Stop& stop = {});
 
 }  // namespace kusabi::nodes
