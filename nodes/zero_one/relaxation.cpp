@@ -187,25 +187,33 @@ bool Relaxation::is_tight(double objective) const {
 }
 
 // The program as the simplex method has it, in more digits. What was optimal may turn out to have
-// no point, and the other way round.
+// no point, and the other way round. Cuts next to each other can make a basis that no digits are
+// enough for; then it is solved without them.
 void Relaxation::conclude_precisely() {
+  for (const std::size_t rows : {mixed_.program.rows.size(), given_rows_}) {
+    if (!precise_ || rows < mixed_.program.rows.size()) precise_ = solve_precisely(rows);
+    precise_->duals.resize(mixed_.program.rows.size(), 0.0);
+    const bool settled = conclude_from(*precise_);
+    if (settled || precise_->status == LinearStatus::interrupted) return;
+  }
+}
+
+// Whether that says something.
+bool Relaxation::conclude_from(const linear::PreciseSolution& solution) {
   using linear::Residuals;
-  precise_ = solve_precisely(mixed_.program.rows.size());
-  const auto& solution = *precise_;
   const auto residuals = proves_ ? Residuals::proved : Residuals::forgiven;
   if (solution.status == LinearStatus::infeasible) {
-    contradiction_ = !solution.duals.empty() &&
-                     linear::safe_infeasibility(mixed_.program, solution.duals, node_.lower,
+    contradiction_ = linear::safe_infeasibility(mixed_.program, solution.duals, node_.lower,
                                                 node_.upper, residuals) > 0;
     if (contradiction_ || status_ == LinearStatus::failed) status_ = LinearStatus::infeasible;
-    return;
+    return contradiction_;
   }
   if (solution.status != LinearStatus::optimal) {
     const bool says_why =
         solution.status == LinearStatus::interrupted ||
         (solution.status == LinearStatus::unbounded && status_ == LinearStatus::failed);
     if (says_why) status_ = solution.status;
-    return;
+    return false;
   }
   status_ = LinearStatus::optimal;
   for (std::size_t j = 0; j < values_.size(); ++j) {
@@ -218,10 +226,11 @@ void Relaxation::conclude_precisely() {
     safe_ = std::move(better);
     bound_ = safe_.value;
   }
+  return true;
 }
 
 linear::PreciseSolution Relaxation::precise_point() {
-  if (precise_ && given_rows_ == mixed_.program.rows.size()) return *precise_;
+  if (precise_ && precise_->basis.rows() == given_rows_) return *precise_;
   return solve_precisely(given_rows_);
 }
 

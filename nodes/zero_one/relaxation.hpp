@@ -102,6 +102,7 @@ class Relaxation {
   void conclude();
   void conclude_in_doubles();
   void conclude_precisely();
+  bool conclude_from(const linear::PreciseSolution& solution);
   linear::PreciseSolution solve_precisely(std::size_t rows);
   [[nodiscard]] bool is_tight(double objective) const;
   [[nodiscard]] double left_out() const;

@@ -17,12 +17,17 @@ using linear::LinearStatus;
 
 // The largest number of which every cost is a multiple, if no column but binaries has a cost and
 // the costs are whole numbers after multiplication by a small power of ten; otherwise 0.
-double grid_of_objectives(const problems::MixedProgram& mixed) {
+struct Grid {
+  double width = 0;
+  double error = 0;
+};
+
+Grid grid_of_objectives(const problems::MixedProgram& mixed) {
   constexpr double largest_whole = 1e9;
   std::vector<bool> binary(mixed.program.columns.size());
   for (const int column : mixed.binaries) binary[static_cast<std::size_t>(column)] = true;
   for (std::size_t j = 0; j < binary.size(); ++j) {
-    if (!binary[j] && mixed.program.columns[j].cost != 0) return 0;
+    if (!binary[j] && mixed.program.columns[j].cost != 0) return {};
   }
   for (const double power : {1.0, 10.0, 100.0, 1000.0}) {
     std::int64_t divisor = 0;
@@ -34,9 +39,12 @@ double grid_of_objectives(const problems::MixedProgram& mixed) {
       if (!whole) break;
       divisor = std::gcd(divisor, static_cast<std::int64_t>(nearest));
     }
-    if (whole) return static_cast<double>(divisor) / power;
+    if (!whole) continue;
+    double size = 0;
+    for (const auto& column : mixed.program.columns) size += std::abs(column.cost);
+    return {static_cast<double>(divisor) / power, power == 1 ? 0 : 0x1p-51 * size};
   }
-  return 0;
+  return {};
 }
 
 void relax(ZeroOneRoot& root) {
@@ -111,8 +119,9 @@ void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
 }  // namespace
 
 ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions& options) {
-  const double grid = grid_of_objectives(mixed);
-  ZeroOneRoot root{.relaxation = Relaxation(std::move(mixed)), .grid = grid};
+  const auto grid = grid_of_objectives(mixed);
+  ZeroOneRoot root{
+      .relaxation = Relaxation(std::move(mixed)), .grid = grid.width, .grid_error = grid.error};
   root.relaxation.end_when(options.stop);
   relax(root);
   if (root.status == LinearStatus::optimal) {

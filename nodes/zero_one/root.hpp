@@ -53,6 +53,7 @@ struct ZeroOneRoot {
   bool interrupted = false;
   /// All points have an objective of program().constant plus a multiple of this; 0: no such number.
   double grid = 0;
+  double grid_error = 0;  ///< but for this much: doubles are not 0.1
   ZeroOneRootCounts counts = {};
 };
 

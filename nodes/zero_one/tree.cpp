@@ -79,7 +79,10 @@ double ZeroOneTree::raised(double bound) const {
   if (root_.grid == 0 || !std::isfinite(bound)) return bound;
   const double constant = root_.relaxation.program().constant;
   const double steps = std::ceil((bound - constant) / root_.grid - grid_slack);
-  return std::max(bound, constant + steps * root_.grid);
+  using linear::rounded::product_down;
+  using linear::rounded::sum_down;
+  const double on_it = sum_down(constant, product_down(steps, root_.grid));
+  return std::max(bound, sum_down(on_it, -root_.grid_error));
 }
 
 bool ZeroOneTree::worse_than_root_point(double bound) const {

@@ -37,18 +37,16 @@ class Draw {
 
   int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(draw_); }
   bool one_in(int many) { return whole(1, many) == 1; }
-  // A number such as people write: whole, or with one or two digits behind the point, which no
-  // double is equal to.
-  double number(int from, int to) {
-    const double value = whole(from, to);
-    switch (whole(0, 3)) {
-      case 0:
-        return value + whole(1, 9) / 10.0;
-      case 1:
-        return value + whole(1, 99) / 100.0;
-      default:
-        return value;
-    }
+  // One with two digits behind the point, which no double is equal to: for costs.
+  double price(int from, int to) {
+    return whole(from, to) + (one_in(2) ? whole(1, 99) / 100.0 : 0);
+  }
+  // For rows, whose sums should not be equal but for rounding: in quarters, or with many digits.
+  double quarters(int from, int to) {
+    return whole(from, to) + (one_in(2) ? whole(1, 3) / 4.0 : 0);
+  }
+  double digits(int from, int to) {
+    return std::uniform_real_distribution<double>(from, to)(draw_);
   }
   double penalty() { return std::pow(10.0, whole(3, 12)); }
 
@@ -64,29 +62,31 @@ MixedProgram penalised(unsigned seed) {
   const int binaries = draw.whole(2, 6);
   const int continuous = draw.whole(0, 2);
   for (int k = 0; k < binaries; ++k) {
-    mixed.binaries.push_back(program.add_column({.cost = draw.number(-5, 30), .upper = 1}));
+    mixed.binaries.push_back(program.add_column({.cost = draw.price(-5, 30), .upper = 1}));
   }
   for (int j = 0; j < continuous; ++j) {
     const bool bounded = draw.one_in(2);
-    program.add_column({.cost = draw.number(bounded ? -9 : 0, 9),
-                        .lower = draw.one_in(4) ? -draw.number(0, 5) : 0,
-                        .upper = bounded ? draw.number(0, 8) : infinity});
+    program.add_column({.cost = draw.price(bounded ? -9 : 0, 9),
+                        .lower = draw.one_in(4) ? -draw.quarters(0, 5) : 0,
+                        .upper = bounded ? draw.quarters(0, 8) : infinity});
   }
-  if (draw.one_in(3)) program.constant = draw.number(-20, 20);
+  if (draw.one_in(3)) program.constant = draw.price(-20, 20);
   const int slacks = 4 - continuous;
   int used = 0;
   const int rows = draw.whole(1, 5);
   const double shared = draw.penalty();
   for (int i = 0; i < rows; ++i) {
     std::vector<problems::LinearTerm> terms;
+    const bool many_digits = draw.one_in(3);
     double middle = 0;
     for (int j = 0; j < binaries + continuous; ++j) {
       if (draw.one_in(3)) continue;
-      const double value = draw.one_in(8) ? 1e4 * draw.number(1, 9) : draw.number(-9, 25);
+      double value = many_digits ? draw.digits(-9, 25) : draw.quarters(-9, 25);
+      if (draw.one_in(8)) value = 1e4 * draw.whole(1, 9);
       terms.push_back({j, value});
       middle += value * draw.whole(0, 2) / 2;
     }
-    const double right = draw.one_in(2) ? std::round(middle) : middle;
+    const double right = many_digits ? middle + draw.digits(-3, 3) : middle;
     const double cost = draw.one_in(2) ? shared : draw.penalty();
     if (used < slacks && !draw.one_in(4)) {
       terms.push_back({program.add_column({.cost = cost}), 1});
@@ -98,7 +98,7 @@ MixedProgram penalised(unsigned seed) {
     }
     const int kind = draw.whole(0, 3);
     program.add_row({.lower = kind == 1   ? -infinity
-                              : kind == 3 ? right - draw.number(1, 5)
+                              : kind == 3 ? right - draw.quarters(1, 5)
                                           : right,
                      .upper = kind == 2 ? infinity : right},
                     terms);
