@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "nodes/linear/precise_bound.hpp"
@@ -18,7 +19,8 @@ using linear::LinearStatus;
 using problems::infinity;
 using problems::LinearTerm;
 
-// An end that is not proved is moved outwards by this, relative to its size (at least one).
+// An end whose proof in doubles is this near to it, relative to its size (at least one), is left at
+// that.
 constexpr double margin = 1e-6;
 
 constexpr std::uint64_t most_rounds = 20;
@@ -90,32 +92,34 @@ FormRange BoundTightening::end(std::span<const LinearTerm> form, double sign) {
   if (status == LinearStatus::optimal) {
     least = linear::safe_dual_bound(program_, simplex_.duals(), implied_.lower, implied_.upper);
     const double found = simplex_.objective();
-    const double moved = found - margin * std::max(1.0, std::abs(found));
-    if (least < moved) {
-      const auto precise = linear::solve_precisely(program_, simplex_.basis(), stop_);
-      if (precise.status == LinearStatus::optimal) {
-        const auto bound =
-            linear::safe_bound(program_, precise.duals, implied_.lower, implied_.upper);
-        least = std::max(least, bound.value);
-      }
-    }
-    if (least < moved) {
-      proved = false;
-      least = moved;
-    }
+    const double enough = found - margin * std::max(1.0, std::abs(found));
+    if (!(least >= enough)) std::tie(least, proved) = least_precisely();
   } else if (status == LinearStatus::infeasible) {
-    // The dual method, which any basis suits without costs, ends with a reason; the primal does
-    // not.
-    set_costs(0);
-    simplex_.solve_dual(limits);
-    const auto reason = simplex_.farkas();
-    proved = !reason.empty() &&
-             linear::safe_infeasibility(program_, reason, implied_.lower, implied_.upper) > 0;
-    least = infinity;
+    std::tie(least, proved) = least_precisely();
   }
   set_costs(0);
   if (least == infinity) return {infinity, -infinity, proved};
   return sign > 0 ? FormRange{least, infinity, proved} : FormRange{-infinity, -least, proved};
+}
+
+// The least of the form as it is among the costs, in more digits, and whether that is proved;
+// infinity: no point matters.
+std::pair<double, bool> BoundTightening::least_precisely() {
+  using linear::Residuals;
+  const auto found = linear::solve_precisely(program_, simplex_.basis(), stop_);
+  for (const auto residuals : {Residuals::proved, Residuals::forgiven}) {
+    const bool proved = residuals == Residuals::proved;
+    if (found.status == LinearStatus::optimal) {
+      const auto bound =
+          linear::safe_bound(program_, found.duals, implied_.lower, implied_.upper, residuals);
+      if (bound.value > -infinity) return {bound.value, proved};
+    } else if (found.status == LinearStatus::infeasible && !found.duals.empty()) {
+      const double excess = linear::safe_infeasibility(program_, found.duals, implied_.lower,
+                                                       implied_.upper, residuals);
+      if (excess > 0) return {infinity, proved};
+    }
+  }
+  return {-infinity, true};
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "nodes/linear/basis.hpp"
@@ -18,8 +19,8 @@ namespace kusabi::nodes {
 struct FormRange {
   double lower = -problems::infinity;
   double upper = problems::infinity;
-  /// Whether both ends hold in spite of rounding. If not, an end is the optimum as the simplex
-  /// method found it, moved outwards by a tolerance.
+  /// Whether both ends hold in spite of rounding. If not, residuals that are zero in all but the
+  /// last of 30 digits count as zero.
   bool proved = true;
 };
 
@@ -42,6 +43,7 @@ class BoundTightening {
 
  private:
   FormRange end(std::span<const problems::LinearTerm> form, double sign);
+  std::pair<double, bool> least_precisely();
 
   problems::LinearProgram program_;  // the costs are those of a form; the objective is the last row
   linear::Simplex simplex_;
