@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include <Eigen/LU>
+
 namespace kusabi::nodes::linear {
 namespace {
 
@@ -137,12 +139,12 @@ class Refinement {
     }
   }
 
+  using Apply = std::function<void(const Vector&, Vector&, std::vector<double>&)>;
+
   // Solves a system by corrections: `apply` multiplies, and adds up the sizes of the terms; `guess`
-  // solves it in doubles.
-  static std::optional<Vector> corrected(
-      const Vector& right,
-      const std::function<void(const Vector&, Vector&, std::vector<double>&)>& apply,
-      const std::function<bool(std::vector<double>&)>& guess) {
+  // replaces the right-hand side by a solution to some digits.
+  static std::optional<Vector> corrected(const Vector& right, const Apply& apply,
+                                         const std::function<bool(Vector&)>& guess) {
     Vector x(right.size(), 0.0);
     double worst_before = infinity;
     for (int time = 0; time < most_corrections; ++time) {
@@ -150,13 +152,11 @@ class Refinement {
       std::vector<double> terms(right.size());
       apply(x, product, terms);
       double worst = 0;
-      double largest = 0;
       Vector residual(right.size());
       for (std::size_t i = 0; i < right.size(); ++i) {
         residual[i] = right[i] - product[i];
         const double missing = size(residual[i]);
         if (!std::isfinite(missing)) return {};
-        largest = std::max(largest, missing);
         const double weight = size(right[i]) + terms[i];
         if (weight > 0) worst = std::max(worst, missing / weight);
       }
@@ -164,49 +164,84 @@ class Refinement {
       // The first correction brings all down but where nothing was before.
       if (time > 2 && worst > 0.5 * worst_before) return {};
       worst_before = worst;
-      const double scale = std::exp2(std::ilogb(largest));
-      std::vector<double> step(right.size());
-      for (std::size_t i = 0; i < step.size(); ++i) step[i] = residual[i].x[0] / scale;
-      if (!guess(step)) return {};
-      for (std::size_t i = 0; i < step.size(); ++i) x[i] += Precise(step[i]) * Precise(scale);
+      if (!guess(residual)) return {};
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual[i];
     }
     return {};
   }
 
+  // By GLPK's factorisation.
+  static bool guess_in_doubles(Vector& right,
+                               const std::function<bool(std::vector<double>&)>& solve) {
+    double largest = 0;
+    for (const auto& number : right) largest = std::max(largest, size(number));
+    const double scale = std::exp2(std::ilogb(largest));
+    std::vector<double> step(right.size());
+    for (std::size_t i = 0; i < step.size(); ++i) step[i] = right[i].x[0] / scale;
+    if (!solve(step)) return false;
+    for (std::size_t i = 0; i < step.size(); ++i) right[i] = Precise(step[i]) * Precise(scale);
+    return true;
+  }
+
+  // By one of 104 bits, where a basis is too ill-conditioned for doubles.
+  bool guess_in_all_bits(Vector& right, bool transposed) const {
+    constexpr std::size_t most_rows = 200;
+    if (rows_ == 0 || rows_ > most_rows) return false;
+    const auto count = static_cast<Eigen::Index>(rows_);
+    numbers::PreciseMatrix matrix = numbers::PreciseMatrix::Zero(count, count);
+    for (std::size_t p = 0; p < rows_; ++p) {
+      each_entry(head_[p], [&](std::size_t row, double value) {
+        const auto i = static_cast<Eigen::Index>(row);
+        const auto j = static_cast<Eigen::Index>(p);
+        (transposed ? matrix(j, i) : matrix(i, j)) = value;
+      });
+    }
+    numbers::PreciseVector b(count);
+    for (Eigen::Index i = 0; i < count; ++i) b(i) = right[static_cast<std::size_t>(i)];
+    const numbers::PreciseVector x = Eigen::PartialPivLU<numbers::PreciseMatrix>(matrix).solve(b);
+    for (Eigen::Index i = 0; i < count; ++i) right[static_cast<std::size_t>(i)] = x(i);
+    return true;
+  }
+
   // x with B x = right, in the order of head_.
   std::optional<Vector> solve_basis(const Vector& right) {
-    return corrected(
-        right,
-        [&](const Vector& x, Vector& product, std::vector<double>& terms) {
-          for (std::size_t p = 0; p < head_.size(); ++p) {
-            each_entry(head_[p], [&](std::size_t row, double value) {
-              const Precise term = x[p] * Precise(value);
-              product[row] += term;
-              terms[row] += size(term);
-            });
-          }
-        },
-        [&](std::vector<double>& step) { return simplex_.solve_with_basis(step); });
+    const Apply apply = [&](const Vector& x, Vector& product, std::vector<double>& terms) {
+      for (std::size_t p = 0; p < head_.size(); ++p) {
+        each_entry(head_[p], [&](std::size_t row, double value) {
+          const Precise term = x[p] * Precise(value);
+          product[row] += term;
+          terms[row] += size(term);
+        });
+      }
+    };
+    const auto solve = [&](std::vector<double>& b) { return simplex_.solve_with_basis(b); };
+    if (auto x = corrected(right, apply, [&](Vector& b) { return guess_in_doubles(b, solve); })) {
+      return x;
+    }
+    return corrected(right, apply, [&](Vector& b) { return guess_in_all_bits(b, false); });
   }
 
   // pi with B'pi = right.
   std::optional<Vector> solve_transposed(const Vector& right) {
-    return corrected(
-        right,
-        [&](const Vector& x, Vector& product, std::vector<double>& terms) {
-          for (std::size_t p = 0; p < head_.size(); ++p) {
-            each_entry(head_[p], [&](std::size_t row, double value) {
-              const Precise term = x[row] * Precise(value);
-              product[p] += term;
-              terms[p] += size(term);
-            });
-          }
-        },
-        [&](std::vector<double>& step) { return simplex_.solve_with_transposed_basis(step); });
+    const Apply apply = [&](const Vector& x, Vector& product, std::vector<double>& terms) {
+      for (std::size_t p = 0; p < head_.size(); ++p) {
+        each_entry(head_[p], [&](std::size_t row, double value) {
+          const Precise term = x[row] * Precise(value);
+          product[p] += term;
+          terms[p] += size(term);
+        });
+      }
+    };
+    const auto solve = [&](std::vector<double>& b) {
+      return simplex_.solve_with_transposed_basis(b);
+    };
+    if (auto x = corrected(right, apply, [&](Vector& b) { return guess_in_doubles(b, solve); })) {
+      return x;
+    }
+    return corrected(right, apply, [&](Vector& b) { return guess_in_all_bits(b, true); });
   }
 
-  // ---- a round
-  // -----------------------------------------------------------------------------------
+  // ---- a round ---------------------------------------------------------------------------------
 
   // What is left of bounds and costs, scaled up; at first all of it.
   void load(bool all) {
@@ -319,8 +354,7 @@ class Refinement {
     cost_scale_ = scale(worst_cost_, cost_scale_);
   }
 
-  // ---- the answers
-  // -------------------------------------------------------------------------------
+  // ---- the answers -----------------------------------------------------------------------------
 
   // The multipliers of the rows that no point agrees with.
   std::optional<Vector> contradiction() {

@@ -26,7 +26,8 @@ constexpr double margin = 1e-6;
 constexpr std::uint64_t most_rounds = 20;
 // A round pays for the next if it took at least this share of all the Ms.
 constexpr double worth_a_round = 0.01;
-// No M becomes smaller than this share of itself: one that is nothing but rounding has no scale.
+// No M becomes smaller than this share of itself or of its row's bound: one that is nothing but
+// rounding has no scale.
 constexpr double least_share = 1e-6;
 // An M that shrinks by less than this share of itself is left as it is.
 constexpr double worth_a_change = 1e-3;
@@ -213,7 +214,8 @@ class Round {
     }
     const double tight = m > 0 ? upper - m : upper;
     const double loose = m > 0 ? upper : upper - m;
-    const double needed = std::max(range.upper, tight + least_share * std::abs(m));
+    const double needed =
+        std::max(range.upper, tight + least_share * std::max(std::abs(m), std::abs(upper)));
     const double shrunk = std::abs(m) - (needed - tight);
     if (!(shrunk > worth_a_change * std::abs(m))) return 0;
     // Rounded such that no side asks for more than before, or than needed.
