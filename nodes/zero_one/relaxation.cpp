@@ -220,18 +220,29 @@ bool Relaxation::conclude_from(const linear::PreciseSolution& solution) {
     values_[j] = numbers::rounded(solution.values[j]);
   }
   basis_ = solution.basis;
-  auto better =
-      linear::safe_bound(mixed_.program, solution.duals, node_.lower, node_.upper, residuals);
-  if (!(better.value < bound_)) {
-    safe_ = std::move(better);
-    bound_ = safe_.value;
-  }
+  raise_bound(solution.duals);
   return true;
 }
 
 linear::PreciseSolution Relaxation::precise_point() {
   if (precise_ && precise_->basis.rows() == given_rows_) return *precise_;
-  return solve_precisely(given_rows_);
+  auto solution = solve_precisely(given_rows_);
+  if (solution.status == LinearStatus::optimal) {
+    auto duals = solution.duals;
+    duals.resize(mixed_.program.rows.size(), 0.0);
+    raise_bound(duals);
+  }
+  return solution;
+}
+
+// If these multipliers give a better one.
+void Relaxation::raise_bound(std::span<const numbers::Precise> duals) {
+  using linear::Residuals;
+  auto better = linear::safe_bound(mixed_.program, duals, node_.lower, node_.upper,
+                                   proves_ ? Residuals::proved : Residuals::forgiven);
+  if (better.value < bound_) return;
+  safe_ = std::move(better);
+  bound_ = safe_.value;
 }
 
 // The first rows of the program, with the bounds that the simplex method has, from its basis.

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,7 @@ class Relaxation {
   }
   /// After `optimal`: the optimum of the program without the rows added since, which a point need
   /// not satisfy to its last digit, in more digits; `failed` if they cannot be had.
+  /// Its multipliers may raise bound().
   linear::PreciseSolution precise_point();
   /// The bound if `binary`, not fixed, were held at `at_one`, by the same multipliers.
   [[nodiscard]] double bound_if(std::size_t binary, bool at_one) const;
@@ -104,6 +106,7 @@ class Relaxation {
   void conclude_precisely();
   bool conclude_from(const linear::PreciseSolution& solution);
   linear::PreciseSolution solve_precisely(std::size_t rows);
+  void raise_bound(std::span<const numbers::Precise> duals);
   [[nodiscard]] bool is_tight(double objective) const;
   [[nodiscard]] double left_out() const;
   [[nodiscard]] bool all_bounded() const;

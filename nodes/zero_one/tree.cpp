@@ -202,7 +202,10 @@ bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
   const bool nothing_lost = in_steps(point->objective) <= in_steps(node.bound);
   out.solution(*std::move(point));
   if (was_whole || nothing_lost) {
-    close(node, tally_.leaves);
+    Node closed = node;
+    // Where the point took more digits, they are worth a better bound as well.
+    if (was_whole) closed.bound = std::max(closed.bound, raised(root_.relaxation.bound()));
+    close(closed, tally_.leaves);
     return true;
   }
   ++tally_.points;
