@@ -151,7 +151,7 @@ std::string market_split(int rows, int columns) {
 
 TEST_F(MipCommand, EndsWithinASecondOfItsTimeLimitAtTheRootToo) {
   const auto hard = file("hard.mps", market_split(60, 300));
-  for (const std::string launcher : {std::string(), ranks(2)}) {
+  for (const std::string& launcher : {std::string(), ranks(2)}) {
     const auto begin = std::chrono::steady_clock::now();
     const auto answer = solve(hard, "--cuts disjunctive --time-limit 1", launcher);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
