@@ -70,6 +70,8 @@ TEST_F(MipCommand, IsRightWhereItOnceWasWrong) {
       ASSERT_EQ(answer.result["answer"], "optimal") << name << way;
       EXPECT_NEAR(answer.result["objective"], optimum, 1e-12) << name << way;
       EXPECT_NEAR(answer.result["bound"], optimum, 1e-6) << name << way;
+      // Only a point, found by diving, bounds the columns that have no bounds.
+      if (way.find("--no-dive") != std::string::npos) continue;
       EXPECT_EQ(answer.result["proved"], true) << name << way;
     }
   }
