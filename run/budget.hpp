@@ -5,6 +5,7 @@
 
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
+#include "nodes/linear/stop.hpp"
 
 namespace kusabi::run {
 
@@ -18,6 +19,11 @@ class Budget {
 
   /// Whether the time is up, or a signal has asked for an end: of this rank alone.
   [[nodiscard]] bool spent() const;
+
+  /// `spent`, for work that knows nothing of clocks and signals. This must outlive it.
+  [[nodiscard]] nodes::linear::Stop stop() const {
+    return [this] { return spent(); };
+  }
 
   /// Why, after `spent`.
   [[nodiscard]] engine::Status why() const;

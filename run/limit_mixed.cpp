@@ -55,7 +55,8 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   const bool all = options.method == LimitMethod::all;
   MixedWorst result;
   nodes::ZeroOneRootOptions root_options{.tighten = all || options.method == LimitMethod::tightened,
-                                         .dive = false};
+                                         .dive = false,
+                                         .stop = budget.stop()};
   if (all || options.method == LimitMethod::disjunctive) {
     root_options.cuts = nodes::ZeroOneCuts::disjunctive;
   }
@@ -92,6 +93,15 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
     root_options.start = problems::worst_case_point(model, known->collapse.motion);
   }
   auto prepared = nodes::prepare_root(std::move(mixed), root_options);
+  // One rank that was stopped at the root stops all: their roots differ.
+  const auto stopped = session.meet({.ranks = 1, .found = prepared.interrupted ? 1U : 0U});
+  if (stopped.found != 0) {
+    result.worst = *known;
+    result.lower = std::max(root.lower, prepared.bound);
+    result.status = budget.why();
+    result.programs = prepared.counts.programs;
+    return result;
+  }
   if (prepared.status != nodes::linear::LinearStatus::optimal) {
     throw std::runtime_error("the relaxation of (29) was not solved");
   }
@@ -106,8 +116,7 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
                                     {model.factor_unit, known->collapse.factor, root.lower});
   const auto found = told_by_first_rank(session, [&] {
     Found known_here;
-    nodes::ZeroOneTally total;
-    for (const auto& rank : outcome.ranks) total += rank.tally;
+    const auto total = outcome.tally();
     known_here.lower = tree.lower_bound(outcome.bound, total);
     known_here.nodes = outcome.opened();
     known_here.status = outcome.status;

@@ -136,7 +136,7 @@ class LimitSearch {
 
 // Every rank must make this call, and all get the same answer.
 bool LimitSearch::ended() {
-  if (!ended_) ended_ = told_by_first_rank(session_, [this] { return budget_.spent(); });
+  if (!ended_) ended_ = told_by_first_rank(session_, budget_.stop());
   return ended_;
 }
 
@@ -232,7 +232,7 @@ RootResult LimitSearch::balanced_root() {
 // The tree of signs below an open root. The evidence is on rank 0, the worst load on all.
 void LimitSearch::tree(RootResult& root, double alpha, LimitWorstCase& worst,
                        std::vector<ClosedNode>& nodes) {
-  SignTree tree(model(), alpha, root, true, [this] { return budget_.spent(); });
+  SignTree tree(model(), alpha, root, true, budget_.stop());
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
   const ShownObjective shown{model().factor_unit, root.worst->collapse.factor, root.lower};

@@ -122,12 +122,17 @@ Simplex::Simplex(const problems::LinearProgram& program) : problem_(std::make_un
     at_column.push_back(column + 1);
     values.push_back(value);
   }
+  // GLPK's scale factors are roots of products: those of numbers out of this range are zero.
+  const bool has_scale = std::all_of(values.begin() + 1, values.end(), [](double value) {
+    constexpr double largest = 1e100;
+    return value == 0 || (std::abs(value) < largest && std::abs(value) > 1 / largest);
+  });
   const auto count = static_cast<int>(program.entries.size());
   require(glp_check_dup(row_count, column_count, count, at_row.data(), at_column.data()) == 0,
           "an entry occurs twice");
   problem_->call([&] {
     glp_load_matrix(lp, count, at_row.data(), at_column.data(), values.data());
-    glp_scale_prob(lp, GLP_SF_AUTO);
+    if (has_scale) glp_scale_prob(lp, GLP_SF_AUTO);
     glp_std_basis(lp);
   });
 }
@@ -411,9 +416,17 @@ std::vector<double> Simplex::reduced_costs() const {
 // The basic variable that violates its bound and that no step can bring nearer. Its row of the
 // tableau, e'B^-1 (I | -A) x = 0, is the contradiction.
 std::vector<double> Simplex::farkas() {
-  std::vector<double> rho(static_cast<std::size_t>(rows()) + 1);
-  if (status_ != LinearStatus::infeasible || empty_bounds()) return {};
-  bool found = false;
+  const auto [place, sign] = contradicting();
+  if (place < 0) return {};
+  std::vector<double> rho(static_cast<std::size_t>(rows()));
+  rho[static_cast<std::size_t>(place)] = sign;
+  if (!solve_with_transposed_basis(rho)) return {};
+  return rho;
+}
+
+std::pair<int, double> Simplex::contradicting() {
+  std::pair<int, double> found{-1, 0};
+  if (status_ != LinearStatus::infeasible || empty_bounds() || !factorised()) return found;
   problem_->call([&] {
     auto* const lp = problem_->lp;
     const int ray = glp_get_unbnd_ray(lp);
@@ -424,12 +437,44 @@ std::vector<double> Simplex::farkas() {
     if (place == 0) return;
     const double at = is_row ? glp_get_row_prim(lp, k) : glp_get_col_prim(lp, k);
     const double lower = is_row ? glp_get_row_lb(lp, k) : glp_get_col_lb(lp, k);
-    rho[static_cast<std::size_t>(place)] = at < lower ? 1 : -1;
-    glp_btran(lp, rho.data());
-    found = true;
+    const bool has_lower = (is_row ? glp_get_row_type(lp, k) : glp_get_col_type(lp, k)) != GLP_UP;
+    found = {place - 1, has_lower && at < lower ? 1.0 : -1.0};
   });
-  if (!found) return {};
-  return {rho.begin() + 1, rho.end()};
+  return found;
+}
+
+// A trivial program (no entries, say) is solved without a factorisation.
+bool Simplex::factorised() {
+  bool there = rows() == 0;
+  if (there) return true;
+  problem_->call(
+      [&] { there = glp_bf_exists(problem_->lp) != 0 || glp_factorize(problem_->lp) == 0; });
+  return there;
+}
+
+std::vector<int> Simplex::basis_head() {
+  if (!factorised()) return {};
+  std::vector<int> head;
+  for (int place = 1; place <= rows(); ++place) {
+    head.push_back(glp_get_bhead(problem_->lp, place) - 1);
+  }
+  return head;
+}
+
+bool Simplex::solve_with_basis(std::vector<double>& b) {
+  if (!factorised()) return false;
+  b.insert(b.begin(), 0);
+  problem_->call([&] { glp_ftran(problem_->lp, b.data()); });
+  b.erase(b.begin());
+  return true;
+}
+
+bool Simplex::solve_with_transposed_basis(std::vector<double>& b) {
+  if (!factorised()) return false;
+  b.insert(b.begin(), 0);
+  problem_->call([&] { glp_btran(problem_->lp, b.data()); });
+  b.erase(b.begin());
+  return true;
 }
 
 }  // namespace kusabi::nodes::linear

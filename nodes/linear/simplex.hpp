@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "nodes/linear/basis.hpp"
@@ -104,6 +105,20 @@ class Simplex {
   /// without its costs is above zero. Empty if GLPK gives none.
   [[nodiscard]] std::vector<double> farkas();
 
+  // ---- the basis matrix, of the columns of (I | -A) that are basic -----------------------------
+
+  /// What is basic, in the order of the factorisation: rows as their index, columns as rows() plus
+  /// theirs. Empty if there is no factorisation.
+  [[nodiscard]] std::vector<int> basis_head();
+  /// Replaces b by x with B x = b, in the order of basis_head(). False if there is no
+  /// factorisation.
+  bool solve_with_basis(std::vector<double>& b);
+  /// Replaces b by x with B'x = b, one number a row.
+  bool solve_with_transposed_basis(std::vector<double>& b);
+  /// After `infeasible`: the place in basis_head() of the variable that cannot be brought within
+  /// its bounds, and 1 if it is below, -1 if above. Place -1: GLPK names none.
+  [[nodiscard]] std::pair<int, double> contradicting();
+
   // ---- counts ----------------------------------------------------------------------------------
 
   [[nodiscard]] std::uint64_t iterations() const { return iterations_; }
@@ -113,6 +128,7 @@ class Simplex {
   struct Problem;  // keeps glpk.h out of our headers
 
   [[nodiscard]] bool empty_bounds() const;
+  [[nodiscard]] bool factorised();
   void refactorise();
   LinearStatus solve(int method, const SolveLimits& limits);
   [[nodiscard]] int steps_a_piece() const;
