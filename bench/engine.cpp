@@ -35,22 +35,26 @@ struct Depth {
   }
 };
 
-// The complete binary tree, whose nodes cost nothing.
+// The complete binary tree, whose nodes cost nothing. Its first leaf is a solution, and no bound
+// rules anything out: all goals but Goal::first open all nodes.
 struct EmptyTree {
   using Node = Depth;
-  struct Solution {
-    template <class Archive>
-    void serialize(Archive& /*archive*/, unsigned /*version*/) {}
-  };
+  using Solution = Depth;
 
   std::uint32_t depth = 0;
+  bool reported = false;
 
   Node root() const { return {depth}; }
-  void expand(Node&& node, Expansion<EmptyTree>& out) const {
-    if (node.left == 0) return;
+  void expand(Node&& node, Expansion<EmptyTree>& out) {
+    if (node.left == 0) {
+      if (!std::exchange(reported, true)) out.solution(node);
+      return;
+    }
     out.branch({node.left - 1});
     out.branch({node.left - 1});
   }
+  [[nodiscard]] double objective(const Solution& /*solution*/) const { return 1; }
+  [[nodiscard]] double bound(const Node& /*node*/) const { return 0; }
 };
 
 constexpr std::uint32_t depth = 18;
@@ -149,6 +153,17 @@ void search_empty_tree(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * nodes);
 }
 
+// What a search for the best solution adds to a node: a look at its bound.
+void search_empty_tree_for_the_best(benchmark::State& state) {
+  Options options;
+  options.goal = Goal::best;
+  for (auto _ : state) {
+    EmptyTree tree{depth};
+    benchmark::DoNotOptimize(search(tree, options));
+  }
+  state.SetItemsProcessed(state.iterations() * nodes);
+}
+
 template <class AnyTransport>
 void look_for_messages(benchmark::State& state) {
   AnyTransport transport;
@@ -176,6 +191,7 @@ BENCHMARK_TEMPLATE(search_empty_tree, MpiTransport)
     ->Arg(0)
     ->Arg(1)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(search_empty_tree_for_the_best)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(look_for_messages, SingleProcess);
 BENCHMARK_TEMPLATE(look_for_messages, MpiTransport);
 BENCHMARK_TEMPLATE(look_at_the_clock, SingleProcess);

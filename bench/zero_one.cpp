@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <glpk.h>
 
+#include "engine/search.hpp"
 #include "nodes/zero_one/tree.hpp"
 #include "tests/nodes/zero_one/programs.hpp"
 

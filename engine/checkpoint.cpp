@@ -2,6 +2,7 @@
 #include "engine/checkpoint.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -14,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <boost/core/demangle.hpp>
 #include <boost/crc.hpp>
 #include <fcntl.h>
 #include <unistd.h>
@@ -25,7 +27,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* manifest_magic = "kusabi-checkpoint";
 constexpr const char* part_magic = "kusabi-checkpoint-part";
-constexpr int format_version = 3;
+constexpr int format_version = 4;
+constexpr int oldest_version = 3;  // its manifest says nothing of byte order, goal and types
+constexpr const char* byte_order =
+    std::endian::native == std::endian::little ? "little-endian" : "big-endian";
+constexpr const char* other_problem = "is the checkpoint of another problem";
 constexpr const char* previous_suffix = ".previous";
 constexpr const char* beside_suffix = ".tmp";
 
@@ -97,9 +103,15 @@ std::string content_of(const std::string& name) {
   }
 }
 
+struct Content {
+  int version;
+  std::istringstream words;  // of the header, after the version
+  std::string body;
+};
+
 // Both kinds of file are a header line of words, the last of which is the checksum of all else, and
-// a body. @return the words after the magic and the version, and the body.
-std::pair<std::istringstream, std::string> checked(const std::string& name, const char* magic) {
+// a body.
+Content checked(const std::string& name, const char* magic) {
   const auto content = content_of(name);
   const auto line_end = content.find('\n');
   if (!content.starts_with(std::string(magic) + " ") || line_end == std::string::npos) {
@@ -114,12 +126,12 @@ std::pair<std::istringstream, std::string> checked(const std::string& name, cons
   std::istringstream words(header.substr(std::strlen(magic)));
   int version = 0;
   words >> version;
-  if (version != format_version) {
+  if (version < oldest_version || version > format_version) {
     fail(name, "is of format version " + std::to_string(version) + "; expected " +
-                   std::to_string(format_version));
+                   std::to_string(oldest_version) + " or " + std::to_string(format_version));
   }
   if (stored != checksum(header, body)) fail(name, "is damaged: its checksum does not match");
-  return {std::move(words), std::move(body)};
+  return {version, std::move(words), std::move(body)};
 }
 
 std::string with_checksum(const std::string& header, const std::string& body) {
@@ -168,7 +180,7 @@ bool begins_like_a_part(const fs::path& name) {
 // Reads all of a checkpoint and lets nothing wrong pass.
 void verify(const std::string& manifest_file, std::uint64_t problem) {
   const auto manifest = read_manifest(manifest_file);
-  if (manifest.problem != problem) fail(manifest_file, "is the checkpoint of another problem");
+  if (manifest.problem != problem) fail(manifest_file, other_problem);
   for (int rank = 0; rank < manifest.ranks; ++rank) read_part(manifest_file, manifest, rank);
 }
 
@@ -185,7 +197,7 @@ void write_part(const std::string& file, const Manifest& manifest, int rank, con
 
 Bytes read_part(const std::string& manifest_file, const Manifest& manifest, int rank) {
   const auto name = part_name(manifest_file, manifest.epoch, rank);
-  auto [words, body] = checked(name, part_magic);
+  auto [version, words, body] = checked(name, part_magic);
   std::uint64_t problem = 0;
   std::uint64_t epoch = 0;
   int its_rank = -1;
@@ -202,7 +214,8 @@ void commit(const std::string& file, const Manifest& manifest, std::uint64_t bef
   std::ostringstream header;
   header << manifest_magic << ' ' << format_version << ' ' << manifest.problem << ' '
          << manifest.epoch << ' ' << manifest.ranks << ' ' << manifest.opened << ' '
-         << manifest.fingerprint << ' ' << manifest.open;
+         << manifest.fingerprint << ' ' << manifest.open << ' ' << byte_order << ' '
+         << manifest.goal << ' ' << manifest.node << ' ' << manifest.solution;
   write_beside(file, with_checksum(header.str(), ""));
   // Until here nothing has changed. Only a checkpoint known to be good may take the place of the
   // previous one: a damaged FILE was passed over for it, and may not be there at all.
@@ -258,12 +271,42 @@ std::uint64_t newest_epoch(const std::string& file) {
 }
 
 Manifest read_manifest(const std::string& manifest_file) {
-  auto [words, body] = checked(manifest_file, manifest_magic);
+  auto [version, words, body] = checked(manifest_file, manifest_magic);
   Manifest manifest;
   words >> manifest.problem >> manifest.epoch >> manifest.ranks >> manifest.opened >>
       manifest.fingerprint >> manifest.open;
+  std::string order = byte_order;
+  if (version > oldest_version) {
+    words >> order >> manifest.goal >> manifest.node >> manifest.solution;
+  }
   if (!words || manifest.ranks < 1) fail(manifest_file, "is damaged: its line is incomplete");
+  if (order != byte_order) {
+    fail(manifest_file, "was written on a " + order + " machine; expected " + byte_order);
+  }
   return manifest;
+}
+
+void expect_same_search(const std::string& manifest_file, const Manifest& found,
+                        const Manifest& own) {
+  if (found.problem != own.problem) fail(manifest_file, other_problem);
+  if (found.goal.empty()) return;  // of version 3
+  const auto expect = [&](const char* what, const std::string& there, const std::string& here) {
+    if (there == here) return;
+    fail(manifest_file, std::string("is of a search with ") + what + ' ' + there + "; expected " +
+                            what + ' ' + here);
+  };
+  expect("the goal", found.goal, own.goal);
+  expect("nodes of type", boost::core::demangle(found.node.c_str()),
+         boost::core::demangle(own.node.c_str()));
+  expect("solutions of type", boost::core::demangle(found.solution.c_str()),
+         boost::core::demangle(own.solution.c_str()));
+}
+
+void expect_no_other(const std::string& file, const std::string& resume_from) {
+  if (resume_from == file || resume_from == previous(file) || !checkpoint_exists(file)) return;
+  fail(file,
+       "is a checkpoint already; expected Options::checkpoint.resume_from to name it, so "
+       "that the search goes on from it, or that it is removed first");
 }
 
 std::string usable_checkpoint(const std::string& file, std::uint64_t problem,

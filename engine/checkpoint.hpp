@@ -6,8 +6,9 @@
 // manifest before it is kept as FILE.previous together with its parts, so there is a good one at
 // any moment.
 //
-// Everything is verified when it is read: format, version, the fingerprint of the problem, epoch
-// and rank, length and checksum of every part. What fails is refused with one line.
+// Everything is verified when it is read: format, version, byte order, the fingerprint of the
+// problem, epoch and rank, length and checksum of every part; and by the search that goes on, its
+// goal and the types of its nodes and solutions. What fails is refused with one line.
 #pragma once
 
 #include <cstdint>
@@ -32,9 +33,26 @@ struct Manifest {
   std::uint64_t opened = 0;       ///< nodes opened so far, and
   std::uint64_t fingerprint = 0;  ///< the sum of their path hashes
   std::uint64_t open = 0;         ///< nodes in the parts
+  std::string goal = {};          ///< of the search: name_of(Goal), and
+  std::string node = {};          ///< what the compiler calls the type of its nodes
+  std::string solution = {};  ///< … and of its solutions; all three empty in files of version 3
 
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };
+
+/// Lets a search go on from a checkpoint only if it was written by one of the same problem, goal,
+/// nodes and solutions.
+/// @param manifest_file for the message @param own of the search that is to go on
+/// @throws CheckpointError that says which of them differs
+void expect_same_search(const std::string& manifest_file, const Manifest& found,
+                        const Manifest& own);
+
+/// Lets nothing take the place of a checkpoint that it does not go on from.
+/// @param file where checkpoints will be written @param resume_from what the search goes on from,
+/// or
+///   empty
+/// @throws CheckpointError if there is another checkpoint there, good or not
+void expect_no_other(const std::string& file, const std::string& resume_from);
 
 /// Writes one rank's part. @throws CheckpointError if the disk is full, or the like.
 void write_part(const std::string& file, const Manifest& manifest, int rank, const Bytes& payload);

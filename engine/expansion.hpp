@@ -4,12 +4,25 @@
 #include <functional>
 #include <utility>
 
+#include <boost/serialization/vector.hpp>
+
+#include "engine/frontier.hpp"
+#include "engine/incumbent.hpp"
 #include "engine/path.hpp"
 
 namespace kusabi::engine {
 
+/// How much is guessed to be below a first child of a node of `P` (Uneven in engine/problem.hpp).
 template <class P>
-class Explorer;
+struct WorkOf {
+  static constexpr double of_first_child = [] {
+    if constexpr (requires { P::work_of_first_child; }) {
+      return double{P::work_of_first_child};
+    } else {
+      return 1.0;
+    }
+  }();
+};
 
 /// A solution and the path of the node that yielded it.
 template <class P>
@@ -30,32 +43,38 @@ class Expansion {
   using Node = typename P::Node;
   using Solution = typename P::Solution;
 
-  Expansion(Explorer<P>& explorer, std::function<void()> serve)
-      : explorer_(explorer), serve_(std::move(serve)) {}
+  /// @param open where children go @param report what solutions go to @param serve see `poll`
+  Expansion(Frontier<Node, WorkOf<P>>& open, const Incumbent& incumbent,
+            std::function<void(Solution&&)> report, std::function<void()> serve)
+      : open_(open), incumbent_(incumbent), report_(std::move(report)), serve_(std::move(serve)) {}
 
   /// Adds a subproblem. The first one added is searched first.
-  void branch(Node child);
+  void branch(Node child) { open_.branch(std::move(child)); }
 
   /// Reports a solution. A node may yield several, and have children as well.
-  void solution(Solution solution);
+  void solution(Solution solution) { report_(std::move(solution)); }
 
   /// The objective of the best solution known on this rank, infinity if there is none. A child all
   /// of whose solutions are worse (greater, not equal) need not be branched.
-  [[nodiscard]] double cutoff() const;
+  [[nodiscard]] double cutoff() const { return incumbent_.objective; }
 
   /// Whether nothing that this node may still yield, with objectives of `bound` or more, can be the
   /// best: then it need not be branched. (Of equal ones the first in depth-first order is.)
-  [[nodiscard]] bool ruled_out(double bound) const;
+  [[nodiscard]] bool ruled_out(double bound) const {
+    return incumbent_.rules_out_more(bound, open_.place());
+  }
 
   /// Lets the rank answer its messages. For an `expand` that takes longer than about a
   /// millisecond: call it now and then, so that others need not wait for work.
   void poll() { serve_(); }
 
   /// The path of the node being expanded.
-  [[nodiscard]] Path path() const;
+  [[nodiscard]] Path path() const { return open_.path(); }
 
  private:
-  Explorer<P>& explorer_;
+  Frontier<Node, WorkOf<P>>& open_;
+  const Incumbent& incumbent_;
+  std::function<void(Solution&&)> report_;
   std::function<void()> serve_;
 };
 

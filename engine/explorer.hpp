@@ -16,9 +16,12 @@
 #include "engine/frontier.hpp"
 #include "engine/heap.hpp"
 #include "engine/incumbent.hpp"
+#include "engine/open_nodes.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
+#include "engine/wire.hpp"
+#include "engine/yield.hpp"
 
 namespace kusabi::engine {
 
@@ -28,6 +31,14 @@ class ExpansionFailed : public std::runtime_error {
  public:
   ExpansionFailed(const Path& path, const std::string& reason)
       : std::runtime_error("node " + to_string(path) + ": " + reason) {}
+};
+
+/// A node that was opened twice and did not yield the same (Options::check_expand).
+class ExpansionDiffers : public std::logic_error {
+ public:
+  ExpansionDiffers(const Path& path, const std::string& what)
+      : std::logic_error("node " + to_string(path) + ": opened twice, " + what +
+                         "; expected that expand depends on the node alone") {}
 };
 
 template <class P>
@@ -57,7 +68,10 @@ class Explorer {
         goal_(options.goal),
         order_(options.order),
         heap_nodes_(options.heap_nodes),
-        expansion_(*this, std::move(serve)) {
+        check_share_(options.check_expand),
+        expansion_(
+            frontier_, incumbent_, [this](Solution&& solution) { report(std::move(solution)); },
+            std::move(serve)) {
     if (goal_ == Goal::best && !Minimising<P>) {
       throw std::invalid_argument("Goal::best is for problems with an objective()");
     }
@@ -74,8 +88,11 @@ class Explorer {
   // ---- opening nodes ----------------------------------------------------------------------------
 
   [[nodiscard]] bool has_nodes() const {
-    return !frontier_.empty() || !bundles_.empty() || !heap_.empty();
+    return !frontier_.empty() || !waiting_.empty() || !heap_.empty();
   }
+
+  /// Whether a node is being opened twice: then nothing may change from outside.
+  [[nodiscard]] bool checking() const { return yield_ != nullptr; }
 
   /// Whether this is called from inside an expansion.
   [[nodiscard]] bool expanding() const { return expanding_; }
@@ -86,7 +103,7 @@ class Explorer {
   /// Nodes waiting to be opened.
   [[nodiscard]] std::uint64_t open() const {
     std::uint64_t count = frontier_.size() + heap_.size();
-    for (const auto& bundle : bundles_) count += bundle.nodes.size();
+    for (const auto& bundle : waiting_) count += bundle.nodes.size();
     return count;
   }
 
@@ -102,10 +119,12 @@ class Explorer {
 
   /// The least bound of the nodes that wait; infinity if there is none.
   [[nodiscard]] double bound() const {
+    if (!has_nodes()) return std::numeric_limits<double>::infinity();
+    if (!looks_at_bounds()) return bound_of_any();
     double least = std::numeric_limits<double>::infinity();
     if (!heap_.empty()) least = bound_of(heap_.best());
     frontier_.for_each([&](const Node& node) { least = std::min(least, bound_of(node)); });
-    for (const auto& bundle : bundles_) {
+    for (const auto& bundle : waiting_) {
       for (const auto& open : bundle.nodes) least = std::min(least, bound_of(open.node));
     }
     return least;
@@ -123,9 +142,9 @@ class Explorer {
     if (heap_.can_give()) return heap_.give(limit);
     if (frontier_.can_give()) return {frontier_.give(limit)};
     if (!heap_.empty()) return {heap_.take()};
-    auto& bundle = bundles_.back();
-    Bundle<Node> part{bundle.trail, take_every_other(bundle.nodes, bundle.nodes.size(), limit)};
-    if (bundle.nodes.empty()) bundles_.pop_back();
+    auto& bundle = waiting_.back();
+    Bundle<Node> part{bundle.trail, bundle.nodes.give((bundle.nodes.size() + 1) / 2, limit)};
+    if (bundle.nodes.empty()) waiting_.pop_back();
     return {std::move(part)};
   }
 
@@ -136,6 +155,7 @@ class Explorer {
   // ---- results ----------------------------------------------------------------------------------
 
   void report(Solution&& solution) {
+    if (yield_ != nullptr) yield_->solutions.push_back(pack(solution));
     if (goal_ == Goal::all) {
       found_.push_back({frontier_.path(), std::move(solution)});
       ++statistics_.found;
@@ -166,6 +186,7 @@ class Explorer {
   [[nodiscard]] bool just_improved() { return std::exchange(improved_, false); }
 
   [[nodiscard]] std::vector<Found<P>>& found() { return found_; }
+  [[nodiscard]] const std::vector<Found<P>>& found() const { return found_; }
   [[nodiscard]] double closed() const { return closed_; }
 
   /// Nodes opened here, their fingerprint, solutions, nodes pruned, most open nodes.
@@ -179,7 +200,9 @@ class Explorer {
   /// @pre no node is being expanded
   [[nodiscard]] State state() const {
     State state{heap_.all(), found_, incumbent_, closed_};
-    state.bundles.insert(state.bundles.end(), bundles_.begin(), bundles_.end());
+    for (const auto& bundle : waiting_) {
+      state.bundles.push_back({bundle.trail, {bundle.nodes.begin(), bundle.nodes.end()}});
+    }
     if (!frontier_.empty()) state.bundles.push_back(frontier_.all());
     return state;
   }
@@ -192,15 +215,10 @@ class Explorer {
   }
 
  private:
-  friend class Expansion<P>;
-
-  struct Work {
-    static constexpr double of_first_child = [] {
-      if constexpr (Uneven<P>)
-        return double{P::work_of_first_child};
-      else
-        return 1.0;
-    }();
+  // A bundle that waits, and that more can be given of.
+  struct Waiting {
+    std::vector<Step> trail;
+    NodeStack<Node> nodes;
   };
 
   [[nodiscard]] double objective(const Solution& solution) const {
@@ -212,8 +230,15 @@ class Explorer {
 
   [[nodiscard]] double bound_of(const Node& node) const {
     if constexpr (Bounded<P>) {
-      if (goal_ == Goal::best) return std::as_const(problem_).bound(node);
+      if (looks_at_bounds()) return std::as_const(problem_).bound(node);
     }
+    return bound_of_any();
+  }
+
+  [[nodiscard]] bool looks_at_bounds() const { return Bounded<P> && goal_ == Goal::best; }
+
+  // Of nodes whose bounds are not looked at.
+  [[nodiscard]] double bound_of_any() const {
     return goal_ == Goal::first ? 0 : -std::numeric_limits<double>::infinity();
   }
 
@@ -227,12 +252,12 @@ class Explorer {
   // for the node that is being expanded.
   [[nodiscard]] std::size_t stores() const {
     const bool own = expanding_ || !frontier_.empty();
-    return (own ? 1 : 0) + bundles_.size() + (heap_.empty() ? 0 : 1);
+    return (own ? 1 : 0) + waiting_.size() + (heap_.empty() ? 0 : 1);
   }
 
   void keep(Bundle<Node>&& bundle) {
     if (order_ == Order::depth_first) {
-      bundles_.push_back(std::move(bundle));
+      waiting_.push_back({std::move(bundle.trail), NodeStack<Node>(std::move(bundle.nodes))});
     } else {
       heap_.put(std::move(bundle), [this](const Node& node) { return rank_of(node); });
     }
@@ -243,9 +268,10 @@ class Explorer {
       frontier_.take(heap_.take());
       return true;
     }
-    if (bundles_.empty()) return false;
-    frontier_.take(std::move(bundles_.back()));
-    bundles_.pop_back();
+    if (waiting_.empty()) return false;
+    auto& next = waiting_.back();
+    frontier_.take({std::move(next.trail), next.nodes.take_all()});
+    waiting_.pop_back();
     return true;
   }
 
@@ -260,14 +286,58 @@ class Explorer {
 
   void open_node() {
     Node node = frontier_.open();
-    if (incumbent_.exists && incumbent_.rules_out(bound_of(node), frontier_.path())) {
+    if (incumbent_.exists && incumbent_.rules_out(bound_of(node), frontier_.place())) {
       ++statistics_.pruned;
     } else {
       ++statistics_.opened;
       statistics_.fingerprint += frontier_.mark();
-      expand(std::move(node));
+      if (check_share_ > 0 && is_checked(frontier_.mark())) [[unlikely]] {
+        expand_twice(std::move(node));
+      } else {
+        expand(std::move(node));
+      }
     }
     closed_ += frontier_.close();
+  }
+
+  // A share of the nodes that is the same for any number of ranks.
+  [[nodiscard]] bool is_checked(std::uint64_t mark) const {
+    constexpr double all_hashes = 0x1p64;
+    return static_cast<double>(hash_of_mark(mark)) <= check_share_ * all_hashes;
+  }
+
+  // Once in vain and once in earnest, both times with the same incumbent.
+  void expand_twice(Node&& node) {
+    const auto incumbent = incumbent_;
+    const auto statistics = statistics_;
+    const bool improved = improved_;
+    const auto found_before = found_.size();
+    const auto best_before = goal_ == Goal::all ? std::vector<Found<P>>{} : found_;
+    const auto first = yield_of(Node(node));
+    frontier_.take_back();
+    incumbent_ = incumbent;
+    statistics_ = statistics;
+    improved_ = improved;
+    if (goal_ == Goal::all) {
+      found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(found_before), found_.end());
+    } else {
+      found_ = best_before;
+    }
+    const auto second = yield_of(std::move(node));
+    if (const auto what = difference(first, second)) {
+      throw ExpansionDiffers(frontier_.path(), *what);
+    }
+  }
+
+  Yield yield_of(Node&& node) {
+    Yield yield;
+    yield_ = &yield;
+    expand(std::move(node));
+    yield_ = nullptr;
+    frontier_.for_each_child([&](const Node& child) {
+      yield.children.push_back({pack(child), rank_of(child)});
+    });
+    return yield;
   }
 
   void expand(Node&& node) {
@@ -286,9 +356,11 @@ class Explorer {
   Goal goal_;
   Order order_;
   std::size_t heap_nodes_;
-  Frontier<Node, Work> frontier_;      // what is searched depth first
-  std::vector<Bundle<Node>> bundles_;  // what comes after it; only if the order is depth first,
-  Heap<Node> heap_;                    // and only if it is not
+  double check_share_;                  // of the nodes, opened twice
+  Yield* yield_ = nullptr;              // of the node that is being opened twice
+  Frontier<Node, WorkOf<P>> frontier_;  // what is searched depth first
+  std::vector<Waiting> waiting_;        // what comes after it; only if the order is depth first,
+  Heap<Node> heap_;                     // and only if it is not
   Expansion<P> expansion_;
   bool expanding_ = false;
   bool improved_ = false;
@@ -297,30 +369,5 @@ class Explorer {
   double closed_ = 0;
   RankStatistics statistics_;
 };
-
-template <class P>
-void Expansion<P>::branch(Node child) {
-  explorer_.frontier_.branch(std::move(child));
-}
-
-template <class P>
-void Expansion<P>::solution(Solution solution) {
-  explorer_.report(std::move(solution));
-}
-
-template <class P>
-double Expansion<P>::cutoff() const {
-  return explorer_.incumbent_.objective;
-}
-
-template <class P>
-bool Expansion<P>::ruled_out(double bound) const {
-  return explorer_.incumbent_.rules_out_more(bound, explorer_.frontier_.path());
-}
-
-template <class P>
-Path Expansion<P>::path() const {
-  return explorer_.frontier_.path();
-}
 
 }  // namespace kusabi::engine

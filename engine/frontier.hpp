@@ -8,18 +8,15 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <boost/serialization/vector.hpp>
-
+#include "engine/contract.hpp"
+#include "engine/open_nodes.hpp"
 #include "engine/path.hpp"
-#include "engine/wire.hpp"
 
 namespace kusabi::engine {
 
@@ -27,92 +24,6 @@ namespace kusabi::engine {
 struct EqualWork {
   static constexpr double of_first_child = 1;
 };
-
-/// One node of the trail. What follows from its children is of no meaning before all are branched.
-struct Step {
-  std::uint32_t branch = 0;    ///< which child of the step above; of no meaning at the root
-  std::uint32_t branches = 0;  ///< how many children this node has
-  std::uint64_t hash = 0;      ///< of the path that ends here; its children's marks need it
-  double share_of_each = 0;    ///< of its children, of the whole tree; the first has Work times it
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& branch& branches& hash& share_of_each;
-  }
-};
-
-/// A node that waits to be opened.
-template <class Node>
-struct OpenNode {
-  Node node;
-  std::uint32_t depth = 0;   ///< the root has depth 0
-  std::uint32_t branch = 0;  ///< its number among the children of the trail's node above
-
-  OpenNode() = default;
-  OpenNode(Node&& waiting, std::uint32_t its_depth, std::uint32_t its_branch)
-      : node(std::move(waiting)), depth(its_depth), branch(its_branch) {}
-  // Field by field, as GCC 12 does it, a node of six numbers costs five nanoseconds more.
-  OpenNode(Node&& waiting, std::uint32_t its_depth,
-           std::uint32_t its_branch) requires std::is_trivially_copyable_v<Node>
-      : depth(its_depth), branch(its_branch) {
-    std::memcpy(&node, &waiting, sizeof node);
-  }
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& node& depth& branch;
-  }
-};
-
-/// Nodes taken out of where they waited, with the part of the trail that they hang on.
-template <class Node>
-struct Bundle {
-  std::vector<Step> trail;            ///< from the root down to the parent of the deepest node
-  std::vector<OpenNode<Node>> nodes;  ///< shallowest first
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& trail& nodes;
-  }
-};
-
-/// Nodes on their way to another rank.
-template <class Node>
-using Gift = std::vector<Bundle<Node>>;
-
-template <class Node>
-std::size_t size_of(const Gift<Node>& gift) {
-  std::size_t nodes = 0;
-  for (const auto& bundle : gift) nodes += bundle.nodes.size();
-  return nodes;
-}
-
-/// Takes out the first, the third, the fifth … of `nodes`: at most `count` of them, and no more
-/// than fit into `limit` bytes, but at least one.
-/// @pre nodes is not empty
-template <class Node>
-std::vector<OpenNode<Node>> take_every_other(std::vector<OpenNode<Node>>& nodes, std::size_t count,
-                                             std::size_t limit) {
-  std::vector<OpenNode<Node>> taken;
-  PackedSize<OpenNode<Node>> packed_size;
-  std::size_t bytes = 0;
-  bool full = false;
-  std::size_t kept = 0;
-  for (std::size_t place = 0; place < nodes.size(); ++place) {
-    if (place % 2 == 0 && !full) {
-      bytes += packed_size(nodes[place]);
-      full = !taken.empty() && (taken.size() == count || bytes > limit);
-      if (!full) {
-        taken.push_back(std::move(nodes[place]));
-        continue;
-      }
-    }
-    if (kept != place) nodes[kept] = std::move(nodes[place]);
-    ++kept;
-  }
-  nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(kept), nodes.end());
-  return taken;
-}
 
 /// A stack of open nodes, shallowest first.
 ///
@@ -130,7 +41,7 @@ class Frontier {
 
   /// Puts the root in, as the only open node.
   void plant(Node root) {
-    nodes_.clear();
+    nodes_.take_all();
     nodes_.emplace_back(std::move(root), 0, 0);
     trail_.resize(1);
   }
@@ -138,7 +49,7 @@ class Frontier {
   /// Takes the next node out; from now on the trail ends in it.
   /// @pre not empty()
   Node open() {
-    assert(!nodes_.empty());
+    ensure(!nodes_.empty(), "a node is opened only if one waits");
     auto& next = nodes_.back();
     depth_ = next.depth;
     branches_ = 0;
@@ -161,6 +72,18 @@ class Frontier {
   /// Adds a child of the node opened last, to be opened after the children already added.
   void branch(Node&& child) { nodes_.emplace_back(std::move(child), depth_ + 1, branches_++); }
 
+  /// Calls `look(child)` for the children added so far to the node opened last.
+  template <class Look>
+  void for_each_child(Look look) const {
+    for (std::size_t place = first_child_; place < nodes_.size(); ++place) look(nodes_[place].node);
+  }
+
+  /// Takes back all children added to the node opened last.
+  void take_back() {
+    nodes_.shorten(first_child_);
+    branches_ = 0;
+  }
+
   /// Ends the expansion of the node opened last: its first child comes to the top of the stack.
   /// @return the share of the whole tree that this closes: the node's own, if it has no children
   double close() {
@@ -171,7 +94,7 @@ class Frontier {
     step.share_of_each = share_ / (branches_ - 1 + Work::of_first_child);
     // The trail never shrinks: most nodes find their place in it made.
     if (trail_.size() < depth_ + std::size_t{2}) trail_.resize(depth_ + std::size_t{2});
-    std::reverse(nodes_.begin() + static_cast<std::ptrdiff_t>(first_child_), nodes_.end());
+    nodes_.reverse_from(first_child_);
     first_child_ = nodes_.size();
     peak_ = std::max(peak_, nodes_.size());
     return 0;
@@ -187,16 +110,14 @@ class Frontier {
   /// @pre not empty()
   [[nodiscard]] Bundle<Node> all() const {
     const auto deepest = static_cast<std::ptrdiff_t>(nodes_.back().depth);
-    return {{trail_.begin(), trail_.begin() + deepest}, nodes_};
+    return {{trail_.begin(), trail_.begin() + deepest}, {nodes_.begin(), nodes_.end()}};
   }
 
   /// Takes out all that is open. @pre not empty(); no node is being expanded
   Bundle<Node> take_all() {
     const auto deepest = static_cast<std::ptrdiff_t>(nodes_.back().depth);
-    Bundle<Node> all{{trail_.begin(), trail_.begin() + deepest}, std::move(nodes_)};
-    nodes_.clear();
     first_child_ = 0;
-    return all;
+    return {{trail_.begin(), trail_.begin() + deepest}, nodes_.take_all()};
   }
 
   /// What the node opened last adds to the fingerprint.
@@ -213,6 +134,30 @@ class Frontier {
     return path;
   }
 
+  /// The same to be compared with paths, which does not build it.
+  class Place {
+   public:
+    explicit Place(const Frontier& frontier) : frontier_(frontier) {}
+
+    friend std::strong_ordering operator<=>(const Path& path, const Place& place) {
+      return place.order_of(path);
+    }
+
+   private:
+    [[nodiscard]] std::strong_ordering order_of(const Path& path) const {
+      const std::size_t depth = frontier_.depth_;
+      const std::size_t common = std::min(path.size(), depth);
+      for (std::size_t above = 0; above < common; ++above) {
+        const auto order = path[above] <=> frontier_.trail_[above + 1].branch;
+        if (std::is_neq(order)) return order;
+      }
+      return path.size() <=> depth;
+    }
+
+    const Frontier& frontier_;
+  };
+  [[nodiscard]] Place place() const { return Place(*this); }
+
   /// Whether there is something to give: one node must be left.
   /// Children that the current expansion is still adding are not up for giving.
   [[nodiscard]] bool can_give() const { return first_child_ >= 2; }
@@ -223,9 +168,9 @@ class Frontier {
   /// and forth.)
   /// @pre can_give()
   Bundle<Node> give(std::size_t limit) {
-    assert(can_give());
+    ensure(can_give(), "a frontier gives only if a node is left");
     Bundle<Node> gift;
-    gift.nodes = take_every_other(nodes_, first_child_ / 2, limit);
+    gift.nodes = nodes_.give(first_child_ / 2, limit);
     first_child_ -= gift.nodes.size();
     const auto deepest = static_cast<std::ptrdiff_t>(gift.nodes.back().depth);
     gift.trail.assign(trail_.begin(), trail_.begin() + deepest);
@@ -235,16 +180,16 @@ class Frontier {
   /// Puts the nodes of a bundle in.
   /// @pre empty()
   void take(Bundle<Node>&& bundle) {
-    assert(nodes_.empty());
+    ensure(nodes_.empty(), "a frontier takes nodes of one line from the root only");
     trail_ = std::move(bundle.trail);
-    nodes_ = std::move(bundle.nodes);
+    nodes_ = NodeStack<Node>(std::move(bundle.nodes));
     trail_.resize(nodes_.back().depth + std::size_t{1});
     first_child_ = nodes_.size();
     peak_ = std::max(peak_, nodes_.size());
   }
 
  private:
-  std::vector<OpenNode<Node>> nodes_;
+  NodeStack<Node> nodes_;
   std::vector<Step> trail_;  // of use down to depth_ only
   // Of the node opened last:
   std::uint32_t depth_ = 0;

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/frontier.hpp"
+#include "engine/contract.hpp"
+#include "engine/open_nodes.hpp"
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {
@@ -55,7 +55,7 @@ class Heap {
   /// than fit into `limit` bytes, but at least one. So both sides go on with equally good nodes.
   /// @pre can_give()
   Gift<Node> give(std::size_t limit) {
-    assert(can_give());
+    ensure(can_give(), "a heap gives only if a node is left");
     Gift<Node> gift;
     std::vector<Entry> kept;
     PackedSize<Bundle<Node>> packed_size;

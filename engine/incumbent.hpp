@@ -1,7 +1,10 @@
 // The best solution known so far, as all ranks need to know it: its value and its place.
 #pragma once
 
+#include <cmath>
+#include <compare>
 #include <limits>
+#include <stdexcept>
 
 #include <boost/serialization/vector.hpp>
 
@@ -22,21 +25,34 @@ struct Incumbent {
     return path < other.path;
   }
 
-  /// Whether nothing below the node at `path`, whose solutions have objectives of `bound` or more,
-  /// can be better. (A path that is greater without being a continuation has only greater ones
-  /// below it; so has a continuation.)
-  [[nodiscard]] bool rules_out(double bound, const Path& node) const {
-    return exists && (bound > objective || (bound == objective && path < node));
+  /// Whether nothing below a node, whose solutions have objectives of `bound` or more, can be
+  /// better. (A path that is greater without being a continuation has only greater ones below it;
+  /// so has a continuation.)
+  /// @param place what the own path compares with by <=>: the node's path, or (since it is looked
+  ///   at on ties only) something that knows it
+  /// @throws std::domain_error if the bound is not a number
+  template <class Place = Path>
+  [[nodiscard]] bool rules_out(double bound, const Place& place) const {
+    if (!exists || bound < objective) return false;
+    return above(bound) || std::is_lt(path <=> place);
   }
 
-  /// The same for what the node at `path` may yield itself after what it has yielded already.
-  [[nodiscard]] bool rules_out_more(double bound, const Path& node) const {
-    return exists && (bound > objective || (bound == objective && !(node < path)));
+  /// The same for what the node may yield itself after what it has yielded already.
+  template <class Place = Path>
+  [[nodiscard]] bool rules_out_more(double bound, const Place& place) const {
+    if (!exists || bound < objective) return false;
+    return above(bound) || std::is_lteq(path <=> place);
   }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& exists& objective& path;
+  }
+
+ private:
+  [[nodiscard]] bool above(double bound) const {
+    if (std::isnan(bound)) throw std::domain_error("a bound is not a number");
+    return bound > objective;
   }
 };
 

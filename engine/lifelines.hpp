@@ -11,11 +11,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cstddef>
 #include <deque>
 #include <optional>
 #include <vector>
+
+#include "engine/contract.hpp"
 
 namespace kusabi::engine {
 
@@ -51,7 +52,7 @@ class Lifelines {
   /// The one that has waited longest; it is forgotten.
   /// @pre wanted()
   int take() {
-    assert(wanted());
+    ensure(wanted(), "a name is taken only if one was left");
     const int rank = waiting_.front();
     waiting_.pop_front();
     return rank;
@@ -67,7 +68,7 @@ class Lifelines {
     const auto found =
         std::find_if(neighbours_.begin(), neighbours_.end(),
                      [&](const Neighbour& neighbour) { return neighbour.rank == rank; });
-    assert(found != neighbours_.end());
+    ensure(found != neighbours_.end(), "a parcel comes from a lifeline");
     return *found;
   }
 

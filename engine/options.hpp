@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace kusabi::engine {
@@ -15,6 +16,11 @@ enum class Goal {
   best,   ///< the one with the least objective; of equals the first in depth-first order
   first,  ///< the first in depth-first order, whichever rank meets one first
 };
+
+/// As it is written into checkpoints.
+constexpr const char* name_of(Goal goal) {
+  return goal == Goal::all ? "all" : goal == Goal::best ? "best" : "first";
+}
 
 /// Which of the nodes that wait on a rank is opened next. The outcome does not depend on it.
 enum class Order {
@@ -39,12 +45,15 @@ struct Limits {
 /// What somebody outside (a signal, a batch system) wants of a running search.
 enum class Interrupt { none, checkpoint, stop };
 
-/// Where the state of the search is kept for a restart.
+/// Where the state of the search is kept for a restart. A new search never takes the place of a
+/// checkpoint that is there: it must go on from it, or have another `file`.
 struct CheckpointOptions {
-  std::string file;           ///< the manifest; parts lie beside it. Empty: no checkpoints
-  double interval = 600;      ///< seconds between two
-  std::string resume_from;    ///< a manifest found good by usable_checkpoint(); empty: start anew
-  std::uint64_t problem = 0;  ///< fingerprint of the problem: another's checkpoint is refused
+  std::string file;         ///< the manifest; parts lie beside it. Empty: no checkpoints
+  double interval = 600;    ///< seconds between two
+  std::string resume_from;  ///< a manifest found good by usable_checkpoint(); empty: start anew
+  /// Fingerprint of the problem: a number that another problem is unlikely to have. It must be
+  /// given with either file, since another problem's checkpoint would lead to a wrong answer.
+  std::optional<std::uint64_t> problem;
 };
 
 /// The state of a running search, as of the last survey.
@@ -83,6 +92,12 @@ struct Options {
 
   /// Upper limit, in bytes, that the engine aims at for one message.
   std::size_t message_bytes = std::size_t{64} * 1024;
+
+  /// Share of the nodes, 0 to 1, that are opened twice to see whether `expand` depends on the node
+  /// alone: children, solutions and bounds must be the same both times, byte for byte. If they are
+  /// not, the search ends with an error that names the node. For trying a problem out: what
+  /// `expand` counts or writes for itself, it counts or writes twice.
+  double check_expand = 0;
 
   /// Events that each rank keeps for a trace (Outcome::traces); 0: no trace. The same on all ranks.
   std::size_t trace_events = 0;

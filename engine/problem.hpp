@@ -1,7 +1,9 @@
-// What a problem type must offer to be searched.
+// What a problem type must offer to be searched. (Something offered under one of these names but in
+// another shape is an error: engine/problem_check.hpp.)
 #pragma once
 
 #include <concepts>
+#include <type_traits>
 #include <utility>
 
 #include "engine/expansion.hpp"
@@ -10,10 +12,10 @@ namespace kusabi::engine {
 
 /// A tree to search: its root, and a way to open a node.
 ///
-/// `Node` and `Solution` are movable values that Boost.Serialization can write and read (and that
-/// can be made without arguments). A node is a subproblem and nothing else: whatever is large or
-/// expensive to set up (a factorisation, a solver's workspace) belongs into the problem object, of
-/// which every rank has its own. What `expand` does must depend on the node alone.
+/// `Node` and `Solution` are values that can be copied, assigned and made without arguments, and
+/// that Boost.Serialization can write and read. A node is a subproblem and nothing else: whatever
+/// is large or expensive to set up (a factorisation, a solver's workspace) belongs into the problem
+/// object, of which every rank has its own. What `expand` does must depend on the node alone.
 template <class P>
 concept Problem = requires(P& problem, const P& looked_at, typename P::Node node,
                            Expansion<P>& out) {
@@ -50,10 +52,11 @@ struct NoTally {
 };
 
 /// A problem that knows how much is usually below a node's first child, if below each of the others
-/// is 1. Only what a person is told of the progress hangs on it.
+/// is 1. Only what a person is told of the progress depends on it.
 template <class P>
 concept Uneven = Problem<P> && requires {
   { P::work_of_first_child } -> std::convertible_to<double>;
+  typename std::enable_if_t<(P::work_of_first_child > 0)>;
 };
 
 namespace detail {

@@ -15,10 +15,11 @@
 //   auto outcome = engine::search(queens, transport);    // the same outcome, on rank 0
 //
 // tests/engine/queens.hpp is this example in full, tests/install/colouring a project of its own.
-// How the ranks share the tree is told in engine/worker.hpp and docs/engine.md.
+// How the ranks share the tree is told in engine/rank.hpp and docs/engine.md.
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <string>
 #include <thread>
 #include <utility>
@@ -26,6 +27,7 @@
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
+#include "engine/problem_check.hpp"
 #include "engine/transport/single_process.hpp"
 #include "engine/transport/transport.hpp"
 #include "engine/worker.hpp"
@@ -37,26 +39,31 @@ namespace kusabi::engine {
 ///
 /// Guarantees: every node is opened exactly once, on one of the ranks; the outcome on rank 0
 /// depends neither on the number of ranks nor on timing, but for the statistics.
+/// Requires: `P` is a Problem (engine/problem.hpp); the compiler says in a sentence what is not as
+/// it should be.
+/// @return an Outcome<P>
 /// @throws ExpansionFailed if `expand` throws and the search runs in this process alone; over MPI
 ///   one line is printed and all ranks end.
-template <Problem P>
-Outcome<P> search(P& problem, Transport& transport, const Options& options = {}) {
-  try {
-    Worker<P> worker(problem, transport, options);
-    for (;;) {
-      const Pace pace = worker.step();
-      if (pace.state == Pace::State::done) return std::move(worker).outcome();
-      if (pace.sleeps()) std::this_thread::sleep_for(std::chrono::duration<double>(pace.wait));
+template <class P>
+OutcomeOf<P> search(P& problem, Transport& transport, const Options& options = {}) {
+  if constexpr (CheckedProblem<P>::sound) {
+    try {
+      Worker<P> worker(problem, transport, options);
+      for (;;) {
+        const Pace pace = worker.step();
+        if (pace.state == Pace::State::done) return std::move(worker).outcome();
+        if (pace.sleeps()) std::this_thread::sleep_for(std::chrono::duration<double>(pace.wait));
+      }
+    } catch (const std::exception& error) {
+      transport.abandon(error.what());
+      throw;
     }
-  } catch (const std::exception& error) {
-    transport.abandon(error.what());
-    throw;
   }
 }
 
 /// The same in this process alone, without MPI.
-template <Problem P>
-Outcome<P> search(P& problem, const Options& options = {}) {
+template <class P>
+OutcomeOf<P> search(P& problem, const Options& options = {}) {
   SingleProcess transport;
   return search(problem, transport, options);
 }

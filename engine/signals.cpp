@@ -28,9 +28,13 @@ void heed_signals() {
   std::signal(SIGUSR1, &note_checkpoint);
 }
 
-Interrupt asked_by_signal() {
-  if (stop_asked != 0) return Interrupt::stop;
-  if (checkpoint_asked == 0) return Interrupt::none;
+bool end_asked_by_signal() {
+  return stop_asked != 0;
+}
+
+engine::Interrupt asked_by_signal() {
+  if (end_asked_by_signal()) return engine::Interrupt::stop;
+  if (checkpoint_asked == 0) return engine::Interrupt::none;
   checkpoint_asked = 0;
   return Interrupt::checkpoint;
 }

@@ -10,6 +10,9 @@ namespace kusabi::engine {
 /// SIGUSR1, which batch systems send before the time is up, asks for a checkpoint.
 void heed_signals();
 
+/// Whether an end has been asked for.
+bool end_asked_by_signal();
+
 /// What has been asked for; a checkpoint is told once. Fits Options::interrupt.
 Interrupt asked_by_signal();
 

@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,25 @@ concept Timed = requires(const P& problem) {
   { problem.seconds() } -> std::convertible_to<double>;
   { problem.least_seconds() } -> std::convertible_to<double>;
 };
+
+template <class P>
+struct Simulated;
+
+/// Stops the compiler with a sentence unless `P` can be simulated.
+template <class P>
+struct CheckedSimulation {
+  static constexpr bool copies = std::copy_constructible<P>;
+  static constexpr bool tells_its_time = Timed<P> || !(NamesSeconds<P> || NamesLeastSeconds<P>);
+  static_assert(copies, "a problem must be copyable to be simulated: each rank has its own");
+  static_assert(
+      tells_its_time,
+      "a timed problem needs `double seconds() const` and `double least_seconds() const`");
+  static constexpr bool sound = CheckedProblem<P>::sound && copies && tells_its_time;
+  using SimulatedOrNothing = std::conditional_t<sound, Simulated<P>, void>;
+};
+
+template <class P>
+using SimulatedOf = typename CheckedSimulation<P>::SimulatedOrNothing;
 
 template <class P>
 struct Simulated {
@@ -146,13 +166,16 @@ class Simulation {
 
 /// Searches the tree of `problem` (copied for every rank) with `ranks` simulated ranks.
 /// @throws std::runtime_error if the search does not end within `most_steps` steps of all ranks
-template <Problem P>
-Simulated<P> simulate(const P& problem, int ranks, std::uint64_t seed, const Weather& weather = {},
-                      Options options = {}, std::uint64_t most_steps = 100'000'000) {
-  options.seed = seed;
-  // Virtual clocks do not move within a step, so the stride cannot be measured.
-  if (options.nodes_per_step == 0) options.nodes_per_step = 1;
-  return Simulation<P>(problem, ranks, weather, options).run(most_steps);
+template <class P>
+SimulatedOf<P> simulate(const P& problem, int ranks, std::uint64_t seed,
+                        const Weather& weather = {}, Options options = {},
+                        std::uint64_t most_steps = 100'000'000) {
+  if constexpr (CheckedSimulation<P>::sound) {
+    options.seed = seed;
+    // Virtual clocks do not move within a step, so the stride cannot be measured.
+    if (options.nodes_per_step == 0) options.nodes_per_step = 1;
+    return Simulation<P>(problem, ranks, weather, options).run(most_steps);
+  }
 }
 
 }  // namespace kusabi::engine

@@ -2,8 +2,8 @@
 #include "engine/victims.hpp"
 
 #include <algorithm>
-#include <cassert>
 
+#include "engine/contract.hpp"
 #include "engine/path.hpp"
 
 namespace kusabi::engine {
@@ -22,7 +22,7 @@ Victims::Victims(int self, int ranks, std::uint64_t seed)
       ranks_(ranks),
       random_(branch_hash(seed, static_cast<std::uint32_t>(self))),
       pause_(shortest_pause) {
-  assert(ranks >= 2);
+  ensure(ranks >= 2, "a rank that chooses whom to ask is not alone");
 }
 
 int Victims::choose() {

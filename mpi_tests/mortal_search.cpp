@@ -129,12 +129,9 @@ class Tree {
 };
 
 void write(const std::string& name, const engine::Outcome<Tree>& outcome) {
-  std::uint64_t work = 0;
-  for (const auto& report : outcome.earlier) work += report.tally;
-  for (const auto& report : outcome.ranks) work += report.tally;
   std::ofstream file(name);
   file << "opened " << outcome.opened() << "\nfingerprint " << outcome.fingerprint() << "\nwork "
-       << work << "\nsolutions " << outcome.solutions.size() << '\n';
+       << outcome.tally() << "\nsolutions " << outcome.solutions.size() << '\n';
   for (const auto& found : outcome.solutions) {
     for (const auto branch : found.path) file << branch << '.';
     file << ' ' << found.solution << '\n';
@@ -167,7 +164,7 @@ int main(int argc, char** argv) {
       try {
         std::string warning;
         options.checkpoint.resume_from =
-            engine::usable_checkpoint(state, options.checkpoint.problem, warning);
+            engine::usable_checkpoint(state, *options.checkpoint.problem, warning);
       } catch (const engine::CheckpointError& error) {
         std::fprintf(stderr, "refused: %s\n", error.what());
         return 2;

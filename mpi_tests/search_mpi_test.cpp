@@ -44,9 +44,7 @@ TEST(MpiSearch, GathersManySolutionsInOrder) {
   for (std::size_t i = 0; i < alone.solutions.size(); ++i) {
     ASSERT_EQ(together.solutions[i].solution, alone.solutions[i].solution);
   }
-  std::uint64_t leaves = 0;
-  for (const auto& rank : together.ranks) leaves += rank.tally;
-  EXPECT_EQ(leaves, alone.ranks[0].tally);
+  EXPECT_EQ(together.tally(), alone.ranks[0].tally);
 }
 
 TEST(MpiSearch, OneSearchAfterAnotherOnTheSameTransport) {

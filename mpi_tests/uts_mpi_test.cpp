@@ -15,8 +15,7 @@ void expect_published_counts(const char* name) {
   const auto outcome = engine::search(tree, transport);
   if (transport.rank() != 0) return;
   ASSERT_EQ(outcome.ranks.size(), static_cast<std::size_t>(transport.size()));
-  TreeCounts counts;
-  for (const auto& rank : outcome.ranks) counts += rank.tally;
+  const auto counts = outcome.tally();
   EXPECT_EQ(counts.nodes, standard.counts.nodes);
   EXPECT_EQ(counts.leaves, standard.counts.leaves);
   EXPECT_EQ(counts.depth, standard.counts.depth);

@@ -308,7 +308,7 @@ void add_mip(CLI::App& app, Action& action, bool& serial) {
   command.add_flag("!--no-dive", options->dive, "do not look for points before the search");
   command.add_option("--output", options->output, "write the result to this JSON file");
   command
-      .add_option("--time-limit", options->limits.seconds, "stop after so many seconds of search")
+      .add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
       ->check(positive);
   command
       .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")

@@ -9,7 +9,7 @@ give_up() { printf 'kusabi: %s\n' "$*" >&2; exit 1; }
 # What the program itself needs, by the names of Debian 12.
 build_packages=(g++ cmake make libopenmpi-dev openmpi-bin libboost-serialization-dev libeigen3-dev
   libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libgmp-dev libmpfr-dev libglpk-dev
-  libqd-dev)
+  libqd-dev zlib1g-dev)
 # What the tests need besides.
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev python3)
 

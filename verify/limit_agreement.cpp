@@ -13,15 +13,23 @@ std::string bar_name(const Structure& structure, const Bar& bar) {
   return structure.names[bar.first] + "-" + structure.names[bar.second];
 }
 
-// How far the column of a member is from the one that its bar has; nothing if that is no rounding.
-std::optional<Dyadic> column_error(const Sparse& column, const Structure& structure,
-                                   const Freedom& freedom, const Bar& bar) {
+// The middle of what is enclosed, and how far its ends are from it.
+Near middle(const Enclosure& value) {
+  const auto sum = (value.lower() + value.upper()).scaled(-1);
+  return {sum, value.distance(sum)};
+}
+
+// The column that the bar of a member has; nothing if the recorded one is no rounding of it.
+std::optional<std::vector<std::pair<std::size_t, Near>>> true_column(const Sparse& column,
+                                                                     const Structure& structure,
+                                                                     const Freedom& freedom,
+                                                                     const Bar& bar) {
   std::map<std::size_t, double> recorded;
   for (const auto& [place, value] : column) {
     if (!recorded.emplace(place, value).second) return {};
   }
   const auto cosines = direction(structure, bar).cosines;
-  Dyadic total;
+  std::vector<std::pair<std::size_t, Near>> exact;
   for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
     if (!cosines[axis].finite()) return {};
     for (const auto node : {bar.first, bar.second}) {
@@ -31,15 +39,14 @@ std::optional<Dyadic> column_error(const Sparse& column, const Structure& struct
       const auto found = recorded.find(number);
       const double value = found == recorded.end() ? 0.0 : found->second;
       if (found != recorded.end()) recorded.erase(found);
-      const auto error = entry.distance(Dyadic(value));
-      if (error > Dyadic(cosine_tolerance)) return {};
-      total = total + error;
+      if (entry.distance(Dyadic(value)) > Dyadic(cosine_tolerance)) return {};
+      if (!entry.is_zero()) exact.emplace_back(number, middle(entry));
     }
   }
   for (const auto& [place, value] : recorded) {
     if (value != 0) return {};
   }
-  return total;
+  return exact;
 }
 
 std::vector<Enclosure> sum_of(const std::vector<Force>& forces, const Structure& structure,
@@ -54,16 +61,17 @@ std::vector<Enclosure> sum_of(const std::vector<Force>& forces, const Structure&
   return sum;
 }
 
-// Sums of doubles, added in double precision: a few roundings off.
-std::optional<std::vector<Dyadic>> load_errors(const std::vector<double>& recorded,
-                                               const std::vector<Enclosure>& load) {
+// The recorded load is a sum of doubles, added in double precision: a few roundings off.
+std::optional<std::vector<Near>> true_load(const std::vector<double>& recorded,
+                                           const std::vector<Enclosure>& load) {
   constexpr long roundings = -40;
-  std::vector<Dyadic> errors;
+  std::vector<Near> exact;
   for (std::size_t e = 0; e < load.size(); ++e) {
-    errors.push_back(load[e].distance(Dyadic(recorded[e])));
-    if (errors.back() > absolute(Dyadic(recorded[e])).scaled(roundings)) return {};
+    const Dyadic value(recorded[e]);
+    if (load[e].distance(value) > absolute(value).scaled(roundings)) return {};
+    exact.push_back(middle(load[e]));
   }
-  return errors;
+  return exact;
 }
 
 std::map<std::size_t, double> uncertain_weights(const Structure& structure, const Freedom& freedom,
@@ -84,26 +92,26 @@ std::map<std::size_t, double> uncertain_weights(const Structure& structure, cons
 
 std::optional<std::string> other_bars(const LimitCertificate& certificate,
                                       const Structure& structure, const Freedom& freedom,
-                                      LimitErrors& errors) {
+                                      LimitTruss& truss) {
   for (std::size_t i = 0; i < structure.bars.size(); ++i) {
     const auto& bar = structure.bars[i];
     if (certificate.tension[i] != bar.tension || certificate.compression[i] != bar.compression) {
       return "its yield forces of member " + bar_name(structure, bar) +
              " are not those of the truss";
     }
-    const auto error = column_error(certificate.columns[i], structure, freedom, bar);
-    if (!error) {
+    auto column = true_column(certificate.columns[i], structure, freedom, bar);
+    if (!column) {
       return "its direction of member " + bar_name(structure, bar) + " is not that of the truss";
     }
-    errors.columns.push_back(*error);
+    truss.columns.push_back(*std::move(column));
   }
   return {};
 }
 
 }  // namespace
 
-std::variant<LimitErrors, std::string> limit_agreement(const LimitCertificate& certificate,
-                                                       const Structure& structure) {
+std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& certificate,
+                                                      const Structure& structure) {
   const Freedom freedom(structure);
   if (certificate.displacements != freedom.count ||
       certificate.members() != structure.bars.size()) {
@@ -111,23 +119,23 @@ std::variant<LimitErrors, std::string> limit_agreement(const LimitCertificate& c
            std::to_string(certificate.members()) + " members, the truss has " +
            std::to_string(freedom.count) + " and " + std::to_string(structure.bars.size());
   }
-  LimitErrors errors;
-  if (auto why = other_bars(certificate, structure, freedom, errors)) return *why;
+  LimitTruss truss;
+  if (auto why = other_bars(certificate, structure, freedom, truss)) return *why;
   const auto dead = sum_of(structure.dead, structure, freedom);
   const auto reference = sum_of(structure.reference, structure, freedom);
-  auto dead_errors = load_errors(certificate.dead, dead);
-  auto reference_errors = load_errors(certificate.reference, reference);
-  if (!dead_errors) return "its dead load is not that of the truss";
-  if (!reference_errors) return "its reference load is not that of the truss";
-  errors.dead = std::move(*dead_errors);
-  errors.reference = std::move(*reference_errors);
+  auto true_dead = true_load(certificate.dead, dead);
+  auto true_reference = true_load(certificate.reference, reference);
+  if (!true_dead) return "its dead load is not that of the truss";
+  if (!true_reference) return "its reference load is not that of the truss";
+  truss.dead = *std::move(true_dead);
+  truss.reference = *std::move(true_reference);
   const auto weights = uncertain_weights(structure, freedom, dead, reference);
   const std::map<std::size_t, double> recorded(certificate.uncertain.begin(),
                                                certificate.uncertain.end());
   if (weights != recorded || recorded.size() != certificate.uncertain.size()) {
     return "its uncertain components of the load are not those of the truss";
   }
-  return errors;
+  return truss;
 }
 
 }  // namespace kusabi::verify

@@ -18,7 +18,7 @@ inline constexpr double cosine_tolerance = 0x1p-48;
 /// Compares all numbers that describe the truss: yield forces and weights must be the same, loads
 /// and direction cosines the same but for rounding, by how much is returned.
 /// @return a sentence that says where they disagree, if they do
-std::variant<LimitErrors, std::string> limit_agreement(const LimitCertificate& certificate,
-                                                       const Structure& structure);
+std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& certificate,
+                                                      const Structure& structure);
 
 }  // namespace kusabi::verify

@@ -5,166 +5,234 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
-#include "verify/cholesky.hpp"
-#include "verify/numbering.hpp"
+#include "verify/gram.hpp"
 
 namespace kusabi::verify {
 namespace {
 
-void add_product(Dyadic& sum, double a, double b) {
-  if (a != 0 && b != 0) sum = sum + Dyadic(a) * Dyadic(b);
+Dyadic product(const Dyadic& a, double b) {
+  return a * Dyadic(b);
+}
+
+using Column = std::vector<std::pair<std::size_t, Near>>;
+
+// b'u.
+Dyadic elongation_of(const Column& column, const std::vector<Dyadic>& motion) {
+  Dyadic total;
+  for (const auto& [e, entry] : column) total = total + entry.value * motion[e];
+  return total;
+}
+
+// How far the true columns are from those of the certificate, entry by entry; none if they are the
+// same.
+std::vector<SparseDyadic> errors_of(const LimitCertificate& certificate, const LimitTruss& truss) {
+  std::vector<SparseDyadic> errors(truss.columns.size());
+  bool any = false;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    std::map<std::size_t, Near> difference;
+    for (const auto& [e, entry] : truss.columns[i]) {
+      difference[e].value = difference[e].value + entry.value;
+      difference[e].error = difference[e].error + entry.error;
+    }
+    for (const auto& [e, entry] : certificate.columns[i]) {
+      difference[e].value = difference[e].value - Dyadic(entry);
+    }
+    for (const auto& [e, each] : difference) {
+      const auto error = absolute(each.value) + each.error;
+      if (error.sign() == 0) continue;
+      any = true;
+      errors[i].emplace_back(e, error);
+    }
+  }
+  if (!any) errors.clear();
+  return errors;
 }
 
 }  // namespace
 
-LimitProof::LimitProof(const LimitCertificate& certificate, LimitErrors errors)
-    : certificate_(certificate), errors_(std::move(errors)) {
-  for (const auto& error : errors_.dead) dead_error_ = dead_error_ + error;
-  for (const auto& error : errors_.reference) reference_error_ = reference_error_ + error;
-  bound_motions();
+LimitTruss recorded_truss(const LimitCertificate& certificate) {
+  LimitTruss truss;
+  for (const auto& column : certificate.columns) {
+    auto& exact = truss.columns.emplace_back();
+    for (const auto& [e, entry] : column) exact.emplace_back(e, Near{Dyadic(entry), {}});
+  }
+  for (const double dead : certificate.dead) truss.dead.push_back({Dyadic(dead), {}});
+  for (const double reference : certificate.reference) {
+    truss.reference.push_back({Dyadic(reference), {}});
+  }
+  return truss;
+}
+
+LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
+    : certificate_(certificate),
+      truss_(std::move(truss)),
+      column_errors_(errors_of(certificate_, truss_)) {
   for (const auto& cut : certificate.cuts) {
-    // rho = e + k f_R - B y
+    // e + k f_R - B y
     std::vector<Dyadic> load(certificate.displacements);
     load[certificate.uncertain[cut.column].first] = Dyadic(1.0);
-    for (std::size_t e = 0; e < load.size(); ++e) {
-      add_product(load[e], cut.factor, certificate.reference[e]);
+    auto& rounded = defects_.emplace_back();
+    const auto missing = defect(cut.forces, std::move(load), cut.factor);
+    for (std::size_t e = 0; e < missing.size(); ++e) {
+      if (missing[e].sign() != 0) rounded.emplace_back(e, double_above(missing[e]));
     }
-    defects_.push_back(defect(cut.forces, std::move(load)) +
-                       Dyadic(std::abs(cut.factor)) * reference_error_);
   }
 }
 
-Dyadic LimitProof::column_error(std::size_t member) const {
-  return errors_.columns.empty() ? Dyadic() : errors_.columns[member];
-}
-
-// |load - B q|_1
-Dyadic LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load) const {
-  Dyadic total;
+// |load + factor f_R - B forces|, by displacement, with what is not known of f_R and B.
+std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
+                                       double factor) const {
+  std::vector<Dyadic> doubt(load.size());
+  const auto add = [&](std::size_t e, const Near& number, double times) {
+    load[e] = load[e] + product(number.value, times);
+    doubt[e] = doubt[e] + product(number.error, std::abs(times));
+  };
+  if (factor != 0) {
+    for (std::size_t e = 0; e < load.size(); ++e) add(e, truss_.reference[e], factor);
+  }
   for (const auto& [member, force] : forces) {
-    for (const auto& [e, entry] : certificate_.columns[member]) add_product(load[e], -force, entry);
-    total = total + Dyadic(std::abs(force)) * column_error(member);
+    if (force == 0) continue;
+    for (const auto& [e, entry] : truss_.columns[member]) add(e, entry, -force);
   }
-  for (const auto& each : load) total = total + absolute(each);
-  return total;
+  for (std::size_t e = 0; e < load.size(); ++e) load[e] = absolute(load[e]) + doubt[e];
+  return load;
 }
 
 namespace {
 
-// The factor of B B', and in which order it has the displacements.
-struct Gram {
-  std::vector<std::size_t> place;  // of each displacement
-  std::optional<Cholesky> factor;
-};
+/// A member is meant to keep its length if what it stretches is less than this share of the motion,
+/// and is made to if rounding the motion may cost more than `is_dear` of all that it dissipates.
+/// (Of a body that is held together by more bars than it needs, not all keep their length exactly
+/// where the directions of bars are rounded.)
+constexpr double is_still = 1e-9;
+constexpr double is_dear = 1e-14;
+constexpr double rounding = 0x1p-53;
 
-Gram factor_of_gram(const LimitCertificate& certificate) {
-  const auto n = certificate.displacements;
-  constexpr std::size_t largest_profile = 50'000'000;
-  std::vector<std::map<std::size_t, double>> entries(n);
-  for (const auto& column : certificate.columns) {
-    for (const auto& [row, a] : column) {
-      for (const auto& [other, b] : column) entries[row][other] += a * b;
-    }
-  }
-  std::vector<std::vector<std::size_t>> neighbours(n);
-  for (std::size_t row = 0; row < n; ++row) {
-    for (const auto& [other, value] : entries[row]) {
-      if (other != row) neighbours[row].push_back(other);
-    }
-  }
-  const auto order = narrow_order(neighbours);
-  Gram gram;
-  gram.place.resize(n);
-  for (std::size_t at = 0; at < n; ++at) gram.place[order[at]] = at;
-  std::vector<std::size_t> first(n);
-  for (std::size_t at = 0; at < n; ++at) {
-    first[at] = at;
-    for (const auto& [other, value] : entries[order[at]]) {
-      first[at] = std::min(first[at], gram.place[other]);
-    }
-  }
-  const Profile profile(std::move(first));
-  if (profile.entries() > largest_profile) return gram;
-  std::vector<double> matrix(profile.entries(), 0.0);
-  for (std::size_t at = 0; at < n; ++at) {
-    for (const auto& [other, value] : entries[order[at]]) {
-      if (gram.place[other] <= at) matrix[profile.at(at, gram.place[other])] = value;
-    }
-  }
-  gram.factor = Cholesky::of(profile, matrix);
-  return gram;
-}
+/// Each step takes off ten digits or so of what they stretch; fewer of trusses that are nearly
+/// mechanisms.
+constexpr int steps = 12;
+constexpr double shift = 1e-10;
 
 }  // namespace
 
-// G = (B B')^-1 B is a guess of a left inverse of B'. With E = I - G B' and ‖E‖_inf <= 1/2,
-// u = G B'u + E u gives ‖u‖_inf <= 2 max_e sum_i |G_ei| |b_i'u|.
-void LimitProof::bound_motions() {
-  const auto n = certificate_.displacements;
-  if (certificate_.members() < n) return;  // fewer elongations than displacements
-  const auto [place, factor] = factor_of_gram(certificate_);
-  if (!factor) return;
-  std::vector<double> largest(certificate_.members(), 0.0);
-  std::vector<double> guess(n);  // row e of (B B')^-1
-  for (std::size_t e = 0; e < n; ++e) {
-    std::fill(guess.begin(), guess.end(), 0.0);
-    guess[place[e]] = 1;
-    factor->solve(guess);
-    std::vector<Dyadic> error(n);  // row e of E
-    error[e] = Dyadic(1.0);
-    Dyadic total;
-    for (std::size_t i = 0; i < certificate_.members(); ++i) {
-      double entry = 0;  // of G
-      for (const auto& [row, value] : certificate_.columns[i]) entry += guess[place[row]] * value;
-      if (!std::isfinite(entry)) return;
-      largest[i] = std::max(largest[i], std::abs(entry));
-      for (const auto& [row, value] : certificate_.columns[i]) {
-        add_product(error[row], -entry, value);
-      }
-      total = total + Dyadic(std::abs(entry)) * column_error(i);
-    }
-    for (const auto& each : error) total = total + absolute(each);
-    if (total > Dyadic(0.5)) return;
+// The recorded motion, changed a little so that members which are meant to keep their length do,
+// and, if so wished, the reference load does no work: a yield force that stands for "never" makes
+// much of a rounding. A guess like any other: what is made of it is exact.
+std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
+  std::vector<Dyadic> motion;
+  double largest = 0;
+  for (const double u : certificate_.motion) {
+    motion.emplace_back(u);
+    largest = std::max(largest, std::abs(u));
   }
-  for (const double each : largest) reach_.push_back(Dyadic(2.0) * Dyadic(each));
+  // At most: of a rounding nobody knows the sign.
+  const auto cost_of = [this](std::size_t i, double stretch) {
+    return std::abs(stretch) * std::max(certificate_.tension[i], certificate_.compression[i]);
+  };
+  std::vector<std::size_t> may_be_still;
+  double dissipated = 0;
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    const double stretch = elongation_of(truss_.columns[i], motion).nearest();
+    if (std::abs(stretch) <= is_still * largest) {
+      may_be_still.push_back(i);
+    } else {
+      dissipated +=
+          stretch * (stretch < 0 ? -certificate_.compression[i] : certificate_.tension[i]);
+    }
+  }
+  std::vector<const Column*> still;
+  std::vector<Sparse> roughly;
+  const auto keep_still = [&](const Column& column) {
+    still.push_back(&column);
+    auto& rough = roughly.emplace_back();
+    for (const auto& [e, entry] : column) rough.emplace_back(e, entry.value.nearest());
+  };
+  for (const auto i : may_be_still) {
+    if (cost_of(i, rounding * largest) > is_dear * dissipated) keep_still(truss_.columns[i]);
+  }
+  Column reference;
+  if (without_work) {
+    for (std::size_t e = 0; e < truss_.reference.size(); ++e) {
+      if (truss_.reference[e].value.sign() != 0) reference.emplace_back(e, truss_.reference[e]);
+    }
+    keep_still(reference);
+  }
+  if (still.empty()) return motion;
+  std::vector<bool> touched(certificate_.displacements);
+  std::vector<std::size_t> all;
+  std::vector<double> weight;  // so that each row is one
+  for (const auto& rough : roughly) {
+    double square = 0;
+    for (const auto& [e, entry] : rough) {
+      touched[e] = true;
+      square += entry * entry;
+    }
+    all.push_back(all.size());
+    weight.push_back(1 / square);
+  }
+  std::vector<std::size_t> displacements;
+  for (std::size_t e = 0; e < touched.size(); ++e) {
+    if (touched[e]) displacements.push_back(e);
+  }
+  const Gram gram(roughly, all, weight, displacements, certificate_.displacements, shift);
+  if (!gram.definite()) return motion;
+  std::vector<double> change(displacements.size());
+  for (int step = 0; step < steps; ++step) {
+    // Relative to the largest, so that nothing is lost far below one.
+    std::vector<Dyadic> stretches;
+    std::optional<long> scale;
+    for (const auto* column : still) {
+      stretches.push_back(elongation_of(*column, motion));
+      if (stretches.back().sign() == 0) continue;
+      scale = std::max(scale.value_or(stretches.back().magnitude()), stretches.back().magnitude());
+    }
+    if (!scale) break;
+    std::ranges::fill(change, 0.0);
+    for (std::size_t k = 0; k < still.size(); ++k) {
+      const double stretch = weight[k] * stretches[k].scaled(-*scale).nearest();
+      for (const auto& [e, entry] : roughly[k]) change[gram.place(e)] += stretch * entry;
+    }
+    gram.solve(change);
+    for (const auto e : displacements) {
+      const double each = change[gram.place(e)];
+      if (!std::isfinite(each)) return motion;
+      motion[e] = motion[e] - Dyadic(each).scaled(*scale);
+    }
+  }
+  return motion;
 }
 
 std::variant<mpq_class, std::string> LimitProof::upper() const {
-  const auto& u = certificate_.motion;
   for (const double zeta : certificate_.load) {
     if (std::abs(zeta) > certificate_.alpha) return "the load is outside of its bounds";
   }
-  Dyadic work;  // of f_R
+  const auto u = still_motion(false);
+  Dyadic work;   // of f_R
+  Dyadic doubt;  // of that
   Dyadic value;
   for (std::size_t e = 0; e < u.size(); ++e) {
-    add_product(work, certificate_.reference[e], u[e]);
-    add_product(value, -certificate_.dead[e], u[e]);
-  }
-  // What the errors of the loads add to the value, and take from or add to the work.
-  Dyadic doubt;
-  double largest = 0;
-  for (std::size_t e = 0; e < u.size(); ++e) {
-    const Dyadic size(std::abs(u[e]));
-    largest = std::max(largest, std::abs(u[e]));
-    if (!errors_.dead.empty()) value = value + errors_.dead[e] * size;
-    if (!errors_.reference.empty()) doubt = doubt + errors_.reference[e] * size;
+    const auto size = absolute(u[e]);
+    work = work + truss_.reference[e].value * u[e];
+    doubt = doubt + truss_.reference[e].error * size;
+    value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * size;
   }
   if (!(work > doubt)) return "the reference load does no work on the motion";
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
     const auto& [e, weight] = certificate_.uncertain[j];
-    value = value - Dyadic(certificate_.load[j]) * Dyadic(weight) * Dyadic(u[e]);
+    value = value - product(product(u[e], weight), certificate_.load[j]);
   }
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    Dyadic elongation;
-    for (const auto& [e, entry] : certificate_.columns[i]) add_product(elongation, entry, u[e]);
-    value = value + Dyadic(std::max(certificate_.compression[i], certificate_.tension[i])) *
-                        Dyadic(largest) * column_error(i);
-    const double yield =
-        elongation.sign() < 0 ? certificate_.compression[i] : certificate_.tension[i];
-    value = value + Dyadic(yield) * absolute(elongation);
+    const auto elongation = elongation_of(truss_.columns[i], u);
+    const double tension = certificate_.tension[i];
+    const double compression = certificate_.compression[i];
+    value = value + product(absolute(elongation), elongation.sign() < 0 ? compression : tension);
+    for (const auto& [e, entry] : truss_.columns[i]) {
+      value = value + product(entry.error * absolute(u[e]), std::max(tension, compression));
+    }
   }
   const auto divisor = value.sign() < 0 ? work + doubt : work - doubt;
   return mpq_class(value.rational() / divisor.rational());
@@ -176,21 +244,19 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   // What the shares of the cuts take of each member, and what they leave undone.
   std::vector<Dyadic> taken(certificate.members());
   std::vector<Dyadic> share_of(m);
+  std::vector<Dyadic> defects(certificate.displacements);
   Dyadic value(node.factor);
-  Dyadic defects = dead_error_ + Dyadic(std::abs(node.factor)) * reference_error_;
   for (const auto& [c, share] : node.shares) {
     const auto& cut = certificate.cuts[c];
     share_of[cut.column] = share_of[cut.column] + Dyadic(share);
-    add_product(value, -share, std::abs(cut.factor));
-    for (const auto& [i, force] : cut.forces) add_product(taken[i], share, std::abs(force));
-    defects = defects + Dyadic(share) * defects_[c];
+    const Dyadic mu(share);
+    value = value - product(mu, std::abs(cut.factor));
+    for (const auto& [i, force] : cut.forces) taken[i] = taken[i] + product(mu, std::abs(force));
+    for (const auto& [e, missing] : defects_[c]) defects[e] = defects[e] + product(mu, missing);
   }
-  // r = f_D + sum over decided signs of s (alpha weight + nu) e + lambda f_R - B q
+  // f_D + sum over decided signs of s (alpha weight + nu) e + lambda f_R - B q
   std::vector<Dyadic> load;
-  for (std::size_t e = 0; e < certificate.displacements; ++e) {
-    load.emplace_back(certificate.dead[e]);
-    add_product(load[e], node.factor, certificate.reference[e]);
-  }
+  for (const auto& dead : truss_.dead) load.push_back(dead.value);
   for (std::size_t j = 0; j < m; ++j) {
     const auto& [e, weight] = certificate.uncertain[j];
     const Dyadic needed = Dyadic(certificate.alpha) * Dyadic(weight);
@@ -203,16 +269,71 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   }
   Sparse forces;
   for (std::size_t i = 0; i < node.forces.size(); ++i) forces.emplace_back(i, node.forces[i]);
-  defects = defects + defect(forces, std::move(load));
+  const auto own = defect(forces, std::move(load), node.factor);
+  std::vector<double> rounded;
+  for (std::size_t e = 0; e < defects.size(); ++e) {
+    rounded.push_back(double_above(defects[e] + own[e] + truss_.dead[e].error));
+  }
+  std::vector<double> slack;
   for (std::size_t i = 0; i < certificate.members(); ++i) {
-    const Dyadic all = taken[i] + defects * reach_[i];
     const Dyadic force(node.forces[i]);
-    if (Dyadic(certificate.tension[i]) < force + all ||
-        Dyadic(certificate.compression[i]) + force < all) {
-      return "member " + std::to_string(i) + " yields";
+    const Dyadic tension = Dyadic(certificate.tension[i]) - force - taken[i];
+    const Dyadic compression = Dyadic(certificate.compression[i]) + force - taken[i];
+    const Dyadic& least = tension < compression ? tension : compression;
+    if (least.sign() < 0) return "member " + std::to_string(i) + " yields";
+    slack.push_back(double_below(least));
+  }
+  const MemberColumns members{certificate.displacements, certificate.columns, column_errors_};
+  const auto found = forces_against_defects(members, slack, rounded);
+  if (const auto* why = std::get_if<std::string>(&found)) return *why;
+  const auto& against = std::get<std::vector<double>>(found);
+  for (std::size_t i = 0; i < slack.size(); ++i) {
+    if (against[i] > slack[i]) {
+      return "member " + std::to_string(i) + " yields for what equilibrium lacks";
     }
   }
   return value.rational();
+}
+
+bool LimitProof::shows_no_factor() const {
+  const auto& reference = truss_.reference;
+  const auto exact = [](const Near& load) { return load.error.sign() == 0; };
+  if (certificate_.motion.size() != reference.size() || !std::ranges::all_of(reference, exact)) {
+    return false;
+  }
+  std::vector<mpq_class> motion;
+  for (const auto& u : still_motion(true)) motion.push_back(u.rational());
+  const auto largest = std::ranges::max_element(certificate_.reference, {},
+                                                [](double value) { return std::abs(value); });
+  const auto place = static_cast<std::size_t>(largest - certificate_.reference.begin());
+  mpq_class work = 0;
+  for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e].value.rational() * motion[e];
+  motion[place] -= work / reference[place].value.rational();
+  mpq_class excess = 0;  // of the work of the dead load
+  for (std::size_t e = 0; e < motion.size(); ++e) {
+    excess += truss_.dead[e].value.rational() * motion[e];
+  }
+  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
+    const auto& [e, weight] = certificate_.uncertain[j];
+    excess += mpq_class(certificate_.load[j]) * weight * motion[e];
+  }
+  const int sign = sgn(excess);
+  excess = abs(excess);
+  for (std::size_t e = 0; e < motion.size(); ++e) {
+    excess -= truss_.dead[e].error.rational() * abs(motion[e]);
+  }
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    const double tension = certificate_.tension[i];
+    const double compression = certificate_.compression[i];
+    mpq_class elongation = 0;
+    for (const auto& [e, entry] : truss_.columns[i]) {
+      elongation += entry.value.rational() * motion[e];
+      excess -= std::max(tension, compression) * entry.error.rational() * abs(motion[e]);
+    }
+    elongation *= sign;
+    excess -= (elongation < 0 ? compression : tension) * abs(elongation);
+  }
+  return excess > 0;
 }
 
 namespace {

@@ -13,46 +13,55 @@
 
 #include "verify/exact.hpp"
 #include "verify/limit_certificate.hpp"
+#include "verify/limit_reach.hpp"
 
 namespace kusabi::verify {
 
-/// How far the numbers of a certificate may be from those of the truss that they are the roundings
-/// of. Empty lists: they are the truss's own.
-struct LimitErrors {
-  std::vector<Dyadic> columns;    ///< of B, by member: the sum over its entries
-  std::vector<Dyadic> dead;       ///< f_D, by displacement
-  std::vector<Dyadic> reference;  ///< f_R
+/// A number within `error` of `value`.
+struct Near {
+  Dyadic value;
+  Dyadic error;
 };
+
+/// The truss that is meant: that of a certificate, whose numbers are doubles, or that of a problem
+/// file, whose directions are roots, known to a hundred digits.
+struct LimitTruss {
+  std::vector<std::vector<std::pair<std::size_t, Near>>> columns;  ///< B, by member
+  std::vector<Near> dead;                                          ///< f_D
+  std::vector<Near> reference;                                     ///< f_R
+};
+
+/// The truss as the certificate has it.
+LimitTruss recorded_truss(const LimitCertificate& certificate);
 
 class LimitProof {
  public:
-  /// Begins with the bound of motions by elongations. The certificate must outlive this.
-  /// @param errors what is shown is shown for every truss within them
-  explicit LimitProof(const LimitCertificate& certificate, LimitErrors errors = {});
-
-  /// Whether a motion is bounded by the elongations it makes, which shows that the truss is no
-  /// mechanism. If not, no lower end can be shown.
-  [[nodiscard]] bool stable() const { return !reach_.empty(); }
+  /// The certificate must outlive this.
+  LimitProof(const LimitCertificate& certificate, LimitTruss truss);
+  explicit LimitProof(const LimitCertificate& certificate)
+      : LimitProof(certificate, recorded_truss(certificate)) {}
 
   /// The kinematic principle for the recorded load and motion: no smaller than lambda_min, exactly.
   /// Otherwise why it proves nothing.
   [[nodiscard]] std::variant<mpq_class, std::string> upper() const;
 
   /// A number that no admissible load of the node has a factor below; or why it is not shown.
-  /// @pre stable()
   [[nodiscard]] std::variant<mpq_class, std::string> lower(const LimitNode& node) const;
 
+  /// Whether the recorded motion, or its opposite, shows that the recorded load is carried at no
+  /// factor: made free of work of f_R at one displacement, the load does more work on it than the
+  /// members can dissipate.
+  [[nodiscard]] bool shows_no_factor() const;
+
  private:
-  void bound_motions();
-  [[nodiscard]] Dyadic defect(const Sparse& forces, std::vector<Dyadic> load) const;
-  [[nodiscard]] Dyadic column_error(std::size_t member) const;
+  [[nodiscard]] std::vector<Dyadic> defect(const Sparse& forces, std::vector<Dyadic> load,
+                                           double factor) const;
+  [[nodiscard]] std::vector<Dyadic> still_motion(bool without_work) const;
 
   const LimitCertificate& certificate_;
-  LimitErrors errors_;
-  Dyadic dead_error_;            // in all, |f_D|_1
-  Dyadic reference_error_;       // |f_R|_1
-  std::vector<Dyadic> reach_;    // kappa: the largest |u_e| is at most the sum of kappa_i |b_i'u|
-  std::vector<Dyadic> defects_;  // |rho_c|_1 of each cut
+  LimitTruss truss_;
+  std::vector<SparseDyadic> column_errors_;  // how far B is from the doubles of the certificate
+  std::vector<Sparse> defects_;              // of each cut, where it is not zero, rounded up
 };
 
 /// What is wrong with the nodes as a cover of all signs; nothing if every combination of signs is

@@ -8,6 +8,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "engine/contract.hpp"
+
 namespace kusabi::engine {
 namespace {
 
@@ -62,6 +64,7 @@ MpiTransport::~MpiTransport() {
 }
 
 void MpiTransport::send(int to, Tag tag, Bytes body) {
+  ensure(to != rank_, "no rank sends to itself");
   auto& sent = outgoing_.emplace_back(Outgoing{std::move(body), MPI_REQUEST_NULL});
   MPI_Isend(sent.body.data(), message_length(sent.body), MPI_BYTE, to, static_cast<int>(tag),
             messages_, &sent.request);
@@ -91,6 +94,8 @@ void MpiTransport::release_sent() {
 }
 
 void MpiTransport::join_survey(const Survey& own) {
+  ensure(wave_ == MPI_REQUEST_NULL,
+         "a rank joins a survey only when it has fetched the one before");
   own_ = own;
   MPI_Iallreduce(&own_, &merged_, 1, survey_type_, merge_, surveys_, &wave_);
 }

@@ -2,9 +2,10 @@
 #include "engine/transport/simulated.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
+
+#include "engine/contract.hpp"
 
 namespace kusabi::engine {
 
@@ -58,7 +59,7 @@ double SimulatedNetwork::delay() {
 }
 
 void SimulatedNetwork::send(int from, int to, Tag tag, Bytes body) {
-  assert(from != to);
+  ensure(from != to, "no rank sends to itself");
   largest_message_ = std::max(largest_message_, body.size());
   auto& mailbox = ranks_[static_cast<std::size_t>(to)];
   double arrival = now_ + delay() + static_cast<double>(body.size()) / weather_.bandwidth;
@@ -85,7 +86,7 @@ std::optional<Message> SimulatedNetwork::receive(int rank) {
 
 void SimulatedNetwork::join_survey(int rank, const Survey& own) {
   auto& mine = ranks_[static_cast<std::size_t>(rank)];
-  assert(!mine.joined);
+  ensure(!mine.joined, "a rank joins a survey only when it has fetched the one before");
   mine.joined = true;
   mine.wave_done = -1;
   wave_.merge(own);

@@ -1,8 +1,9 @@
-// (5), again and again.
+// Program (5), warm from one dead load to the next.
 #include "nodes/limit/load_factor.hpp"
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace kusabi::nodes::limit {
 namespace {
@@ -20,12 +21,25 @@ Eigen::VectorXd values(std::span<const double> numbers) {
 
 }  // namespace
 
-LoadFactor::LoadFactor(const LimitModel& model)
-    : model_(model), simplex_(problems::static_program(model, model.dead)) {}
+LoadFactor::LoadFactor(const LimitModel& model, linear::Stop stop)
+    : model_(model),
+      stop_(std::move(stop)),
+      simplex_(problems::static_program(model, model.dead)) {}
+
+// The cost of lambda is -1 but in here.
+std::optional<double> LoadFactor::least_factor(const Eigen::VectorXd& dead) {
+  const int factor = model_.member_count();
+  simplex_.set_cost(factor, 1);
+  restart();
+  const auto status = solve(dead);
+  simplex_.set_cost(factor, -1);
+  if (status != LoadStatus::collapses) return {};
+  return simplex_.value(factor);
+}
 
 LoadStatus LoadFactor::solve(const Eigen::VectorXd& dead) {
   for (int k = 0; k < model_.free_count(); ++k) simplex_.set_row_bounds(k, dead(k), dead(k));
-  switch (simplex_.solve_robustly()) {
+  switch (simplex_.solve_robustly({.stop = stop_})) {
     case linear::LinearStatus::optimal:
       if (!first_) first_ = simplex_.basis();
       return LoadStatus::collapses;
@@ -63,21 +77,26 @@ Eigen::VectorXd worst_for(const LimitModel& model, double alpha, const Eigen::Ve
   return zeta;
 }
 
-std::optional<Worst> descend(const LimitModel& model, LoadFactor& load_factor, double alpha,
-                             Eigen::VectorXd& zeta) {
-  std::optional<Worst> worst;
+Descent descend(const LimitModel& model, LoadFactor& load_factor, double alpha,
+                Eigen::VectorXd zeta) {
+  Descent descent;
   for (;;) {
     const LoadStatus status = load_factor.solve(problems::dead_load(model, zeta));
-    if (status == LoadStatus::undetermined) return worst;
-    if (status == LoadStatus::not_carried) return std::nullopt;
+    if (status == LoadStatus::not_carried) {
+      return {status, {}, std::move(zeta), load_factor.overpowering_motion()};
+    }
+    if (status == LoadStatus::undetermined) return descent;
     Collapse collapse = load_factor.collapse();
-    const bool falls = !worst || collapse.factor < worst->collapse.factor - least_fall;
-    if (!falls) return worst;
-    const Eigen::VectorXd next = worst_for(model, alpha, collapse.motion, zeta);
+    if (descent.status == LoadStatus::collapses &&
+        collapse.factor >= descent.worst.collapse.factor - least_fall) {
+      return descent;
+    }
+    Eigen::VectorXd next = worst_for(model, alpha, collapse.motion, zeta);
     const bool settled = next == zeta;
-    worst = Worst{zeta, std::move(collapse)};
-    if (settled) return worst;
-    zeta = next;
+    descent.status = LoadStatus::collapses;
+    descent.worst = {std::move(zeta), std::move(collapse)};
+    if (settled) return descent;
+    zeta = std::move(next);
   }
 }
 

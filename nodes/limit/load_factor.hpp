@@ -28,14 +28,19 @@ enum class LoadStatus {
 
 class LoadFactor {
  public:
-  explicit LoadFactor(const problems::LimitModel& model);
+  /// @param stop ends a long solve, which is undetermined then
+  explicit LoadFactor(const problems::LimitModel& model, linear::Stop stop = {});
 
-  /// Solves (5). The result hangs on the load and on the basis, see `restart`.
+  /// Solves (5). The result depends on the load and on the basis, see `restart`.
   LoadStatus solve(const Eigen::VectorXd& dead);
 
-  /// The next solve starts from the basis of the first one, so that what it finds hangs on its load
-  /// alone. @pre the first load has collapsed
+  /// The next solve starts from the basis of the first one, so that what it finds depends on its
+  /// load alone. @pre the first load has collapsed
   void restart();
+
+  /// The least factor at which the load is carried, of the order of the one that solve() finds.
+  /// Nothing if the simplex method fails. @pre the first load has collapsed
+  std::optional<double> least_factor(const Eigen::VectorXd& dead);
 
   /// @pre the last solve said `collapses`
   [[nodiscard]] Collapse collapse() const;
@@ -49,6 +54,7 @@ class LoadFactor {
 
  private:
   const problems::LimitModel& model_;
+  linear::Stop stop_;
   linear::Simplex simplex_;
   std::optional<linear::Basis> first_;
 };
@@ -59,11 +65,20 @@ struct Worst {
   Collapse collapse;
 };
 
+/// What a descent came to.
+struct Descent {
+  /// undetermined: the simplex method failed on the first load; not_carried: on some load there is
+  /// no equilibrium at any factor
+  LoadStatus status = LoadStatus::undetermined;
+  Worst worst;                          ///< of `collapses`
+  Eigen::VectorXd overpowering_load;    ///< of `not_carried`: zeta
+  Eigen::VectorXd overpowering_motion;  ///< and a motion that shows it; empty if none was found
+};
+
 /// Fixes zeta at alpha sign(T^T u), solves (5), and so on while the factor falls.
 /// @param zeta where to start: m, scaled
-/// @return nothing if a load on the way is not carried; then `zeta` is that load
-std::optional<Worst> descend(const problems::LimitModel& model, LoadFactor& load_factor,
-                             double alpha, Eigen::VectorXd& zeta);
+Descent descend(const problems::LimitModel& model, LoadFactor& load_factor, double alpha,
+                Eigen::VectorXd zeta);
 
 /// alpha sign(t_j^T u) for each j; where t_j^T u is zero the sign of `otherwise`, or plus.
 Eigen::VectorXd worst_for(const problems::LimitModel& model, double alpha,

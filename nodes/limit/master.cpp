@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace kusabi::nodes::limit {
 namespace {
@@ -17,10 +18,8 @@ problems::LinearProgram relaxation(const problems::LimitModel& model, double alp
   for (int k = 0; k < model.free_count(); ++k) {
     program.add_column({.cost = -model.dead(k), .lower = -problems::infinity});
   }
-  for (int side = 0; side < 2; ++side) {
-    for (int i = 0; i < model.member_count(); ++i) {
-      program.add_column({.cost = model.yield(i), .upper = far});
-    }
+  for (const auto* yield : {&model.tension, &model.compression}) {
+    for (const double cost : *yield) program.add_column({.cost = cost, .upper = far});
   }
   for (int j = 0; j < model.uncertain_count(); ++j) {
     const double weight = model.uncertain[static_cast<std::size_t>(j)].weight;
@@ -39,9 +38,10 @@ problems::LinearProgram relaxation(const problems::LimitModel& model, double alp
     program.add_row({.lower = 0, .upper = 0}, terms);
   }
   terms.clear();
+  const Eigen::VectorXd yield = model.yield();
   for (int side = 0; side < 2; ++side) {
     for (int i = 0; i < model.member_count(); ++i) {
-      terms.push_back({model.free_count() + side * model.member_count() + i, model.yield(i)});
+      terms.push_back({model.free_count() + side * model.member_count() + i, yield(i)});
     }
   }
   program.add_row({}, terms);  // the dissipation
@@ -50,49 +50,73 @@ problems::LinearProgram relaxation(const problems::LimitModel& model, double alp
 
 }  // namespace
 
-Master::Master(const problems::LimitModel& model, double alpha)
+Master::Master(const problems::LimitModel& model, double alpha, linear::Stop stop)
     : model_(model),
       alpha_(alpha),
+      stop_(std::move(stop)),
+      room_(Eigen::VectorXd::Zero(model.member_count())),
       signs_(model.uncertain.size(), 0),
       simplex_(relaxation(model, alpha)) {}
 
-void Master::leave_room(double room) {
+void Master::leave_room(const Eigen::VectorXd& room) {
   if (room == room_) return;
   room_ = room;
-  for (int side = 0; side < 2; ++side) {
-    for (int i = 0; i < model_.member_count(); ++i) {
-      simplex_.set_cost(model_.free_count() + side * model_.member_count() + i,
-                        model_.yield(i) * (1 - room));
-    }
+  for (int i = 0; i < model_.member_count(); ++i) {
+    const int column = model_.free_count() + i;
+    simplex_.set_cost(column, model_.tension(i) - room_(i));
+    simplex_.set_cost(column + model_.member_count(), model_.compression(i) - room_(i));
   }
+}
+
+// Those at whose cost some motion goes on to the end of its box: equilibrium leaves their forces no
+// choice, and so no room.
+std::vector<int> Master::members_without_choice() const {
+  constexpr double along = 1e-2 * far;  // what moves with it
+  std::vector<int> members;
+  bool to_the_end = false;
+  for (int i = 0; i < model_.member_count(); ++i) {
+    const int column = model_.free_count() + i;
+    const double most =
+        std::max(simplex_.value(column), simplex_.value(column + model_.member_count()));
+    to_the_end = to_the_end || most >= far;
+    if (room_(i) != 0 && most >= along) members.push_back(i);
+  }
+  if (!to_the_end) members.clear();
+  return members;
 }
 
 // Whether the optimal dual, within the tolerances of the simplex method, keeps at least half of the
 // room on each member, and gives the cuts of each column their share.
-bool Master::has_room() const {
+bool Master::has_room(double share) const {
   constexpr double kept = 0.5;
   for (int i = 0; i < model_.member_count(); ++i) {
-    for (const int column : {0, model_.member_count()}) {
-      const double slack = simplex_.reduced_cost(model_.free_count() + column + i);
-      if (slack < -kept * room_ * model_.yield(i)) return false;
+    if (room_(i) == 0) continue;
+    for (const int side : {0, model_.member_count()}) {
+      const double slack = simplex_.reduced_cost(model_.free_count() + side + i);
+      if (slack < -kept * room_(i)) return false;
     }
   }
-  constexpr double lost =
-      0.1;  // a share that is too small is stretched, at the cost of the members
+  // A share that is too small is stretched, at the cost of the members.
+  constexpr double lost = 0.1;
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     if (signs_[static_cast<std::size_t>(j)] != 0) continue;
     const double weight = model_.uncertain[static_cast<std::size_t>(j)].weight;
-    if (simplex_.reduced_cost(gamma_column(j)) < -lost * room_ * alpha_ * weight) return false;
+    if (simplex_.reduced_cost(gamma_column(j)) < -lost * share * alpha_ * weight) return false;
   }
   return true;
 }
 
-bool Master::make_room() {
-  // The first is enough where the simplex method leaves no more than rounding.
-  for (const double room : {1e-11, 1e-10, 1e-9, 1e-8, 1e-7}) {
-    leave_room(room);
+bool Master::make_room(double first) {
+  const double most = std::max(2e-7, first);
+  Eigen::VectorXd has_choice = Eigen::VectorXd::Ones(model_.member_count());
+  for (double share = first; share <= most;) {
+    leave_room(share * has_choice);  // forces are of the order of one, or of their yield force
     if (solve() != linear::LinearStatus::optimal) return false;
-    if (has_room()) return true;
+    const auto without = members_without_choice();
+    for (const int member : without) has_choice(member) = 0;
+    if (!without.empty()) continue;
+    if (has_room(share)) return true;
+    share *= 10;
   }
   return true;  // the exact proof will tell
 }
@@ -118,7 +142,7 @@ void Master::drop_cuts(std::size_t first) {
 }
 
 void Master::decide(const Signs& signs) {
-  leave_room(0);
+  leave_room(Eigen::VectorXd::Zero(model_.member_count()));
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     const auto at = static_cast<std::size_t>(j);
     if (signs[at] == signs_[at]) continue;
@@ -132,15 +156,18 @@ void Master::decide(const Signs& signs) {
   signs_ = signs;
 }
 
+// A motion that costs nothing may lie at the end of its box by chance; only one that would go on at
+// a gain makes the bound that of the box.
 bool Master::presses_box() const {
+  constexpr double gain = 1e-9;  // of the simplex method's tolerance, where yield forces are one
   for (int column = model_.free_count(); column < simplex_.columns(); ++column) {
-    if (simplex_.value(column) >= far) return true;
+    if (simplex_.value(column) >= far && simplex_.reduced_cost(column) < -gain) return true;
   }
   return false;
 }
 
 linear::LinearStatus Master::solve() {
-  return simplex_.solve_robustly();
+  return simplex_.solve_robustly({.stop = stop_});
 }
 
 Relaxed Master::relaxed() const {

@@ -1,6 +1,6 @@
 // The relaxation that static cuts tighten, in the form of the limit paper's (23):
 //
-//   min  -sum_j alpha weight_j gamma_j - f_D'u + q^y'(c+ + c-)
+//   min  -sum_j alpha weight_j gamma_j - f_D'u + q^t'c+ + q^c'c-
 //   s.t. f_R'u = 1,  B'u - c+ + c- = 0,  c+, c- >= 0,
 //        0 <= gamma_j <= |y|'(c+ + c-) + |k|   for every cut (j, y, k),
 //
@@ -9,12 +9,14 @@
 //
 // Its dual is a static statement, which proves the bound without the simplex method: forces q and a
 // factor lambda in equilibrium with f_D, and shares mu_c >= 0 of the cuts, with
-//   |q| + sum_c mu_c |y_c| <= q^y,   sum of mu_c over the cuts of j = alpha weight_j,
+//   -q^c + sum_c mu_c |y_c| <= q <= q^t - sum_c mu_c |y_c|,   sum of mu_c over the cuts of j =
+//   alpha weight_j,
 // give lambda - sum_c mu_c |k_c|.
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -46,15 +48,19 @@ struct StaticProof {
 
 class Master {
  public:
-  Master(const problems::LimitModel& model, double alpha);
+  /// @param stop ends a long solve()
+  Master(const problems::LimitModel& model, double alpha, linear::Stop stop = {});
+  void set_stop(linear::Stop stop) { stop_ = std::move(stop); }
 
-  /// From now on for yield forces that are smaller by this share; decide() takes it back.
-  void leave_room(double room);
+  /// From now on for yield forces that are smaller by this, n^m; decide() takes it back.
+  void leave_room(const Eigen::VectorXd& room);
 
-  /// After an optimal solve(): solves again, for yield forces that are a little smaller, until the
-  /// proof holds for the true ones with room for rounding. The bound is lower by about as much.
+  /// After an optimal solve(): solves again, for yield forces that are smaller by `first`, or by
+  /// ten times that and so on, until the proof holds for the true ones with room for rounding.
+  /// The bound is lower by about as much. Members that equilibrium leaves no choice (an idle cable)
+  /// keep theirs.
   /// @return false if the simplex method fails
-  bool make_room();
+  bool make_room(double first);
 
   /// Adds q^y'(c+ + c-) <= most: it keeps the first points near the motions that matter while there
   /// are too few cuts. Infinity: no limit. A bound is one only if the limit does not press.
@@ -75,7 +81,7 @@ class Master {
   [[nodiscard]] Relaxed relaxed() const;
   [[nodiscard]] StaticProof proof() const;
 
-  /// To go on from: what is found then hangs on it and not on what was solved since.
+  /// To go on from: what is found then depends on it and not on what was solved since.
   [[nodiscard]] linear::Basis basis() const { return simplex_.basis(); }
   void set_basis(const linear::Basis& basis) { simplex_.set_basis(basis); }
 
@@ -86,7 +92,8 @@ class Master {
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
-  [[nodiscard]] bool has_room() const;
+  [[nodiscard]] std::vector<int> members_without_choice() const;
+  [[nodiscard]] bool has_room(double share) const;
   [[nodiscard]] int dissipation_row() const { return model_.member_count() + 1; }
   [[nodiscard]] int first_cut_row() const { return model_.member_count() + 2; }
   [[nodiscard]] int gamma_column(int j) const {
@@ -95,7 +102,8 @@ class Master {
 
   const problems::LimitModel& model_;
   double alpha_;
-  double room_ = 0;
+  linear::Stop stop_;
+  Eigen::VectorXd room_;  // n^m
   Signs signs_;
   linear::Simplex simplex_;
   std::size_t cuts_ = 0;

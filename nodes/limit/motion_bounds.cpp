@@ -17,23 +17,24 @@ constexpr double widened = 1e-6;
 
 std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, double alpha,
                                           std::span<const StaticCut> cuts, double upper) {
+  const Eigen::VectorXd yield = model.yield();
   Master master(model, alpha);
   for (const StaticCut& cut : cuts) master.add(cut);
   double most = problems::infinity;  // D
   for (const double rho : {0.5, 0.3, 0.1, 0.03, 0.01, 0.003, 0.001}) {
-    master.leave_room(rho);
+    master.leave_room(rho * yield);
     if (master.solve() != linear::LinearStatus::optimal || master.presses_box()) continue;
     most = std::min(most, (upper - master.objective()) / rho);
   }
   if (!std::isfinite(most)) return {};
   most = most * (1 + widened) + widened;
   MotionBounds bounds;
-  bounds.elongation = most * model.yield.cwiseInverse();
+  bounds.elongation = most * yield.cwiseInverse();
   bounds.motion.setConstant(model.uncertain_count(), problems::infinity);
   for (const StaticCut& cut : cuts) {
     double largest = 0;
     for (const auto& [member, force] : cut.forces) {
-      largest = std::max(largest, std::abs(force) / model.yield(member));
+      largest = std::max(largest, std::abs(force) / yield(member));
     }
     double& bound = bounds.motion(cut.column);
     bound = std::min(bound, most * largest + std::abs(cut.factor) + widened);

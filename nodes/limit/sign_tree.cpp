@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
+#include <utility>
 
 namespace kusabi::nodes::limit {
 namespace {
@@ -20,8 +20,6 @@ constexpr double loose_enough = 1e-7;
 /// than the gap that closes a node.
 constexpr double tight_enough = 1e-10;
 
-constexpr const char* simplex_failed = "the simplex method failed at a node of the sign tree";
-
 std::vector<double> numbers(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
@@ -35,14 +33,15 @@ ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts
 }
 
 SignTree::SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
-                   bool keep_evidence)
+                   bool keep_evidence, linear::Stop stop)
     : model_(model),
       alpha_(alpha),
       root_(root),
       keep_evidence_(keep_evidence),
-      load_factor_(model),
-      pricing_(model),
-      master_(model, alpha) {
+      stop_(std::move(stop)),
+      load_factor_(model, stop_),
+      pricing_(model, stop_),
+      master_(model, alpha, stop_) {
   for (const StaticCut& cut : root.cuts) master_.add(cut);
   load_factor_.solve(model.dead);  // where every descent starts from
 }
@@ -58,16 +57,15 @@ SignTree::Tally SignTree::tally() const {
   return tally;
 }
 
-SignTree::Bounded SignTree::bounded(const Node& node) {
+// Nothing if the simplex method fails, or was asked to end.
+std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
   master_.drop_cuts(root_.cuts.size());
   own_cuts_.clear();
   master_.set_basis(root_.basis);
   master_.decide(node.signs);
   Bounded result;
   for (int round = 0;; ++round) {
-    if (master_.solve() != linear::LinearStatus::optimal) {
-      throw std::runtime_error(simplex_failed);
-    }
+    if (master_.solve() != linear::LinearStatus::optimal) return {};
     result.bound = master_.objective();
     result.point = master_.relaxed();
     if (round == rounds_at_a_node) return result;
@@ -93,34 +91,71 @@ SignTree::Bounded SignTree::bounded(const Node& node) {
 double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& out) {
   const double known = std::min(out.cutoff(), root_.worst->collapse.factor);
   const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model_.uncertain_count());
-  Eigen::VectorXd zeta = worst_for(model_, alpha_, node.point.motion, plus);
   load_factor_.restart();
-  const auto found = descend(model_, load_factor_, alpha_, zeta);
-  if (!found) throw std::runtime_error("an admissible dead load is carried at no load factor");
+  const auto found =
+      descend(model_, load_factor_, alpha_, worst_for(model_, alpha_, node.point.motion, plus));
+  if (found.status == LoadStatus::not_carried) {
+    out.solution({-problems::infinity,
+                  numbers(found.overpowering_load),
+                  numbers(found.overpowering_motion),
+                  {}});
+    return -problems::infinity;
+  }
+  if (found.status != LoadStatus::collapses) return known;
   // What is better by less than the gap would be another answer on another number of ranks.
-  const double worst = found->collapse.factor;
+  const double worst = found.worst.collapse.factor;
   if (worst < root_.worst->collapse.factor - closed_gap && worst < out.cutoff()) {
-    out.solution({worst, numbers(found->zeta), numbers(found->collapse.motion),
-                  numbers(found->collapse.forces)});
+    const auto& [zeta, collapse] = found.worst;
+    out.solution({worst, numbers(zeta), numbers(collapse.motion), numbers(collapse.forces)});
   }
   return std::min(known, worst);
 }
 
-void SignTree::close() {
+void SignTree::close(const Signs& signs) {
   ++tally_.closed;
   if (!keep_evidence_) return;
-  if (!master_.make_room()) throw std::runtime_error(simplex_failed);
-  tally_.evidence.push_back(closed_node(master_.proof(), own_cuts_));
+  if (master_.make_room(first_room)) {
+    tally_.evidence.push_back(closed_node(master_.proof(), own_cuts_));
+  } else {
+    tally_.evidence.push_back({signs, 0, {}, {}, {}, own_cuts_});
+  }
+}
+
+// By the first sign that is open; with none, the node is closed without a proof.
+void SignTree::split_unsolved(const Node& node, engine::Expansion<SignTree>& out) {
+  const auto open = std::ranges::find(node.signs, 0);
+  if (open == node.signs.end()) {
+    ++tally_.closed;
+    ++tally_.unsolved;
+    if (keep_evidence_) tally_.evidence.push_back({node.signs, 0, {}, {}, {}, {}});
+    return;
+  }
+  ++tally_.branched;
+  for (const std::int8_t sign : {std::int8_t{1}, std::int8_t{-1}}) {
+    Node child{node.signs};
+    child.signs[static_cast<std::size_t>(open - node.signs.begin())] = sign;
+    out.branch(std::move(child));
+  }
 }
 
 void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
-  const Bounded here = bounded(node);
+  const auto found = bounded(node);
+  // A search that is asked to end keeps the node; its evidence would be of a bound half found.
+  if (linear::asked(stop_)) {
+    out.branch(std::move(node));
+    return;
+  }
+  if (!found) {
+    split_unsolved(node, out);
+    return;
+  }
+  const Bounded& here = *found;
   const double known = descend_from(here, out);
   const Eigen::VectorXd loose = looseness(model_, here.point);
   Eigen::Index widest = 0;
   const double most = loose.size() == 0 ? 0 : loose.maxCoeff(&widest);
   if (here.bound >= known - closed_gap || most <= tight_enough) {
-    close();
+    close(node.signs);
     return;
   }
   ++tally_.branched;

@@ -7,13 +7,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 #include <boost/serialization/vector.hpp>
 
-#include "engine/search.hpp"
+#include "engine/expansion.hpp"
 #include "nodes/limit/worst_case.hpp"
 
 namespace kusabi::nodes::limit {
@@ -22,7 +23,7 @@ namespace kusabi::nodes::limit {
 struct ClosedNode {
   Signs signs;
   double factor = 0;
-  std::vector<double> forces;
+  std::vector<double> forces;     ///< empty: without a proof
   std::vector<double> mu;         ///< of the cuts of the root, then of `own_cuts`
   std::vector<double> one_sided;  ///< nu
   std::vector<StaticCut> own_cuts;
@@ -50,9 +51,9 @@ class SignTree {
 
   /// A load that is worse than the one the search began with.
   struct Solution {
-    double factor = 0;
+    double factor = 0;  ///< minus infinity: the load is carried at no factor, and
     std::vector<double> zeta;
-    std::vector<double> motion;
+    std::vector<double> motion;  ///< this is a motion that shows it, or empty
     std::vector<double> forces;
 
     template <class Archive>
@@ -64,20 +65,22 @@ class SignTree {
   struct Tally {
     std::uint64_t branched = 0;
     std::uint64_t closed = 0;
+    std::uint64_t unsolved = 0;  ///< closed with all signs decided, where the simplex method failed
     WorstCaseCounts counts;
     std::vector<ClosedNode> evidence;
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
-      archive& branched& closed& counts.load_factors& counts.relaxations& counts.pricings;
+      archive& branched& closed& unsolved& counts.load_factors& counts.relaxations& counts.pricings;
       archive& counts.rounds& evidence;
     }
   };
 
   /// @param root how the root ended: open. All must outlive the tree
   /// @param keep_evidence whether closed nodes go into the tally
+  /// @param stop ends the opening of a node, which stays open
   SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
-           bool keep_evidence);
+           bool keep_evidence, linear::Stop stop = {});
 
   Node root() const;
   void expand(Node&& node, engine::Expansion<SignTree>& out);
@@ -90,14 +93,16 @@ class SignTree {
     double bound = 0;
     Relaxed point;
   };
-  Bounded bounded(const Node& node);
+  std::optional<Bounded> bounded(const Node& node);
+  void split_unsolved(const Node& node, engine::Expansion<SignTree>& out);
   double descend_from(const Bounded& node, engine::Expansion<SignTree>& out);
-  void close();
+  void close(const Signs& signs);
 
   const problems::LimitModel& model_;
   double alpha_;
   const RootResult& root_;
   bool keep_evidence_;
+  linear::Stop stop_;
   LoadFactor load_factor_;
   StaticPricing pricing_;
   Master master_;

@@ -3,8 +3,10 @@
 // the dual simplex method goes on.
 #include "nodes/limit/static_cut.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace kusabi::nodes::limit {
 namespace {
@@ -38,8 +40,8 @@ double StaticCut::bound(const Eigen::VectorXd& z) const {
   return total;
 }
 
-StaticPricing::StaticPricing(const problems::LimitModel& model)
-    : model_(model), simplex_(pricing_program(model)) {}
+StaticPricing::StaticPricing(const problems::LimitModel& model, linear::Stop stop)
+    : model_(model), stop_(std::move(stop)), simplex_(pricing_program(model)) {}
 
 void StaticPricing::aim(const Eigen::VectorXd& z, int first) {
   const int members = model_.member_count();
@@ -65,13 +67,18 @@ std::optional<StaticCut> StaticPricing::cut(int column) {
   if (last_degree_ >= 0) simplex_.set_row_bounds(last_degree_, 0, 0);
   simplex_.set_row_bounds(degree, 1, 1);
   last_degree_ = degree;
-  if (simplex_.solve_robustly() != linear::LinearStatus::optimal) return std::nullopt;
+  if (simplex_.solve_robustly({.stop = stop_}) != linear::LinearStatus::optimal)
+    return std::nullopt;
   StaticCut cut;
   cut.column = column;
   const int members = model_.member_count();
+  const auto force = [&](int i) { return simplex_.value(i) - simplex_.value(members + 1 + i); };
+  double largest = 0;
+  for (int i = 0; i < members; ++i) largest = std::max(largest, std::abs(force(i)));
+  // What is less is rounding; a member without a choice must be left out to the last bit.
+  constexpr double rounding = 1e-13;
   for (int i = 0; i < members; ++i) {
-    const double force = simplex_.value(i) - simplex_.value(members + 1 + i);
-    if (force != 0) cut.forces.emplace_back(i, force);
+    if (std::abs(force(i)) > rounding * largest) cut.forces.emplace_back(i, force(i));
   }
   cut.factor = simplex_.value(members) - simplex_.value(2 * members + 1);
   return cut;

@@ -39,24 +39,28 @@ struct StaticCut {
 /// The pricing programs, warm from one to the next.
 class StaticPricing {
  public:
-  explicit StaticPricing(const problems::LimitModel& model);
+  /// @param stop ends a long solve, which gives no cut then
+  explicit StaticPricing(const problems::LimitModel& model, linear::Stop stop = {});
 
   /// What the next cuts are to be best at.
   /// @param z n^m, >= 0
   /// @param first a column of T; its program is solved, and restart() goes back to its basis
   void aim(const Eigen::VectorXd& z, int first);
 
-  /// From here on what cut() finds hangs on z and on the calls since, not on those before.
+  /// From here on what cut() finds depends on z and on the calls since, not on those before.
   void restart();
 
   /// The best cut for a column of T; nothing if the simplex method fails.
   std::optional<StaticCut> cut(int column);
 
+  /// Whether it was asked to end.
+  [[nodiscard]] bool stopped() const { return linear::asked(stop_); }
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
   const problems::LimitModel& model_;
+  linear::Stop stop_;
   linear::Simplex simplex_;
   std::optional<linear::Basis> start_;
   int last_degree_ = -1;

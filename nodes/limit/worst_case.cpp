@@ -2,6 +2,7 @@
 #include "nodes/limit/worst_case.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 
@@ -29,12 +30,14 @@ constexpr int most_rounds = 200;
 /// One run of the rounds.
 class Rounds {
  public:
-  Rounds(const LimitModel& model, double alpha, LoadFactor& load_factor, const Pricer& pricer)
+  Rounds(const LimitModel& model, double alpha, LoadFactor& load_factor, const Pricer& pricer,
+         const RootControl& control)
       : model_(model),
         alpha_(alpha),
         load_factor_(load_factor),
         pricer_(pricer),
-        master_(model, alpha) {}
+        control_(control),
+        master_(model, alpha, control.stop) {}
 
   RootResult run(const Collapse& nominal);
 
@@ -42,12 +45,15 @@ class Rounds {
   bool improve(const Eigen::VectorXd& motion);
   bool price(const Eigen::VectorXd& z, const std::vector<int>& columns, const Relaxed* point);
   bool lift_dissipation();
+  void bound_at_the_end();
+  [[nodiscard]] bool stopped() const { return linear::asked(control_.stop); }
   RootStatus rounds();
 
   const LimitModel& model_;
   double alpha_;
   LoadFactor& load_factor_;
   const Pricer& pricer_;
+  const RootControl& control_;
   Master master_;
   double share_ = first_share;
   bool limited_ = true;
@@ -57,14 +63,15 @@ class Rounds {
 // A descent from the worst load of a motion. @return false if a load on the way is not carried
 bool Rounds::improve(const Eigen::VectorXd& motion) {
   const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model_.uncertain_count());
-  Eigen::VectorXd zeta = worst_for(model_, alpha_, motion, plus);
-  auto found = descend(model_, load_factor_, alpha_, zeta);
-  if (!found) {
-    result_.overpowering_load = zeta;
+  auto found = descend(model_, load_factor_, alpha_, worst_for(model_, alpha_, motion, plus));
+  if (found.status == LoadStatus::not_carried) {
+    result_.overpowering_load = std::move(found.overpowering_load);
+    result_.overpowering_motion = std::move(found.overpowering_motion);
     return false;
   }
-  if (!result_.worst || found->collapse.factor < result_.worst->collapse.factor) {
-    result_.worst = std::move(found);
+  if (found.status != LoadStatus::collapses) return true;
+  if (!result_.worst || found.worst.collapse.factor < result_.worst->collapse.factor) {
+    result_.worst = std::move(found.worst);
   }
   return true;
 }
@@ -91,21 +98,42 @@ bool Rounds::lift_dissipation() {
   return true;
 }
 
+// What the cuts so far say without the limit of the dissipation, which makes no bound while it
+// presses; in little time.
+void Rounds::bound_at_the_end() {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto grace = std::chrono::milliseconds(300);
+  const auto end = Clock::now() + grace;
+  master_.set_stop([end] { return Clock::now() > end; });
+  master_.limit_dissipation(problems::infinity);
+  if (master_.solve() != LinearStatus::optimal || master_.presses_box()) return;
+  result_.lower = master_.objective();
+  if (master_.make_room(first_room)) result_.proof = master_.proof();
+}
+
 RootStatus Rounds::rounds() {
   const Eigen::VectorXd z =
       (model_.equilibrium.transpose() * result_.worst->collapse.motion).cwiseAbs();
-  master_.limit_dissipation(dissipation_share * model_.yield.dot(z));
+  master_.limit_dissipation(dissipation_share * model_.yield().dot(z));
   std::vector<int> columns(model_.uncertain.size());
   for (std::size_t j = 0; j < columns.size(); ++j) columns[j] = static_cast<int>(j);
   price(z, columns, nullptr);
   while (result_.counts.rounds < most_rounds) {
+    if (stopped()) return RootStatus::stopped;
     ++result_.counts.rounds;
-    if (master_.solve() != LinearStatus::optimal) return RootStatus::failed;
-    result_.lower = master_.objective();
+    const auto status = master_.solve();
+    if (status == LinearStatus::interrupted) return RootStatus::stopped;
+    if (status != LinearStatus::optimal) return RootStatus::failed;
+    const bool is_bound = !master_.dissipation_presses() && !master_.presses_box();
+    const double bound = master_.objective();
+    if (is_bound) result_.lower = bound;
     const Relaxed point = master_.relaxed();
     if (!improve(point.motion)) return RootStatus::not_carried;
+    if (control_.watcher) {
+      control_.watcher(result_.counts.rounds, result_.lower, result_.worst->collapse.factor);
+    }
     const Eigen::VectorXd loose = looseness(model_, point);
-    const bool meet = result_.worst->collapse.factor - result_.lower <= closed_gap;
+    const bool meet = result_.worst->collapse.factor - bound <= closed_gap;
     columns.clear();
     for (int j = 0; j < model_.uncertain_count(); ++j) {
       if (loose(j) > violated) columns.push_back(j);
@@ -113,6 +141,7 @@ RootStatus Rounds::rounds() {
     bool cut = false;
     while (!meet && !cut && !columns.empty()) {
       cut = price(point.z, columns, &point);
+      if (stopped()) return RootStatus::stopped;
       if (cut || share_ == 0) break;
       share_ = share_ > least_share ? share_ * share_fall : 0;
     }
@@ -125,14 +154,24 @@ RootStatus Rounds::rounds() {
 RootResult Rounds::run(const Collapse& nominal) {
   const auto solves = load_factor_.solves();
   result_.status = improve(nominal.motion) ? RootStatus::open : RootStatus::not_carried;
+  if (result_.status == RootStatus::open && !result_.worst) {
+    result_.status = stopped() ? RootStatus::stopped : RootStatus::failed;
+  }
   if (result_.status == RootStatus::open) result_.status = rounds();
-  if (result_.status == RootStatus::open || result_.status == RootStatus::closed) {
-    // At the box of the relaxation the bound is that of the box.
-    const bool far = master_.presses_box();
-    if (far) result_.status = RootStatus::unbounded;
-    if (!master_.make_room()) result_.status = RootStatus::failed;
-    result_.proof = master_.proof();
-    result_.basis = master_.basis();
+  switch (result_.status) {
+    case RootStatus::open:
+    case RootStatus::closed:
+      // At the box of the relaxation the bound is that of the box.
+      if (master_.presses_box()) result_.status = RootStatus::unbounded;
+      if (master_.make_room(first_room)) result_.proof = master_.proof();
+      if (stopped()) result_.status = RootStatus::stopped;
+      result_.basis = master_.basis();
+      break;
+    case RootStatus::stopped:
+      bound_at_the_end();
+      break;
+    default:
+      break;
   }
   result_.counts.relaxations = master_.solves();
   result_.counts.load_factors = load_factor_.solves() - solves;
@@ -145,6 +184,7 @@ std::vector<StaticCut> price_block(StaticPricing& pricing, std::span<const int> 
   std::vector<StaticCut> cuts;
   pricing.restart();
   for (const int column : columns) {
+    if (pricing.stopped()) break;
     if (auto cut = pricing.cut(column)) cuts.push_back(std::move(*cut));
   }
   return cuts;
@@ -178,8 +218,18 @@ Eigen::VectorXd pricing_aim(const Eigen::VectorXd& z, double share) {
 }
 
 RootResult solve_root(const LimitModel& model, double alpha, const Collapse& nominal,
-                      LoadFactor& load_factor, const Pricer& pricer) {
-  return Rounds(model, alpha, load_factor, pricer).run(nominal);
+                      LoadFactor& load_factor, const Pricer& pricer, const RootControl& control) {
+  return Rounds(model, alpha, load_factor, pricer, control).run(nominal);
+}
+
+std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha,
+                                           std::span<const StaticCut> cuts, const Signs& signs,
+                                           double share) {
+  Master master(model, alpha);
+  for (const auto& cut : cuts) master.add(cut);
+  master.decide(signs);
+  if (master.solve() != LinearStatus::optimal || !master.make_room(share)) return {};
+  return master.proof();
 }
 
 }  // namespace kusabi::nodes::limit

@@ -22,10 +22,11 @@ namespace kusabi::nodes::limit {
 inline constexpr double closed_gap = 1e-8;
 
 /// Columns of T in one block of pricing programs: each block starts from the same basis, so that
-/// what it finds does not hang on which rank it is solved on.
+/// what it finds does not depend on which rank it is solved on.
 inline constexpr std::size_t pricing_block = 32;
 
-/// Makes the best cuts for some columns of T at z, in their order.
+/// Makes the best cuts for some columns of T at z, in their order. Some may be missing once the
+/// pricer was asked to end.
 using Pricer =
     std::function<std::vector<StaticCut>(const Eigen::VectorXd& z, std::span<const int> columns)>;
 
@@ -49,24 +50,47 @@ enum class RootStatus {
   open,         ///< no further cut, and a gap: the tree has to go on
   not_carried,  ///< an admissible dead load is carried at no factor: the worst case is -infinity
   unbounded,    ///< the cuts give no finite bound, and no such load was found
-  failed,       ///< the simplex method failed
+  stopped,      ///< it was asked to end; what it has found so far holds
+  failed,       ///< the simplex method failed; likewise
 };
 
 struct RootResult {
   RootStatus status = RootStatus::failed;
-  std::optional<Worst> worst;         ///< the upper end
-  Eigen::VectorXd overpowering_load;  ///< of not_carried: zeta
-  double lower = 0;                   ///< by the simplex method, scaled; see `proof`
+  std::optional<Worst> worst;           ///< the upper end
+  Eigen::VectorXd overpowering_load;    ///< of not_carried: zeta
+  Eigen::VectorXd overpowering_motion;  ///< what shows it; may be empty
+  /// By the simplex method, scaled; minus infinity: none yet. See `proof`.
+  double lower = -problems::infinity;
   std::vector<StaticCut> cuts;
-  StaticProof proof;    ///< of the lower end
+  StaticProof proof;    ///< of the lower end; no forces: none
   linear::Basis basis;  ///< of the last relaxation
   WorstCaseCounts counts;
+};
+
+/// Told after each round: the ends so far, scaled.
+using RoundWatcher = std::function<void(std::uint64_t round, double lower, double upper)>;
+
+/// What goes on around the rounds. Ranks that work together must be given the same answers.
+struct RootControl {
+  linear::Stop stop = {};
+  RoundWatcher watcher = {};
 };
 
 /// @param alpha scaled, >= 0
 /// @param nominal the collapse without uncertainty, which `load_factor` has solved
 RootResult solve_root(const problems::LimitModel& model, double alpha, const Collapse& nominal,
-                      LoadFactor& load_factor, const Pricer& pricer);
+                      LoadFactor& load_factor, const Pricer& pricer,
+                      const RootControl& control = {});
+
+/// A proof of the bound at a node with these signs and cuts, for yield forces smaller by `share`:
+/// where the first one has too little room. Nothing if the simplex method fails.
+std::optional<StaticProof> proof_with_room(const problems::LimitModel& model, double alpha,
+                                           std::span<const StaticCut> cuts, const Signs& signs,
+                                           double share);
+
+/// The share of the yield forces that a first proof leaves: enough where the simplex method leaves
+/// no more than rounding.
+inline constexpr double first_room = 1e-11;
 
 /// How much the point leaves |u_e| and gamma_j apart, for each column of T, times its weight.
 Eigen::VectorXd looseness(const problems::LimitModel& model, const Relaxed& point);

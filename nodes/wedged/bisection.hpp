@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/search.hpp"
-#include "nodes/wedged/critical_friction.hpp"
+#include "engine/expansion.hpp"
+#include "nodes/critical_friction.hpp"
 
 namespace kusabi::nodes {
 

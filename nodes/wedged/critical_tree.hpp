@@ -13,9 +13,9 @@
 #include <limits>
 #include <vector>
 
-#include "engine/search.hpp"
-#include "nodes/wedged/critical_friction.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
+#include "engine/expansion.hpp"
+#include "nodes/critical_friction.hpp"
+#include "nodes/sign_pattern.hpp"
 
 namespace kusabi::nodes {
 

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
-#include "solvers/linear/safe_bound.hpp"
+#include "nodes/linear/precise_bound.hpp"
+#include "nodes/linear/precise_simplex.hpp"
+#include "nodes/linear/safe_bound.hpp"
 
 namespace kusabi::nodes {
 namespace {
@@ -16,12 +19,16 @@ using linear::LinearStatus;
 using problems::infinity;
 using problems::LinearTerm;
 
-// An end that is not proved is moved outwards by this, relative to its size (at least one).
+// An end whose proof in doubles is this near to it, relative to its size (at least one), is left at
+// that.
 constexpr double margin = 1e-6;
 
 constexpr std::uint64_t most_rounds = 20;
 // A round pays for the next if it took at least this share of all the Ms.
 constexpr double worth_a_round = 0.01;
+// No M becomes smaller than this share of itself or of its row's bound: one that is nothing but
+// rounding has no scale.
+constexpr double least_share = 1e-6;
 // An M that shrinks by less than this share of itself is left as it is.
 constexpr double worth_a_change = 1e-3;
 
@@ -40,10 +47,12 @@ problems::LinearProgram with_objective_row(const problems::LinearProgram& given,
 
 }  // namespace
 
-BoundTightening::BoundTightening(const problems::LinearProgram& program, double cutoff)
+BoundTightening::BoundTightening(const problems::LinearProgram& program, double cutoff,
+                                 linear::Stop stop)
     : program_(with_objective_row(program, cutoff)),
       simplex_(program_),
-      implied_(implied_bounds(program_)) {}
+      implied_(implied_bounds(program_)),
+      stop_(std::move(stop)) {}
 
 void BoundTightening::set_column_bounds(int column, double lower, double upper) {
   auto& own = program_.columns.at(static_cast<std::size_t>(column));
@@ -76,31 +85,42 @@ FormRange BoundTightening::end(std::span<const LinearTerm> form, double sign) {
     }
   };
   set_costs(sign);
-  auto status = simplex_.solve_primal();
-  if (status == LinearStatus::failed) status = simplex_.solve_robustly();
+  const linear::SolveLimits limits{.stop = stop_};
+  auto status = simplex_.solve_primal(limits);
+  if (status == LinearStatus::failed) status = simplex_.solve_robustly(limits);
   double least = -infinity;
   bool proved = true;
   if (status == LinearStatus::optimal) {
     least = linear::safe_dual_bound(program_, simplex_.duals(), implied_.lower, implied_.upper);
     const double found = simplex_.objective();
-    const double moved = found - margin * std::max(1.0, std::abs(found));
-    if (least < moved) {
-      proved = least == moved;
-      least = moved;
-    }
+    const double enough = found - margin * std::max(1.0, std::abs(found));
+    if (!(least >= enough)) std::tie(least, proved) = least_precisely();
   } else if (status == LinearStatus::infeasible) {
-    // The dual method, which any basis suits without costs, ends with a reason; the primal does
-    // not.
-    set_costs(0);
-    simplex_.solve_dual();
-    const auto reason = simplex_.farkas();
-    proved = !reason.empty() &&
-             linear::safe_infeasibility(program_, reason, implied_.lower, implied_.upper) > 0;
-    least = infinity;
+    std::tie(least, proved) = least_precisely();
   }
   set_costs(0);
   if (least == infinity) return {infinity, -infinity, proved};
   return sign > 0 ? FormRange{least, infinity, proved} : FormRange{-infinity, -least, proved};
+}
+
+// The least of the form as it is among the costs, in more digits, and whether that is proved;
+// infinity: no point matters.
+std::pair<double, bool> BoundTightening::least_precisely() {
+  using linear::Residuals;
+  const auto found = linear::solve_precisely(program_, simplex_.basis(), stop_);
+  for (const auto residuals : {Residuals::proved, Residuals::forgiven}) {
+    const bool proved = residuals == Residuals::proved;
+    if (found.status == LinearStatus::optimal) {
+      const auto bound =
+          linear::safe_bound(program_, found.duals, implied_.lower, implied_.upper, residuals);
+      if (bound.value > -infinity) return {bound.value, proved};
+    } else if (found.status == LinearStatus::infeasible && !found.duals.empty()) {
+      const double excess = linear::safe_infeasibility(program_, found.duals, implied_.lower,
+                                                       implied_.upper, residuals);
+      if (excess > 0) return {infinity, proved};
+    }
+  }
+  return {-infinity, true};
 }
 
 namespace {
@@ -151,8 +171,13 @@ std::vector<BigRow> big_rows(const problems::MixedProgram& mixed) {
 // One round over all rows.
 class Round {
  public:
-  Round(problems::MixedProgram& mixed, double cutoff, Tightening& result)
-      : mixed_(mixed), ends_(mixed.program, cutoff), result_(result) {}
+  Round(problems::MixedProgram& mixed, double cutoff, bool proofs_only, const linear::Stop& stop,
+        Tightening& result)
+      : mixed_(mixed),
+        ends_(mixed.program, cutoff, stop),
+        proofs_only_(proofs_only),
+        stop_(stop),
+        result_(result) {}
 
   /// @return the share of the Ms that is gone
   double apply(const std::vector<BigRow>& rows) {
@@ -162,7 +187,7 @@ class Round {
       const double m = std::abs(mixed_.program.entries[row.entry].value);
       before += 1;
       gone += m > 0 ? apply(row) / m : 0;
-      if (result_.nothing_left) break;
+      if (result_.nothing_left || linear::asked(stop_)) break;
     }
     result_.programs += ends_.programs();
     return before > 0 ? gone / before : 0;
@@ -182,13 +207,15 @@ class Round {
     ends_.set_column_bounds(big.binary, slack_at, slack_at);
     const auto range = ends_.upper_end(big.others);
     ends_.set_column_bounds(big.binary, column.lower, column.upper);
+    if (proofs_only_ && !range.proved) return 0;
     if (range.lower > range.upper) {
       hold(column, big.binary, 1 - slack_at, range.proved);
       return 0;
     }
     const double tight = m > 0 ? upper - m : upper;
     const double loose = m > 0 ? upper : upper - m;
-    const double needed = std::max(tight, range.upper);
+    const double needed =
+        std::max(range.upper, tight + least_share * std::max(std::abs(m), std::abs(upper)));
     const double shrunk = std::abs(m) - (needed - tight);
     if (!(shrunk > worth_a_change * std::abs(m))) return 0;
     // Rounded such that no side asks for more than before, or than needed.
@@ -216,18 +243,21 @@ class Round {
 
   problems::MixedProgram& mixed_;
   BoundTightening ends_;
+  bool proofs_only_;
+  const linear::Stop& stop_;
   Tightening& result_;
 };
 
 }  // namespace
 
-Tightening tighten_big_m(problems::MixedProgram& mixed, double cutoff) {
+Tightening tighten_big_m(problems::MixedProgram& mixed, double cutoff, bool proofs_only,
+                         const linear::Stop& stop) {
   Tightening result;
   const auto rows = big_rows(mixed);
   if (rows.empty() || !std::isfinite(cutoff)) return result;
-  while (result.rounds < most_rounds && !result.nothing_left) {
+  while (result.rounds < most_rounds && !result.nothing_left && !linear::asked(stop)) {
     ++result.rounds;
-    Round round(mixed, cutoff, result);
+    Round round(mixed, cutoff, proofs_only, stop, result);
     if (round.apply(rows) < worth_a_round) break;
   }
   return result;

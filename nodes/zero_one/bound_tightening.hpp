@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "nodes/zero_one/implied_bounds.hpp"
@@ -18,8 +19,8 @@ namespace kusabi::nodes {
 struct FormRange {
   double lower = -problems::infinity;
   double upper = problems::infinity;
-  /// Whether both ends hold in spite of rounding. If not, an end is the optimum as the simplex
-  /// method found it, moved outwards by a tolerance.
+  /// Whether both ends hold in spite of rounding. If not, residuals that are zero in all but the
+  /// last of 30 digits count as zero.
   bool proved = true;
 };
 
@@ -27,7 +28,8 @@ struct FormRange {
 class BoundTightening {
  public:
   /// @param cutoff infinity: all points matter
-  BoundTightening(const problems::LinearProgram& program, double cutoff);
+  /// @param stop asked within each program; one that is stopped says nothing
+  BoundTightening(const problems::LinearProgram& program, double cutoff, linear::Stop stop = {});
 
   /// From the basis of the last call. @throws std::invalid_argument if a term is no column
   FormRange range(std::span<const problems::LinearTerm> form);
@@ -41,10 +43,12 @@ class BoundTightening {
 
  private:
   FormRange end(std::span<const problems::LinearTerm> form, double sign);
+  std::pair<double, bool> least_precisely();
 
   problems::LinearProgram program_;  // the costs are those of a form; the objective is the last row
   linear::Simplex simplex_;
   ColumnBounds implied_;
+  linear::Stop stop_;
 };
 
 /// What tighten_big_m() did.
@@ -60,6 +64,8 @@ struct Tightening {
 /// Makes the coefficient of the binary in every row of the kind a'x + M tau <= b (one binary, other
 /// columns besides) as small as the points that matter allow, in rounds, until little changes.
 /// Points with an objective of at most `cutoff` stay; of others some may be lost.
-Tightening tighten_big_m(problems::MixedProgram& mixed, double cutoff);
+/// @param proofs_only whether to leave all as it is that is not proved
+Tightening tighten_big_m(problems::MixedProgram& mixed, double cutoff, bool proofs_only = false,
+                         const linear::Stop& stop = {});
 
 }  // namespace kusabi::nodes

@@ -58,8 +58,9 @@ class CutProgram {
 
   std::optional<DisjunctiveCut> solve() {
     linear::Simplex simplex(program_);
-    auto status = simplex.solve_primal();
-    if (status == LinearStatus::failed) status = simplex.solve_robustly();
+    const linear::SolveLimits limits{.stop = relaxation_.stop()};
+    auto status = simplex.solve_primal(limits);
+    if (status == LinearStatus::failed) status = simplex.solve_robustly(limits);
     if (status != LinearStatus::optimal) return {};
     return cut(simplex.values());
   }
@@ -259,11 +260,11 @@ CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basi
   const std::size_t rows = relaxation.program().rows.size();
   if (relaxation.solve(root, basis) != LinearStatus::optimal) return result;
   auto residual = residuals(relaxation);
-  auto point = relaxation.simplex().values();
+  auto point = relaxation.values();
   std::vector<bool> excluded(residual.size());
   const auto most =
       static_cast<std::uint64_t>(rounds_a_binary * static_cast<double>(residual.size()));
-  while (result.rounds < most && fractional(residual) > 0) {
+  while (result.rounds < most && fractional(residual) > 0 && !linear::asked(relaxation.stop())) {
     ++result.rounds;
     std::size_t chosen = residual.size();
     for (std::size_t k = 0; k < residual.size(); ++k) {
@@ -284,10 +285,10 @@ CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basi
       break;
     }
     auto now = residuals(relaxation);
-    point = relaxation.simplex().values();
+    point = relaxation.values();
     if (fractional(now) <= fractional(residual)) {
       ++result.kept;
-      result.basis = relaxation.simplex().basis();
+      result.basis = relaxation.basis();
       excluded.assign(excluded.size(), false);
     } else {
       // The next cut is made for this point, as the algorithm says, but without this cut.

@@ -37,20 +37,79 @@ std::vector<Candidate> hold_whole_ones(const Relaxation& relaxation, Fixings& fi
   return rest;
 }
 
+// By how much rows do not hold, in all; infinite if one is off by more than rounding.
+double excess(const problems::LinearProgram& program, const std::vector<double>& values) {
+  constexpr double part = 1e-12;
+  struct Activity {
+    numbers::Precise sum = 0.0;
+    double size = 0;
+  };
+  std::vector<Activity> activities(program.rows.size());
+  for (const auto& [row, column, value] : program.entries) {
+    auto& [sum, size] = activities[static_cast<std::size_t>(row)];
+    const auto term = numbers::Precise(value) * values[static_cast<std::size_t>(column)];
+    sum += term;
+    size += std::abs(numbers::rounded(term));
+  }
+  double total = 0;
+  for (std::size_t i = 0; i < activities.size(); ++i) {
+    const auto& [sum, size] = activities[i];
+    const auto& [lower, upper, name] = program.rows[i];
+    const double below = std::isfinite(lower) ? numbers::rounded(numbers::Precise(lower) - sum) : 0;
+    const double above = std::isfinite(upper) ? numbers::rounded(sum - numbers::Precise(upper)) : 0;
+    const double missing = std::max({0.0, below, above});
+    if (!(missing <= part * size)) return problems::infinity;
+    total += missing;
+  }
+  return total;
+}
+
+double largest_cost(const problems::LinearProgram& program) {
+  double largest = 0;
+  for (const auto& column : program.columns) largest = std::max(largest, std::abs(column.cost));
+  return largest;
+}
+
+numbers::Precise objective_of(const problems::LinearProgram& program,
+                              const std::vector<double>& values) {
+  numbers::Precise sum = program.constant;
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const double cost = program.columns[j].cost;
+    if (cost != 0) sum += numbers::Precise(cost) * values[j];
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::optional<ZeroOnePoint> point_at(Relaxation& relaxation, const Fixings& fixings,
                                      const linear::Basis& basis) {
   if (relaxation.solve(fixings, basis) != LinearStatus::optimal) return {};
-  ZeroOnePoint point{.values = relaxation.simplex().values()};
+  ZeroOnePoint point{.values = relaxation.values()};
   for (std::size_t k = 0; k < relaxation.binaries(); ++k) {
     point.values[static_cast<std::size_t>(relaxation.column(k))] = fixings.at_one(k) ? 1 : 0;
   }
   const auto& program = relaxation.program();
-  point.objective = program.constant;
   for (std::size_t j = 0; j < point.values.size(); ++j) {
-    point.objective += program.columns[j].cost * point.values[j];
+    const auto& column = program.columns[j];
+    point.values[j] = std::clamp(point.values[j], column.lower, column.upper);
   }
+  // The doubles are good enough if they are worth what the bound says, and what rows lack is worth
+  // nothing even at the largest cost: it may be a penalty on just that.
+  constexpr double share = 0.25;
+  point.objective = numbers::rounded(objective_of(program, point.values));
+  const double most = share * relaxation.steps().width(point.objective);
+  if (std::abs(point.objective - relaxation.bound()) <= most &&
+      excess(program, point.values) * largest_cost(program) <= most) {
+    return point;
+  }
+  const auto precise = relaxation.precise_point();
+  if (precise.status != LinearStatus::optimal) return {};
+  for (std::size_t j = 0; j < point.values.size(); ++j) {
+    point.values[j] = numbers::rounded(precise.values[j]);
+  }
+  point.objective = numbers::rounded(precise.objective);
+  if (!std::isfinite(point.objective)) return {};
   return point;
 }
 
@@ -66,7 +125,8 @@ std::optional<ZeroOnePoint> dive(Relaxation& relaxation, const Fixings& fixings,
   if (relaxation.solve(fixings, basis) != LinearStatus::optimal) return {};
   Fixings held = fixings;
   for (;;) {
-    const auto start = relaxation.simplex().basis();
+    if (linear::asked(relaxation.stop())) return {};
+    const auto start = relaxation.basis();
     const auto fractional = hold_whole_ones(relaxation, held);
     if (fractional.empty()) return point_at(relaxation, held, start);
     const std::size_t count = std::max<std::size_t>(1, relaxation.binaries() / steps_of_a_dive);

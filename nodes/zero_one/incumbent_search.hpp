@@ -11,9 +11,10 @@
 
 namespace kusabi::nodes {
 
-/// A point of the program; its binaries are 0 or 1 exactly, rows hold within GLPK's tolerance.
+/// A point of the program; its binaries are 0 or 1 exactly, its columns are within their bounds,
+/// and rows hold to 1e-12 of their terms.
 struct ZeroOnePoint {
-  double objective = 0;  ///< constant + c'x
+  double objective = 0;  ///< constant + c'x, correct to its last digits
   std::vector<double> values;
 
   template <class Archive>
@@ -22,8 +23,8 @@ struct ZeroOnePoint {
   }
 };
 
-/// The best point with all binaries held as `fixings` say, which leave none free; none if GLPK
-/// finds none. What it finds by itself is in the relaxation.
+/// The best point with all binaries held as `fixings` say, which leave none free; none if there is
+/// none, or it cannot be had to so many digits. What was found is in the relaxation.
 std::optional<ZeroOnePoint> point_at(Relaxation& relaxation, const Fixings& fixings,
                                      const linear::Basis& basis);
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nodes/linear/precise_bound.hpp"
+
 namespace kusabi::nodes {
 namespace {
 
@@ -27,10 +29,24 @@ const problems::LinearProgram& checked(const problems::MixedProgram& mixed) {
   return mixed.program;
 }
 
+// A bound that misses the optimum by less than this share of a step is as good as it.
+constexpr double tight_share = 0.25;
+
+// The smallest cost that is one; 1 if there is none. An objective near zero is told apart by it:
+// the largest may be a penalty.
+double least_cost(const problems::LinearProgram& program) {
+  double least = problems::infinity;
+  for (const auto& column : program.columns) {
+    if (column.cost != 0) least = std::min(least, std::abs(column.cost));
+  }
+  return std::isfinite(least) ? least : 1;
+}
+
 }  // namespace
 
 Relaxation::Relaxation(problems::MixedProgram mixed)
     : mixed_(std::move(mixed)),
+      given_rows_(mixed_.program.rows.size()),
       simplex_(checked(mixed_)),
       implied_(implied_bounds(mixed_.program)),
       node_(implied_) {
@@ -44,6 +60,7 @@ Relaxation::Relaxation(problems::MixedProgram mixed)
     held_.upper.push_back(upper);
   }
   proves_ = all_bounded();
+  steps_ = ObjectiveSteps(least_cost(mixed_.program));
 }
 
 bool Relaxation::all_bounded() const {
@@ -96,31 +113,28 @@ LinearStatus Relaxation::solve(const Fixings& fixings, const linear::Basis& basi
   } else {
     simplex_.set_basis(basis);
   }
-  simplex_.solve_robustly(limits);
+  auto all_limits = limits;
+  if (stop_) all_limits.stop = stop_;
+  status_ = simplex_.solve_robustly(all_limits);
   conclude();
-  return simplex_.status();
-}
-
-LinearStatus Relaxation::solve_on(const Fixings& fixings, const linear::SolveLimits& limits) {
-  hold(fixings);
-  simplex_.solve_robustly(limits);
-  conclude();
-  return simplex_.status();
+  return status_;
 }
 
 void Relaxation::conclude() {
   bound_ = -problems::infinity;
   contradiction_ = false;
-  switch (simplex_.status()) {
+  precise_.reset();
+  basis_ = simplex_.basis();
+  values_ = simplex_.values();
+  switch (status_) {
     case LinearStatus::optimal:
+      conclude_in_doubles();
+      if (!is_tight(simplex_.objective())) conclude_precisely();
+      return;
     case LinearStatus::cut_off:
     case LinearStatus::stopped:
-      if (proves_) {
-        safe_ = linear::safe_bound(mixed_.program, simplex_.duals(), node_.lower, node_.upper);
-        bound_ = safe_.value;
-      } else if (simplex_.dual_feasible()) {
-        bound_ = simplex_.objective();
-      }
+    case LinearStatus::interrupted:
+      conclude_in_doubles();
       return;
     case LinearStatus::infeasible: {
       for (std::size_t j = 0; j < node_.lower.size(); ++j) {
@@ -132,12 +146,134 @@ void Relaxation::conclude() {
       const auto reason = simplex_.farkas();
       contradiction_ = !reason.empty() && linear::safe_infeasibility(mixed_.program, reason,
                                                                      node_.lower, node_.upper) > 0;
+      if (!contradiction_) conclude_precisely();
       return;
     }
-    case LinearStatus::unbounded:
     case LinearStatus::failed:
+      conclude_precisely();
+      return;
+    case LinearStatus::unbounded:
       return;
   }
+}
+
+// The bound of the multipliers at hand. Where columns have no bounds, it is that of the others, if
+// what is left out is nothing.
+void Relaxation::conclude_in_doubles() {
+  safe_ = linear::safe_bound(mixed_.program, simplex_.duals(), node_.lower, node_.upper);
+  bound_ = safe_.value;
+  if (!proves_ && std::isfinite(safe_.finite_part) &&
+      left_out() <= tight_share * steps_.width(safe_.finite_part)) {
+    bound_ = safe_.finite_part;
+  }
+}
+
+// About what the residuals of columns without bounds may be worth.
+double Relaxation::left_out() const {
+  double sum = 0;
+  for (std::size_t j = 0; j < values_.size(); ++j) {
+    const auto& residual = safe_.residuals[j];
+    if (std::isfinite(linear::least_product(residual, node_.lower[j], node_.upper[j]))) continue;
+    sum += std::max(std::abs(residual.lower), std::abs(residual.upper)) *
+           std::max(1.0, std::abs(values_[j]));
+  }
+  return sum;
+}
+
+// Whether the bound is what the simplex method says the optimum is.
+bool Relaxation::is_tight(double objective) const {
+  return std::isfinite(bound_) &&
+         std::abs(objective - bound_) <= tight_share * steps_.width(bound_);
+}
+
+// The program as the simplex method has it, in more digits. What was optimal may turn out to have
+// no point, and the other way round. Cuts next to each other can make a basis that no digits are
+// enough for; then it is solved without them.
+void Relaxation::conclude_precisely() {
+  for (const std::size_t rows : {mixed_.program.rows.size(), given_rows_}) {
+    if (!precise_ || rows < mixed_.program.rows.size()) precise_ = solve_precisely(rows);
+    precise_->duals.resize(mixed_.program.rows.size(), 0.0);
+    const bool settled = conclude_from(*precise_);
+    if (settled || precise_->status == LinearStatus::interrupted) return;
+  }
+}
+
+// Whether that says something.
+bool Relaxation::conclude_from(const linear::PreciseSolution& solution) {
+  using linear::Residuals;
+  const auto residuals = proves_ ? Residuals::proved : Residuals::forgiven;
+  if (solution.status == LinearStatus::infeasible) {
+    contradiction_ = linear::safe_infeasibility(mixed_.program, solution.duals, node_.lower,
+                                                node_.upper, residuals) > 0;
+    if (contradiction_ || status_ == LinearStatus::failed) status_ = LinearStatus::infeasible;
+    return contradiction_;
+  }
+  if (solution.status != LinearStatus::optimal) {
+    const bool says_why =
+        solution.status == LinearStatus::interrupted ||
+        (solution.status == LinearStatus::unbounded && status_ == LinearStatus::failed);
+    if (says_why) status_ = solution.status;
+    return false;
+  }
+  status_ = LinearStatus::optimal;
+  for (std::size_t j = 0; j < values_.size(); ++j) {
+    values_[j] = numbers::rounded(solution.values[j]);
+  }
+  basis_ = solution.basis;
+  raise_bound(solution.duals);
+  return true;
+}
+
+linear::PreciseSolution Relaxation::precise_point() {
+  if (precise_ && precise_->basis.rows() == given_rows_) return *precise_;
+  auto solution = solve_precisely(given_rows_);
+  if (solution.status == LinearStatus::optimal) {
+    auto duals = solution.duals;
+    duals.resize(mixed_.program.rows.size(), 0.0);
+    raise_bound(duals);
+  }
+  return solution;
+}
+
+// If these multipliers give a better one.
+void Relaxation::raise_bound(std::span<const numbers::Precise> duals) {
+  using linear::Residuals;
+  auto better = linear::safe_bound(mixed_.program, duals, node_.lower, node_.upper,
+                                   proves_ ? Residuals::proved : Residuals::forgiven);
+  if (better.value < bound_) return;
+  safe_ = std::move(better);
+  bound_ = safe_.value;
+}
+
+// The first rows of the program, with the bounds that the simplex method has, from its basis.
+linear::PreciseSolution Relaxation::solve_precisely(std::size_t rows) {
+  problems::LinearProgram program;
+  program.constant = mixed_.program.constant;
+  for (const auto& [cost, lower, upper, name] : mixed_.program.columns) {
+    program.add_column({.cost = cost, .lower = lower, .upper = upper});
+  }
+  for (std::size_t k = 0; k < binaries(); ++k) {
+    auto& column = program.columns[static_cast<std::size_t>(this->column(k))];
+    column.lower = held_.lower[k];
+    column.upper = held_.upper[k];
+  }
+  for (std::size_t i = 0; i < rows; ++i) {
+    program.rows.push_back(
+        {.lower = mixed_.program.rows[i].lower, .upper = mixed_.program.rows[i].upper});
+  }
+  for (const auto& entry : mixed_.program.entries) {
+    if (static_cast<std::size_t>(entry.row) < rows) program.entries.push_back(entry);
+  }
+  ++precise_programs_;
+  const bool all = rows == mixed_.program.rows.size();
+  return linear::solve_precisely(program, all ? basis_ : linear::Basis(), stop_);
+}
+
+double Relaxation::objective() const {
+  if (precise_ && precise_->status == LinearStatus::optimal) {
+    return numbers::rounded(precise_->objective);
+  }
+  return simplex_.objective();
 }
 
 double Relaxation::least(const std::vector<double>& alpha, const std::vector<double>& duals,
@@ -177,10 +313,6 @@ double Relaxation::least(const std::vector<double>& alpha, const std::vector<dou
 double Relaxation::bound_if(std::size_t binary, bool at_one) const {
   const auto j = static_cast<std::size_t>(column(binary));
   const double held = at_one ? 1 : 0;
-  if (!proves_) {
-    const double gain = simplex_.reduced_cost(column(binary));
-    return bound_ + std::max(0.0, at_one ? gain : -gain);
-  }
   using linear::rounded::sum_down;
   const auto& residual = safe_.residuals[j];
   const double now = linear::least_product(residual, node_.lower[j], node_.upper[j]);

@@ -2,26 +2,30 @@
 // fixings from any basis, with a lower bound that the tree can rely on.
 //
 // Where all columns have bounds (their own, or such as follow from the rows), the bound is that of
-// Neumaier and Shcherbina: rounding cannot make it wrong. Where some have none it is the optimum as
-// the simplex method found it, within its tolerances, and proves() says so.
+// Neumaier and Shcherbina: rounding cannot make it wrong. Where some have none, residuals that are
+// rounding count as zero, and proves() says so. If the bound of the simplex method's multipliers is
+// not tight, as where penalties stand beside prices, the program is solved in more digits
+// (linear/precise_simplex.hpp).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "nodes/linear/basis.hpp"
+#include "nodes/linear/precise_simplex.hpp"
+#include "nodes/linear/safe_bound.hpp"
+#include "nodes/linear/simplex.hpp"
+#include "nodes/linear/stop.hpp"
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/implied_bounds.hpp"
-#include "solvers/linear/basis.hpp"
-#include "solvers/linear/linear_program.hpp"
-#include "solvers/linear/safe_bound.hpp"
-#include "solvers/linear/simplex.hpp"
+#include "nodes/zero_one/objective_steps.hpp"
+#include "problems/linear_program.hpp"
 
 namespace kusabi::nodes {
-
-/// Objectives closer than this, relative to the size of those of the root, are one: what a linear
-/// program of GLPK's accuracy can tell apart. Ties are broken by the place in the tree.
-inline constexpr double objective_tolerance = 1e-9;
 
 /// A binary this close to 0 or 1 is at it. (The solution that is handed out has it there exactly.)
 inline constexpr double integrality_tolerance = 1e-6;
@@ -36,13 +40,17 @@ class Relaxation {
   [[nodiscard]] const problems::LinearProgram& program() const { return mixed_.program; }
   [[nodiscard]] std::size_t binaries() const { return mixed_.binaries.size(); }
   [[nodiscard]] int column(std::size_t binary) const { return mixed_.binaries[binary]; }
-  [[nodiscard]] linear::Simplex& simplex() { return simplex_; }
-  [[nodiscard]] const linear::Simplex& simplex() const { return simplex_; }
+  /// How objectives of this program are told apart.
+  [[nodiscard]] const ObjectiveSteps& steps() const { return steps_; }
+
+  /// Asked within long solves from now on; those end as `interrupted`.
+  void end_when(linear::Stop stop) { stop_ = std::move(stop); }
+  [[nodiscard]] const linear::Stop& stop() const { return stop_; }
 
   /// The fixings that the bounds of the binaries say themselves.
   [[nodiscard]] Fixings root() const { return Fixings(binaries()); }
 
-  /// A valid inequality; the basis stays good.
+  /// A valid inequality (a cut); the basis stays good.
   void add_row(const problems::LinearRow& row, const std::vector<problems::LinearTerm>& terms);
   void drop_last_row();
 
@@ -52,24 +60,32 @@ class Relaxation {
   /// Holds the binaries where `fixings` say, and solves from `basis` (an empty one: from slacks).
   linear::LinearStatus solve(const Fixings& fixings, const linear::Basis& basis,
                              const linear::SolveLimits& limits = {});
-  /// The same from the present basis.
-  linear::LinearStatus solve_on(const Fixings& fixings, const linear::SolveLimits& limits = {});
-
   /// A lower bound of alpha'x over all points that have `held` in `column`, by the multipliers
   /// `duals` of the rows: safe if bounds are proved, else less `give_way` relative to the size of
   /// its terms.
   [[nodiscard]] double least(const std::vector<double>& alpha, const std::vector<double>& duals,
                              int column, double held, double give_way) const;
 
-  // ---- after a solve
-  // -----------------------------------------------------------------------------
+  // ---- after a solve ---------------------------------------------------------------------------
 
-  /// A lower bound of all points with those fixings; of use after `optimal`, `cut_off`, `stopped`.
+  [[nodiscard]] linear::LinearStatus status() const { return status_; }
+  /// A lower bound of all points with those fixings; of use after `optimal`, `cut_off`, `stopped`,
+  /// `interrupted`.
   [[nodiscard]] double bound() const { return bound_; }
-  /// After `infeasible`: whether that is proved, whatever was rounded.
+  /// After `infeasible`: whether that is proved, whatever was rounded (see proves()).
   [[nodiscard]] bool contradiction() const { return contradiction_; }
+  /// Of the optimum, as the simplex method has it.
+  [[nodiscard]] double objective() const;
+  [[nodiscard]] const linear::Basis& basis() const { return basis_; }
+  [[nodiscard]] const std::vector<double>& values() const { return values_; }
   /// The value of a binary.
-  [[nodiscard]] double value(std::size_t binary) const { return simplex_.value(column(binary)); }
+  [[nodiscard]] double value(std::size_t binary) const {
+    return values_[static_cast<std::size_t>(column(binary))];
+  }
+  /// After `optimal`: the optimum of the program without the rows added since, which a point need
+  /// not satisfy to its last digit, in more digits; `failed` if they cannot be had.
+  /// Its multipliers may raise bound().
+  linear::PreciseSolution precise_point();
   /// The bound if `binary`, not fixed, were held at `at_one`, by the same multipliers.
   [[nodiscard]] double bound_if(std::size_t binary, bool at_one) const;
 
@@ -80,19 +96,35 @@ class Relaxation {
   void do_without_proof() { proves_ = false; }
 
   /// Linear programs solved here.
-  [[nodiscard]] std::uint64_t programs() const { return simplex_.solves(); }
+  [[nodiscard]] std::uint64_t programs() const { return simplex_.solves() + precise_programs_; }
+  [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
   void hold(const Fixings& fixings);
   void conclude();
+  void conclude_in_doubles();
+  void conclude_precisely();
+  bool conclude_from(const linear::PreciseSolution& solution);
+  linear::PreciseSolution solve_precisely(std::size_t rows);
+  void raise_bound(std::span<const numbers::Precise> duals);
+  [[nodiscard]] bool is_tight(double objective) const;
+  [[nodiscard]] double left_out() const;
   [[nodiscard]] bool all_bounded() const;
 
   problems::MixedProgram mixed_;
+  std::size_t given_rows_;
   linear::Simplex simplex_;
   ColumnBounds implied_;  // at the root
   ColumnBounds node_;     // with the fixings
   ColumnBounds held_;     // of the binaries, in the order of them, as the simplex method has them
+  ObjectiveSteps steps_;
+  linear::Stop stop_;
   bool proves_ = false;
+  linear::LinearStatus status_ = linear::LinearStatus::failed;
+  std::vector<double> values_;
+  linear::Basis basis_;
+  std::optional<linear::PreciseSolution> precise_;
+  std::uint64_t precise_programs_ = 0;
   linear::SafeBound safe_;
   double bound_ = -problems::infinity;
   bool contradiction_ = false;

@@ -17,12 +17,17 @@ using linear::LinearStatus;
 
 // The largest number of which every cost is a multiple, if no column but binaries has a cost and
 // the costs are whole numbers after multiplication by a small power of ten; otherwise 0.
-double grid_of_objectives(const problems::MixedProgram& mixed) {
+struct Grid {
+  double width = 0;
+  double error = 0;
+};
+
+Grid grid_of_objectives(const problems::MixedProgram& mixed) {
   constexpr double largest_whole = 1e9;
   std::vector<bool> binary(mixed.program.columns.size());
   for (const int column : mixed.binaries) binary[static_cast<std::size_t>(column)] = true;
   for (std::size_t j = 0; j < binary.size(); ++j) {
-    if (!binary[j] && mixed.program.columns[j].cost != 0) return 0;
+    if (!binary[j] && mixed.program.columns[j].cost != 0) return {};
   }
   for (const double power : {1.0, 10.0, 100.0, 1000.0}) {
     std::int64_t divisor = 0;
@@ -34,28 +39,20 @@ double grid_of_objectives(const problems::MixedProgram& mixed) {
       if (!whole) break;
       divisor = std::gcd(divisor, static_cast<std::int64_t>(nearest));
     }
-    if (whole) return static_cast<double>(divisor) / power;
+    if (!whole) continue;
+    double size = 0;
+    for (const auto& column : mixed.program.columns) size += std::abs(column.cost);
+    return {static_cast<double>(divisor) / power, power == 1 ? 0 : 0x1p-51 * size};
   }
-  return 0;
-}
-
-// The size of what is minimised: that of its values at the root, or, if those are zero, of its
-// terms.
-double objective_size(const ZeroOneRoot& root) {
-  double size = std::isfinite(root.bound) ? std::abs(root.bound) : 0;
-  if (root.point) size = std::max(size, std::abs(root.point->objective));
-  if (size > 0) return size;
-  for (const auto& column : root.relaxation.program().columns) {
-    size = std::max(size, std::abs(column.cost));
-  }
-  return size > 0 ? size : 1;
+  return {};
 }
 
 void relax(ZeroOneRoot& root) {
   root.status = root.relaxation.solve(root.relaxation.root(), root.basis);
+  // Every bound of the way holds; the last may be one of a solve that was stopped.
+  root.bound = std::max(root.bound, root.relaxation.bound());
   if (root.status != LinearStatus::optimal) return;
-  root.basis = root.relaxation.simplex().basis();
-  root.bound = root.relaxation.bound();
+  root.basis = root.relaxation.basis();
 }
 
 void keep_better(std::optional<ZeroOnePoint>& best, std::optional<ZeroOnePoint>&& found) {
@@ -89,17 +86,19 @@ bool safe_bound_is_of_use(ZeroOneRoot& root) {
   relax(root);
   constexpr double share = 0.25;
   return root.status != LinearStatus::optimal ||
-         root.relaxation.simplex().objective() - root.bound < share * root.resolution;
+         root.relaxation.objective() - root.bound <
+             share * root.relaxation.steps().width(root.bound);
 }
 
 // Coefficients as small as the best point known allows; better points may then be found, which
 // allow for smaller ones.
 void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
   constexpr int most_times = 3;
-  for (int time = 0; time < most_times && root.point; ++time) {
+  for (int time = 0; time < most_times && root.point && !linear::asked(options.stop); ++time) {
     const double before = root.point->objective;
+    const double step = root.relaxation.steps().width(before);
     auto mixed = root.relaxation.mixed();
-    const auto done = tighten_big_m(mixed, before + root.resolution);
+    const auto done = tighten_big_m(mixed, before + step, root.relaxation.proves(), options.stop);
     root.counts.tightened += done.coefficients;
     root.counts.tighten_programs += done.programs;
     root.counts.fixed += done.fixed;
@@ -107,30 +106,34 @@ void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
     if (done.coefficients == 0 && done.fixed == 0) return;
     const std::uint64_t programs = root.relaxation.programs();
     root.relaxation = Relaxation(std::move(mixed));
+    root.relaxation.end_when(options.stop);
     root.counts.programs += programs;
     root.basis = {};
     relax(root);
     if (root.status != LinearStatus::optimal || done.nothing_left) return;
     find_points(root, options);
-    if (root.point->objective > before - root.resolution) return;
+    if (root.point->objective > before - step) return;
   }
 }
 
 }  // namespace
 
 ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions& options) {
-  const double grid = grid_of_objectives(mixed);
-  ZeroOneRoot root{.relaxation = Relaxation(std::move(mixed)), .grid = grid};
+  const auto grid = grid_of_objectives(mixed);
+  ZeroOneRoot root{
+      .relaxation = Relaxation(std::move(mixed)), .grid = grid.width, .grid_error = grid.error};
+  root.relaxation.end_when(options.stop);
   relax(root);
   if (root.status == LinearStatus::optimal) {
-    root.counts.first_bound = root.relaxation.simplex().objective();
+    root.counts.first_bound = root.relaxation.objective();
     find_points(root, options);
-    root.resolution = objective_tolerance * objective_size(root);
     if (options.tighten) tighten(root, options);
   }
-  if (root.status == LinearStatus::optimal) {
-    root.resolution = objective_tolerance * objective_size(root);
-    if (root.point) root.relaxation.matters_below(root.point->objective + root.resolution);
+  if (root.status == LinearStatus::optimal && !linear::asked(options.stop)) {
+    if (root.point) {
+      const double objective = root.point->objective;
+      root.relaxation.matters_below(objective + root.relaxation.steps().width(objective));
+    }
     if (root.relaxation.proves() && !safe_bound_is_of_use(root)) root.relaxation.do_without_proof();
     if (options.cuts == ZeroOneCuts::disjunctive) {
       auto cuts = add_disjunctive_cuts(root.relaxation, root.basis);
@@ -142,6 +145,7 @@ ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions&
     relax(root);
     root.counts.last_bound = root.bound;
   }
+  root.interrupted = root.status == LinearStatus::interrupted || linear::asked(options.stop);
   root.counts.programs +=
       root.relaxation.programs() + root.counts.tighten_programs + root.counts.cut_programs;
   return root;

@@ -24,6 +24,9 @@ struct ZeroOneRootOptions {
   /// A point known beforehand, as values of all columns; it is used if the program agrees that it
   /// is one. Empty: none.
   std::vector<double> start = {};
+  /// Asked within the work; ZeroOneRoot::interrupted says whether it was heeded. The tree asks it
+  /// within long linear programs.
+  linear::Stop stop = {};
 };
 
 /// What the work at the root came to; counts are of linear programs where nothing else is said.
@@ -46,13 +49,15 @@ struct ZeroOneRoot {
   linear::Basis basis = {};
   double bound = -problems::infinity;
   std::optional<ZeroOnePoint> point = {};
-  /// Objectives nearer to each other than half of this are one.
-  double resolution = objective_tolerance;
+  /// The work was not done to its end: bound and point hold, but are not the same on all ranks.
+  bool interrupted = false;
   /// All points have an objective of program().constant plus a multiple of this; 0: no such number.
   double grid = 0;
+  double grid_error = 0;  ///< but for this much: doubles are not 0.1
   ZeroOneRootCounts counts = {};
 };
 
+/// The search that follows needs `interrupted` to be false on all ranks.
 ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions& options = {});
 
 }  // namespace kusabi::nodes

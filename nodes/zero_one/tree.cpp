@@ -52,7 +52,7 @@ ZeroOneTree::ZeroOneTree(ZeroOneRoot root, ZeroOneBranching branching)
     : root_(std::move(root)),
       branching_(branching),
       programs_before_(root_.relaxation.programs()),
-      iterations_before_(root_.relaxation.simplex().iterations()) {}
+      iterations_before_(root_.relaxation.iterations()) {}
 
 ZeroOneNode ZeroOneTree::root() const {
   return {root_.relaxation.root(), root_.basis, root_.bound};
@@ -61,18 +61,15 @@ ZeroOneNode ZeroOneTree::root() const {
 ZeroOneTally ZeroOneTree::tally() const {
   Tally tally = tally_;
   tally.programs = root_.relaxation.programs() - programs_before_;
-  tally.iterations = root_.relaxation.simplex().iterations() - iterations_before_;
+  tally.iterations = root_.relaxation.iterations() - iterations_before_;
   return tally;
-}
-
-double ZeroOneTree::in_steps(double objective) const {
-  if (!std::isfinite(objective)) return objective;
-  return std::round(objective / root_.resolution) * root_.resolution;
 }
 
 // A node that was pruned unopened has a bound that rounds to a step not below that of the optimum.
 double ZeroOneTree::lower_bound(double outcome_bound, const Tally& total) const {
-  const double half_a_step = 0.5 * (1 + objective_tolerance) * root_.resolution;
+  if (!std::isfinite(outcome_bound)) return std::min(outcome_bound, total.least_bound);
+  constexpr double half = 0.5 * (1 + 1e-9);
+  const double half_a_step = half * steps().width(outcome_bound);
   if (in_steps(total.least_bound) < outcome_bound) return total.least_bound;
   return raised(outcome_bound - half_a_step);
 }
@@ -82,7 +79,10 @@ double ZeroOneTree::raised(double bound) const {
   if (root_.grid == 0 || !std::isfinite(bound)) return bound;
   const double constant = root_.relaxation.program().constant;
   const double steps = std::ceil((bound - constant) / root_.grid - grid_slack);
-  return std::max(bound, constant + steps * root_.grid);
+  using linear::rounded::product_down;
+  using linear::rounded::sum_down;
+  const double on_it = sum_down(constant, product_down(steps, root_.grid));
+  return std::max(bound, sum_down(on_it, -root_.grid_error));
 }
 
 bool ZeroOneTree::worse_than_root_point(double bound) const {
@@ -138,10 +138,17 @@ void ZeroOneTree::expand(Node&& node, Out& out) {
 // otherwise the node has the new bound and basis.
 bool ZeroOneTree::settle(Node& node, Out& out) {
   auto& relaxation = root_.relaxation;
+  const double cutoff = out.cutoff();
   auto status =
-      relaxation.solve(node.fixings, node.basis, {.cutoff = out.cutoff() + root_.resolution});
+      relaxation.solve(node.fixings, node.basis,
+                       {.cutoff = std::isfinite(cutoff) ? cutoff + steps().width(cutoff) : cutoff});
   if (status == LinearStatus::cut_off && !out.ruled_out(in_steps(raised(relaxation.bound())))) {
     status = relaxation.solve(node.fixings, node.basis);
+  }
+  if (status == LinearStatus::interrupted) {
+    node.bound = std::max(node.bound, raised(relaxation.bound()));
+    out.branch(std::move(node));  // as it was: the search ends soon, and may go on from it
+    return true;
   }
   if (status == LinearStatus::infeasible) {
     if (!relaxation.contradiction()) {
@@ -162,7 +169,7 @@ bool ZeroOneTree::settle(Node& node, Out& out) {
     return true;
   }
   node.bound = std::max(node.bound, raised(relaxation.bound()));
-  node.basis = relaxation.simplex().basis();
+  node.basis = relaxation.basis();
   if (!out.ruled_out(in_steps(node.bound))) return false;
   close(node, tally_.above);
   return true;
@@ -173,13 +180,9 @@ void ZeroOneTree::close(const Node& node, std::uint64_t& how) {
   tally_.least_bound = std::min(tally_.least_bound, node.bound);
 }
 
-// Without proofs the simplex method is believed here as everywhere.
+// Its bound is all that is known of it.
 void ZeroOneTree::close_without_proof(const Node& node) {
-  if (root_.relaxation.proves()) {
-    close(node, tally_.unproved);
-  } else {
-    ++tally_.unproved;
-  }
+  close(node, tally_.unproved);
 }
 
 // All binaries of the optimum are 0 or 1 within the tolerance: held there exactly, what is left?
@@ -188,13 +191,21 @@ bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
   auto point = point_at(root_.relaxation, fixings, node.basis);
   const bool was_whole = fixings == node.fixings;
   if (!point) {
-    if (was_whole) close_without_proof(node);
-    return was_whole;
+    if (!was_whole) return false;
+    if (root_.relaxation.status() == LinearStatus::interrupted) {
+      out.branch(Node(node));
+    } else {
+      close_without_proof(node);
+    }
+    return true;
   }
   const bool nothing_lost = in_steps(point->objective) <= in_steps(node.bound);
   out.solution(*std::move(point));
   if (was_whole || nothing_lost) {
-    close(node, tally_.leaves);
+    Node closed = node;
+    // Where the point took more digits, they are worth a better bound as well.
+    if (was_whole) closed.bound = std::max(closed.bound, raised(root_.relaxation.bound()));
+    close(closed, tally_.leaves);
     return true;
   }
   ++tally_.points;
@@ -202,7 +213,7 @@ bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
 }
 
 // A binary whose other value would bring the bound above the point known from the root. (Not the
-// best point known by now: what a node yields must not hang on when it is opened.)
+// best point known by now: what a node yields must not depend on when it is opened.)
 void ZeroOneTree::hold_by_cost(Node& node) {
   if (!root_.point) return;
   for (std::size_t k = 0; k < root_.relaxation.binaries(); ++k) {
@@ -229,10 +240,10 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
     Node& node, const std::vector<std::size_t>& candidates, double before) {
   auto& relaxation = root_.relaxation;
   linear::SolveLimits limits{.iterations = look_ahead_steps};
-  if (root_.point) limits.cutoff = root_.point->objective + root_.resolution;
+  if (root_.point) limits.cutoff = root_.point->objective + steps().width(root_.point->objective);
   std::optional<Split> best;
   double most = -1;
-  const double least = least_rise * root_.resolution;
+  const double least = least_rise * steps().width(before);
   bool held = false;
   const std::size_t count = std::min(candidates.size(), look_ahead_candidates);
   for (std::size_t i = 0; i < count; ++i) {
@@ -243,8 +254,9 @@ std::optional<ZeroOneTree::Split> ZeroOneTree::look_ahead(
       Fixings fixings = node.fixings;
       fixings.fix(split.binary, at_one);
       const auto status = relaxation.solve(fixings, node.basis, limits);
-      const bool failed = status == LinearStatus::failed || status == LinearStatus::unbounded;
-      split.basis[side] = failed ? node.basis : relaxation.simplex().basis();
+      const bool failed = status == LinearStatus::failed || status == LinearStatus::unbounded ||
+                          status == LinearStatus::interrupted;
+      split.basis[side] = failed ? node.basis : relaxation.basis();
       split.bound[side] = std::max(node.bound, raised(relaxation.bound()));
       split.rise[side] = std::max(relaxation.bound() - before, least);
       dead[side] = (status == LinearStatus::infeasible && relaxation.contradiction()) ||

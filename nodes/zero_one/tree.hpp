@@ -2,12 +2,12 @@
 //
 // A node is a pair (J0, J1) of sets of binaries, held at 0 and at 1. Its bound is the linear
 // relaxation with those fixings, solved by the dual simplex method from its parent's basis, which
-// travels with the node: so what a node yields hangs on the node alone, and the tree is the same on
-// any number of ranks. It is closed if no point is left, if its bound says that nothing better than
-// the best point known is below, or if all binaries of its optimum are 0 or 1.
+// travels with the node: so what a node yields depends on the node alone, and the tree is the same
+// on any number of ranks. It is closed if no point is left, if its bound says that nothing better
+// than the best point known is below, or if all binaries of its optimum are 0 or 1.
 //
-// Objectives are told apart in steps of `resolution` only (see ZeroOneRoot): else many optima that
-// are equal but for rounding would all be searched for.
+// Objectives are told apart in steps (objective_steps.hpp): else many optima that are equal but for
+// rounding would all be searched for.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/search.hpp"
+#include "engine/expansion.hpp"
+#include "nodes/linear/basis.hpp"
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/incumbent_search.hpp"
 #include "nodes/zero_one/relaxation.hpp"
@@ -45,7 +46,7 @@ struct ZeroOneTally {
   std::uint64_t leaves = 0;      ///< closed: the optimum has all binaries at 0 or 1
   std::uint64_t points = 0;      ///< found by rounding on the way
   /// Closed by what the simplex method says, without a proof: that no point is left, or (of a leaf)
-  /// for failure to solve it. Their parents' bounds are in `least_bound`.
+  /// for failure to solve it. Their bounds are in `least_bound`.
   std::uint64_t unproved = 0;
   std::uint64_t held = 0;        ///< binaries held by reduced costs or by looking ahead
   std::uint64_t programs = 0;    ///< linear programs
@@ -83,7 +84,7 @@ class ZeroOneTree {
 
   Node root() const;
   void expand(Node&& node, engine::Expansion<ZeroOneTree>& out);
-  /// In whole steps of the resolution.
+  /// In whole steps.
   double objective(const Solution& point) const { return in_steps(point.objective); }
   double bound(const Node& node) const { return in_steps(node.bound); }
   Tally tally() const;
@@ -103,7 +104,8 @@ class ZeroOneTree {
 
   using Out = engine::Expansion<ZeroOneTree>;
 
-  [[nodiscard]] double in_steps(double objective) const;
+  [[nodiscard]] const ObjectiveSteps& steps() const { return root_.relaxation.steps(); }
+  [[nodiscard]] double in_steps(double objective) const { return steps().whole(objective); }
   [[nodiscard]] double raised(double bound) const;
   [[nodiscard]] bool worse_than_root_point(double bound) const;
   [[nodiscard]] std::vector<std::size_t> free_binaries(const Node& node) const;

@@ -2,22 +2,62 @@
 #include "problems/limit/limit_analysis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace kusabi::problems {
+namespace {
+
+/// The unit of force for numbers of this size: F itself unless they are much smaller. Units that
+/// differ by less than `alike` are one, so that a program looks as its truss does; the others are F
+/// times a power of two.
+double unit_of(double size, double force_unit) {
+  constexpr double alike = 8;
+  if (size > force_unit / alike) return force_unit;
+  int exponent = 0;
+  std::frexp(size / force_unit, &exponent);
+  return std::ldexp(force_unit, exponent - 1);
+}
+
+}  // namespace
+
+LimitModel limit_model(const LimitProblem& problem, double force_unit, double most_yield) {
+  LimitModel model;
+  model.force_unit = force_unit;
+  model.most_yield = most_yield;
+  const Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
+  model.member_unit = yield.unaryExpr([&](double size) { return unit_of(size, force_unit); });
+  model.tension = problem.tension.cwiseQuotient(model.member_unit).cwiseMin(most_yield);
+  model.compression = problem.compression.cwiseQuotient(model.member_unit).cwiseMin(most_yield);
+
+  const Eigen::SparseMatrix<double>& given = problem.equilibrium;
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(given.rows());  // Y
+  for (int i = 0; i < given.cols(); ++i) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(given, i); entry; ++entry) {
+      double& most = largest(entry.row());
+      most = std::max(most, std::abs(entry.value()) * model.member_unit(i));
+    }
+  }
+  const Eigen::VectorXd row_unit =
+      largest.unaryExpr([&](double most) { return unit_of(most, force_unit); });
+  const double reference_unit =
+      problem.reference.cwiseAbs().cwiseQuotient(row_unit).maxCoeff();  // R
+  model.displacement_unit = (reference_unit * row_unit).cwiseInverse();
+  model.factor_unit = 1 / reference_unit;
+  model.equilibrium = row_unit.cwiseInverse().asDiagonal() * given * model.member_unit.asDiagonal();
+  model.dead = problem.dead.cwiseQuotient(row_unit);
+  model.reference = problem.reference.cwiseQuotient(row_unit) / reference_unit;
+  model.uncertain = problem.uncertain;
+  for (auto& [degree, weight] : model.uncertain) weight *= model.force_unit / row_unit(degree);
+  return model;
+}
 
 LimitModel limit_model(const LimitProblem& problem) {
-  LimitModel model;
-  model.force_unit = std::max(problem.tension.maxCoeff(), problem.compression.maxCoeff());
-  const double reference_unit = problem.reference.cwiseAbs().maxCoeff();
-  model.factor_unit = model.force_unit / reference_unit;
-  model.equilibrium = problem.equilibrium;
-  model.yield = (problem.tension + problem.compression) / (2 * model.force_unit);
-  model.shift = (problem.tension - problem.compression) / (2 * model.force_unit);
-  model.dead = problem.dead / model.force_unit - problem.equilibrium * model.shift;
-  model.reference = problem.reference / reference_unit;
-  model.uncertain = problem.uncertain;
-  return model;
+  Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
+  const auto middle = yield.begin() + yield.size() / 2;
+  std::nth_element(yield.begin(), middle, yield.end());
+  return limit_model(problem, *middle);
 }
 
 Eigen::VectorXd dead_load(const LimitModel& model, const Eigen::VectorXd& zeta) {
@@ -29,11 +69,19 @@ Eigen::VectorXd dead_load(const LimitModel& model, const Eigen::VectorXd& zeta) 
   return load;
 }
 
+Eigen::VectorXd forces_in_units(const LimitModel& model, const Eigen::VectorXd& forces) {
+  return forces.cwiseProduct(model.member_unit);
+}
+
+Eigen::VectorXd motion_in_units(const LimitModel& model, const Eigen::VectorXd& motion) {
+  return motion.cwiseProduct(model.displacement_unit);
+}
+
 LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dead) {
   LinearProgram program;
   program.name = "static principle (5)";
   for (int i = 0; i < model.member_count(); ++i) {
-    program.add_column({.lower = -model.yield(i), .upper = model.yield(i)});
+    program.add_column({.lower = -model.compression(i), .upper = model.tension(i)});
   }
   const int factor = program.add_column({.cost = -1, .lower = -infinity});
   for (int k = 0; k < model.free_count(); ++k) {
@@ -52,13 +100,16 @@ LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& 
   LinearProgram program;
   program.name = "kinematic principle (15)";
   std::vector<LinearTerm> normalisation;
+  const Eigen::VectorXd yield = model.yield();
+  const Eigen::VectorXd shift = (model.tension - model.compression) / 2;
+  const Eigen::VectorXd load = dead - model.equilibrium * shift;
   for (int k = 0; k < model.free_count(); ++k) {
-    const int motion = program.add_column({.cost = -dead(k), .lower = -infinity});
+    const int motion = program.add_column({.cost = -load(k), .lower = -infinity});
     normalisation.push_back({motion, model.reference(k)});
   }
   program.add_row({.lower = 1, .upper = 1}, normalisation);
   for (int i = 0; i < model.member_count(); ++i) {
-    const int elongation = program.add_column({.cost = model.yield(i)});
+    const int elongation = program.add_column({.cost = yield(i)});
     for (const double sign : {-1.0, 1.0}) {
       std::vector<LinearTerm> terms{{elongation, 1}};
       for (Eigen::SparseMatrix<double>::InnerIterator entry(model.equilibrium, i); entry; ++entry) {
@@ -68,12 +119,6 @@ LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& 
     }
   }
   return program;
-}
-
-double kinematic_factor(const LimitModel& model, const Eigen::VectorXd& dead,
-                        const Eigen::VectorXd& motion) {
-  const Eigen::VectorXd elongation = model.equilibrium.transpose() * motion;
-  return (model.yield.dot(elongation.cwiseAbs()) - dead.dot(motion)) / model.reference.dot(motion);
 }
 
 }  // namespace kusabi::problems

@@ -1,10 +1,17 @@
 // The linear programs of plastic limit analysis as data: the static principle (5) and the kinematic
-// one (15) of the limit paper, in a form with one yield force a member and without units.
+// one (15) of the limit paper, without units and with yield forces of their own in tension and
+// compression, q^t and q^c.
 //
-// Two changes that lose nothing. Yield forces q^t, q^c in tension and compression are a common one,
-// q^y = (q^t + q^c) / 2, of the forces q - (q^t - q^c) / 2, whose equilibrium is with the dead load
-// f_D - B (q^t - q^c) / 2. And forces are divided by the largest yield force, f_R by its largest
-// component, so that motions with f_R^T u = 1 and forces are both of the order of one.
+// Every number is scaled to the order of one, because a simplex method
+// has one tolerance for all. With F a force that is typical of the collapse, a member is measured
+// in c_i = min(F, (q^t + q^c) / 2), the equilibrium of displacement e in Y_e = max_i |B_ei| c_i,
+// and the reference load in R = max_e |f_R,e| / Y_e:
+//
+//   B~ = Y^-1 B C,  f~_D = Y^-1 f_D,  f~_R = Y^-1 f_R / R,  q~ = C^-1 q,  u~ = R Y u,
+//   lambda~ = R lambda.
+//
+// Units that differ by less than eight are one. A yield force of far more than F stands for
+// "never"; it is cut off at `most_yield` c_i, which can only lower the load factor.
 #pragma once
 
 #include <vector>
@@ -18,36 +25,55 @@
 namespace kusabi::problems {
 
 struct LimitModel {
-  Eigen::SparseMatrix<double> equilibrium;  ///< B, n^d x n^m
-  Eigen::VectorXd dead;                     ///< f_D, shifted and scaled
-  Eigen::VectorXd reference;                ///< f_R, scaled: its largest component is one
-  Eigen::VectorXd yield;                    ///< q^y, scaled
-  std::vector<UncertainColumn> uncertain;   ///< T; its coefficients zeta are scaled as forces
-  Eigen::VectorXd shift;                    ///< (q^t - q^c) / 2, scaled: to be added to q
-  double force_unit = 1;                    ///< a scaled force times this is in the user's unit
-  double factor_unit = 1;                   ///< a scaled load factor times this is the true one
+  Eigen::SparseMatrix<double> equilibrium;  ///< B~, n^d x n^m
+  Eigen::VectorXd dead;                     ///< f~_D
+  Eigen::VectorXd reference;                ///< f~_R: its largest component is of the order of one
+  Eigen::VectorXd tension;                  ///< q~^t, at most `most_yield`
+  Eigen::VectorXd compression;              ///< q~^c, at most `most_yield`
+  std::vector<UncertainColumn> uncertain;   ///< T~; its coefficients zeta are in force_unit
+  Eigen::VectorXd member_unit;              ///< c, n^m: a scaled force times this is in force
+  Eigen::VectorXd displacement_unit;        ///< 1 / (R Y), n^d: u~ times this is u, f_R^T u = 1
+  double force_unit = 1;                    ///< F, force
+  double most_yield = 0;                    ///< scaled yield forces are cut off here
+  double factor_unit = 1;                   ///< 1 / R: a scaled factor times this is the true one
 
   int free_count() const { return static_cast<int>(dead.size()); }
-  int member_count() const { return static_cast<int>(yield.size()); }
+  int member_count() const { return static_cast<int>(tension.size()); }
   int uncertain_count() const { return static_cast<int>(uncertain.size()); }
+  /// (q~^t + q~^c) / 2, 1/8 to `most_yield`: half of what a member can take in all, n^m.
+  Eigen::VectorXd yield() const { return (tension + compression) / 2; }
+  /// Y_e: a scaled load on displacement e times this is in force.
+  double load_unit(int degree) const { return factor_unit / displacement_unit(degree); }
 };
 
+/// Where scaled yield forces are cut off, unless that is found to matter: what lies between, with
+/// the fourteen digits that a simplex method has in its objective, still leaves ten.
+inline constexpr double usual_most_yield = 0x1p14;
+
+/// @param force_unit F
+LimitModel limit_model(const LimitProblem& problem, double force_unit,
+                       double most_yield = usual_most_yield);
+
+/// With the median of the yield forces as F.
 LimitModel limit_model(const LimitProblem& problem);
 
-/// f_D + T zeta, scaled. @param zeta m, scaled
+/// f_D + T zeta, scaled. @param zeta m, in force_unit
 Eigen::VectorXd dead_load(const LimitModel& model, const Eigen::VectorXd& zeta);
+
+/// q of scaled member forces, n^m, force.
+Eigen::VectorXd forces_in_units(const LimitModel& model, const Eigen::VectorXd& forces);
+
+/// u of a scaled motion, n^d, with f_R^T u = 1.
+Eigen::VectorXd motion_in_units(const LimitModel& model, const Eigen::VectorXd& motion);
 
 /// (5): minimise -lambda. Columns: q_1 ... q_nm, lambda. Rows: equilibrium, one a free
 /// displacement; the duals of the rows are the collapse mode u with f_R^T u = 1.
 LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dead);
 
-/// (15), of the same optimum: minimise -f_D^T u + q^y^T z. Columns: u_1 ... u_nd, z_1 ... z_nm.
-/// Rows: f_R^T u = 1; then z_i - b_i^T u >= 0 and z_i + b_i^T u >= 0, member by member.
+/// (15), of the same optimum: minimise -(f_D - B (q^t - q^c) / 2)^T u + ((q^t + q^c) / 2)^T z:
+/// yield forces that are not the same either way are a common one of forces that begin elsewhere.
+/// Columns: u_1 ... u_nd, z_1 ... z_nm. Rows: f_R^T u = 1; then z_i - b_i^T u >= 0 and z_i + b_i^T
+/// u >= 0, member by member.
 LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& dead);
-
-/// The value of a motion as the kinematic principle has it, -f_D^T u + q^y^T |B^T u|, over f_R^T u:
-/// an upper bound of the load factor. @pre f_R^T u > 0
-double kinematic_factor(const LimitModel& model, const Eigen::VectorXd& dead,
-                        const Eigen::VectorXd& motion);
 
 }  // namespace kusabi::problems

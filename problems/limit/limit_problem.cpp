@@ -132,15 +132,6 @@ Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& ze
   return load;
 }
 
-Eigen::VectorXd uncertain_part(const LimitProblem& problem, const Eigen::VectorXd& motion) {
-  Eigen::VectorXd part(problem.uncertain_count());
-  for (int j = 0; j < problem.uncertain_count(); ++j) {
-    const auto& [degree, weight] = problem.uncertain[static_cast<std::size_t>(j)];
-    part(j) = weight * motion(degree);
-  }
-  return part;
-}
-
 LimitProblem limit_problem(const Structure& structure) {
   check_structure(structure);
   require_bars_with_yield_and_reference(structure);

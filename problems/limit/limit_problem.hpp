@@ -54,9 +54,6 @@ std::string member_name(const LimitProblem& problem, int member);
 /// f_D + T zeta. @param zeta m
 Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& zeta);
 
-/// T^T u. @param motion n^d
-Eigen::VectorXd uncertain_part(const LimitProblem& problem, const Eigen::VectorXd& motion);
-
 /// Checks what limit analysis needs and assumption 3.1 of the paper.
 /// @throws InputError if `check_structure` does; if loads or yield forces are missing; if no
 ///         reference load acts on a free displacement; if an uncertain component carries reference

@@ -44,6 +44,13 @@ struct Part {
   double recursion_seconds = 0;  // for the whole tree
   double search_seconds = 0;
 
+  Part& operator+=(const Part& other) {
+    counts += other.counts;
+    recursion_seconds += other.recursion_seconds;
+    search_seconds += other.search_seconds;
+    return *this;
+  }
+
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& counts& recursion_seconds& search_seconds;
@@ -106,12 +113,6 @@ void print_ranks(const engine::Outcome<TimedTree>& outcome) {
   if (outcome.ranks.size() > 1) row("all", outcome.opened(), requests, gifts, seconds);
 }
 
-TreeCounts counts_of(const engine::Outcome<TimedTree>& outcome) {
-  TreeCounts counts;
-  for (const auto& rank : outcome.ranks) counts += rank.tally.counts;
-  return counts;
-}
-
 void print_counts(const TreeCounts& counted, const TreeCounts& published) {
   const auto line = [](const char* name, std::uint64_t count, std::uint64_t expected) {
     fmt::print("{:<8} {:>14}   {}\n", name, count,
@@ -130,12 +131,8 @@ struct Times {
 };
 
 Times times_of(const engine::Outcome<TimedTree>& outcome) {
-  Times times;
-  for (const auto& rank : outcome.ranks) {
-    times.recursion += rank.tally.recursion_seconds / static_cast<double>(outcome.ranks.size());
-    times.search += rank.tally.search_seconds;
-  }
-  return times;
+  const auto all = outcome.tally();
+  return {all.recursion_seconds / static_cast<double>(outcome.ranks.size()), all.search_seconds};
 }
 
 void print_times(const Times& times, std::uint64_t opened) {
@@ -162,7 +159,7 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
     right &= tree.recur() == standard.counts;
     auto outcome = search(session, tree);
     if (!session.speaks()) continue;
-    right &= counts_of(outcome) == standard.counts;
+    right &= outcome.tally().counts == standard.counts;
     const auto times = times_of(outcome);
     least.recursion = std::min(least.recursion, times.recursion);
     if (times.search < least.search) {
@@ -174,7 +171,7 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
 
   print_ranks(fastest);
   fmt::print("\n");
-  print_counts(counts_of(fastest), standard.counts);
+  print_counts(fastest.tally().counts, standard.counts);
   if (!right) fmt::print("WRONG: in one of the rounds something else was counted\n");
   fmt::print("\n");
   print_times(least, fastest.opened());

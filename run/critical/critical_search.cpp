@@ -62,13 +62,6 @@ nodes::PatternBisection::Pattern pattern_of(const nodes::Configuration& leaf,
 
 }  // namespace
 
-engine::Limits Budget::left() const {
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-  engine::Limits limits = limits_;
-  limits.seconds = std::max(0.0, limits.seconds - spent.count());
-  return limits;
-}
-
 CriticalFindings global_search(Session& session, const CriticalOptions& options,
                                const problems::WedgedProblem& problem, const Budget& budget) {
   const double most = options.most.value_or(usual_most);
@@ -82,9 +75,8 @@ CriticalFindings global_search(Session& session, const CriticalOptions& options,
   if (!session.speaks()) return findings;
 
   RankTable table({"branched", "pruned", "leaves", "programs"});
-  nodes::CriticalTree::Tally total;
+  const auto total = outcome.tally();
   for (const auto& [statistics, tally] : outcome.ranks) {
-    total += tally;
     table.add(statistics, {tally.branched, tally.dead, tally.leaves, tally.programs});
   }
   findings.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {

@@ -1,28 +1,14 @@
 // The bracket of the critical friction coefficient, by one global search or pattern by pattern.
 #pragma once
 
-#include <chrono>
-
 #include "engine/options.hpp"
-#include "problems/wedged/wedged_problem.hpp"
-#include "run/critical/critical.hpp"
-#include "run/critical/critical_report.hpp"
-#include "run/session/session.hpp"
+#include "problems/wedged_problem.hpp"
+#include "run/budget.hpp"
+#include "run/critical.hpp"
+#include "run/critical_report.hpp"
+#include "run/session.hpp"
 
 namespace kusabi::run {
-
-/// The limits of a command that searches several times.
-class Budget {
- public:
-  explicit Budget(const engine::Limits& limits) : limits_(limits) {}
-
-  /// For the next search: with the seconds that are left.
-  [[nodiscard]] engine::Limits left() const;
-
- private:
-  engine::Limits limits_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// How far the global search looks unless told: obstacles are not rougher.
 inline constexpr double usual_most = 1000;

@@ -9,24 +9,39 @@ namespace {
 
 using nodes::limit::ClosedNode;
 using nodes::limit::StaticCut;
+using problems::LimitModel;
 
 /// Shares of the cuts of a column add up to alpha times its weight but for rounding; a proof needs
 /// no less than that. The room that the solver leaves is far more.
 constexpr double enough = 1 + 1e-13;
 
-verify::LimitCut cut_of(const StaticCut& cut, double reference_unit) {
+/// A force as near as this to a yield force, in the unit of the member, is that: an idle cable has
+/// none left, and the proof wants to see equilibrium without it.
+constexpr double at_yield = 1e-12;
+
+// B~ y~ - k~ f~_R = e, row e being in units of Y_e.
+verify::LimitCut cut_of(const StaticCut& cut, const LimitModel& model) {
+  const int degree = model.uncertain[static_cast<std::size_t>(cut.column)].degree;
   verify::LimitCut result;
   result.column = static_cast<std::size_t>(cut.column);
-  result.factor = cut.factor / reference_unit;
+  result.factor = cut.factor * model.displacement_unit(degree);
   for (const auto& [member, force] : cut.forces) {
-    result.forces.emplace_back(static_cast<std::size_t>(member), force);
+    result.forces.emplace_back(static_cast<std::size_t>(member),
+                               force * model.member_unit(member) / model.load_unit(degree));
   }
   return result;
 }
 
+double snapped(double force, double tension, double compression, double unit) {
+  const double near = at_yield * unit;
+  if (std::abs(force - tension) <= near) return tension;
+  if (std::abs(force + compression) <= near) return -compression;
+  return force;
+}
+
 class Converter {
  public:
-  Converter(const problems::LimitProblem& problem, const problems::LimitModel& model, double alpha)
+  Converter(const problems::LimitProblem& problem, const LimitModel& model, double alpha)
       : problem_(problem), model_(model), alpha_(alpha) {}
 
   // @param columns the column of T of each of the node's cuts; its own come last
@@ -35,42 +50,56 @@ class Converter {
 
  private:
   const problems::LimitProblem& problem_;
-  const problems::LimitModel& model_;
+  const LimitModel& model_;
   double alpha_;
 };
 
 verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<std::size_t>& places,
                                      const std::vector<std::size_t>& columns) const {
-  const double unit = model_.force_unit;
   verify::LimitNode result;
   result.signs.assign(node.signs.begin(), node.signs.end());
   result.factor = node.factor * model_.factor_unit;
-  for (Eigen::Index i = 0; i < model_.shift.size(); ++i) {
-    result.forces.push_back((node.forces[static_cast<std::size_t>(i)] + model_.shift(i)) * unit);
+  const auto forces = problems::forces_in_units(
+      model_, Eigen::Map<const Eigen::VectorXd>(node.forces.data(), model_.member_count()));
+  for (int i = 0; i < model_.member_count(); ++i) {
+    result.forces.push_back(
+        snapped(forces(i), problem_.tension(i), problem_.compression(i), model_.member_unit(i)));
   }
+  const auto unit_of = [this](std::size_t j) {
+    return model_.load_unit(model_.uncertain[j].degree);
+  };
   std::vector<double> sum(node.signs.size());
-  for (std::size_t c = 0; c < node.mu.size(); ++c) sum[columns[c]] += node.mu[c] * unit;
   for (std::size_t c = 0; c < node.mu.size(); ++c) {
-    if (node.mu[c] == 0) continue;
+    sum[columns[c]] += node.mu[c] * unit_of(columns[c]);
+  }
+  for (std::size_t c = 0; c < node.mu.size(); ++c) {
     const auto j = columns[c];
     if (node.signs[j] != 0) continue;  // gamma_j is gone there
     const double needed = alpha_ * problem_.uncertain[j].weight * enough;
-    const double stretch = std::max(1.0, needed / sum[j]);
-    result.shares.emplace_back(places[c], node.mu[c] * unit * stretch);
+    double share = node.mu[c] * unit_of(j);
+    if (sum[j] < needed / 2) {
+      // Of next to nothing the simplex method makes nothing: any cut will do.
+      share += needed - sum[j];
+      sum[j] = needed;
+    } else {
+      share *= std::max(1.0, needed / sum[j]);
+    }
+    if (share != 0) result.shares.emplace_back(places[c], share);
   }
-  for (const double nu : node.one_sided) result.one_sided.push_back(nu * unit);
+  for (std::size_t j = 0; j < node.one_sided.size(); ++j) {
+    result.one_sided.push_back(node.one_sided[j] * unit_of(j));
+  }
   return result;
 }
 
 }  // namespace
 
 verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
-                                           const problems::LimitModel& model, double alpha,
+                                           const LimitModel& model, double alpha,
                                            const nodes::limit::Worst& worst,
                                            const std::vector<StaticCut>& root_cuts,
                                            const std::vector<ClosedNode>& nodes) {
   verify::LimitCertificate certificate;
-  const double reference_unit = model.force_unit / model.factor_unit;
   certificate.displacements = static_cast<std::size_t>(problem.free_count());
   certificate.tension.assign(problem.tension.begin(), problem.tension.end());
   certificate.compression.assign(problem.compression.begin(), problem.compression.end());
@@ -87,15 +116,15 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
   }
   certificate.alpha = alpha;
   for (const double zeta : worst.zeta) certificate.load.push_back(std::copysign(alpha, zeta));
-  for (const double u : worst.collapse.motion) {
-    certificate.motion.push_back(u / reference_unit);
+  for (const double u : problems::motion_in_units(model, worst.collapse.motion)) {
+    certificate.motion.push_back(u);
   }
   std::vector<std::size_t> shared_places;
   std::vector<std::size_t> shared_columns;
   const auto add = [&](const StaticCut& cut, auto& places, auto& columns) {
     places.push_back(certificate.cuts.size());
     columns.push_back(static_cast<std::size_t>(cut.column));
-    certificate.cuts.push_back(cut_of(cut, reference_unit));
+    certificate.cuts.push_back(cut_of(cut, model));
   };
   for (const auto& cut : root_cuts) add(cut, shared_places, shared_columns);
   const Converter converter(problem, model, alpha);

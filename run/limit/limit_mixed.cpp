@@ -49,31 +49,19 @@ void add_static_row(problems::LinearProgram& program, const LimitModel& model,
 }  // namespace
 
 MixedWorst solve_mixed(Session& session, const LimitOptions& options, const LimitModel& model,
-                       double alpha, const nodes::limit::Collapse& nominal,
-                       nodes::limit::LoadFactor& load_factor) {
+                       double alpha, const nodes::limit::RootResult& root,
+                       nodes::limit::LoadFactor& load_factor, const Budget& budget) {
   const double infinity = problems::infinity;
   const bool all = options.method == LimitMethod::all;
   MixedWorst result;
   nodes::ZeroOneRootOptions root_options{.tighten = all || options.method == LimitMethod::tightened,
-                                         .dive = false};
+                                         .dive = false,
+                                         .stop = budget.stop()};
   if (all || options.method == LimitMethod::disjunctive) {
     root_options.cuts = nodes::ZeroOneCuts::disjunctive;
   }
-  // Static cuts say which M is safe, and give a collapse: what "matters" means for an M.
-  nodes::limit::StaticPricing pricing(model);
-  const auto static_root =
-      nodes::limit::solve_root(model, alpha, nominal, load_factor,
-                               [&](const Eigen::VectorXd& z, std::span<const int> columns) {
-                                 return nodes::limit::price_alone(pricing, z, columns);
-                               });
-  if (static_root.status == nodes::limit::RootStatus::not_carried) {
-    throw WrongInput(
-        "--cuts: some admissible dead load is carried at no load factor, so that (29) has no "
-        "bound; "
-        "expected the default method, which says more");
-  }
-  const auto& known = static_root.worst;
-  const auto& cuts = static_root.cuts;
+  const auto& known = root.worst;
+  const auto& cuts = root.cuts;
   const std::optional<MotionBounds> bounds =
       nodes::limit::motion_bounds(model, alpha, cuts, known->collapse.factor);
   Eigen::VectorXd big_m;
@@ -87,14 +75,15 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
     big_m = 2 * bounds->motion;
   }
   if (options.big_m) {
-    // Motions are in one over the unit of force there, f_R'u = 1.
-    const double unit = model.force_unit / model.factor_unit;
-    big_m.setConstant(model.uncertain_count(), *options.big_m * unit);
+    big_m.resize(model.uncertain_count());
+    for (int j = 0; j < model.uncertain_count(); ++j) {
+      const int degree = model.uncertain[static_cast<std::size_t>(j)].degree;
+      big_m(j) = *options.big_m / model.displacement_unit(degree);
+    }
   }
   if (big_m.size() == 0) {
     throw WrongInput("--cuts: no safe M was found; expected --big-m, or the default method");
   }
-  result.largest_m = big_m.size() == 0 ? 0 : big_m.maxCoeff();
   auto mixed = problems::worst_case_program(model, alpha, big_m, most_motion, most_elongation);
   if (all) {
     for (const StaticCut& cut : cuts) add_static_row(mixed.program, model, cut);
@@ -103,22 +92,31 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   if (root_options.tighten) {
     root_options.start = problems::worst_case_point(model, known->collapse.motion);
   }
-  auto root = nodes::prepare_root(std::move(mixed), root_options);
-  if (root.status != nodes::linear::LinearStatus::optimal) {
+  auto prepared = nodes::prepare_root(std::move(mixed), root_options);
+  // One rank that was stopped at the root stops all: their roots differ.
+  const auto stopped = session.meet({.ranks = 1, .found = prepared.interrupted ? 1U : 0U});
+  if (stopped.found != 0) {
+    result.worst = *known;
+    result.lower = std::max(root.lower, prepared.bound);
+    result.status = budget.why();
+    result.programs = prepared.counts.programs;
+    return result;
+  }
+  if (prepared.status != nodes::linear::LinearStatus::optimal) {
     throw std::runtime_error("the relaxation of (29) was not solved");
   }
-  result.cuts += root.counts.cuts;
-  result.cut_programs = root.counts.cut_programs;
-  const auto root_programs = root.counts.programs;
-  const auto start = root.point;
-  nodes::ZeroOneTree tree(std::move(root));
+  result.cuts += prepared.counts.cuts;
+  result.cut_programs = prepared.counts.cut_programs;
+  const auto root_programs = prepared.counts.programs;
+  const auto start = prepared.point;
+  nodes::ZeroOneTree tree(std::move(prepared));
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
-  const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
+  const auto outcome = shown_search(session, tree, search_options, budget.left(), options.quiet,
+                                    {model.factor_unit, known->collapse.factor, root.lower});
   const auto found = told_by_first_rank(session, [&] {
     Found known_here;
-    nodes::ZeroOneTally total;
-    for (const auto& rank : outcome.ranks) total += rank.tally;
+    const auto total = outcome.tally();
     known_here.lower = tree.lower_bound(outcome.bound, total);
     known_here.nodes = outcome.opened();
     known_here.status = outcome.status;
@@ -132,8 +130,11 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   });
   result.status = found.status;
   if (found.motion.empty()) {
-    if (found.status == engine::Status::solved)
-      throw std::runtime_error("(29) has no point; M is too small");
+    if (found.status == engine::Status::solved) {
+      throw WrongInput(
+          "--cuts: (29) has no point, its M is too small; expected a larger --big-m, "
+          "or none");
+    }
     result.worst = *known;
     result.lower = found.lower;
     result.nodes = found.nodes;
@@ -141,17 +142,14 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
     return result;
   }
   const Eigen::Map<const Eigen::VectorXd> motion(found.motion.data(), model.free_count());
-  Eigen::VectorXd zeta = nodes::limit::worst_for(model, alpha, motion, known->zeta);
-  auto worst = nodes::limit::descend(model, load_factor, alpha, zeta);
-  if (!worst) throw std::runtime_error("an admissible dead load is carried at no load factor");
-  result.worst = known->collapse.factor < worst->collapse.factor ? *known : *worst;
-  result.lower = found.lower;
-  result.proved = tree.proves();
-  if (all && static_root.lower > result.lower) {
-    // The static rows say so already; their exact proof belongs to the default method.
-    result.lower = static_root.lower;
-    result.proved = false;
+  const auto descent = descend(model, load_factor, alpha,
+                               nodes::limit::worst_for(model, alpha, motion, known->zeta));
+  result.worst = *known;
+  if (descent.status == nodes::limit::LoadStatus::collapses &&
+      descent.worst.collapse.factor < known->collapse.factor) {
+    result.worst = descent.worst;
   }
+  result.lower = all ? std::max(found.lower, root.lower) : found.lower;
   result.nodes = found.nodes;
   result.programs = found.programs;
   return result;

@@ -6,32 +6,31 @@
 
 #include "engine/outcome.hpp"
 #include "nodes/limit/worst_case.hpp"
-#include "problems/limit/limit_analysis.hpp"
-#include "run/limit/limit.hpp"
-#include "run/session/session.hpp"
+#include "problems/limit_analysis.hpp"
+#include "run/budget.hpp"
+#include "run/limit.hpp"
+#include "run/session.hpp"
 
 namespace kusabi::run {
 
 /// What came of it, in the scaled units of the model.
 struct MixedWorst {
   nodes::limit::Worst worst;
-  double lower = 0;
-  bool proved = false;  ///< whether `lower` holds in spite of rounding
+  double lower = 0;  ///< as the 0-1 tree has it: not proved
   std::uint64_t nodes = 0;
   std::uint64_t programs = 0;  ///< linear programs, at the root and in the tree
   std::uint64_t cuts = 0;      ///< disjunctive ones kept, and static ones
   std::uint64_t cut_programs = 0;
   engine::Status status = engine::Status::solved;  ///< why the search ended
-  double largest_m = 0;                            ///< the largest M, before it is tightened
 };
 
 /// Solves (29) on all ranks; the same on each.
 /// @param alpha scaled
-/// @param nominal the collapse without uncertainty
+/// @param root what static cuts have found: they say which M is safe, and know a collapse
 /// @throws WrongInput if no safe M is found
 MixedWorst solve_mixed(Session& session, const LimitOptions& options,
                        const problems::LimitModel& model, double alpha,
-                       const nodes::limit::Collapse& nominal,
-                       nodes::limit::LoadFactor& load_factor);
+                       const nodes::limit::RootResult& root, nodes::limit::LoadFactor& load_factor,
+                       const Budget& budget);
 
 }  // namespace kusabi::run

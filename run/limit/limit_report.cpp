@@ -83,14 +83,10 @@ const char* status_text(RootStatus status) {
       return "solved";
     case RootStatus::not_carried:
       return "not-carried";
-    case RootStatus::unbounded:
-      return "unbounded";
-    case RootStatus::open:
-      return "open";
-    case RootStatus::failed:
+    default:
       break;
   }
-  return "failed";
+  return "open";
 }
 
 const char* method_name(LimitMethod method) {
@@ -112,6 +108,11 @@ const char* method_name(LimitMethod method) {
 // Infinite numbers are null in JSON.
 ordered_json finite(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json();
+}
+
+// The factors at which the load is carried.
+ordered_json interval_json(const LimitCollapse& collapse) {
+  return {collapse.least ? ordered_json(*collapse.least) : ordered_json(), collapse.factor};
 }
 
 void write_mode(std::string& text, const LimitProblem& problem, const LimitCollapse& collapse) {
@@ -165,43 +166,96 @@ void write_curve(std::string& text, const LimitProblem& problem, const char* wha
   }
 }
 
+// What holds at the load factor zero, where it is not what one expects.
+void write_zero(std::string& text, const char* load, const LimitCollapse& collapse) {
+  if (collapse.factor < 0) {
+    fmt::format_to(std::back_inserter(text), "  negative: {} alone collapses the structure\n",
+                   load);
+  } else if (collapse.least && *collapse.least > 0) {
+    fmt::format_to(std::back_inserter(text),
+                   "  {} alone is not carried: factors from {:.10g} to {:.10g} are\n", load,
+                   *collapse.least, collapse.factor);
+  }
+}
+
+const char* without_proof(bool proved) {
+  return proved ? "" : " (as the simplex method finds it: not proved)";
+}
+
+void write_ends(std::string& text, const LimitWorstCase& worst) {
+  const auto out = std::back_inserter(text);
+  if (worst.proved) {
+    fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", worst.lower, worst.upper);
+    return;
+  }
+  if (std::isfinite(worst.lower)) {
+    fmt::format_to(out, "  load factor at least {:.10g}{}\n", worst.lower,
+                   without_proof(worst.lower_proved));
+  } else {
+    text += "  no lower bound of the load factor was found\n";
+  }
+  fmt::format_to(out, "  and at most {:.10g}{}\n", worst.upper, without_proof(worst.upper_proved));
+  if (worst.search == engine::Status::solved) {
+    text += "  open: these two ends are not shown to be one\n";
+  }
+}
+
+void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
+                 const LimitWorstCase& worst) {
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "\nworst case of {} uncertain components, alpha = {} {}\n",
+                 problem.uncertain_count(), *options.alpha, problem.units.force);
+  if (worst.status == RootStatus::not_carried) {
+    fmt::format_to(out,
+                   "  some admissible dead load is carried at no load factor, of either sign{}\n",
+                   worst.proved ? ", proved" : without_proof(false));
+    write_critical_load(text, problem, worst.zeta);
+  } else {
+    write_ends(text, worst);
+    if (worst.collapse) {
+      write_zero(text, worst.collapse->factor < 0 ? "an admissible dead load" : "this dead load",
+                 *worst.collapse);
+      write_mode(text, problem, *worst.collapse);
+    }
+    write_critical_load(text, problem, worst.zeta);
+  }
+  if (worst.zero_one_bound) {
+    fmt::format_to(out, "  the 0-1 program by itself: at least {:.10g}{}\n", *worst.zero_one_bound,
+                   without_proof(false));
+  }
+  if (worst.search != engine::Status::solved) {
+    fmt::format_to(out, "  stopped early ({})\n", status_name(worst.search));
+  }
+  fmt::format_to(out,
+                 "  {} cuts, {} node{}; linear programs: {} load factors, {} relaxations, {} for "
+                 "cuts, {} in the tree\n",
+                 worst.cuts, worst.nodes, worst.nodes == 1 ? "" : "s", worst.counts.load_factors,
+                 worst.counts.relaxations, worst.counts.pricings, worst.tree_programs);
+}
+
+// Why there is no nominal factor.
+std::string no_nominal(const LimitAnswer& answer) {
+  if (answer.status == nodes::limit::LoadStatus::not_carried) {
+    return fmt::format("the nominal dead load is carried at no load factor, of either sign{}\n",
+                       answer.no_factor_proved ? ", proved" : without_proof(false));
+  }
+  if (answer.rest != engine::Status::solved) {
+    return fmt::format("stopped early ({}), before the nominal load factor was found\n",
+                       status_name(answer.rest));
+  }
+  return "open: the simplex method failed on the nominal load factor\n";
+}
+
 }  // namespace
 
 std::string LimitReport::table() const {
+  if (!answer.nominal) return no_nominal(answer);
   std::string text;
   const auto out = std::back_inserter(text);
-  if (!answer.nominal) {
-    text += "the nominal dead load is carried at no load factor, of either sign\n";
-    return text;
-  }
   fmt::format_to(out, "nominal load factor {:.10g}\n", answer.nominal->factor);
-  if (answer.nominal->factor < 0) {
-    text += "  negative: the dead load alone collapses the structure\n";
-  }
+  write_zero(text, "the dead load", *answer.nominal);
   write_mode(text, problem, *answer.nominal);
-  if (answer.worst) {
-    const auto& worst = *answer.worst;
-    fmt::format_to(out, "\nworst case of {} uncertain components, alpha = {} {}\n",
-                   problem.uncertain_count(), *options.alpha, problem.units.force);
-    if (worst.status == RootStatus::not_carried) {
-      text += "  some admissible dead load is carried at no load factor, of either sign\n";
-      write_critical_load(text, problem, worst.zeta);
-    } else {
-      fmt::format_to(out, "  load factor {:.10g} ... {:.10g}{}\n", worst.lower, worst.upper,
-                     worst.proved ? ", proved" : "");
-      if (worst.search != engine::Status::solved)
-        fmt::format_to(out, "  stopped early ({})\n", status_name(worst.search));
-      if (worst.upper < 0)
-        text += "  negative: an admissible dead load alone collapses the structure\n";
-      if (worst.collapse) write_mode(text, problem, *worst.collapse);
-      write_critical_load(text, problem, worst.zeta);
-    }
-    fmt::format_to(out,
-                   "  {} cuts, {} node{}; linear programs: {} load factors, {} relaxations, {} for "
-                   "cuts, {} in the tree\n",
-                   worst.cuts, worst.nodes, worst.nodes == 1 ? "" : "s", worst.counts.load_factors,
-                   worst.counts.relaxations, worst.counts.pricings, worst.tree_programs);
-  }
+  if (answer.worst) write_worst(text, options, problem, *answer.worst);
   if (!answer.samples.empty()) {
     const auto [least, greatest] = std::ranges::minmax(answer.samples);
     double sum = 0;
@@ -214,27 +268,44 @@ std::string LimitReport::table() const {
     write_curve(text, problem, "the critical load in proportion, beta times", answer.curve);
     write_curve(text, problem, "the worst case with beta times alpha", answer.worst_curve);
   }
+  if (answer.rest != engine::Status::solved) {
+    fmt::format_to(out, "stopped early ({}): not all that was asked for is here\n",
+                   status_name(answer.rest));
+  }
   return text;
 }
 
 ordered_json LimitReport::json() const {
   ordered_json result;
-  std::string status = answer.nominal ? "solved" : "not-carried";
+  std::string status = answer.nominal ? "solved" : "open";
+  if (answer.status == nodes::limit::LoadStatus::not_carried && answer.no_factor_proved) {
+    status = "not-carried";
+  }
+  if (answer.rest != engine::Status::solved) status = status_name(answer.rest);
   result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
   if (answer.nominal) {
+    result["nominal_interval"] = interval_json(*answer.nominal);
     result["nominal_mode"] = mode_json(problem, *answer.nominal);
     result["nominal_forces"] = numbers(answer.nominal->forces);
   }
   if (answer.worst) {
     const auto& worst = *answer.worst;
-    status = worst.search == engine::Status::solved ? status_text(worst.status)
-                                                    : status_name(worst.search);
+    if (worst.search != engine::Status::solved) {
+      status = status_name(worst.search);
+    } else if (answer.rest == engine::Status::solved) {
+      status = worst.proved ? status_text(worst.status) : "open";
+    }
     result["alpha"] = *options.alpha;
     result["uncertain_components"] = problem.uncertain_count();
-    result["worst_case"] = {
-        {"lower", finite(worst.lower)}, {"upper", finite(worst.upper)}, {"proved", worst.proved}};
+    result["worst_case"] = {{"lower", finite(worst.lower)},
+                            {"upper", finite(worst.upper)},
+                            {"proved", worst.proved},
+                            {"lower_proved", worst.lower_proved},
+                            {"upper_proved", worst.upper_proved}};
+    if (worst.zero_one_bound) result["zero_one_bound"] = finite(*worst.zero_one_bound);
     result["critical_load"] = load_json(problem, problems::dead_load(problem, worst.zeta));
     if (worst.collapse) {
+      result["critical_interval"] = interval_json(*worst.collapse);
       result["collapse_mode"] = mode_json(problem, *worst.collapse);
       result["forces"] = numbers(worst.collapse->forces);
     }

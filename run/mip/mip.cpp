@@ -8,19 +8,21 @@
 
 #include <fmt/format.h>
 
-#include "engine/signals.hpp"
-#include "run/mip/mip_report.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/last_steps.hpp"
-#include "run/output/outputs.hpp"
-#include "run/output/rank_table.hpp"
-#include "run/output/result_file.hpp"
-#include "run/output/standard_output.hpp"
-#include "run/session/restart.hpp"
-#include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
-#include "solvers/linear/program_file.hpp"
-#include "support/fingerprint.hpp"
+#include "nodes/linear/program_file.hpp"
+#include "nodes/zero_one/unboundedness.hpp"
+#include "problems/fingerprint.hpp"
+#include "run/budget.hpp"
+#include "run/exit_code.hpp"
+#include "run/last_steps.hpp"
+#include "run/mip_report.hpp"
+#include "run/outputs.hpp"
+#include "run/rank_table.hpp"
+#include "run/restart.hpp"
+#include "run/result_file.hpp"
+#include "run/shown_search.hpp"
+#include "run/signals.hpp"
+#include "run/standard_output.hpp"
+#include "run/told.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -34,7 +36,7 @@ void announce(const MipOptions& options, const ProgramFile& program, int ranks) 
       "{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}\n",
       KUSABI_VERSION, options.file, name.empty() ? "a program without a name" : name, rows.size(),
       columns.size(), program.mixed.binaries.size(), entries.size(),
-      program.maximise ? "maximise (progress shows the negative objective)" : "minimise",
+      program.maximise ? "maximise" : "minimise",
       ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
@@ -73,7 +75,7 @@ std::uint64_t program_fingerprint(const ProgramFile& file) {
   return fingerprint.value();
 }
 
-// A checkpoint belongs to a tree, and the tree hangs on the options as well.
+// A checkpoint belongs to a tree, and the tree depends on the options as well.
 std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options) {
   problems::Fingerprint fingerprint;
   fingerprint.add(program);
@@ -97,12 +99,45 @@ void tell_what_is_left(const MipOptions& options, const std::string& checkpoint,
   tell_how_to_go_on(call, checkpoint, outcome.saved);
 }
 
+// What the search starts from, which every rank has worked out by itself.
+std::uint64_t root_fingerprint(const nodes::ZeroOneRoot& root) {
+  problems::Fingerprint fingerprint;
+  const auto& program = root.relaxation.program();
+  for (const auto& column : program.columns) {
+    fingerprint.add(column.lower);
+    fingerprint.add(column.upper);
+  }
+  for (const auto& row : program.rows) {
+    fingerprint.add(row.lower);
+    fingerprint.add(row.upper);
+  }
+  for (const auto& entry : program.entries) fingerprint.add(entry.value);
+  fingerprint.add(root.bound);
+  fingerprint.add(root.point ? root.point->objective : problems::infinity);
+  return fingerprint.value();
+}
+
+// The outcome if the work at the root was stopped: its bound and its point, and one open node.
+engine::Outcome<nodes::ZeroOneTree> outcome_of_root(const nodes::ZeroOneTree& tree, int ranks,
+                                                    engine::Status why) {
+  engine::Outcome<nodes::ZeroOneTree> outcome;
+  outcome.status = why;
+  outcome.open = 1;
+  outcome.bound = tree.prepared().bound;
+  if (const auto& point = tree.prepared().point) outcome.solutions.push_back({{}, *point});
+  outcome.ranks.resize(static_cast<std::size_t>(ranks));
+  return outcome;
+}
+
 // If the relaxation has no lower bound, neither has the program, if it has a point at all: the
 // direction in which the objective falls leaves the binaries alone. So a point is all there is to
 // look for.
 bool without_bound(nodes::ZeroOneRoot& root, const ProgramFile& program,
                    const nodes::ZeroOneRootOptions& options) {
-  if (root.status != nodes::linear::LinearStatus::unbounded) return false;
+  if (root.status != nodes::linear::LinearStatus::unbounded ||
+      !nodes::falls_for_ever(program.mixed, options.stop)) {
+    return false;
+  }
   auto any_point = program.mixed;
   for (auto& column : any_point.program.columns) column.cost = 0;
   root = nodes::prepare_root(std::move(any_point), options);
@@ -113,6 +148,7 @@ bool without_bound(nodes::ZeroOneRoot& root, const ProgramFile& program,
 
 int mip(Session& session, const MipOptions& options) {
   std::optional<ResultFile> result_file;
+  const Budget budget(options.limits);
   const auto program = read_on_first_rank(session, options, result_file);
   const std::uint64_t fingerprint = program_fingerprint(program);
 
@@ -126,19 +162,30 @@ int mip(Session& session, const MipOptions& options) {
   checkpoint.resume_from =
       restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
   search_options.warn = warn;
-  if (session.speaks() && !options.quiet) announce(options, program, session.ranks());
-  // One that comes while the root is prepared stops the search at its beginning.
-  engine::heed_signals();
-  const nodes::ZeroOneRootOptions root_options{
-      .cuts = options.cuts, .tighten = options.tighten, .dive = options.dive};
+  if (session.speaks()) {
+    for (const auto& warning : program.warnings) warn(warning);
+    if (!options.quiet) announce(options, program, session.ranks());
+  }
+  const nodes::ZeroOneRootOptions root_options{.cuts = options.cuts,
+                                               .tighten = options.tighten,
+                                               .dive = options.dive,
+                                               .stop = budget.stop()};
   auto root = nodes::prepare_root(program.mixed, root_options);
   const bool unbounded = without_bound(root, program, root_options);
+  // One rank that was stopped at the root stops all: their roots differ.
+  const auto stopped = session.meet({.ranks = 1, .found = root.interrupted ? 1U : 0U});
+  if (stopped.found == 0) session.agree(root_fingerprint(root));
   nodes::ZeroOneTree tree(std::move(root), options.branching);
-  const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
+  const auto outcome = stopped.found != 0
+                           ? outcome_of_root(tree, session.ranks(), budget.why())
+                           : shown_search(session, tree, search_options, budget.left(),
+                                          options.quiet, {program.maximise ? -1.0 : 1.0});
 
+  bool answered = false;
   const bool whole = outcome.status == engine::Status::solved;
   if (session.speaks()) {
     const MipReport report{options, program, fingerprint, tree, outcome, unbounded};
+    answered = report.answered();
     do_all({[&] { result_file->write(report.json()); },
             [&] {
               if (!options.quiet) print_answer(report.table());
@@ -146,7 +193,7 @@ int mip(Session& session, const MipOptions& options) {
     if (!options.quiet) tell_written({options.output});
     if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
   }
-  return whole ? solved : stopped_early;
+  return told_by_first_rank(session, [&] { return answered; }) ? solved : stopped_early;
 }
 
 }  // namespace kusabi::run

@@ -15,8 +15,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// GLPK's feasibility tolerance: a value below it is a zero that was rounded.
-constexpr double is_zero = 1e-9;
+// A value that is worth less, or is itself less, is a zero that was rounded.
+bool is_zero(double value, double cost) {
+  constexpr double nothing = 1e-9;
+  return std::abs(value) * std::max(1.0, std::abs(cost)) <= nothing;
+}
 
 const char* answer_name(MipAnswer answer) {
   switch (answer) {
@@ -61,15 +64,16 @@ const nodes::ZeroOnePoint* MipReport::point() const {
 MipAnswer MipReport::answer() const {
   if (unbounded) return point() != nullptr ? MipAnswer::unbounded : MipAnswer::infeasible;
   const bool whole = outcome.status == engine::Status::solved;
-  if (point() == nullptr) return whole ? MipAnswer::infeasible : MipAnswer::unknown;
-  return whole ? MipAnswer::optimal : MipAnswer::feasible;
+  if (point() == nullptr) {
+    return whole && total().unproved == 0 ? MipAnswer::infeasible : MipAnswer::unknown;
+  }
+  const double missing = std::abs(objective() - bound());
+  const double most = optimality_tolerance * tree.prepared().relaxation.steps().size(objective());
+  return whole && missing <= most ? MipAnswer::optimal : MipAnswer::feasible;
 }
 
 nodes::ZeroOneTally MipReport::total() const {
-  nodes::ZeroOneTally sum;
-  for (const auto& rank : outcome.ranks) sum += rank.tally;
-  for (const auto& rank : outcome.earlier) sum += rank.tally;
-  return sum;
+  return outcome.tally();
 }
 
 double MipReport::in_the_files_sense(double objective) const {
@@ -89,6 +93,12 @@ double MipReport::gap() const {
   return objective() == 0 ? difference : difference / std::abs(objective());
 }
 
+bool MipReport::answered() const {
+  const auto found = answer();
+  return outcome.status == engine::Status::solved && found != MipAnswer::feasible &&
+         found != MipAnswer::unknown;
+}
+
 bool MipReport::proved() const {
   return tree.proves();
 }
@@ -101,17 +111,47 @@ std::string MipReport::verdict() const {
       return fmt::format("unbounded: there are points, and the objective has no {} bound\n",
                          program.maximise ? "upper" : "lower");
     case MipAnswer::unknown:
-      return fmt::format("no point was found before the search was stopped; {} bound {}\n",
-                         program.maximise ? "upper" : "lower", bound());
+      return fmt::format(
+          "no point was found, and it is not known that there is none; {} bound {}\n",
+          program.maximise ? "upper" : "lower", bound());
     case MipAnswer::optimal:
     case MipAnswer::feasible:
       break;
   }
-  return fmt::format(
-      "{} objective {}; {} bound {} ({}), gap {:.2g} %\n",
-      answer() == MipAnswer::optimal ? "optimal:" : "best point so far:", objective(),
-      program.maximise ? "upper" : "lower", bound(),
-      proved() ? "safe against rounding" : "as the simplex method finds it", 100 * gap());
+  return fmt::format("{} objective {}; {} bound {} ({}), gap {:.2g} %\n",
+                     answer() == MipAnswer::optimal ? "optimal:" : "best point so far:",
+                     objective(), program.maximise ? "upper" : "lower", bound(),
+                     proved() ? "safe against rounding" : "without a proof", 100 * gap());
+}
+
+// What stands between the answer and a proof.
+std::string MipReport::doubts() const {
+  std::string text;
+  auto out = std::back_inserter(text);
+  const auto found = answer();
+  const bool whole = outcome.status == engine::Status::solved;
+  const auto unproved = total().unproved;
+  if (whole && !answered()) {
+    fmt::format_to(
+        out,
+        "not answered: the search is done, but {} nodes were closed without a proof that "
+        "nothing is left in them{}\n",
+        unproved,
+        found == MipAnswer::feasible && unproved == 0 ? ", and the bounds of others are too weak"
+                                                      : "");
+  } else if (unproved != 0) {
+    fmt::format_to(
+        out,
+        "{} nodes were closed without a proof that nothing is left in them; their bounds "
+        "say that nothing better is\n",
+        unproved);
+  }
+  if (found != MipAnswer::unbounded && !proved()) {
+    text +=
+        "not proved: some columns have no bounds, so that the bound holds but for rounding in the "
+        "last of 30 digits\n";
+  }
+  return text;
 }
 
 std::string MipReport::table() const {
@@ -122,15 +162,15 @@ std::string MipReport::table() const {
     const auto& columns = program.mixed.program.columns;
     const auto& values = point()->values;
     for (std::size_t j = 0; j < columns.size(); ++j) {
-      if (std::abs(values[j]) > is_zero) width = std::max(width, columns[j].name.size());
+      if (!is_zero(values[j], columns[j].cost)) width = std::max(width, columns[j].name.size());
     }
     fmt::format_to(out, "\n{:<{}}  {:>14}\n", "column", width, "value");
     for (std::size_t j = 0; j < columns.size(); ++j) {
-      if (std::abs(values[j]) <= is_zero) continue;
+      if (is_zero(values[j], columns[j].cost)) continue;
       fmt::format_to(out, "{:<{}}  {:>14.8g}\n", columns[j].name, width, values[j]);
     }
   }
-  text += '\n' + verdict();
+  text += '\n' + verdict() + doubts();
   const auto tally = total();
   const auto& counts = tree.prepared().counts;
   fmt::format_to(out,
@@ -138,10 +178,6 @@ std::string MipReport::table() const {
                  "coefficients made smaller\n",
                  outcome.opened(), tally.programs + counts.programs, counts.programs, counts.cuts,
                  counts.cut_rounds, counts.tightened);
-  if (tally.unproved != 0) {
-    fmt::format_to(out, "{} nodes were closed without a proof that nothing is left in them\n",
-                   tally.unproved);
-  }
   RankTable ranks({"branched", "infeasible", "above", "leaves", "programs", "iterations"});
   const auto own = [](const nodes::ZeroOneTally& its) {
     return std::vector<std::uint64_t>{its.branched, its.infeasible + its.unproved,
@@ -166,12 +202,13 @@ ordered_json MipReport::json() const {
     ordered_json columns = ordered_json::object();
     for (std::size_t j = 0; j < given.columns.size(); ++j) {
       const double value = point()->values[j];
-      if (std::abs(value) > is_zero) columns[given.columns[j].name] = value;
+      if (!is_zero(value, given.columns[j].cost)) columns[given.columns[j].name] = value;
     }
     result["columns"] = std::move(columns);
   } else if (answer() == MipAnswer::unknown) {
     result["bound"] = number(bound());
   }
+  result["unproved"] = total().unproved;
   result["root"] = {{"first_bound", number(in_the_files_sense(counts.first_bound))},
                     {"last_bound", number(in_the_files_sense(counts.last_bound))},
                     {"programs", counts.programs},

@@ -134,10 +134,10 @@ int patterns(Session& session, const PatternsOptions& options) {
   auto& checkpoint = search_options.checkpoint;
   checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
   checkpoint.interval = options.checkpoint_interval;
-  checkpoint.problem = tree_fingerprint(problem, options);
-  checkpoint.resume_from =
-      restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
-  CertificateFile certificate(session, options.certificate, options.file, checkpoint.problem,
+  const auto fingerprint = tree_fingerprint(problem, options);
+  checkpoint.problem = fingerprint;
+  checkpoint.resume_from = restart_from(session, options.checkpoint, options.restart, fingerprint);
+  CertificateFile certificate(session, options.certificate, options.file, fingerprint,
                               !options.restart.empty(), checkpoint.file);
   if (certificate.wanted())
     tree.report_to([&](const auto& evidence) { certificate.add(evidence); });

@@ -65,10 +65,7 @@ PatternsReport::PatternsReport(const PatternsOptions& options,
 }
 
 nodes::SignPatternTally PatternsReport::total() const {
-  nodes::SignPatternTally sum;
-  for (const auto& rank : outcome_.ranks) sum += rank.tally;
-  for (const auto& rank : outcome_.earlier) sum += rank.tally;
-  return sum;
+  return outcome_.tally();
 }
 
 std::uint64_t PatternsReport::count() const {

@@ -70,8 +70,7 @@ RaysFound gathered(engine::Outcome<nodes::RayTree>& outcome) {
   RaysFound found;
   found.method = RayMethod::tree;
   found.status = status_name(outcome.status);
-  nodes::RayTally total;
-  for (const auto& rank : outcome.ranks) total += rank.tally;
+  const auto total = outcome.tally();
   for (auto& leaf : outcome.solutions) {
     auto& own = leaf.solution.rays;
     found.rays.insert(found.rays.end(), own.begin(), own.end());

@@ -27,10 +27,11 @@ std::size_t terminal_width() {
 
 }  // namespace
 
-ProgressLine::ProgressLine(engine::Goal goal)
+ProgressLine::ProgressLine(engine::Goal goal, const ShownObjective& shown)
     : terminal_(isatty(STDERR_FILENO) != 0),
       next_line_(terminal_ ? bar_interval : row_interval(0)) {
   state_.minimising = goal == engine::Goal::best;
+  state_.shown = shown;
 }
 
 ProgressLine::~ProgressLine() {

@@ -10,7 +10,7 @@ namespace kusabi::run {
 
 class ProgressLine {
  public:
-  explicit ProgressLine(engine::Goal goal);
+  explicit ProgressLine(engine::Goal goal, const ShownObjective& shown = {});
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();

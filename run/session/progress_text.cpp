@@ -24,9 +24,14 @@ std::string idle(const engine::Progress& progress) {
   return fmt::format("{}/{}", progress.idle, progress.ranks);
 }
 
-// No bound is above the objective: what lies above it is not looked at.
-double bound(const engine::Progress& progress) {
-  return std::min(progress.bound, progress.objective);
+double objective(const ProgressState& state) {
+  return state.shown.unit * std::min(state.progress.objective, state.shown.above);
+}
+
+// No bound is beyond the objective: what lies there is not looked at.
+double bound(const ProgressState& state) {
+  const double best = std::min(state.progress.objective, state.shown.above);
+  return state.shown.unit * std::min(std::max(state.progress.bound, state.shown.below), best);
 }
 
 }  // namespace
@@ -60,7 +65,7 @@ std::string count(double value) {
 
 std::string gap(double objective, double bound) {
   if (!std::isfinite(objective) || !std::isfinite(bound)) return "-";
-  const double difference = std::max(0.0, objective - bound);
+  const double difference = std::abs(objective - bound);
   if (difference == 0) return "0 %";
   const double share = 100 * difference / std::abs(objective);
   return share < 999.5 ? fmt::format("{:.3g} %", share) : "> 999 %";
@@ -82,10 +87,9 @@ std::string progress_row(const ProgressState& state) {
                   count(static_cast<double>(progress.opened)), count(state.nodes_per_second),
                   count(static_cast<double>(progress.open)));
   const std::string answer =
-      state.minimising
-          ? fmt::format(" {:>12} {:>12} {:>7}", number(progress.objective), number(bound(progress)),
-                        gap(progress.objective, bound(progress)))
-          : fmt::format(" {:>7}", count(static_cast<double>(progress.found)));
+      state.minimising ? fmt::format(" {:>12} {:>12} {:>7}", number(objective(state)),
+                                     number(bound(state)), gap(objective(state), bound(state)))
+                       : fmt::format(" {:>7}", count(static_cast<double>(progress.found)));
   return fmt::format("{}{} {:>9} {:>7} {:>9}", common, answer, idle(progress),
                      percent(progress.closed), duration(state.remaining));
 }
@@ -97,8 +101,8 @@ std::string progress_bar(const ProgressState& state, std::size_t width) {
   std::vector<std::string> fields{
       percent(progress.closed),
       duration(state.remaining) + " left",
-      state.minimising ? fmt::format("best {}, gap {}", number(progress.objective),
-                                     gap(progress.objective, bound(progress)))
+      state.minimising ? fmt::format("best {}, gap {}", number(objective(state)),
+                                     gap(objective(state), bound(state)))
                        : count(static_cast<double>(progress.found)) + " found",
       duration(progress.seconds),
       count(static_cast<double>(progress.opened)) + " nodes",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -10,12 +11,21 @@
 
 namespace kusabi::run {
 
+/// Objective and bound as the user knows them, for a search that has its own.
+struct ShownObjective {
+  double unit = 1;  ///< one of the search's is so much; negative: the user maximises
+  /// What is known of the optimum besides the search, in its own units.
+  double above = std::numeric_limits<double>::infinity();
+  double below = -std::numeric_limits<double>::infinity();
+};
+
 /// What one line says.
 struct ProgressState {
   engine::Progress progress;
   double nodes_per_second = 0;      ///< lately
   std::optional<double> remaining;  ///< seconds; unknown if empty
   bool minimising = false;          ///< objective, bound and gap instead of solutions found
+  ShownObjective shown = {};        ///< how those two are shown
 };
 
 /// Seconds as "0:07", "12:34", "3:07:09", "2 d 03 h", or "> 99 d"; "?" if unknown.

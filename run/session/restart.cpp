@@ -30,21 +30,20 @@ void warn(const std::string& line) {
 }
 
 std::string restart_from(Session& session, const std::string& checkpoint,
-                         const std::string& restart, std::uint64_t tree) {
+                         const std::string& restart, std::optional<std::uint64_t> tree) {
   return session.on_first_rank([&]() -> std::string {
     if (!checkpoint.empty()) require_writable_folder(checkpoint);
-    if (restart.empty()) {
-      if (!checkpoint.empty() && engine::checkpoint_exists(checkpoint)) {
-        throw WrongInput(
-            fmt::format("--checkpoint {}: exists already; expected --restart {} to go on from it, "
-                        "or a new name",
-                        checkpoint, checkpoint));
-      }
-      return {};
+    // The engine refuses to overwrite one as well; here the call can be said that goes on.
+    if (!checkpoint.empty() && restart != checkpoint && engine::checkpoint_exists(checkpoint)) {
+      throw WrongInput(
+          fmt::format("--checkpoint {}: exists already; expected --restart {} to go on from it, "
+                      "that it is removed, or a new name",
+                      checkpoint, checkpoint));
     }
+    if (restart.empty()) return {};
     try {
       std::string warning;
-      auto file = engine::usable_checkpoint(restart, tree, warning);
+      auto file = engine::usable_checkpoint(restart, tree.value(), warning);
       if (!warning.empty()) warn(warning);
       return file;
     } catch (const engine::CheckpointError& error) {

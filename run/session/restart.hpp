@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "run/session/session.hpp"
@@ -14,10 +15,10 @@ void warn(const std::string& line);
 /// The checkpoint to go on from, found on rank 0 and told to all; empty if none is asked for.
 /// @param checkpoint where the state will be kept; empty: nowhere
 /// @param restart what to go on from; empty: nothing
-/// @param tree fingerprint of the tree
+/// @param tree fingerprint of the tree, as in engine::CheckpointOptions
 /// @throws WrongInput if one cannot be used
 std::string restart_from(Session& session, const std::string& checkpoint,
-                         const std::string& restart, std::uint64_t tree);
+                         const std::string& restart, std::optional<std::uint64_t> tree);
 
 /// After a search that stopped early: how to go on, on standard error. @param call the command
 /// without --restart @param saved whether the last state is in the checkpoint

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/search.hpp"
-#include "run/session/index_range.hpp"
+#include "engine/expansion.hpp"
+#include "run/index_range.hpp"
 #include "verify/certificate.hpp"
 #include "verify/proof.hpp"
 

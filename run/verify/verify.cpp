@@ -16,14 +16,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/files/structure_file.hpp"
-#include "problems/wedged/wedged_problem.hpp"
-#include "run/evidence/verified_structure.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/standard_output.hpp"
-#include "run/session/progress_line.hpp"
-#include "run/verify/verification.hpp"
-#include "run/verify/verify_limit.hpp"
+#include "engine/search.hpp"
+#include "problems/structure_file.hpp"
+#include "problems/wedged_problem.hpp"
+#include "run/exit_code.hpp"
+#include "run/progress_line.hpp"
+#include "run/standard_output.hpp"
+#include "run/verification.hpp"
+#include "run/verified_structure.hpp"
+#include "run/verify_limit.hpp"
 #include "verify/agreement.hpp"
 #include "verify/certificate.hpp"
 #include "verify/cover.hpp"
@@ -193,8 +194,7 @@ int verify(Session& session, const VerifyOptions& options) {
   for (const auto& found : outcome.solutions) print_refusal(options, certificate, found.solution);
   if (flaw) fmt::print("{}: refused: {}\n", options.certificate, *flaw);
   if (!options.quiet) {
-    Verification::Tally proved;
-    for (const auto& rank : outcome.ranks) proved += rank.tally;
+    const auto proved = outcome.tally();
     print_subject(options, certificate, structure, agreement);
     print_summary(certificate, proof, !flaw, proved);
     print_verdict(refused, proved);

@@ -53,7 +53,7 @@ verify::LimitCertificate certificate_in(const std::string& text, const std::stri
 int verify_limit(Session& session, const VerifyOptions& options,
                  const std::optional<problems::Structure>& structure, const std::string& text) {
   const auto certificate = certificate_in(text, options.certificate);
-  verify::LimitErrors errors;
+  auto truss = verify::recorded_truss(certificate);
   std::uint64_t fingerprint = 0;
   if (structure) {
     fingerprint = problems::limit_problem(*structure).fingerprint;  // or an error: it is no truss
@@ -66,11 +66,10 @@ int verify_limit(Session& session, const VerifyOptions& options,
       }
       return failed;
     }
-    errors = std::move(std::get<verify::LimitErrors>(found));
+    truss = std::move(std::get<verify::LimitTruss>(found));
   }
-  const verify::LimitProof proof(certificate, std::move(errors));
+  const verify::LimitProof proof(certificate, std::move(truss));
   std::vector<std::string> refusals;
-  if (!proof.stable()) refusals.emplace_back("the truss was not shown to be no mechanism");
   const auto upper = proof.upper();
   if (const auto* why = std::get_if<std::string>(&upper)) {
     refusals.push_back("the upper end: " + *why);
@@ -79,7 +78,7 @@ int verify_limit(Session& session, const VerifyOptions& options,
   }
   if (const auto flaw = verify::flaw_of_sign_cover(certificate)) refusals.push_back(*flaw);
   double lower = infinity;
-  if (proof.stable() && !certificate.nodes.empty()) {
+  if (!certificate.nodes.empty()) {
     const auto verdict = [&](std::uint64_t number) {
       const auto bound = proof.lower(certificate.nodes[number]);
       NodeVerdict found;

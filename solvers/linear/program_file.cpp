@@ -1,18 +1,23 @@
-// GLPK reads; what it prints is the message, and what it has read becomes plain data.
-#include "solvers/linear/program_file.hpp"
+// Which reader a file is for. Of an LP file GLPK's messages are the message, and what it has read
+// becomes plain data.
+#include "nodes/linear/program_file.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <glpk.h>
+#include <zlib.h>
 
-#include "solvers/linear/glpk_call.hpp"
-#include "support/input_error.hpp"
+#include "nodes/linear/glpk_call.hpp"
+#include "nodes/linear/mps_file.hpp"
+#include "problems/input_error.hpp"
 
 namespace kusabi::nodes::linear {
 namespace {
@@ -71,25 +76,35 @@ std::string complaint(const std::string& messages, const std::string& file) {
   auto what = std::string_view(line).substr(colon + 1);
   while (what.starts_with(' ')) what.remove_prefix(1);
   throw InputError(fmt::format("{}:{}", file, line.substr(0, colon)), {},
-                   fmt::format("{}; expected {}", what,
-                               format_of(file) == Format::mps ? "a program in MPS format"
-                                                              : "a program in CPLEX LP format"));
+                   fmt::format("{}; expected a program in CPLEX LP format", what));
 }
 
 void load(glp_prob* lp, const std::string& file) {
   int failed = 1;
-  std::string messages;
-  if (format_of(file) == Format::lp) {
-    messages = glpk_messages_of([&] { failed = glp_read_lp(lp, nullptr, file.c_str()); });
-  } else {
-    // Free MPS is what nearly all fixed MPS is as well; but names may have spaces in fixed MPS.
-    messages =
-        glpk_messages_of([&] { failed = glp_read_mps(lp, GLP_MPS_FILE, nullptr, file.c_str()); });
-    if (failed != 0) {
-      glpk_call([&] { failed = glp_read_mps(lp, GLP_MPS_DECK, nullptr, file.c_str()); });
+  const auto messages = glpk_messages_of([&] { failed = glp_read_lp(lp, nullptr, file.c_str()); });
+  if (failed != 0) refuse(file, messages);
+}
+
+// The bytes of a file, unpacked if they are packed.
+std::string unpacked(const std::string& file) {
+  constexpr std::size_t most = std::size_t{1} << 32U;
+  const auto close = [](gzFile open) { gzclose(open); };
+  const std::unique_ptr<gzFile_s, decltype(close)> stream(gzopen(file.c_str(), "rb"), close);
+  std::string text;
+  std::array<char, std::size_t{1} << 16U> piece{};
+  for (;;) {
+    const int count =
+        stream ? gzread(stream.get(), piece.data(), static_cast<unsigned>(piece.size())) : -1;
+    int error = Z_OK;
+    if (count < 0 || (count == 0 && (gzerror(stream.get(), &error), error != Z_OK))) {
+      throw InputError(file, {}, "the file cannot be unpacked; expected all of a file of gzip's");
+    }
+    if (count == 0) return text;
+    text.append(piece.data(), static_cast<std::size_t>(count));
+    if (text.size() > most) {
+      throw InputError(file, {}, "the file is larger than 4 GiB; expected a smaller program");
     }
   }
-  if (failed != 0) refuse(file, messages);
 }
 
 struct Bounds {
@@ -97,19 +112,32 @@ struct Bounds {
   double upper;
 };
 
+// What is infinite in an MPS file is so in an LP file.
 Bounds bounds(int type, double lower, double upper) {
-  switch (type) {
-    case GLP_FR:
-      return {-infinity, infinity};
-    case GLP_LO:
-      return {lower, infinity};
-    case GLP_UP:
-      return {-infinity, upper};
-    case GLP_FX:
-      return {lower, lower};
-    default:
-      return {lower, upper};
+  const bool below = type == GLP_LO || type == GLP_DB || type == GLP_FX;
+  const bool above = type == GLP_UP || type == GLP_DB || type == GLP_FX;
+  if (type == GLP_FX) upper = lower;
+  return {below && lower > -infinite_in_files ? lower : -infinity,
+          above && upper < infinite_in_files ? upper : infinity};
+}
+
+void check(const Bounds& bounds, const std::string& file, const char* what,
+           const std::string& name) {
+  if (bounds.lower <= bounds.upper && bounds.lower < infinite_in_files &&
+      bounds.upper > -infinite_in_files) {
+    return;
   }
+  throw InputError(file, {},
+                   fmt::format("{} {} has a lower bound of {} and an upper bound of {}; expected "
+                               "bounds with a number between them",
+                               what, problems::in_quotes(name), bounds.lower, bounds.upper));
+}
+
+double finite(double value, const std::string& file, const char* what, const std::string& name) {
+  if (std::isfinite(value)) return value;
+  throw InputError(file, {},
+                   fmt::format("{} {} has a coefficient of {}; expected a finite number", what,
+                               problems::in_quotes(name), value));
 }
 
 std::string text(const char* name) {
@@ -123,6 +151,7 @@ void add_columns(glp_prob* lp, const std::string& file, double sign,
         bounds(glp_get_col_type(lp, j), glp_get_col_lb(lp, j), glp_get_col_ub(lp, j));
     auto name = text(glp_get_col_name(lp, j));
     if (name.empty()) name = fmt::format("x{}", j);
+    check({lower, upper}, file, "column", name);
     const bool whole = glp_get_col_kind(lp, j) != GLP_CV;
     const bool fixed = lower == upper && std::floor(lower) == lower;
     const bool zero_one = lower >= 0 && upper <= 1;
@@ -132,26 +161,29 @@ void add_columns(glp_prob* lp, const std::string& file, double sign,
                                    "columns between 0 and 1 only",
                                    problems::in_quotes(name), lower, upper));
     }
-    const int column =
-        mixed.program.add_column({sign * glp_get_obj_coef(lp, j), lower, upper, std::move(name)});
+    const int column = mixed.program.add_column(
+        {sign * finite(glp_get_obj_coef(lp, j), file, "column", name), lower, upper, name});
     if (whole && zero_one) mixed.binaries.push_back(column);
   }
 }
 
-void add_rows(glp_prob* lp, problems::MixedProgram& mixed) {
+void add_rows(glp_prob* lp, const std::string& file, problems::MixedProgram& mixed) {
   std::vector<int> at(static_cast<std::size_t>(glp_get_num_cols(lp)) + 1);
   std::vector<double> values(at.size());
   for (int i = 1; i <= glp_get_num_rows(lp); ++i) {
     if (glp_get_row_type(lp, i) == GLP_FR) continue;
     const auto [lower, upper] =
         bounds(glp_get_row_type(lp, i), glp_get_row_lb(lp, i), glp_get_row_ub(lp, i));
+    const auto name = text(glp_get_row_name(lp, i));
+    if (lower == -infinity && upper == infinity) continue;
+    check({lower, upper}, file, "row", name);
     const int count = glp_get_mat_row(lp, i, at.data(), values.data());
     std::vector<problems::LinearTerm> terms;
     for (int k = count; k >= 1; --k) {  // GLPK puts the last entry first
       const auto place = static_cast<std::size_t>(k);
-      terms.push_back({at[place] - 1, values[place]});
+      terms.push_back({at[place] - 1, finite(values[place], file, "row", name)});
     }
-    mixed.program.add_row({lower, upper, text(glp_get_row_name(lp, i))}, terms);
+    mixed.program.add_row({lower, upper, name}, terms);
   }
 }
 
@@ -164,6 +196,7 @@ ProgramFile read_program(const std::filesystem::path& file) {
     throw InputError(
         name, {}, "the file cannot be read; expected a linear program in MPS or CPLEX LP format");
   }
+  if (format_of(file) == Format::mps) return parse_mps(unpacked(name), name);
   const Loaded loaded;
   load(loaded.get(), name);
   auto* const lp = loaded.get();
@@ -173,7 +206,7 @@ ProgramFile read_program(const std::filesystem::path& file) {
   result.mixed.program.name = text(glp_get_prob_name(lp));
   result.mixed.program.constant = sign * glp_get_obj_coef(lp, 0);
   add_columns(lp, name, sign, result.mixed);
-  add_rows(lp, result.mixed);
+  add_rows(lp, name, result.mixed);
   return result;
 }
 

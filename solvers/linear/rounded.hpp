@@ -20,16 +20,21 @@ inline double before(double x) {
   return std::nextafter(x, -std::numeric_limits<double>::infinity());
 }
 
-/// The error a + b - fl(a + b); zero if the sum is not finite.
+/// The error a + b - fl(a + b) of a finite sum.
 inline double sum_error(double a, double b, double sum) {
-  if (!std::isfinite(sum)) return 0;
   const double shadow = sum - a;
   return (a - (sum - shadow)) + (b - shadow);
 }
 
 inline double sum_down(double a, double b) {
   const double sum = a + b;
-  return sum_error(a, b, sum) < 0 ? before(sum) : sum;
+  if (!std::isfinite(sum)) {
+    // Of finite terms: beyond the largest number, which rounding down must not pass.
+    const bool overflow = std::isfinite(a) && std::isfinite(b);
+    return overflow && sum > 0 ? std::numeric_limits<double>::max() : sum;
+  }
+  // Should the error itself overflow, as it may next to the largest number, it is none to rely on.
+  return sum_error(a, b, sum) >= 0 ? sum : before(sum);
 }
 
 inline double sum_up(double a, double b) {

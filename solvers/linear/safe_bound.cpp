@@ -31,10 +31,17 @@ SafeBound bound(const problems::LinearProgram& program, std::span<const double> 
     auto& r = residual[static_cast<std::size_t>(column)];
     if (multiplier != 0) r = r + product(-value, multiplier);
   }
+  bool finite = true;
   for (std::size_t j = 0; j < residual.size(); ++j) {
-    total = rounded::sum_down(total, least_product(residual[j], lower[j], upper[j]));
+    const double least = least_product(residual[j], lower[j], upper[j]);
+    if (std::isfinite(least)) {
+      total = rounded::sum_down(total, least);
+    } else {
+      finite = finite && least > 0;
+    }
   }
-  return {std::isnan(total) ? -problems::infinity : total, std::move(residual)};
+  if (std::isnan(total)) total = -problems::infinity;
+  return {finite ? total : -problems::infinity, total, std::move(residual)};
 }
 
 }  // namespace

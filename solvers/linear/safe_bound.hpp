@@ -29,7 +29,8 @@ double safe_dual_bound(const problems::LinearProgram& program, std::span<const d
 /// The bound with what it was made of.
 struct SafeBound {
   double value = -problems::infinity;
-  std::vector<Interval> residuals;  ///< c - A'y, one for each column
+  double finite_part = -problems::infinity;  ///< without columns whose part is minus infinity
+  std::vector<Interval> residuals;           ///< c - A'y, one for each column
 };
 SafeBound safe_bound(const problems::LinearProgram& program, std::span<const double> duals,
                      std::span<const double> lower, std::span<const double> upper);

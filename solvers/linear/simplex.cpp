@@ -24,6 +24,11 @@ constexpr double dual_tolerance = 1e-9;
 constexpr int steps_a_row = 50;
 constexpr int least_steps = 2000;
 
+// A piece of a solve that may be stopped: so many steps that it takes a fraction of a second. A
+// step costs about as much as reading the program once.
+constexpr double reading_a_piece = 2e7;
+constexpr double least_piece = 50;
+
 int bound_type(double lower, double upper) {
   if (lower == upper) return GLP_FX;
   if (std::isfinite(lower) && std::isfinite(upper)) return GLP_DB;
@@ -117,12 +122,17 @@ Simplex::Simplex(const problems::LinearProgram& program) : problem_(std::make_un
     at_column.push_back(column + 1);
     values.push_back(value);
   }
+  // GLPK's scale factors are roots of products: those of numbers out of this range are zero.
+  const bool has_scale = std::all_of(values.begin() + 1, values.end(), [](double value) {
+    constexpr double largest = 1e100;
+    return value == 0 || (std::abs(value) < largest && std::abs(value) > 1 / largest);
+  });
   const auto count = static_cast<int>(program.entries.size());
   require(glp_check_dup(row_count, column_count, count, at_row.data(), at_column.data()) == 0,
           "an entry occurs twice");
   problem_->call([&] {
     glp_load_matrix(lp, count, at_row.data(), at_column.data(), values.data());
-    glp_scale_prob(lp, GLP_SF_AUTO);
+    if (has_scale) glp_scale_prob(lp, GLP_SF_AUTO);
     glp_std_basis(lp);
   });
 }
@@ -256,6 +266,12 @@ LinearStatus Simplex::solve_robustly(const SolveLimits& limits) {
   return status_;
 }
 
+int Simplex::steps_a_piece() const {
+  const double size = static_cast<double>(rows()) + static_cast<double>(columns()) +
+                      static_cast<double>(glp_get_num_nz(problem_->lp));
+  return static_cast<int>(std::max(least_piece, reading_a_piece / std::max(1.0, size)));
+}
+
 LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
   ++solves_;
   if (empty_bounds()) return LinearStatus::infeasible;
@@ -266,12 +282,23 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
   control.tol_bnd = primal_tolerance;
   control.tol_dj = dual_tolerance;
   const int enough = least_steps + steps_a_row * (rows() + columns());
-  control.it_lim = std::min(limits.iterations, enough);
+  const int most = std::min(limits.iterations, enough);
   if (std::isfinite(limits.cutoff)) control.obj_ul = limits.cutoff;
   const int before = glp_get_it_cnt(problem_->lp);
+  const int piece = limits.stop ? steps_a_piece() : most;
+  int done = 0;
   int code = 0;
-  problem_->call([&] { code = glp_simplex(problem_->lp, &control); });
-  iterations_ += static_cast<std::uint64_t>(std::max(0, glp_get_it_cnt(problem_->lp) - before));
+  for (;;) {
+    control.it_lim = std::min(piece, most - done);
+    problem_->call([&] { code = glp_simplex(problem_->lp, &control); });
+    done = std::max(0, glp_get_it_cnt(problem_->lp) - before);
+    if (code != GLP_EITLIM || done >= most) break;
+    if (asked(limits.stop)) {
+      iterations_ += static_cast<std::uint64_t>(done);
+      return LinearStatus::interrupted;
+    }
+  }
+  iterations_ += static_cast<std::uint64_t>(done);
   if (code == GLP_EOBJUL) return LinearStatus::cut_off;
   if (code == GLP_EITLIM) {
     return limits.iterations <= enough ? LinearStatus::stopped : LinearStatus::failed;
@@ -389,9 +416,17 @@ std::vector<double> Simplex::reduced_costs() const {
 // The basic variable that violates its bound and that no step can bring nearer. Its row of the
 // tableau, e'B^-1 (I | -A) x = 0, is the contradiction.
 std::vector<double> Simplex::farkas() {
-  std::vector<double> rho(static_cast<std::size_t>(rows()) + 1);
-  if (status_ != LinearStatus::infeasible || empty_bounds()) return {};
-  bool found = false;
+  const auto [place, sign] = contradicting();
+  if (place < 0) return {};
+  std::vector<double> rho(static_cast<std::size_t>(rows()));
+  rho[static_cast<std::size_t>(place)] = sign;
+  if (!solve_with_transposed_basis(rho)) return {};
+  return rho;
+}
+
+std::pair<int, double> Simplex::contradicting() {
+  std::pair<int, double> found{-1, 0};
+  if (status_ != LinearStatus::infeasible || empty_bounds() || !factorised()) return found;
   problem_->call([&] {
     auto* const lp = problem_->lp;
     const int ray = glp_get_unbnd_ray(lp);
@@ -402,12 +437,44 @@ std::vector<double> Simplex::farkas() {
     if (place == 0) return;
     const double at = is_row ? glp_get_row_prim(lp, k) : glp_get_col_prim(lp, k);
     const double lower = is_row ? glp_get_row_lb(lp, k) : glp_get_col_lb(lp, k);
-    rho[static_cast<std::size_t>(place)] = at < lower ? 1 : -1;
-    glp_btran(lp, rho.data());
-    found = true;
+    const bool has_lower = (is_row ? glp_get_row_type(lp, k) : glp_get_col_type(lp, k)) != GLP_UP;
+    found = {place - 1, has_lower && at < lower ? 1.0 : -1.0};
   });
-  if (!found) return {};
-  return {rho.begin() + 1, rho.end()};
+  return found;
+}
+
+// A trivial program (no entries, say) is solved without a factorisation.
+bool Simplex::factorised() {
+  bool there = rows() == 0;
+  if (there) return true;
+  problem_->call(
+      [&] { there = glp_bf_exists(problem_->lp) != 0 || glp_factorize(problem_->lp) == 0; });
+  return there;
+}
+
+std::vector<int> Simplex::basis_head() {
+  if (!factorised()) return {};
+  std::vector<int> head;
+  for (int place = 1; place <= rows(); ++place) {
+    head.push_back(glp_get_bhead(problem_->lp, place) - 1);
+  }
+  return head;
+}
+
+bool Simplex::solve_with_basis(std::vector<double>& b) {
+  if (!factorised()) return false;
+  b.insert(b.begin(), 0);
+  problem_->call([&] { glp_ftran(problem_->lp, b.data()); });
+  b.erase(b.begin());
+  return true;
+}
+
+bool Simplex::solve_with_transposed_basis(std::vector<double>& b) {
+  if (!factorised()) return false;
+  b.insert(b.begin(), 0);
+  problem_->call([&] { glp_btran(problem_->lp, b.data()); });
+  b.erase(b.begin());
+  return true;
 }
 
 }  // namespace kusabi::nodes::linear

@@ -11,27 +11,33 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "solvers/linear/basis.hpp"
-#include "solvers/linear/linear_program.hpp"
+#include "nodes/linear/basis.hpp"
+#include "nodes/linear/stop.hpp"
+#include "problems/linear_program.hpp"
 
 namespace kusabi::nodes::linear {
 
 /// What a solve found out. The first four are claims of a floating-point method: what they prove is
 /// told by safe_dual_bound().
 enum class LinearStatus {
-  optimal,     ///< within the tolerances
-  infeasible,  ///< no point satisfies all rows and bounds; farkas() is the reason
-  unbounded,   ///< feasible, and the objective has no lower bound
-  cut_off,     ///< dual simplex only: the optimum is above `SolveLimits::cutoff`
-  stopped,     ///< `SolveLimits::iterations` were not enough
-  failed,      ///< GLPK could not tell: a singular basis, lost accuracy
+  optimal,      ///< within the tolerances
+  infeasible,   ///< no point satisfies all rows and bounds; farkas() is the reason
+  unbounded,    ///< feasible, and the objective has no lower bound
+  cut_off,      ///< dual simplex only: the optimum is above `SolveLimits::cutoff`
+  stopped,      ///< `SolveLimits::iterations` were not enough
+  interrupted,  ///< `SolveLimits::stop` said so
+  failed,       ///< GLPK could not tell: a singular basis, lost accuracy
 };
 
 struct SolveLimits {
   double cutoff = std::numeric_limits<double>::infinity();  ///< of the objective
   int iterations = std::numeric_limits<int>::max();
+  /// Asked between pieces of a long solve, each of them a fraction of a second. Where it is given,
+  /// the solve is in pieces whatever it says, so that its result does not depend on the answers.
+  Stop stop = {};
 };
 
 class Simplex {
@@ -99,6 +105,20 @@ class Simplex {
   /// without its costs is above zero. Empty if GLPK gives none.
   [[nodiscard]] std::vector<double> farkas();
 
+  // ---- the basis matrix, of the columns of (I | -A) that are basic -----------------------------
+
+  /// What is basic, in the order of the factorisation: rows as their index, columns as rows() plus
+  /// theirs. Empty if there is no factorisation.
+  [[nodiscard]] std::vector<int> basis_head();
+  /// Replaces b by x with B x = b, in the order of basis_head(). False if there is no
+  /// factorisation.
+  bool solve_with_basis(std::vector<double>& b);
+  /// Replaces b by x with B'x = b, one number a row.
+  bool solve_with_transposed_basis(std::vector<double>& b);
+  /// After `infeasible`: the place in basis_head() of the variable that cannot be brought within
+  /// its bounds, and 1 if it is below, -1 if above. Place -1: GLPK names none.
+  [[nodiscard]] std::pair<int, double> contradicting();
+
   // ---- counts ----------------------------------------------------------------------------------
 
   [[nodiscard]] std::uint64_t iterations() const { return iterations_; }
@@ -108,8 +128,10 @@ class Simplex {
   struct Problem;  // keeps glpk.h out of our headers
 
   [[nodiscard]] bool empty_bounds() const;
+  [[nodiscard]] bool factorised();
   void refactorise();
   LinearStatus solve(int method, const SolveLimits& limits);
+  [[nodiscard]] int steps_a_piece() const;
 
   std::unique_ptr<Problem> problem_;
   std::vector<bool> row_empty_;     // lower > upper, which GLPK does not take

@@ -1,4 +1,4 @@
-* expect: no-end.mps:8: ...; expected a program in MPS format
+* expect: no-end.mps:7: the file ends without ENDATA; expected the whole file
 NAME X
 ROWS
  N COST

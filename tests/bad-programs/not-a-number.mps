@@ -1,4 +1,4 @@
-* expect: not-a-number.mps:7: ...; expected a program in MPS format
+* expect: not-a-number.mps:7: "one" is not a number; expected a number like -1.5e3
 NAME X
 ROWS
  N COST

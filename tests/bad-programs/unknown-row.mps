@@ -1,4 +1,4 @@
-* expect: unknown-row.mps:7: ...; expected a program in MPS format
+* expect: unknown-row.mps:7: "R2" is no row; expected a name of section ROWS
 NAME X
 ROWS
  N COST

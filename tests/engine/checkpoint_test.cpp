@@ -2,11 +2,14 @@
 // and no damaged or foreign file is taken for a good one.
 #include "engine/checkpoint.hpp"
 
+#include <bit>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
+#include <boost/crc.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -120,10 +123,7 @@ TEST_F(Checkpoint, ManyStopsGiveWhatOneRunGives) {
       ASSERT_EQ(outcome.solutions[i].path, whole.solutions[i].path);
       ASSERT_EQ(outcome.solutions[i].solution, whole.solutions[i].solution);
     }
-    std::uint64_t leaves = 0;
-    for (const auto& report : outcome.earlier) leaves += report.tally;
-    for (const auto& report : outcome.ranks) leaves += report.tally;
-    EXPECT_EQ(leaves, tree.tally());
+    EXPECT_EQ(outcome.tally(), tree.tally());
   }
 }
 
@@ -195,6 +195,99 @@ TEST_F(Checkpoint, OfAnotherProblemIsRefused) {
   leave_one();
   std::string warning;
   EXPECT_THROW(usable_checkpoint(file_, problem + 1, warning), CheckpointError);
+}
+
+// A fingerprint that nobody gave would be the same for all problems.
+TEST_F(Checkpoint, NeedsTheFingerprintOfItsProblem) {
+  Options nothing_but_a_file;
+  nothing_but_a_file.checkpoint.file = file_;
+  RandomTree tree(1, 5);
+  EXPECT_THROW(search(tree, nothing_but_a_file), std::invalid_argument);
+  leave_one();
+  Options goes_on;
+  goes_on.checkpoint.resume_from = file_;
+  EXPECT_THROW(search(tree, goes_on), std::invalid_argument);
+}
+
+struct OtherSolutions : RandomTree {
+  using Solution = std::uint32_t;
+  using RandomTree::RandomTree;
+  void expand(Node&& /*node*/, Expansion<OtherSolutions>& /*out*/) {}
+};
+
+TEST_F(Checkpoint, OfAnotherSearchIsRefused) {
+  leave_one();
+  auto choice = options();
+  choice.checkpoint.resume_from = file_;
+  const auto refusal_of = [&](auto tree) -> std::string {
+    try {
+      search(tree, choice);
+      return "accepted";
+    } catch (const CheckpointError& error) {
+      return error.what();
+    }
+  };
+  choice.goal = Goal::first;
+  EXPECT_EQ(refusal_of(RandomTree(1, 20)),
+            file_ + ": is of a search with the goal all; expected the goal first");
+  choice.goal = Goal::all;
+  EXPECT_EQ(refusal_of(Knapsack::random(5, 24)),
+            file_ + ": is of a search with nodes of type kusabi::examples::RandomTree::Node; " +
+                "expected nodes of type kusabi::examples::Knapsack::Node");
+  EXPECT_EQ(refusal_of(OtherSolutions(1, 20)),
+            file_ +
+                ": is of a search with solutions of type unsigned long; expected solutions of " +
+                "type unsigned int");
+  choice.checkpoint.problem = problem + 1;
+  EXPECT_EQ(refusal_of(RandomTree(1, 20)), file_ + ": is the checkpoint of another problem");
+}
+
+TEST_F(Checkpoint, OfAnotherByteOrderIsRefused) {
+  leave_one();
+  auto line = content(file_);
+  line.resize(line.rfind(' '));  // without the checksum
+  const std::string own = std::endian::native == std::endian::little ? "little" : "big";
+  const std::string other = own == "big" ? "little" : "big";
+  line.replace(line.find(own), own.size(), other);
+  boost::crc_32_type crc;
+  crc.process_bytes(line.data(), line.size());
+  overwrite(file_, line + ' ' + std::to_string(crc.checksum()) + '\n');
+  EXPECT_EQ(refusal(),
+            file_ + ": was written on a " + other + "-endian machine; expected " + own + "-endian");
+}
+
+TEST_F(Checkpoint, IsNotOverwrittenByANewSearch) {
+  leave_one();
+  const auto before = content(file_);
+  const auto refusal_of = [&](const Options& choice) -> std::string {
+    try {
+      simulate(RandomTree(1, 20), 2, 1, {}, choice);
+      return "accepted";
+    } catch (const CheckpointError& error) {
+      return error.what();
+    }
+  };
+  auto choice = options();
+  choice.checkpoint.interval = 1e-3;
+  EXPECT_EQ(refusal_of(choice),
+            file_ + ": is a checkpoint already; expected Options::checkpoint.resume_from to name " +
+                "it, so that the search goes on from it, or that it is removed first");
+  // Nor by one that goes on from another.
+  const auto copy = folder_ / "copy";
+  fs::create_directory(copy);
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    if (entry.is_regular_file()) fs::copy(entry.path(), copy);
+  }
+  choice.checkpoint.resume_from = (copy / "search").string();
+  EXPECT_THAT(refusal_of(choice), HasSubstr("is a checkpoint already"));
+  EXPECT_EQ(content(file_), before);
+  choice.checkpoint.resume_from = file_;
+  EXPECT_EQ(refusal_of(choice), "accepted");
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    if (entry.is_regular_file()) fs::remove(entry.path());
+  }
+  choice.checkpoint.resume_from.clear();
+  EXPECT_EQ(refusal_of(choice), "accepted");
 }
 
 TEST_F(Checkpoint, AMissingOneIsRefused) {

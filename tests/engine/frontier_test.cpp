@@ -23,10 +23,26 @@ std::uint64_t mark_of(const Path& path) {
   return mark;
 }
 
+// Paths that come before and after `path`, or are it, as they compare with it.
+void expect_compares_as(const Path& path, const Frontier<Witness>& frontier) {
+  std::vector<Path> others{{}, path, child_of(path, 0), child_of({}, 0), child_of({}, 9)};
+  if (!path.empty()) {
+    others.emplace_back(path.begin(), path.end() - 1);
+    others.push_back(path);
+    ++others.back().back();
+    if (path.back() > 0) {
+      others.push_back(path);
+      --others.back().back();
+    }
+  }
+  for (const auto& other : others) EXPECT_EQ(other <=> frontier.place(), other <=> path);
+}
+
 // Opens one node, checks its path, and gives it `children` children.
 Witness open_and_branch(Frontier<Witness>& frontier, std::uint32_t children) {
   Witness node = frontier.open();
   EXPECT_EQ(frontier.path(), node);
+  expect_compares_as(node, frontier);
   EXPECT_EQ(frontier.mark(), mark_of(node));
   for (std::uint32_t branch = 0; branch < children; ++branch) {
     frontier.branch(child_of(node, branch));
@@ -79,6 +95,29 @@ TEST(Frontier, GivesNoMoreBytesThanTheLimitButAtLeastOneNode) {
   EXPECT_LE(pack(gift.nodes).size(), 400U + 64U);  // and the header of the list
   EXPECT_EQ(frontier.size(), 100U - gift.nodes.size());
   EXPECT_EQ(frontier.give(1).nodes.size(), 1U);
+}
+
+// Gift after gift out of one node's children: each takes every other of what the last one left.
+TEST(Frontier, GivesAwayAllButOneByAndBy) {
+  Frontier<Witness> frontier;
+  frontier.plant({});
+  open_and_branch(frontier, 100);
+  std::vector<std::uint32_t> left;  // shallowest first: the last child is at the bottom
+  for (std::uint32_t branch = 100; branch > 0; --branch) left.push_back(branch - 1);
+  while (frontier.can_give()) {
+    const auto gift = frontier.give(400);
+    ASSERT_FALSE(gift.nodes.empty());
+    for (std::size_t i = 0; i < gift.nodes.size(); ++i) {
+      ASSERT_EQ(gift.nodes[i].node, Witness{left[i]});
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    ASSERT_EQ(frontier.size(), left.size());
+    std::vector<Witness> kept;
+    frontier.for_each([&](const Witness& node) { kept.push_back(node); });
+    for (std::size_t i = 0; i < left.size(); ++i) ASSERT_EQ(kept[i], Witness{left[i]});
+  }
+  EXPECT_EQ(open_and_branch(frontier, 0), Witness{left.front()});
+  EXPECT_TRUE(frontier.empty());
 }
 
 TEST(Frontier, DoesNotGiveChildrenThatAreStillBeingBranched) {

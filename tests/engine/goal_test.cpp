@@ -1,5 +1,8 @@
 // Looking for the best and for the first solution: the answer is that of brute force, the same on
 // any number of ranks, and found without opening the whole tree.
+#include <cmath>
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 #include "engine/incumbent.hpp"
@@ -123,6 +126,7 @@ TEST(Incumbent, RulesOutOnlyWhatCannotBeBetter) {
   EXPECT_FALSE(best.rules_out(1, {2, 1}));
   EXPECT_TRUE(best.rules_out_more(1, {2, 1}));
   EXPECT_FALSE(best.rules_out_more(1, {2, 0}));
+  EXPECT_THROW(static_cast<void>(best.rules_out(std::nan(""), {3})), std::domain_error);
 }
 
 TEST(Relay, ReachesEveryRankOverEdgesThatBothEndsKnow) {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/frontier.hpp"
+
 namespace kusabi::engine {
 namespace {
 

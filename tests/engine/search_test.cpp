@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/simulation.hpp"
 #include "tests/engine/queens.hpp"
 #include "tests/engine/random_tree.hpp"
 
@@ -33,6 +34,113 @@ TEST(Search, ReportsSolutionsInDepthFirstOrder) {
   // The tree's order is the lexicographic order of the boards.
   EXPECT_TRUE(std::is_sorted(boards.begin(), boards.end()));
   EXPECT_EQ(boards.front(), (std::vector<int>{1, 3, 5, 0, 2, 4}));
+}
+
+// A binary tree of depth 4, all of whose nodes are solutions. What `expand` does slips once: when
+// this object opens its twentieth node.
+struct Moody {
+  enum class Slip { none, child_more, other_child, other_bound, solution_less, other_solution };
+  struct Node {
+    std::uint32_t left = 4;
+    std::uint32_t tag = 0;
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& left& tag;
+    }
+  };
+  using Solution = std::uint32_t;
+
+  Slip slip = Slip::none;
+  std::uint32_t opened = 0;
+
+  [[nodiscard]] Node root() const { return {}; }
+  void expand(Node&& node, Expansion<Moody>& out) {
+    ++opened;
+    if (node.left > 0) {
+      out.branch({node.left - 1, slips(Slip::other_child) ? 1U : 0U});
+      out.branch({node.left - 1, 0});
+    }
+    if (slips(Slip::child_more)) out.branch({0, 0});
+    if (!slips(Slip::solution_less)) out.solution(slips(Slip::other_solution) ? 8 : 7);
+  }
+  [[nodiscard]] double objective(const Solution& /*solution*/) const { return 1; }
+  [[nodiscard]] double bound(const Node& /*node*/) const {
+    return slips(Slip::other_bound) ? -1 : -2;
+  }
+  [[nodiscard]] bool slips(Slip which) const { return opened == 20 && slip == which; }
+};
+
+TEST(CheckExpand, NamesTheNodeAndWhatDiffers) {
+  using Slip = Moody::Slip;
+  const auto complaint_at = [](Slip slip, double share) {
+    Moody problem{slip};
+    Options options;
+    options.check_expand = share;
+    try {
+      search(problem, options);
+      return std::string("none");
+    } catch (const ExpansionDiffers& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(complaint_at(Slip::none, 1), "none");
+  EXPECT_EQ(complaint_at(Slip::other_child, 0), "none");
+  // The tenth node in depth-first order, when it is opened for the second time.
+  const auto expected = [](const std::string& what) {
+    return "node 0.1: opened twice, " + what + "; expected that expand depends on the node alone";
+  };
+  EXPECT_EQ(complaint_at(Slip::child_more, 1),
+            expected("2 children the first time, 3 the second time"));
+  EXPECT_EQ(complaint_at(Slip::other_child, 1), expected("child 0 is not the same"));
+  EXPECT_EQ(complaint_at(Slip::other_bound, 1),
+            expected("the bound of child 0 is -2 the first time, -1 the second time"));
+  EXPECT_EQ(complaint_at(Slip::solution_less, 1),
+            expected("1 solutions the first time, 0 the second time"));
+  EXPECT_EQ(complaint_at(Slip::other_solution, 1), expected("solution 0 is not the same"));
+}
+
+TEST(CheckExpand, ChangesNothingAndOpensItsShareTwice) {
+  RandomTree plain(2, 16);
+  const auto once = search(plain);
+  for (const double share : {0.1, 1.0}) {
+    Options options;
+    options.check_expand = share;
+    const auto checked = simulate(RandomTree(2, 16), 4, 1, {}, options).outcome;
+    EXPECT_EQ(checked.opened(), once.opened());
+    EXPECT_EQ(checked.fingerprint(), once.fingerprint());
+    ASSERT_EQ(checked.solutions.size(), once.solutions.size());
+    for (std::size_t i = 0; i < once.solutions.size(); ++i) {
+      ASSERT_EQ(checked.solutions[i].path, once.solutions[i].path);
+    }
+    // The tally counts leaves, those opened in vain as well.
+    const double leaves = static_cast<double>(once.tally());
+    EXPECT_NEAR(static_cast<double>(checked.tally()), (1 + share) * leaves, 0.02 * leaves);
+  }
+}
+
+// Each node is a better solution than the one above, and has a child only if nobody knew it.
+struct Descent {
+  using Node = std::uint32_t;
+  using Solution = std::uint32_t;
+  [[nodiscard]] Node root() const { return 9; }
+  void expand(Node&& node, Expansion<Descent>& out) {
+    const bool news = out.cutoff() > node;
+    out.solution(node);
+    if (node > 0 && news) out.branch(node - 1);
+  }
+  [[nodiscard]] double objective(const Solution& solution) const { return solution; }
+};
+
+TEST(CheckExpand, OpensTheNodeWithTheSameCutoffBothTimes) {
+  Descent descent;
+  Options options;
+  options.goal = Goal::best;
+  options.check_expand = 1;
+  const auto outcome = search(descent, options);
+  ASSERT_EQ(outcome.solutions.size(), 1U);
+  EXPECT_EQ(outcome.solutions[0].solution, 0U);
+  EXPECT_EQ(outcome.ranks[0].statistics.found, 10U);
+  EXPECT_EQ(outcome.opened(), 10U);
 }
 
 // A recursion that shares nothing with the engine but the tree's definition.

@@ -108,6 +108,7 @@ TEST(Trace, ShowsAStopForACheckpointThatCannotBeWritten) {
   options.trace_events = 1000;
   options.limits.nodes = 100;
   options.checkpoint.file = "/nowhere/at/all";
+  options.checkpoint.problem = 1;
   const auto run = simulate(RandomTree(11, 12), 3, 1, {}, options);
   for (const auto& trace : run.outcome.traces) {
     std::vector<Kind> last;

@@ -48,9 +48,9 @@ endforeach()
 
 # The values of the Petersen graph's chromatic polynomial at 3 and 4.
 run(${work}/build/colouring)
-expect("120 colourings.*1 rank[^s]")
+expect("120 colourings.*1 rank[^s].*dead ends: 48\n")
 run(${mpiexec} ${ranks_flag} 2 ${work}/build/colouring)
-expect("120 colourings.*2 ranks")
+expect("120 colourings.*2 ranks.*dead ends: 48\n")
 run(${mpiexec} ${ranks_flag} 2 ${work}/build/colouring 4)
 expect("12960 colourings.*2 ranks")
 

@@ -6,6 +6,7 @@
 //   mpirun -np 2 colouring    the same answer, on two ranks
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <utility>
@@ -38,7 +39,9 @@ constexpr std::array<std::pair<std::size_t, std::size_t>, 15> edges{{{0, 1},
                                                                      {6, 8},
                                                                      {5, 8}}};
 
-// The problem: two types and two functions. Each rank has an object of its own, which may hold
+// The problem: two types and two functions, and a tally if it likes. What is not in the right shape
+// the compiler refuses in one sentence; Options::check_expand tries whether `expand` depends on its
+// node alone. Each rank has an object of its own, which may hold
 // whatever is expensive to set up.
 class Colouring {
  public:
@@ -55,6 +58,9 @@ class Colouring {
   };
   // What a leaf yields. Travels as well, to rank 0 at the end.
   using Solution = std::vector<int>;
+  // What this problem counts for itself: nodes that no colour could be found for. Outcome::tally()
+  // is the sum over all ranks.
+  using Tally = std::uint64_t;
 
   explicit Colouring(int colours) : colours_(colours) {}
 
@@ -67,13 +73,18 @@ class Colouring {
       out.solution(std::move(node.colours));
       return;
     }
+    bool dead = true;
     for (int colour = 0; colour < colours_; ++colour) {
       if (!allowed(node, colour)) continue;
       Node child = node;
       child.colours.push_back(colour);
       out.branch(std::move(child));
+      dead = false;
     }
+    if (dead) ++dead_ends_;
   }
+
+  Tally tally() const { return dead_ends_; }
 
  private:
   // Whether the next vertex may have the colour.
@@ -86,6 +97,7 @@ class Colouring {
   }
 
   int colours_;
+  std::uint64_t dead_ends_ = 0;
 };
 
 int report(const engine::Outcome<Colouring>& outcome, int colours) {
@@ -93,6 +105,7 @@ int report(const engine::Outcome<Colouring>& outcome, int colours) {
   std::cout << outcome.solutions.size() << " colourings of the Petersen graph with " << colours
             << " colours; " << outcome.opened() << " nodes opened by " << ranks
             << (ranks == 1 ? " rank\n" : " ranks\n");
+  std::cout << "dead ends: " << outcome.tally() << '\n';
   // Solutions come in the order of a depth-first search on one rank, whoever found them.
   if (!outcome.solutions.empty()) {
     std::cout << "the first:";

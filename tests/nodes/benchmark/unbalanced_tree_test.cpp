@@ -24,12 +24,6 @@ std::ostream& operator<<(std::ostream& out, const TreeCounts& counts) {
 
 namespace {
 
-TreeCounts counts_of(const engine::Outcome<UnbalancedTree>& outcome) {
-  TreeCounts counts;
-  for (const auto& rank : outcome.ranks) counts += rank.tally;
-  return counts;
-}
-
 // The examples that came with FIPS 180 and the digest of nothing.
 TEST(Sha1, GivesTheDigestsOfTheStandard) {
   EXPECT_EQ(sha1(""), (Sha1Digest{0xDA39A3EE, 0x5E6B4B0D, 0x3255BFEF, 0x95601890, 0xAFD80709}));
@@ -66,7 +60,7 @@ TEST_P(Standard, TreeHasItsPublishedCounts) {
   const auto& standard = standard_tree(GetParam());
   UnbalancedTree tree(standard.parameters);
   const auto outcome = engine::search(tree);
-  EXPECT_EQ(counts_of(outcome), standard.counts);
+  EXPECT_EQ(outcome.tally(), standard.counts);
   EXPECT_EQ(outcome.opened(), standard.counts.nodes);
 }
 
@@ -85,7 +79,7 @@ TEST(StandardTrees, AnUnknownNameIsRefused) {
 TEST(UnbalancedTree, MoreWorkGrowsTheSameTree) {
   const auto& standard = standard_tree("T1-4");
   UnbalancedTree tree(standard.parameters, 3);
-  EXPECT_EQ(counts_of(engine::search(tree)), standard.counts);
+  EXPECT_EQ(engine::search(tree).tally(), standard.counts);
 }
 
 TEST(UnbalancedTree, SimulatedRanksCountWhatOneDoes) {
@@ -94,7 +88,7 @@ TEST(UnbalancedTree, SimulatedRanksCountWhatOneDoes) {
   for (const int ranks : {1, 2, 4, 7, 32}) {
     const auto seed = static_cast<std::uint64_t>(ranks);
     const auto together = engine::simulate(tree, ranks, seed, {.stall_probability = 0.001});
-    EXPECT_EQ(counts_of(together.outcome), standard.counts) << ranks << " ranks";
+    EXPECT_EQ(together.outcome.tally(), standard.counts) << ranks << " ranks";
     EXPECT_EQ(together.left_behind, 0U) << ranks << " ranks";
   }
 }

@@ -5,8 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/families/plane_truss.hpp"
-#include "problems/wedged/precise_compliance.hpp"
+#include "engine/search.hpp"
+#include "problems/plane_truss.hpp"
+#include "problems/precise_compliance.hpp"
 
 namespace kusabi::nodes {
 namespace {

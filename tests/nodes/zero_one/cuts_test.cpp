@@ -35,7 +35,7 @@ TEST(DisjunctiveCuts, HoldAtEveryPointAndCutOffTheOptimumOfTheRelaxation) {
       const auto mixed = random_mixed(seed, kind, 7);
       Relaxation relaxation(mixed);
       if (relaxation.solve(relaxation.root(), {}) != LinearStatus::optimal) continue;
-      const auto point = relaxation.simplex().values();
+      const auto point = relaxation.values();
       for (std::size_t k = 0; k < relaxation.binaries(); ++k) {
         const double at = point[static_cast<std::size_t>(relaxation.column(k))];
         if (std::min(at, 1 - at) < 1e-6) continue;
@@ -68,10 +68,10 @@ TEST(DisjunctiveCuts, AreAsDeepAsTheHullOfBothSides) {
   mixed.program.add_row({.upper = 1}, {{{x, 1}, {tau, 1}}});
   Relaxation relaxation(mixed);
   ASSERT_EQ(relaxation.solve(relaxation.root(), {}), LinearStatus::optimal);
-  ASSERT_NEAR(relaxation.simplex().objective(), -0.5, 1e-9);
-  const auto rounds = add_disjunctive_cuts(relaxation, relaxation.simplex().basis());
+  ASSERT_NEAR(relaxation.objective(), -0.5, 1e-9);
+  const auto rounds = add_disjunctive_cuts(relaxation, relaxation.basis());
   EXPECT_EQ(rounds.kept, 1U);
-  EXPECT_NEAR(relaxation.simplex().objective(), 0, 1e-9);
+  EXPECT_NEAR(relaxation.objective(), 0, 1e-9);
 }
 
 TEST(DisjunctiveCuts, RaiseTheBoundAndStopInTime) {
@@ -81,7 +81,7 @@ TEST(DisjunctiveCuts, RaiseTheBoundAndStopInTime) {
     Relaxation relaxation(mixed);
     ASSERT_EQ(relaxation.solve(relaxation.root(), {}), LinearStatus::optimal);
     const double before = relaxation.bound();
-    const auto rounds = add_disjunctive_cuts(relaxation, relaxation.simplex().basis());
+    const auto rounds = add_disjunctive_cuts(relaxation, relaxation.basis());
     ASSERT_EQ(relaxation.solve(relaxation.root(), rounds.basis), LinearStatus::optimal);
     EXPECT_LE(rounds.rounds, 18U);  // 1.8 x 10
     EXPECT_GE(rounds.found, rounds.kept);

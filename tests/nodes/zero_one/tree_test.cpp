@@ -11,8 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "solvers/linear/program_file.hpp"
-#include "support/input_error.hpp"
+#include "engine/search.hpp"
+#include "nodes/linear/program_file.hpp"
+#include "problems/input_error.hpp"
 #include "tests/nodes/zero_one/programs.hpp"
 
 namespace kusabi::nodes {

@@ -218,5 +218,46 @@ TEST(SafeBound, RoundsDownWhereNearestWouldRoundUp) {
   EXPECT_LT(safe_dual_bound(program, std::vector<double>(3, 1.0)), 1.0);
 }
 
+// A program that takes many steps: to cover rows by dense columns.
+problems::LinearProgram long_one() {
+  constexpr int size = 400;
+  std::mt19937 draw(5);
+  std::uniform_real_distribution<double> between(0.1, 1);
+  problems::LinearProgram program;
+  for (int j = 0; j < size; ++j) program.add_column({.cost = between(draw)});
+  for (int i = 0; i < size; ++i) {
+    std::vector<problems::LinearTerm> terms;
+    for (int j = 0; j < size; ++j) {
+      if (between(draw) < 0.5) terms.push_back({j, between(draw)});
+    }
+    program.add_row({.lower = 10 * between(draw)}, terms);
+  }
+  return program;
+}
+
+TEST(Simplex, EndsBetweenTwoPiecesOfALongSolveWhenAsked) {
+  Simplex simplex(long_one());
+  int times = 0;
+  EXPECT_EQ(simplex.solve_primal({.stop = [&] { return ++times == 1; }}),
+            LinearStatus::interrupted);
+  EXPECT_EQ(times, 1);
+  const auto so_far = simplex.iterations();
+  EXPECT_GT(so_far, 0U);
+  EXPECT_EQ(simplex.solve_primal(), LinearStatus::optimal) << "it goes on from there";
+  EXPECT_GT(simplex.iterations(), so_far);
+}
+
+TEST(Simplex, GivesTheSameWhateverAStopThatNeverComesIsAsked) {
+  Simplex first(long_one());
+  Simplex second(long_one());
+  int times = 0;
+  EXPECT_EQ(first.solve_primal({.stop = [&] { return ++times < 0; }}), LinearStatus::optimal);
+  EXPECT_GT(times, 0);
+  EXPECT_EQ(second.solve_primal({.stop = [] { return false; }}), LinearStatus::optimal);
+  EXPECT_EQ(first.iterations(), second.iterations());
+  EXPECT_EQ(first.values(), second.values());
+  EXPECT_EQ(first.duals(), second.duals());
+}
+
 }  // namespace
 }  // namespace kusabi::nodes::linear

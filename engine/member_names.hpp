@@ -1,0 +1,83 @@
+// Whether a class has a member of some name: const or not, overloaded, a template, private, or no
+// function at all. So something offered in the wrong shape can be told from something not offered.
+#pragma once
+
+#include <type_traits>
+
+namespace kusabi::engine {
+namespace member_names {
+
+// The name of a member of `Class` is ambiguous in a class that inherits it from here as well.
+struct Bait {
+  int serialize;
+  int objective;
+  int bound;
+  int tally;
+  int work_of_first_child;
+  int seconds;
+  int least_seconds;
+};
+
+template <class Class>
+struct Both : Class, Bait {};
+
+template <class Class>
+concept Inheritable = std::is_class_v<Class> && !std::is_final_v<Class>;
+
+}  // namespace member_names
+
+// Of a final class only a public member without overloads is seen.
+
+template <class Class>
+concept NamesSerialize = (member_names::Inheritable<Class> &&
+                          !requires { &member_names::Both<Class>::serialize; }) ||
+                         requires {
+  &Class::serialize;
+};
+
+template <class Class>
+concept NamesObjective = (member_names::Inheritable<Class> &&
+                          !requires { &member_names::Both<Class>::objective; }) ||
+                         requires {
+  &Class::objective;
+};
+
+template <class Class>
+concept NamesBound = (member_names::Inheritable<Class> &&
+                      !requires { &member_names::Both<Class>::bound; }) ||
+                     requires {
+  &Class::bound;
+};
+
+template <class Class>
+concept NamesTally = (member_names::Inheritable<Class> &&
+                      !requires { &member_names::Both<Class>::tally; }) ||
+                     requires {
+  &Class::tally;
+}
+|| requires {
+  typename Class::Tally;
+};
+
+template <class Class>
+concept NamesWorkOfFirstChild = (member_names::Inheritable<Class> &&
+                                 !requires { &member_names::Both<Class>::work_of_first_child; }) ||
+                                requires {
+  &Class::work_of_first_child;
+};
+
+template <class Class>
+concept NamesSeconds = (member_names::Inheritable<Class> &&
+                        !requires { &member_names::Both<Class>::seconds; }) ||
+                       requires {
+  &Class::seconds;
+};
+
+template <class Class>
+concept NamesLeastSeconds = (member_names::Inheritable<Class> &&
+                             !requires { &member_names::Both<Class>::least_seconds; }) ||
+                            requires {
+  &Class::least_seconds;
+};
+
+}  // namespace kusabi::engine

@@ -1,0 +1,130 @@
+// What is wrong with a problem type, said in one sentence by the compiler.
+//
+// A function of a problem that is not just as a concept of engine/problem.hpp wants it would
+// otherwise be taken for none: a bound() that is not const would prune nothing, and nobody be told.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+#include <utility>
+
+#include "engine/expansion.hpp"
+#include "engine/member_names.hpp"
+#include "engine/problem.hpp"
+#include "engine/serializable.hpp"
+
+namespace kusabi::engine {
+
+template <class P>
+struct Outcome;
+
+enum class Fault {
+  none,
+  no_node,
+  no_solution,
+  node_not_a_value,
+  solution_not_a_value,
+  node_not_serializable,
+  solution_not_serializable,
+  root,
+  expand,
+  objective,
+  bound,
+  bound_without_objective,
+  tally,
+  tally_not_a_value,
+  tally_not_serializable,
+  work_of_first_child,
+};
+
+/// A type whose objects can be made without arguments, copied and assigned to.
+template <class Value>
+concept PlainValue = std::copyable<Value> && std::default_initializable<Value>;
+
+/// The first thing that is wrong with a problem type.
+template <class P>
+consteval Fault fault_of() {
+  if constexpr (!requires { typename P::Node; }) {
+    return Fault::no_node;
+  } else if constexpr (!requires { typename P::Solution; }) {
+    return Fault::no_solution;
+  } else if constexpr (!PlainValue<typename P::Node>) {
+    return Fault::node_not_a_value;
+  } else if constexpr (!PlainValue<typename P::Solution>) {
+    return Fault::solution_not_a_value;
+  } else if constexpr (!Serializable<typename P::Node>) {
+    return Fault::node_not_serializable;
+  } else if constexpr (!Serializable<typename P::Solution>) {
+    return Fault::solution_not_serializable;
+  } else if constexpr (!requires(const P& problem) {
+                         { problem.root() } -> std::same_as<typename P::Node>;
+                       }) {
+    return Fault::root;
+  } else if constexpr (!Problem<P>) {
+    return Fault::expand;
+  } else if constexpr (NamesObjective<P> && !Minimising<P>) {
+    return Fault::objective;
+  } else if constexpr (NamesBound<P> && !Minimising<P>) {
+    return Fault::bound_without_objective;
+  } else if constexpr (NamesBound<P> && !Bounded<P>) {
+    return Fault::bound;
+  } else if constexpr (NamesTally<P> && !Tallying<P>) {
+    return Fault::tally;
+  } else if constexpr (!PlainValue<TallyOf<P>>) {
+    return Fault::tally_not_a_value;
+  } else if constexpr (!Serializable<TallyOf<P>>) {
+    return Fault::tally_not_serializable;
+  } else if constexpr (NamesWorkOfFirstChild<P> && !Uneven<P>) {
+    return Fault::work_of_first_child;
+  } else {
+    return Fault::none;
+  }
+}
+
+/// Stops the compiler with a sentence unless `P` is a problem.
+template <class P>
+struct CheckedProblem {
+  static constexpr Fault fault = fault_of<P>();
+  static constexpr bool sound = fault == Fault::none;
+
+  static_assert(fault != Fault::no_node, "a problem needs a type Node: a subproblem");
+  static_assert(fault != Fault::no_solution, "a problem needs a type Solution: what is looked for");
+  static_assert(fault != Fault::node_not_a_value,
+                "a Node must be default constructible, copyable and assignable");
+  static_assert(fault != Fault::solution_not_a_value,
+                "a Solution must be default constructible, copyable and assignable");
+  static_assert(fault != Fault::node_not_serializable,
+                "a Node needs `template <class Archive> void serialize(Archive& archive, unsigned "
+                "version)`, or what Boost.Serialization has for its type must be included");
+  static_assert(fault != Fault::solution_not_serializable,
+                "a Solution needs `template <class Archive> void serialize(Archive& archive, "
+                "unsigned version)`, or what Boost.Serialization has for its type must be "
+                "included");
+  static_assert(fault != Fault::root, "a problem needs `Node root() const`");
+  static_assert(fault != Fault::expand,
+                "a problem needs `void expand(Node&& node, kusabi::engine::Expansion<P>& out)`, "
+                "where P is the problem itself");
+  static_assert(fault != Fault::objective,
+                "objective must be `double objective(const Solution& solution) const`");
+  static_assert(fault != Fault::bound, "bound must be `double bound(const Node& node) const`");
+  static_assert(fault != Fault::bound_without_objective,
+                "a problem with a bound needs `double objective(const Solution& solution) const`");
+  static_assert(fault != Fault::tally,
+                "tally must be `Tally tally() const`, and Tally a type of the problem");
+  static_assert(fault != Fault::tally_not_a_value,
+                "a Tally must be default constructible, copyable and assignable");
+  static_assert(fault != Fault::tally_not_serializable,
+                "a Tally needs `template <class Archive> void serialize(Archive& archive, unsigned "
+                "version)`, or what Boost.Serialization has for its type must be included");
+  static_assert(fault != Fault::work_of_first_child,
+                "work_of_first_child must be a `static constexpr double` greater than 0");
+
+  /// What a search of it yields; nothing if it cannot be searched, so that no more is said.
+  using OutcomeOrNothing = std::conditional_t<sound, Outcome<P>, void>;
+};
+
+/// The outcome of a search, unless `P` is no problem.
+template <class P>
+using OutcomeOf = typename CheckedProblem<P>::OutcomeOrNothing;
+
+}  // namespace kusabi::engine

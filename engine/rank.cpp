@@ -1,0 +1,215 @@
+// What a rank does step by step, from its first to its last.
+#include "engine/rank.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kusabi::engine {
+
+Rank::Rank(LocalSearch& local, Transport& transport, const Options& options)
+    : local_(local),
+      transport_(transport),
+      options_(options),
+      stride_(std::max(1U, options.nodes_per_step)),
+      lifelines_(transport.rank(), transport.size()),
+      started_(transport.now()),
+      now_(started_),
+      step_started_(started_),
+      last_survey_(started_),
+      last_checkpoint_(started_),
+      idle_since_(started_),
+      quiet_since_(started_) {
+  expect_checkpoint_options();
+  if (transport.size() > 1) victims_.emplace(transport.rank(), transport.size(), options.seed);
+  if (!options.checkpoint.resume_from.empty()) {
+    resume();
+  } else if (transport.rank() == 0) {
+    local_.plant();
+  }
+  if (keeps_checkpoints()) epoch_ = std::max(epoch_, newest_epoch(options.checkpoint.file));
+  if (options.trace_events > 0) begin_trace();
+}
+
+Pace Rank::step() {
+  now_ = transport_.now();
+  const double last_step = std::exchange(step_started_, now_);
+  if (std::exchange(worked_, false)) take_stock(now_ - last_step);
+  serve();
+  switch (phase_) {
+    case Phase::gathering:
+      gather();
+      break;
+    case Phase::searching:
+      if (idle()) ask();
+      [[fallthrough]];
+    case Phase::pausing:
+    case Phase::writing:
+      attend_survey();
+      break;
+    case Phase::closing:
+      close();
+      break;
+    case Phase::reporting:
+      if (transport_.rank() != 0 || reports_in_ == transport_.size() - 1) enter(Phase::done);
+      break;
+    case Phase::done:
+      break;
+  }
+  if (phase_ == Phase::searching && local_.has_nodes()) {
+    local_.open_nodes(stride_);
+    worked_ = true;
+  }
+  return pace();
+}
+
+double Rank::quiet_until() const {
+  const bool may_speak_any_time = options_.goal != Goal::all || phase_ != Phase::searching ||
+                                  options_.limits.nodes != Limits{}.nodes;
+  if (may_speak_any_time) return now_;
+  return joined_ ? infinity : last_survey_ + options_.survey_interval;
+}
+
+Rank::Ending Rank::ending() {
+  Ending ending;
+  ending.status = status_;
+  ending.open = last_wave_.open;
+  ending.saved = saved_ && status_ != Status::solved;
+  ending.bound = std::min(last_wave_.bound, last_wave_.objective);
+  if (trace_) {
+    traces_.resize(transport_.rank() == 0 ? static_cast<std::size_t>(transport_.size()) : 1);
+    traces_.front() = trace_->take();
+    align_clocks(traces_);
+    ending.traces = std::move(traces_);
+  }
+  return ending;
+}
+
+bool Rank::resting() const {
+  const bool pausing = phase_ == Phase::pausing || phase_ == Phase::writing;
+  return idle() || (pausing && !local_.expanding());
+}
+
+void Rank::enter(Phase phase) {
+  phase_ = phase;
+  record_activity();
+}
+
+void Rank::take_stock(double elapsed) {
+  adapt_stride(elapsed);
+  if (local_.just_improved()) tell(nobody);
+  if (!local_.has_nodes()) idle_since_ = quiet_since_ = now_;
+  record_activity();
+}
+
+void Rank::adapt_stride(double elapsed) {
+  constexpr double too_short = 10e-6;
+  constexpr double too_long = 20e-6;
+  constexpr unsigned largest = 4096;
+  if (options_.nodes_per_step != 0) return;
+  if (elapsed < too_short) stride_ = std::min(2 * stride_, largest);
+  if (elapsed > too_long) stride_ = std::max(stride_ / 2, 1U);
+}
+
+void Rank::poll() {
+  if (local_.checking()) return;
+  now_ = transport_.now();
+  if (local_.just_improved()) tell(nobody);
+  serve();
+  if (phase_ == Phase::searching) attend_survey();
+}
+
+void Rank::start_closing() {
+  if (idle()) {
+    local_.statistics().tail_seconds = now_ - idle_since_;
+    local_.statistics().idle_seconds += now_ - idle_since_;
+  }
+  enter(Phase::closing);
+}
+
+void Rank::close() {
+  if (!joined_ && asked_ == nobody) {
+    joined_ = true;
+    transport_.join_survey({.ranks = 1});
+  }
+  if (!joined_ || !transport_.survey()) return;
+  local_.statistics().seconds = now_ - started_;
+  if (trace_) trace_->end(transport_.now());
+  if (transport_.rank() != 0) send_report();
+  enter(Phase::reporting);
+}
+
+void Rank::send_report() {
+  if (trace_) {
+    for (auto& piece : trace_->take().pieces(options_.message_bytes / sizeof(TraceEvent) + 1)) {
+      transport_.send(0, Tag::report, pack(ReportPart{std::move(piece), {}}));
+    }
+  }
+  local_.report(options_.message_bytes, [this](Bytes body) {
+    transport_.send(0, Tag::report, pack(ReportPart{{}, std::move(body)}));
+  });
+}
+
+void Rank::receive_report(const Message& message) {
+  const auto part = unpack<ReportPart>(message.body);
+  if (!part.trace.events.empty()) receive_trace(message.from, part.trace);
+  if (!part.body.empty() && local_.receive_report(message.from, part.body)) ++reports_in_;
+}
+
+Pace Rank::pace() const {
+  if (phase_ == Phase::done) return {Pace::State::done, 0};
+  if (worked_) return {Pace::State::working, 0};
+  constexpr double shortest = 1e-6;
+  constexpr double longest = 1e-3;
+  // A short wait, spent awake: clocks are to be compared as closely as may be.
+  if (phase_ == Phase::gathering) return {Pace::State::waiting, shortest};
+  return {Pace::State::waiting, std::clamp(now_ - quiet_since_, shortest, longest)};
+}
+
+void Rank::begin_trace() {
+  trace_.emplace(options_.trace_events);
+  phase_ = Phase::gathering;
+  trace_->join(transport_.now());
+  transport_.join_survey({.ranks = 1});
+}
+
+void Rank::gather() {
+  if (!transport_.survey()) return;
+  now_ = last_survey_ = idle_since_ = quiet_since_ = transport_.now();
+  trace_->begin(now_);
+  enter(Phase::searching);
+}
+
+void Rank::record(TraceEvent::Kind kind, int peer, std::uint64_t value) {
+  if (!trace_) return;
+  trace_->record({.time = transport_.now(),
+                  .value = value,
+                  .open = local_.open(),
+                  .peer = peer,
+                  .kind = kind});
+}
+
+void Rank::record_activity() {
+  if (trace_) record(activity());
+}
+
+TraceEvent::Kind Rank::activity() const {
+  if (local_.expanding()) return TraceEvent::Kind::busy;
+  switch (phase_) {
+    case Phase::pausing:
+      return TraceEvent::Kind::pausing;
+    case Phase::writing:
+      return TraceEvent::Kind::writing;
+    case Phase::gathering:
+    case Phase::searching:
+      return idle() ? TraceEvent::Kind::idle : TraceEvent::Kind::busy;
+    default:
+      return TraceEvent::Kind::closing;
+  }
+}
+
+void Rank::receive_trace(int from, const RankTrace& piece) {
+  traces_.resize(static_cast<std::size_t>(transport_.size()));
+  traces_[static_cast<std::size_t>(from)].append(piece);
+}
+
+}  // namespace kusabi::engine

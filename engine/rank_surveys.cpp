@@ -1,0 +1,213 @@
+// What concerns all ranks at once: surveys, limits, checkpoints. Every rank sees the same waves.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "engine/checkpoint.hpp"
+#include "engine/rank.hpp"
+
+namespace kusabi::engine {
+
+void Rank::attend_survey() {
+  if (joined_) {
+    const auto wave = transport_.survey();
+    if (!wave) return;
+    joined_ = false;
+    last_survey_ = quiet_since_ = now_;
+    last_wave_ = *wave;
+    record(TraceEvent::Kind::survey_arrived, nobody, wave->idle);
+    act_on(*wave);
+    if (phase_ == Phase::closing) return;
+  }
+  // A resting rank joins at once: the wave then ends as soon as the last busy rank joins it.
+  const bool due = now_ - last_survey_ >= options_.survey_interval ||
+                   local_.statistics().opened >= options_.limits.nodes;
+  if (resting() || due) join();
+}
+
+void Rank::join() {
+  joined_ = true;
+  const auto& statistics = local_.statistics();
+  Survey own{.ranks = 1,
+             .idle = resting() ? 1U : 0U,
+             .sent = sent_,
+             .received = received_,
+             .opened = statistics.opened,
+             .open = local_.open(),
+             .found = local_.found(),
+             .fingerprint = statistics.fingerprint,
+             .wishes = wishes(),
+             .closed = local_.closed(),
+             .objective = local_.incumbent().objective,
+             .bound = local_.bound()};
+  const auto [opened, fingerprint] = local_.before();
+  own.opened += opened;
+  own.fingerprint += fingerprint;
+  record(TraceEvent::Kind::survey_joined);
+  transport_.join_survey(own);
+}
+
+std::uint64_t Rank::wishes() {
+  std::uint64_t wishes = 0;
+  if (std::exchange(failed_, false)) wishes |= wish_failed;
+  const Interrupt interrupt = options_.interrupt ? options_.interrupt() : Interrupt::none;
+  if (interrupt == Interrupt::stop) wishes |= wish_stop_interrupt;
+  if (interrupt == Interrupt::checkpoint) wishes |= wish_checkpoint;
+  if (transport_.rank() != 0) return wishes;
+  if (now_ - started_ >= options_.limits.seconds) wishes |= wish_stop_time;
+  if (now_ - last_checkpoint_ >= options_.checkpoint.interval) wishes |= wish_checkpoint;
+  return wishes;
+}
+
+void Rank::act_on(const Survey& wave) {
+  if (transport_.rank() == 0 && options_.progress) show(wave);
+  note_stop(wave);
+  switch (phase_) {
+    case Phase::searching:
+      if (termination_.observe(wave)) {
+        start_closing();
+      } else if (status_ != Status::solved ||
+                 ((wave.wishes & wish_checkpoint) != 0 && keeps_checkpoints())) {
+        enter(Phase::pausing);
+        termination_ = {};
+      }
+      break;
+    case Phase::pausing:
+      if (termination_.observe(wave)) act_at_rest(wave);
+      break;
+    case Phase::writing:
+      finish_checkpoint(wave);
+      status_ == Status::solved ? go_on() : start_closing();
+      break;
+    default:
+      break;
+  }
+}
+
+bool Rank::keeps_checkpoints() const {
+  return !options_.checkpoint.file.empty();
+}
+
+void Rank::note_stop(const Survey& wave) {
+  if (status_ != Status::solved) return;
+  if ((wave.wishes & wish_stop_interrupt) != 0) {
+    status_ = Status::interrupted;
+  } else if ((wave.wishes & wish_stop_time) != 0) {
+    status_ = Status::time_limit;
+  } else if (wave.opened >= options_.limits.nodes) {
+    status_ = Status::node_limit;
+  } else if (wave.found >= options_.limits.solutions) {
+    status_ = Status::solution_limit;
+  } else if (gap_closed(wave)) {
+    status_ = Status::gap_limit;
+  }
+}
+
+bool Rank::gap_closed(const Survey& wave) const {
+  if (options_.limits.gap <= 0 || !(wave.objective < infinity)) return false;
+  return wave.objective - wave.bound <= options_.limits.gap * std::abs(wave.objective);
+}
+
+void Rank::act_at_rest(const Survey& wave) {
+  if (wave.open == 0) {  // the tree was done after all
+    status_ = Status::solved;
+    start_closing();
+  } else if (status_ == Status::gap_limit && !gap_closed(wave)) {
+    status_ = Status::solved;  // an earlier wave missed a node that was on its way
+    go_on();
+  } else if (keeps_checkpoints()) {
+    write_checkpoint(wave);
+  } else {
+    status_ == Status::solved ? go_on() : start_closing();
+  }
+}
+
+void Rank::go_on() {
+  enter(Phase::searching);
+  termination_ = {};
+}
+
+void Rank::show(const Survey& wave) const {
+  options_.progress({.seconds = now_ - started_,
+                     .opened = wave.opened,
+                     .open = wave.open,
+                     .found = wave.found,
+                     .closed = std::min(1.0, wave.closed),
+                     .idle = wave.idle,
+                     .ranks = wave.ranks,
+                     .objective = wave.objective,
+                     .bound = wave.bound});
+}
+
+void Rank::expect_checkpoint_options() const {
+  const auto& [file, interval, resume_from, problem] = options_.checkpoint;
+  if (file.empty() && resume_from.empty()) return;
+  if (!problem) {
+    throw std::invalid_argument(
+        "a checkpoint needs the fingerprint of its problem; expected "
+        "Options::checkpoint.problem");
+  }
+  // No other rank can have written anything before this one takes part.
+  if (!file.empty() && transport_.rank() == 0) expect_no_other(file, resume_from);
+}
+
+Manifest Rank::manifest(const Survey& wave) const {
+  return {.problem = *options_.checkpoint.problem,
+          .epoch = epoch_,
+          .ranks = transport_.size(),
+          .opened = wave.opened,
+          .fingerprint = wave.fingerprint,
+          .open = wave.open,
+          .goal = name_of(options_.goal),
+          .node = local_.node_type(),
+          .solution = local_.solution_type()};
+}
+
+void Rank::write_checkpoint(const Survey& wave) {
+  enter(Phase::writing);
+  ++epoch_;
+  try {
+    write_part(options_.checkpoint.file, manifest(wave), transport_.rank(), local_.state());
+  } catch (const CheckpointError& error) {
+    warn(error.what());
+    failed_ = true;
+  }
+}
+
+void Rank::finish_checkpoint(const Survey& wave) {
+  last_checkpoint_ = now_;
+  saved_ = false;
+  if (transport_.rank() != 0) return;
+  if ((wave.wishes & wish_failed) != 0) {
+    warn("a part of checkpoint " + std::to_string(epoch_) + " could not be written; " +
+         "the one before still counts");
+    remove_leftovers(options_.checkpoint.file);
+    return;
+  }
+  try {
+    commit(options_.checkpoint.file, manifest(wave), good_epoch_);
+    good_epoch_ = epoch_;
+    saved_ = true;
+  } catch (const CheckpointError& error) {
+    warn(error.what());
+  }
+}
+
+void Rank::warn(const std::string& line) const {
+  if (options_.warn) options_.warn(line);
+}
+
+void Rank::resume() {
+  const auto& file = options_.checkpoint.resume_from;
+  const auto found = read_manifest(file);
+  expect_same_search(file, found, manifest({}));
+  epoch_ = good_epoch_ = found.epoch;
+  // As many ranks as there were, or fewer, or more: parts are dealt round, ranks without one ask.
+  for (int part = transport_.rank(); part < found.ranks; part += transport_.size()) {
+    local_.restore(read_part(file, found, part));
+  }
+}
+
+}  // namespace kusabi::engine

@@ -1,0 +1,43 @@
+// How finely objectives are told apart: in steps of about 1e-9 of their own size. Else many optima
+// that are equal but for rounding would all be searched for. The step depends on the objective
+// itself and on the program, never on a point that was found: the first may cost a penalty of 1e12.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace kusabi::nodes {
+
+class ObjectiveSteps {
+ public:
+  ObjectiveSteps() = default;
+  /// @param least_size objectives below this are told apart as if they were as large: zero has no
+  ///   size of its own
+  explicit ObjectiveSteps(double least_size) : least_size_(least_size) {}
+
+  [[nodiscard]] double least_size() const { return least_size_; }
+
+  /// The size that a difference of objectives is measured by.
+  [[nodiscard]] double size(double objective) const {
+    return std::max(std::abs(objective), least_size_);
+  }
+
+  /// Of the step around a finite objective: a power of two, 2^-30 of its size or somewhat more than
+  /// half of that.
+  [[nodiscard]] double width(double objective) const {
+    return std::ldexp(1.0, std::ilogb(size(objective)) - bits);
+  }
+
+  /// In whole steps; of two objectives the larger is never the smaller one in steps.
+  [[nodiscard]] double whole(double objective) const {
+    if (!std::isfinite(objective)) return objective;
+    const double step = width(objective);
+    return std::round(objective / step) * step;
+  }
+
+ private:
+  static constexpr int bits = 30;
+  double least_size_ = 1;
+};
+
+}  // namespace kusabi::nodes

@@ -1,0 +1,31 @@
+// The safe bound (safe_bound.hpp) of multipliers with 104 bits. Where costs differ by twelve
+// decades, a penalty beside a price, the residuals c - A'y of the best doubles y are rounding, and
+// what that costs is more than the objective may be wrong by.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nodes/linear/safe_bound.hpp"
+#include "numbers/precise.hpp"
+#include "problems/linear_program.hpp"
+
+namespace kusabi::nodes::linear {
+
+/// What to do about a residual that should be zero, of a column without the bound in question.
+enum class Residuals {
+  proved,    ///< the bound is minus infinity then: it holds in spite of rounding
+  forgiven,  ///< zero if it is rounding, a part of 2^-80 of its terms: no proof, but all digits
+};
+
+/// As safe_bound() of doubles. Errors of the 104 bits are bounded and taken off.
+SafeBound safe_bound(const problems::LinearProgram& program,
+                     std::span<const numbers::Precise> duals, std::span<const double> lower,
+                     std::span<const double> upper, Residuals residuals = Residuals::proved);
+
+/// As safe_infeasibility() of doubles: above zero if no point satisfies all rows and bounds.
+double safe_infeasibility(const problems::LinearProgram& program,
+                          std::span<const numbers::Precise> duals, std::span<const double> lower,
+                          std::span<const double> upper, Residuals residuals = Residuals::proved);
+
+}  // namespace kusabi::nodes::linear

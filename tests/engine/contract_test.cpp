@@ -1,0 +1,87 @@
+// A broken promise ends a search in every build, with the sentence and the place.
+#include "engine/contract.hpp"
+
+#include <optional>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/frontier.hpp"
+#include "engine/heap.hpp"
+#include "engine/lifelines.hpp"
+#include "engine/search.hpp"
+#include "engine/victims.hpp"
+#include "tests/engine/random_tree.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+using testing::MatchesRegex;
+
+std::string complaint(auto&& act) {
+  try {
+    act();
+    return "none";
+  } catch (const ContractBroken& broken) {
+    return broken.what();
+  }
+}
+
+TEST(Contract, NamesFileLineAndPromise) {
+  EXPECT_EQ(complaint([] { ensure(true, "the sun rises"); }), "none");
+  EXPECT_THAT(complaint([] { ensure(false, "the sun rises"); }),
+              MatchesRegex("engine/contract_test.cpp:[0-9]+: a promise is broken: the sun rises"));
+}
+
+TEST(Contract, HoldsForWhatKeepsNodes) {
+  Frontier<int> frontier;
+  EXPECT_THROW(frontier.open(), ContractBroken);
+  EXPECT_THAT(complaint([&] { frontier.give(100); }),
+              MatchesRegex("engine/frontier.hpp:[0-9]+: a promise is broken: a frontier gives only "
+                           "if a node is left"));
+  frontier.plant(1);
+  EXPECT_THROW(frontier.take({{}, {{1, 0, 0}}}), ContractBroken);
+  Heap<int> heap;
+  EXPECT_THROW(heap.give(100), ContractBroken);
+}
+
+TEST(Contract, HoldsForWhomWorkIsAskedOf) {
+  EXPECT_THROW(Victims(0, 1, 1), ContractBroken);
+  Lifelines lifelines(0, 8);
+  EXPECT_THROW(lifelines.take(), ContractBroken);
+  EXPECT_THROW(lifelines.served_by(3), ContractBroken);
+}
+
+// One rank of two, whose other rank answers what nobody has asked.
+class Babbling final : public Transport {
+ public:
+  explicit Babbling(Tag tag) : tag_(tag) {}
+  [[nodiscard]] int rank() const override { return 0; }
+  [[nodiscard]] int size() const override { return 2; }
+  [[nodiscard]] double now() const override { return 0; }
+  void send(int /*to*/, Tag /*tag*/, Bytes /*body*/) override {}
+  std::optional<Message> receive() override { return Message{1, tag_, {}}; }
+  void join_survey(const Survey& /*own*/) override {}
+  std::optional<Survey> survey() override { return std::nullopt; }
+  void abandon(const std::string& reason) override { abandoned = reason; }
+
+  std::string abandoned;
+
+ private:
+  Tag tag_;
+};
+
+TEST(Contract, HoldsForAnswersThatNobodyHasAskedFor) {
+  for (const auto tag : {Tag::gift, Tag::refusal}) {
+    Babbling transport(tag);
+    examples::RandomTree tree(1, 5);
+    EXPECT_THAT(complaint([&] { search(tree, transport); }),
+                MatchesRegex("engine/.*: a promise is broken: a (gift|refusal) comes from the rank "
+                             "that was asked"));
+    EXPECT_NE(transport.abandoned, "");
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::engine

@@ -1,0 +1,13 @@
+// error: tally must be `Tally tally() const`, and Tally a type of the problem
+#include "tests/engine/misshapen/right.hpp"
+
+using namespace misshapen;
+
+struct Problem : Right<Problem> {
+  using Tally = int;
+  Tally tally() { return 0; }
+};
+
+void look(Problem& problem) {
+  kusabi::engine::search(problem);
+}

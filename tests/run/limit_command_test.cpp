@@ -1,0 +1,132 @@
+// `kusabi limit` on trusses that once came out wrong, with the truth; and stopped half-way.
+#include <cmath>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "shell.hpp"
+
+namespace kusabi::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+std::string case_file(const std::string& name) {
+  return quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/" + name);
+}
+
+std::string example(const std::string& name) {
+  return quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
+}
+
+class LimitCommand : public Command {
+ protected:
+  // The result of a call, which must exit with `exit_code`.
+  Json result_of(const std::string& call, int exit_code = 0) const {
+    const auto run = shell(command + " limit " + call + " --output " + argument("out.json"));
+    EXPECT_EQ(run.exit_code, exit_code) << run.output;
+    return Json::parse(content(in_folder("out.json")));
+  }
+};
+
+void expect_proved(const Json& json, double factor, double near) {
+  EXPECT_EQ(json["status"], "solved");
+  const auto& ends = json["result"]["worst_case"];
+  EXPECT_EQ(ends["proved"], true);
+  EXPECT_NEAR(ends["lower"].get<double>(), factor, near);
+  EXPECT_NEAR(ends["upper"].get<double>(), factor, near);
+  EXPECT_LE(ends["lower"].get<double>(), ends["upper"].get<double>());
+}
+
+// Equilibrium leaves the force of a hanging cable no choice: no proof may ask for room there. By
+// hand: both bars yield, sqrt(2) - alpha.
+TEST_F(LimitCommand, ProvesATrussWithAnIdleCable) {
+  expect_proved(result_of(case_file("tie.toml") + " --alpha 0.1"), std::sqrt(2.0) - 0.1, 1e-8);
+}
+
+// One yield force of 8e12 stands for "never": the others do not change their answer for it, which
+// is that of the paper's truss (tests/reference/limit.json).
+TEST_F(LimitCommand, ProvesATrussWithMembersThatNeverYield) {
+  const auto never = result_of(case_file("rigid_8e12.toml") + " --alpha 40");
+  const auto usual = result_of(example("grid-3x3.toml") + " --alpha 40");
+  expect_proved(never, usual["result"]["worst_case"]["upper"].get<double>(), 1e-6);
+  expect_proved(never, 37.0120, 1e-4);
+}
+
+// By hand: with s = sin 45, the bars carry up to 2 s of vertical force, so that 3 - 2 s <= lambda
+// <= 3 + 2 s.
+TEST_F(LimitCommand, SaysWhichFactorsAreCarriedIfZeroIsNot) {
+  const auto run = shell(command + " limit " + case_file("lambda_zero_not_carried.toml"));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.output, HasSubstr("nominal load factor 4.414213562"));
+  EXPECT_THAT(run.output,
+              HasSubstr("the dead load alone is not carried: factors from 1.585786438"));
+  const auto json = result_of(case_file("lambda_zero_not_carried.toml"));
+  const auto& interval = json["result"]["nominal_interval"];
+  EXPECT_NEAR(interval[0].get<double>(), 3 - std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(interval[1].get<double>(), 3 + std::sqrt(2.0), 1e-9);
+}
+
+// The interval is not mentioned where zero is in it.
+TEST_F(LimitCommand, SaysNothingOfZeroWhereItIsCarried) {
+  const auto run = shell(command + " limit " + example("grid-3x3.toml") + " --alpha 40");
+  EXPECT_THAT(run.output, Not(HasSubstr("alone")));
+}
+
+TEST_F(LimitCommand, EveryMethodHandsOverACertificate) {
+  for (const char* cuts : {"none", "disjunctive", "tighten", "static", "all"}) {
+    const auto file = argument(std::string("cert-") + cuts);
+    const auto truss_of = example("static-gap.toml");
+    const auto run = shell(command + " limit " + truss_of + " --alpha 0.35 --cuts " + cuts +
+                           " --certificate " + file);
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("wrote "));
+    const auto proved = shell(command + " verify " + file + " --problem " + truss_of);
+    EXPECT_EQ(proved.exit_code, 0) << proved.output;
+    EXPECT_THAT(proved.output, HasSubstr("PROVED"));
+  }
+}
+
+TEST_F(LimitCommand, HandsOverACertificateWithTheCutsOfThePaper) {
+  const auto run = shell(command + " limit " + example("grid-4x4.toml") +
+                         " --alpha 40 --cuts disjunctive --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto proved = shell(command + " verify " + argument("cert"));
+  EXPECT_THAT(proved.output, HasSubstr("PROVED: the least load factor for alpha = 40"));
+}
+
+// Its evidence needs more room than the first try leaves: it once ended at minus infinity.
+TEST_F(LimitCommand, ProvesTheGridOfSixteenBays) {
+  shell(command + " example grid --bays 16 --output " + argument("grid.toml"));
+  expect_proved(result_of(argument("grid.toml") + " --alpha 40"), -10.2734733, 1e-6);
+}
+
+// The whole takes seconds at the root alone; what is known then must hold.
+TEST_F(LimitCommand, ATimeLimitReachesTheRoot) {
+  shell(command + " example grid --bays 12 --output " + argument("grid.toml"));
+  const auto whole = result_of(argument("grid.toml") + " --alpha 40");
+  const auto json = result_of(argument("grid.toml") + " --alpha 40 --time-limit 0.3", 3);
+  EXPECT_EQ(json["status"], "time-limit");
+  if (!json["result"].contains("worst_case")) return;  // not even the nominal factor was found
+  const auto& truth = whole["result"]["worst_case"];
+  const auto& ends = json["result"]["worst_case"];
+  EXPECT_EQ(ends["proved"], false);
+  EXPECT_GE(ends["upper"], truth["lower"]);
+  if (!ends["lower"].is_null()) {
+    EXPECT_LE(ends["lower"], truth["upper"]);
+  }
+}
+
+TEST_F(LimitCommand, AStoppedSearchSaysWhatIsNotProved) {
+  shell(command + " example grid --bays 10 --output " + argument("grid.toml"));
+  const auto run = shell(command + " limit " + argument("grid.toml") +
+                         " --alpha 40 --time-limit 0.2 --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("stopped early (time-limit)"));
+  EXPECT_THAT(run.output, Not(HasSubstr("proved\n  critical")));
+}
+
+}  // namespace
+}  // namespace kusabi::test

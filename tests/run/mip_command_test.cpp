@@ -1,0 +1,175 @@
+// `kusabi mip` as a user calls it: programs that once came out wrong, what is said of them, and
+// ends in time.
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shell.hpp"
+
+namespace {
+
+using kusabi::test::command;
+using kusabi::test::content;
+using kusabi::test::quoted;
+using kusabi::test::ranks;
+using kusabi::test::shell;
+using testing::HasSubstr;
+using testing::Not;
+
+class MipCommand : public kusabi::test::Command {
+ protected:
+  struct Answer {
+    int exit_code;
+    std::string said;
+    nlohmann::json result;
+  };
+
+  // Of a file given by its path.
+  [[nodiscard]] Answer solve(const std::string& file, const std::string& options = "",
+                             const std::string& launcher = "") const {
+    const auto json = in_folder("answer.json");
+    const auto run = shell(launcher + command + " mip " + quoted(file) + " " + options +
+                           " --output " + quoted(json));
+    Answer answer{run.exit_code, run.output, {}};
+    if (std::ifstream(json)) answer.result = nlohmann::json::parse(content(json))["result"];
+    return answer;
+  }
+
+  [[nodiscard]] std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(in_folder(name)) << text;
+    return in_folder(name);
+  }
+};
+
+std::string source(const std::string& name) {
+  return std::string(KUSABI_SOURCE_DIR) + "/tests/" + name;
+}
+
+const std::vector<std::string> ways{"", "--cuts disjunctive", "--no-tighten --no-dive",
+                                    "--branching look-ahead",
+                                    "--cuts disjunctive --no-dive --branching look-ahead"};
+
+TEST_F(MipCommand, IsRightWhereItOnceWasWrong) {
+  struct Known {
+    const char* name;
+    double optimum;
+  };
+  for (const auto& [name, optimum] :
+       {Known{"penalty_min.mps", 48}, Known{"objective_rhs.mps", 13}, Known{"root_nan.mps", 0}}) {
+    for (const auto& way : ways) {
+      const auto answer = solve(source("cases/") + name, way);
+      EXPECT_EQ(answer.exit_code, 0) << name << answer.said;
+      ASSERT_EQ(answer.result["answer"], "optimal") << name << way;
+      EXPECT_NEAR(answer.result["objective"], optimum, 1e-12) << name << way;
+      EXPECT_NEAR(answer.result["bound"], optimum, 1e-6) << name << way;
+      // Only a point, found by diving, bounds the columns that have no bounds.
+      if (way.find("--no-dive") != std::string::npos) continue;
+      EXPECT_EQ(answer.result["proved"], true) << name << way;
+    }
+  }
+  const auto none = solve(source("cases/no_entries.mps"));
+  EXPECT_EQ(none.exit_code, 0) << none.said;
+  EXPECT_EQ(none.result["answer"], "infeasible");
+}
+
+TEST_F(MipCommand, SolvesSmallProgramsOfTheClassicKinds) {
+  struct Known {
+    const char* name;
+    double optimum;
+  };
+  for (const auto& [name, optimum] : {Known{"set-cover.mps", 5}, Known{"p-median.mps", 11},
+                                      Known{"generalised-assignment.mps", 27}}) {
+    for (const auto& way : ways) {
+      const auto answer = solve(source("programs/") + name, way);
+      EXPECT_EQ(answer.exit_code, 0) << name << way;
+      EXPECT_EQ(answer.result["answer"], "optimal") << name << way;
+      EXPECT_NEAR(answer.result["objective"], optimum, 1e-9) << name << way;
+    }
+  }
+}
+
+TEST_F(MipCommand, KnowsAnUnboundedProgramByBoundsOf1e30AndBothSenses) {
+  const auto program = [](const char* sense, const char* bound) {
+    return fmt::format(
+        "{}NAME T\nROWS\n N c\n L l\nCOLUMNS\n M 'MARKER' 'INTORG'\n b c 1 l 1\n M 'MARKER' "
+        "'INTEND'\n x c 2\n x l -1\nRHS\n R l 4\nBOUNDS\n UP B b 1\n{}ENDATA\n",
+        sense, bound);
+  };
+  for (const auto& text :
+       {program("OBJSENSE MAX\n", ""), program("OBJSENSE MAX\n", " UP B x 1e30\n"),
+        program("", " LO B x -1e30\n UP B x 7\n")}) {
+    const auto unbounded =
+        solve(file("u.mps", text.find("LO B x") == std::string::npos
+                                ? text
+                                : std::string(text).replace(text.find("x l -1"), 6, "x l  1")));
+    EXPECT_EQ(unbounded.exit_code, 0) << unbounded.said;
+    EXPECT_EQ(unbounded.result["answer"], "unbounded") << text;
+  }
+  const auto bounded = solve(file("b.mps", program("OBJSENSE MAX\n", " UP B x 1e6\n")));
+  EXPECT_EQ(bounded.result["answer"], "optimal");
+  EXPECT_NEAR(bounded.result["objective"], 2e6 + 1, 1e-3);
+}
+
+TEST_F(MipCommand, WarnsOfANegativeUpperBound) {
+  const auto answer = solve(
+      file("w.mps",
+           "ROWS\n N c\n G g\nCOLUMNS\n x c 1 g 1\nRHS\n R g -9\nBOUNDS\n UP B x -2\nENDATA\n"));
+  EXPECT_EQ(answer.exit_code, 0);
+  EXPECT_NEAR(answer.result["objective"], -9, 1e-12);
+  EXPECT_THAT(answer.said, HasSubstr("w.mps:9: column \"x\" has an upper bound of -2"));
+}
+
+// Knapsacks with equal ratios: no bound closes anything early.
+std::string market_split(int rows, int columns) {
+  std::mt19937 draw(3);
+  std::string text = "OBJSENSE MAX\nNAME HARD\nROWS\n N c\n";
+  for (int i = 0; i < rows; ++i) text += fmt::format(" L r{}\n", i);
+  text += "COLUMNS\n M 'MARKER' 'INTORG'\n";
+  std::vector<long> sums(static_cast<std::size_t>(rows));
+  for (int j = 0; j < columns; ++j) {
+    text += fmt::format(" x{} c {}\n", j, 90 + draw() % 20);
+    for (int i = 0; i < rows; ++i) {
+      const auto value = static_cast<long>(10 + draw() % 90);
+      sums[static_cast<std::size_t>(i)] += value;
+      text += fmt::format(" x{} r{} {}\n", j, i, value);
+    }
+  }
+  text += " M 'MARKER' 'INTEND'\nRHS\n";
+  for (int i = 0; i < rows; ++i) {
+    text += fmt::format(" R r{} {}\n", i, sums[static_cast<std::size_t>(i)] / 2);
+  }
+  text += "BOUNDS\n";
+  for (int j = 0; j < columns; ++j) text += fmt::format(" BV B x{}\n", j);
+  return text + "ENDATA\n";
+}
+
+TEST_F(MipCommand, EndsWithinASecondOfItsTimeLimitAtTheRootToo) {
+  const auto hard = file("hard.mps", market_split(60, 300));
+  for (const std::string& launcher : {std::string(), ranks(2)}) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto answer = solve(hard, "--cuts disjunctive --time-limit 1", launcher);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    EXPECT_EQ(answer.exit_code, 3) << answer.said;
+    EXPECT_LT(taken.count(), 6) << "two, and a slow machine";
+    EXPECT_EQ(answer.result["answer"], "feasible") << answer.said;
+    EXPECT_GE(answer.result["bound"], answer.result["objective"]);
+    EXPECT_GT(answer.result["objective"], 0);
+  }
+}
+
+TEST_F(MipCommand, ShowsAMaximumInTheSenseOfTheFile) {
+  const auto answer = solve(file("hard.mps", market_split(5, 60)), "--time-limit 5");
+  EXPECT_THAT(answer.said, HasSubstr("objective"));
+  EXPECT_THAT(answer.said, Not(testing::ContainsRegex(" -[0-9]+\\.?[0-9]* +-[0-9]")));
+  EXPECT_GT(answer.result["objective"], 0);
+}
+
+}  // namespace
