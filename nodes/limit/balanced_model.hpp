@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "problems/limit_analysis.hpp"
+#include "problems/limit/limit_analysis.hpp"
 
 namespace kusabi::nodes::limit {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "engine/expansion.hpp"
-#include "nodes/critical_friction.hpp"
+#include "nodes/wedged/critical_friction.hpp"
 
 namespace kusabi::nodes {
 

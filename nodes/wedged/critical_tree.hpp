@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "engine/expansion.hpp"
-#include "nodes/critical_friction.hpp"
-#include "nodes/sign_pattern.hpp"
+#include "nodes/wedged/critical_friction.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 
 namespace kusabi::nodes {
 

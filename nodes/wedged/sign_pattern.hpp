@@ -31,11 +31,11 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/expansion.hpp"
-#include "nodes/branching.hpp"
-#include "nodes/contact_solver.hpp"
-#include "nodes/facets.hpp"
-#include "problems/problem_block.hpp"
-#include "problems/wedged_problem.hpp"
+#include "nodes/wedged/branching.hpp"
+#include "nodes/wedged/contact_solver.hpp"
+#include "nodes/wedged/facets.hpp"
+#include "problems/wedged/problem_block.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::nodes {
 

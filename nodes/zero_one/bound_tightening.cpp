@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "nodes/linear/precise_bound.hpp"
-#include "nodes/linear/precise_simplex.hpp"
-#include "nodes/linear/safe_bound.hpp"
+#include "solvers/linear/precise_bound.hpp"
+#include "solvers/linear/precise_simplex.hpp"
+#include "solvers/linear/safe_bound.hpp"
 
 namespace kusabi::nodes {
 namespace {

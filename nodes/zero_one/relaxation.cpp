@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "nodes/linear/precise_bound.hpp"
+#include "solvers/linear/precise_bound.hpp"
 
 namespace kusabi::nodes {
 namespace {

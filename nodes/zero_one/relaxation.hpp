@@ -15,15 +15,15 @@
 #include <utility>
 #include <vector>
 
-#include "nodes/linear/basis.hpp"
-#include "nodes/linear/precise_simplex.hpp"
-#include "nodes/linear/safe_bound.hpp"
-#include "nodes/linear/simplex.hpp"
-#include "nodes/linear/stop.hpp"
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/implied_bounds.hpp"
 #include "nodes/zero_one/objective_steps.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/basis.hpp"
+#include "solvers/linear/linear_program.hpp"
+#include "solvers/linear/precise_simplex.hpp"
+#include "solvers/linear/safe_bound.hpp"
+#include "solvers/linear/simplex.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::nodes {
 

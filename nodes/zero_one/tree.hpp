@@ -18,7 +18,6 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/expansion.hpp"
-#include "nodes/linear/basis.hpp"
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/incumbent_search.hpp"
 #include "nodes/zero_one/relaxation.hpp"

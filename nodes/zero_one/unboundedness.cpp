@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "nodes/linear/precise_simplex.hpp"
+#include "solvers/linear/precise_simplex.hpp"
 
 namespace kusabi::nodes {
 

@@ -1,8 +1,8 @@
 // Whether a program without an optimum has none because its objective falls for ever.
 #pragma once
 
-#include "nodes/linear/stop.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/linear_program.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::nodes {
 

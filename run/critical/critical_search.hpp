@@ -2,11 +2,11 @@
 #pragma once
 
 #include "engine/options.hpp"
-#include "problems/wedged_problem.hpp"
-#include "run/budget.hpp"
-#include "run/critical.hpp"
-#include "run/critical_report.hpp"
-#include "run/session.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "run/critical/critical.hpp"
+#include "run/critical/critical_report.hpp"
+#include "run/session/budget.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

@@ -1,21 +1,21 @@
 // From the file to the report, on all ranks.
-#include "run/limit.hpp"
+#include "run/limit/limit.hpp"
 
 #include <optional>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "problems/limit_problem.hpp"
-#include "problems/structure_file.hpp"
-#include "run/exit_code.hpp"
-#include "run/last_steps.hpp"
-#include "run/limit_report.hpp"
-#include "run/limit_search.hpp"
-#include "run/output_file.hpp"
-#include "run/outputs.hpp"
-#include "run/result_file.hpp"
-#include "run/standard_output.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "run/limit/limit_report.hpp"
+#include "run/limit/limit_search.hpp"
+#include "run/output/exit_code.hpp"
+#include "run/output/last_steps.hpp"
+#include "run/output/output_file.hpp"
+#include "run/output/outputs.hpp"
+#include "run/output/result_file.hpp"
+#include "run/output/standard_output.hpp"
 #include "verify/limit_certificate.hpp"
 
 namespace kusabi::run {

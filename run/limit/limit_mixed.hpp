@@ -6,10 +6,10 @@
 
 #include "engine/outcome.hpp"
 #include "nodes/limit/worst_case.hpp"
-#include "problems/limit_analysis.hpp"
-#include "run/budget.hpp"
-#include "run/limit.hpp"
-#include "run/session.hpp"
+#include "problems/limit/limit_analysis.hpp"
+#include "run/limit/limit.hpp"
+#include "run/session/budget.hpp"
+#include "run/session/session.hpp"
 
 namespace kusabi::run {
 

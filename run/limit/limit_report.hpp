@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "problems/limit_problem.hpp"
-#include "run/limit.hpp"
-#include "run/limit_answer.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "run/limit/limit.hpp"
+#include "run/limit/limit_answer.hpp"
 
 namespace kusabi::run {
 

@@ -8,21 +8,21 @@
 
 #include <fmt/format.h>
 
-#include "nodes/linear/program_file.hpp"
+#include "engine/signals.hpp"
 #include "nodes/zero_one/unboundedness.hpp"
-#include "problems/fingerprint.hpp"
-#include "run/budget.hpp"
-#include "run/exit_code.hpp"
-#include "run/last_steps.hpp"
-#include "run/mip_report.hpp"
-#include "run/outputs.hpp"
-#include "run/rank_table.hpp"
-#include "run/restart.hpp"
-#include "run/result_file.hpp"
-#include "run/shown_search.hpp"
-#include "run/signals.hpp"
-#include "run/standard_output.hpp"
-#include "run/told.hpp"
+#include "run/mip/mip_report.hpp"
+#include "run/output/exit_code.hpp"
+#include "run/output/last_steps.hpp"
+#include "run/output/outputs.hpp"
+#include "run/output/rank_table.hpp"
+#include "run/output/result_file.hpp"
+#include "run/output/standard_output.hpp"
+#include "run/session/budget.hpp"
+#include "run/session/restart.hpp"
+#include "run/session/shown_search.hpp"
+#include "run/session/told.hpp"
+#include "solvers/linear/program_file.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 namespace {

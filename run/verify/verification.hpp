@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/expansion.hpp"
-#include "run/index_range.hpp"
+#include "run/session/index_range.hpp"
 #include "verify/certificate.hpp"
 #include "verify/proof.hpp"
 

@@ -1,5 +1,5 @@
 // Section by section; what a section says is kept as it is, and put together at the end.
-#include "nodes/linear/mps_file.hpp"
+#include "solvers/linear/mps_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,8 @@
 
 #include <fmt/format.h>
 
-#include "nodes/linear/mps_lines.hpp"
-#include "problems/input_error.hpp"
+#include "solvers/linear/mps_lines.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::nodes::linear {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "nodes/linear/program_file.hpp"
+#include "solvers/linear/program_file.hpp"
 
 namespace kusabi::nodes::linear {
 

@@ -1,5 +1,5 @@
 // Fields by blanks or by columns.
-#include "nodes/linear/mps_lines.hpp"
+#include "solvers/linear/mps_lines.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // Sums of 104 bits, each with what it may be wrong by.
-#include "nodes/linear/precise_bound.hpp"
+#include "solvers/linear/precise_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "nodes/linear/rounded.hpp"
+#include "solvers/linear/rounded.hpp"
 
 namespace kusabi::nodes::linear {
 namespace {

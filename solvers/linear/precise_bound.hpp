@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "nodes/linear/safe_bound.hpp"
-#include "numbers/precise.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/linear_program.hpp"
+#include "solvers/linear/safe_bound.hpp"
+#include "support/numbers/precise.hpp"
 
 namespace kusabi::nodes::linear {
 

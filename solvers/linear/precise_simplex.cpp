@@ -1,5 +1,5 @@
 // A basis in 104 bits, and rounds that scale up what is left.
-#include "nodes/linear/precise_simplex.hpp"
+#include "solvers/linear/precise_simplex.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,11 +11,11 @@
 
 #include <vector>
 
-#include "nodes/linear/basis.hpp"
-#include "nodes/linear/simplex.hpp"
-#include "nodes/linear/stop.hpp"
-#include "numbers/precise.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/basis.hpp"
+#include "solvers/linear/linear_program.hpp"
+#include "solvers/linear/simplex.hpp"
+#include "support/stop.hpp"
+#include "support/numbers/precise.hpp"
 
 namespace kusabi::nodes::linear {
 

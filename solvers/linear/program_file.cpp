@@ -1,6 +1,6 @@
 // Which reader a file is for. Of an LP file GLPK's messages are the message, and what it has read
 // becomes plain data.
-#include "nodes/linear/program_file.hpp"
+#include "solvers/linear/program_file.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,9 +15,9 @@
 #include <glpk.h>
 #include <zlib.h>
 
-#include "nodes/linear/glpk_call.hpp"
-#include "nodes/linear/mps_file.hpp"
-#include "problems/input_error.hpp"
+#include "solvers/linear/glpk_call.hpp"
+#include "solvers/linear/mps_file.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::nodes::linear {
 namespace {

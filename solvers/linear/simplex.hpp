@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "nodes/linear/basis.hpp"
-#include "nodes/linear/stop.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/basis.hpp"
+#include "solvers/linear/linear_program.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::nodes::linear {
 

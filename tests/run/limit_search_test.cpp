@@ -1,7 +1,7 @@
 // The worst case of random trusses against all corners of their loads: each end must be proved, and
 // the upper one be that of the worst corner. KUSABI_TRUSSES sets how many, KUSABI_SEED where to
 // begin.
-#include "run/limit_search.hpp"
+#include "run/limit/limit_search.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -14,8 +14,8 @@
 
 #include "nodes/limit/balanced_model.hpp"
 #include "nodes/limit/load_factor.hpp"
-#include "problems/input_error.hpp"
-#include "run/session.hpp"
+#include "run/session/session.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "engine/search.hpp"
-#include "nodes/sha1.hpp"
-#include "nodes/sign_pattern.hpp"
-#include "problems/structure_file.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
+#include "problems/files/structure_file.hpp"
+#include "support/sha1.hpp"
 #include "verify/agreement.hpp"
 #include "verify/certificate.hpp"
 #include "verify/cover.hpp"

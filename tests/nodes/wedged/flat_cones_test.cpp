@@ -10,13 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
-#include "nodes/maximal_cones.hpp"
-#include "nodes/sign_pattern.hpp"
-#include "problems/input_error.hpp"
-#include "problems/precise_compliance.hpp"
-#include "problems/rays/double_description.hpp"
-#include "problems/rays/maximal_cones.hpp"
-#include "problems/space_truss.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
+#include "problems/families/space_truss.hpp"
+#include "problems/wedged/precise_compliance.hpp"
 #include "random_structure.hpp"
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/maximal_cones.hpp"

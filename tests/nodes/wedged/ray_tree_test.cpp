@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
-#include "problems/plane_truss.hpp"
-#include "problems/precise_compliance.hpp"
+#include "problems/families/plane_truss.hpp"
+#include "problems/wedged/precise_compliance.hpp"
 
 namespace kusabi::nodes {
 namespace {

@@ -12,7 +12,7 @@
 
 #include <gmpxx.h>
 
-#include "problems/linear_program.hpp"
+#include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::tests {
 

@@ -18,7 +18,7 @@
 #include "exact_optimum.hpp"
 #include "nodes/zero_one/tree.hpp"
 #include "nodes/zero_one/unboundedness.hpp"
-#include "problems/linear_program.hpp"
+#include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::nodes {
 namespace {

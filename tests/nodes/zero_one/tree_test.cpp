@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
-#include "nodes/linear/program_file.hpp"
-#include "problems/input_error.hpp"
+#include "solvers/linear/program_file.hpp"
+#include "support/input_error.hpp"
 #include "tests/nodes/zero_one/programs.hpp"
 
 namespace kusabi::nodes {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "nodes/linear/mps_file.hpp"
-#include "problems/input_error.hpp"
+#include "solvers/linear/mps_file.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::nodes::linear {
 namespace {

@@ -1,6 +1,6 @@
 // Sums and products rounded down and up, against rational numbers: on the safe side of the truth
 // always, and nowhere two numbers away from it.
-#include "nodes/linear/rounded.hpp"
+#include "solvers/linear/rounded.hpp"
 
 #include <bit>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "nodes/limit/sign_tree.hpp"
-#include "problems/limit_problem.hpp"
+#include "problems/limit/limit_problem.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/limit_proof.hpp"
 #include "verify/structure.hpp"

@@ -1,9 +1,9 @@
 // One clock and one note of signals.
-#include "run/budget.hpp"
+#include "run/session/budget.hpp"
 
 #include <algorithm>
 
-#include "run/signals.hpp"
+#include "engine/signals.hpp"
 
 namespace kusabi::run {
 

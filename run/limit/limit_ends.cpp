@@ -1,5 +1,5 @@
 // Room for rounding, as little as will do.
-#include "run/limit_ends.hpp"
+#include "run/limit/limit_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "nodes/limit/worst_case.hpp"
-#include "run/limit_evidence.hpp"
+#include "run/evidence/limit_evidence.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_proof.hpp"
 

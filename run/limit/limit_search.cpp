@@ -1,5 +1,5 @@
 // Every rank does the work at the root alike, but for the pricing of cuts, which is shared.
-#include "run/limit_search.hpp"
+#include "run/limit/limit_search.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -20,15 +20,15 @@
 #include "nodes/limit/balanced_model.hpp"
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
-#include "problems/limit_analysis.hpp"
-#include "run/budget.hpp"
-#include "run/limit_ends.hpp"
-#include "run/limit_mixed.hpp"
-#include "run/shared_work.hpp"
-#include "run/shown_search.hpp"
-#include "run/standard_output.hpp"
-#include "run/told.hpp"
-#include "run/verified_structure.hpp"
+#include "problems/limit/limit_analysis.hpp"
+#include "run/evidence/verified_structure.hpp"
+#include "run/limit/limit_ends.hpp"
+#include "run/limit/limit_mixed.hpp"
+#include "run/output/standard_output.hpp"
+#include "run/session/budget.hpp"
+#include "run/session/shared_work.hpp"
+#include "run/session/shown_search.hpp"
+#include "run/session/told.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <optional>
 
-#include "problems/limit_problem.hpp"
-#include "run/limit.hpp"
-#include "run/limit_answer.hpp"
-#include "run/session.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "run/limit/limit.hpp"
+#include "run/limit/limit_answer.hpp"
+#include "run/session/session.hpp"
 #include "verify/limit_certificate.hpp"
 
 namespace kusabi::run {

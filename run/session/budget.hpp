@@ -5,7 +5,7 @@
 
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
-#include "nodes/linear/stop.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::run {
 
