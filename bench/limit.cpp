@@ -24,7 +24,7 @@
 namespace {
 
 using namespace kusabi;
-using namespace kusabi::nodes::limit;
+using namespace kusabi::limit;
 
 struct Solved {
   RootResult root;
@@ -116,7 +116,7 @@ void gaps(std::uint32_t count) {
       fmt::print("seed {}: alpha {}, bound {:.6f}, least factor {:.6f}, {} nodes\n", seed, alpha,
                  solved->root.lower * model.factor_unit, solved->least * model.factor_unit,
                  solved->nodes);
-    } catch (const problems::InputError&) {
+    } catch (const support::InputError&) {
       continue;  // two nodes at one place, or a mechanism
     }
   }

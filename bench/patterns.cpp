@@ -175,7 +175,7 @@ void measure_facets(const Instance& instance) {
   fmt::print("{:<10} {:>9} {:>13} {:>9} {:>12}\n", "facets", "nodes", "candidates", "patterns",
              "CPU seconds");
   for (const int facets : {4, 8, 16, 32, 0}) {
-    nodes::SignPatternTree tree(problem, friction, {.tolerances = {}, .facets = facets});
+    wedged::SignPatternTree tree(problem, friction, {.tolerances = {}, .facets = facets});
     const auto start = std::clock();
     const auto outcome = engine::search(tree);
     const auto seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -191,7 +191,7 @@ void measure_facets(const Instance& instance) {
 void measure_estimates(const Instance& instance) {
   const auto problem = announced(instance, "time left");
   const std::vector<double> friction(problem.contact_names.size(), instance.friction);
-  nodes::SignPatternTree tree(problem, friction);
+  wedged::SignPatternTree tree(problem, friction);
   struct Guess {
     double at, closed;
     std::optional<double> left;

@@ -60,7 +60,7 @@ Measured tree(const problems::Structure& truss, const std::vector<double>& frict
               const rays::ReactionCone& cone) {
   Measured result;
   result.seconds = cpu_seconds_of([&] {
-    nodes::RayTree rays({problems::wedged_problem(truss), friction}, cone);
+    wedged::RayTree rays({problems::wedged_problem(truss), friction}, cone);
     const auto outcome = engine::search(rays);
     for (const auto& leaf : outcome.solutions) result.rays += leaf.solution.rays.size();
     result.effort = rays.tally().effort;

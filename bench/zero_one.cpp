@@ -32,8 +32,8 @@ struct Sums {
 
 struct Way {
   std::string name;
-  nodes::ZeroOneRootOptions root;
-  nodes::ZeroOneBranching branching;
+  zero_one::ZeroOneRootOptions root;
+  zero_one::ZeroOneBranching branching;
 };
 
 double now() {
@@ -41,9 +41,9 @@ double now() {
 }
 
 // NaN if there is no point, or none was found in time.
-double by_kusabi(const problems::MixedProgram& mixed, const Way& way, Sums& sums) {
+double by_kusabi(const linear::MixedProgram& mixed, const Way& way, Sums& sums) {
   const double start = now();
-  nodes::ZeroOneTree tree(nodes::prepare_root(mixed, way.root), way.branching);
+  zero_one::ZeroOneTree tree(zero_one::prepare_root(mixed, way.root), way.branching);
   engine::Options options;
   options.goal = engine::Goal::best;
   options.limits.seconds = time_limit;
@@ -64,7 +64,7 @@ void count_nodes(glp_tree* tree, void* info) {
   *static_cast<int*>(info) = total;
 }
 
-double by_glpk(const problems::MixedProgram& mixed, Sums& sums) {
+double by_glpk(const linear::MixedProgram& mixed, Sums& sums) {
   const auto& program = mixed.program;
   glp_prob* const lp = glp_create_prob();
   if (!program.rows.empty()) glp_add_rows(lp, static_cast<int>(program.rows.size()));
@@ -126,8 +126,8 @@ bool agree(double a, double b) {
 
 int main() {
   glp_term_out(GLP_OFF);
-  using nodes::ZeroOneBranching;
-  using nodes::ZeroOneCuts;
+  using zero_one::ZeroOneBranching;
+  using zero_one::ZeroOneCuts;
   const std::vector<Way> ways{
       {"the paper's branching, nothing at the root",
        {.tighten = false, .dive = false},

@@ -32,9 +32,9 @@ bool end_asked_by_signal() {
   return stop_asked != 0;
 }
 
-engine::Interrupt asked_by_signal() {
-  if (end_asked_by_signal()) return engine::Interrupt::stop;
-  if (checkpoint_asked == 0) return engine::Interrupt::none;
+Interrupt asked_by_signal() {
+  if (end_asked_by_signal()) return Interrupt::stop;
+  if (checkpoint_asked == 0) return Interrupt::none;
   checkpoint_asked = 0;
   return Interrupt::checkpoint;
 }

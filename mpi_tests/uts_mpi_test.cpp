@@ -5,7 +5,7 @@
 #include "engine/transport/mpi.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::benchmark {
 namespace {
 
 void expect_published_counts(const char* name) {
@@ -33,4 +33,4 @@ TEST(MpiUnbalancedTree, T3HasItsPublishedCounts) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::benchmark

@@ -57,7 +57,7 @@ const CLI::Validator sensible_tolerance(
 // How many facets a polyhedral friction cone may have.
 const CLI::Validator facet_count(
     [](std::string& text) -> std::string {
-      using kusabi::nodes::FacetBound;
+      using kusabi::wedged::FacetBound;
       int value = 0;
       if (CLI::detail::lexical_cast(text, value) && value % 2 == 0 && value >= FacetBound::fewest &&
           value <= FacetBound::most)
@@ -101,7 +101,7 @@ void add_patterns(CLI::App& app, Action& action, bool& serial) {
       .add_option_function<std::string>(
           "--branching",
           [options](const std::string& rule) {
-            using kusabi::nodes::Branching;
+            using kusabi::wedged::Branching;
             options->branching = rule == "paper" ? Branching::product : Branching::relative;
           },
           "split nodes by the largest u_n r_n as the paper does, or by its size relative to the "
@@ -280,8 +280,8 @@ void add_limit(CLI::App& app, Action& action, bool& serial) {
 
 void add_mip(CLI::App& app, Action& action, bool& serial) {
   using kusabi::engine::Order;
-  using kusabi::nodes::ZeroOneBranching;
-  using kusabi::nodes::ZeroOneCuts;
+  using kusabi::zero_one::ZeroOneBranching;
+  using kusabi::zero_one::ZeroOneCuts;
   auto& command =
       *app.add_subcommand("mip", "the optimum of a mixed zero-one linear program, with its bound");
   const auto options = std::make_shared<MipOptions>();
@@ -307,8 +307,7 @@ void add_mip(CLI::App& app, Action& action, bool& serial) {
   command.add_flag("!--no-tighten", options->tighten, "leave big Ms as they are");
   command.add_flag("!--no-dive", options->dive, "do not look for points before the search");
   command.add_option("--output", options->output, "write the result to this JSON file");
-  command
-      .add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
+  command.add_option("--time-limit", options->limits.seconds, "stop after so many seconds")
       ->check(positive);
   command
       .add_option("--node-limit", options->limits.nodes, "stop when so many nodes have been opened")
@@ -452,7 +451,7 @@ void add_uts(CLI::App& bench, Action& action, bool& serial) {
       "uts", "the Unbalanced Tree Search benchmark: are the published counts found, how fast");
   const auto options = std::make_shared<BenchUtsOptions>();
   std::vector<std::string> names;
-  for (const auto& tree : kusabi::nodes::standard_trees()) names.emplace_back(tree.name);
+  for (const auto& tree : kusabi::benchmark::standard_trees()) names.emplace_back(tree.name);
   command.add_option("--tree", options->tree, "a standard tree")
       ->check(CLI::IsMember(names))
       ->capture_default_str();
@@ -525,7 +524,7 @@ int main(int argc, char** argv) {
     return run(session, argc, argv);
   } catch (const WrongInput& error) {
     return complain(session, error.what());
-  } catch (const kusabi::problems::InputError& error) {
+  } catch (const kusabi::support::InputError& error) {
     return complain(session, error.what());
   } catch (const Disagreement& error) {
     if (session.speaks()) tell("kusabi: {}\n", error.what());

@@ -3,7 +3,7 @@
 
 #include <bit>
 
-namespace kusabi::problems {
+namespace kusabi::support {
 namespace {
 
 constexpr std::uint64_t fnv_prime = 0x100000001B3U;
@@ -36,4 +36,4 @@ void Fingerprint::add(std::string_view text) {
   for (const char character : text) add_byte(static_cast<unsigned char>(character));
 }
 
-}  // namespace kusabi::problems
+}  // namespace kusabi::support

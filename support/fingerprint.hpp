@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace kusabi::problems {
+namespace kusabi::support {
 
 /// Takes in values one after the other.
 class Fingerprint {
@@ -26,4 +26,4 @@ class Fingerprint {
   std::uint64_t hash_ = 0xCBF29CE484222325U;  // the offset basis of FNV-1a, 64 bits
 };
 
-}  // namespace kusabi::problems
+}  // namespace kusabi::support

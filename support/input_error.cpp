@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace kusabi::problems {
+namespace kusabi::support {
 namespace {
 
 /// Longest piece of the input that an error repeats, in bytes: two names and the advice still fit
@@ -61,4 +61,4 @@ std::string in_quotes(std::string_view text) {
   return one_line(result + "\"");
 }
 
-}  // namespace kusabi::problems
+}  // namespace kusabi::support

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace kusabi::problems {
+namespace kusabi::support {
 
 /// Where an entry stands in its file, counted from 1 in characters. Line 0: not from a file.
 struct SourcePosition {
@@ -27,4 +27,4 @@ class InputError : public std::runtime_error {
 /// backslashes are escaped, and what is longer than 40 bytes is cut and ends in "...".
 std::string in_quotes(std::string_view text);
 
-}  // namespace kusabi::problems
+}  // namespace kusabi::support

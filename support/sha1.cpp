@@ -4,7 +4,7 @@
 #include <bit>
 #include <string>
 
-namespace kusabi::nodes {
+namespace kusabi::support {
 namespace {
 
 using Block = detail::Sha1Block;
@@ -131,4 +131,4 @@ std::string hexadecimal(const Sha1Digest& digest) {
   return text;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::support

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace kusabi::nodes {
+namespace kusabi::support {
 
 /// The 160 bits as five words; the first byte is the upper one of the first word.
 using Sha1Digest = std::array<std::uint32_t, 5>;
@@ -50,4 +50,4 @@ requires(Count <= 13)  // with its end mark and its length it fills one block
   return detail::sha1_of_block(block);
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::support

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace kusabi::nodes::linear {
+namespace kusabi::support {
 
 /// True: end soon, with what holds so far. Empty: never. It may be asked often, and by each rank
 /// for itself; once it is true it should stay so.
@@ -14,4 +14,4 @@ inline bool asked(const Stop& stop) {
   return stop && stop();
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::support

@@ -208,7 +208,7 @@ std::string limit_certificate_text(const LimitCertificate& certificate) {
     put(text, node.forces);
   }
   text += "\nend\n";
-  text += "digest " + nodes::hexadecimal(nodes::sha1(text)) + "\n";
+  text += "digest " + support::hexadecimal(support::sha1(text)) + "\n";
   return text;
 }
 

@@ -106,7 +106,7 @@ std::string_view without_digest(std::string_view text, const std::string& file) 
   constexpr std::size_t digits = 40;
   if (!last.starts_with(keyword) || last.size() != keyword.size() + digits + 1) throw incomplete();
   const auto found = last.substr(keyword.size(), digits);
-  const auto expected = nodes::hexadecimal(nodes::sha1(text));
+  const auto expected = support::hexadecimal(support::sha1(text));
   if (found != expected) {
     throw CertificateError(file + ": was altered: digest " + shown(found) + ", expected '" +
                            expected + "'");

@@ -11,7 +11,7 @@
 
 #include "engine/path.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::benchmark {
 
 /// The problem type that engine::search searches.
 class SizedTree {
@@ -76,4 +76,4 @@ class SizedTree {
   std::uint64_t solutions_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::benchmark

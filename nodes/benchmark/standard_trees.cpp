@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace kusabi::nodes {
+namespace kusabi::benchmark {
 namespace {
 
 constexpr TreeParameters geometric(TreeShape shape, double branching, std::uint32_t depth,
@@ -63,4 +63,4 @@ const StandardTree& standard_tree(std::string_view name) {
   return *found;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::benchmark

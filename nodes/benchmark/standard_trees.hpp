@@ -6,7 +6,7 @@
 
 #include "nodes/benchmark/unbalanced_tree.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::benchmark {
 
 struct StandardTree {
   std::string_view name;
@@ -21,4 +21,4 @@ std::span<const StandardTree> standard_trees();
 /// The tree of that name. @throws std::out_of_range if there is none
 const StandardTree& standard_tree(std::string_view name);
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::benchmark

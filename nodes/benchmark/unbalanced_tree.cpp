@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace kusabi::nodes {
+namespace kusabi::benchmark {
 namespace {
 
 constexpr std::uint32_t most_children = 100;
@@ -57,4 +57,4 @@ std::uint32_t UnbalancedTree::children(const Node& node) const {
   return random < tree.probability ? std::min(tree.binomial_children, most_children) : 0;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::benchmark

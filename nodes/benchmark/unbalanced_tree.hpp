@@ -15,7 +15,7 @@
 
 #include "support/sha1.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::benchmark {
 
 /// How the number of children hangs on a node.
 enum class TreeType {
@@ -69,7 +69,7 @@ struct TreeCounts {
 class UnbalancedTree {
  public:
   struct Node {
-    Sha1Digest state{};
+    support::Sha1Digest state{};
     std::uint32_t depth = 0;
 
     template <class Archive>
@@ -91,7 +91,7 @@ class UnbalancedTree {
       : parameters_(parameters), work_(work) {}
 
   Node root() const {
-    return {sha1(std::array<std::uint32_t, 5>{0, 0, 0, 0, parameters_.seed}), 0};
+    return {support::sha1(std::array<std::uint32_t, 5>{0, 0, 0, 0, parameters_.seed}), 0};
   }
 
   /// How many children a node has; at most 100, but for the root of a binomial tree.
@@ -101,8 +101,8 @@ class UnbalancedTree {
   [[nodiscard]] Node child(const Node& parent, std::uint32_t number) const {
     const auto& s = parent.state;
     const std::array<std::uint32_t, 6> message{s[0], s[1], s[2], s[3], s[4], number};
-    Node child{sha1(message), parent.depth + 1};
-    for (unsigned round = 1; round < work_; ++round) child.state = sha1(message);
+    Node child{support::sha1(message), parent.depth + 1};
+    for (unsigned round = 1; round < work_; ++round) child.state = support::sha1(message);
     return child;
   }
 
@@ -123,4 +123,4 @@ class UnbalancedTree {
   Tally seen_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::benchmark

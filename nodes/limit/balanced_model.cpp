@@ -7,7 +7,7 @@
 
 #include "nodes/limit/load_factor.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 namespace {
 
 using problems::LimitModel;
@@ -76,4 +76,4 @@ LimitModel balanced_model(const LimitProblem& problem, double alpha) {
   return middle;
 }
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -6,7 +6,7 @@
 
 #include "problems/limit/limit_analysis.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 
 /// The model in which the nominal collapse dissipates about one, or the loads are about one if that
 /// is less: what they strain must not be cut off. If the nominal load is carried at no factor, or
@@ -31,4 +31,4 @@ double dissipation(const problems::LimitProblem& problem, const problems::LimitM
 /// Whether scaled numbers are too far from one to be trusted to a simplex method.
 bool is_out_of_balance(double dissipation);
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

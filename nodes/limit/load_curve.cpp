@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 namespace {
 
 using Solve = std::function<std::optional<CurvePoint>(double)>;
@@ -68,4 +68,4 @@ std::vector<CurvePiece> concave_curve(const Solve& solve, double end, double tol
   return pieces;
 }
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

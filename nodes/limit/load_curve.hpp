@@ -16,7 +16,7 @@
 
 #include <Eigen/Core>
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 
 /// The curve at one place, and the mode found there.
 struct CurvePoint {
@@ -40,4 +40,4 @@ struct CurvePiece {
 std::vector<CurvePiece> concave_curve(const std::function<std::optional<CurvePoint>(double)>& solve,
                                       double end, double tolerance);
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 namespace {
 
 using problems::LimitModel;
@@ -21,7 +21,7 @@ Eigen::VectorXd values(std::span<const double> numbers) {
 
 }  // namespace
 
-LoadFactor::LoadFactor(const LimitModel& model, linear::Stop stop)
+LoadFactor::LoadFactor(const LimitModel& model, support::Stop stop)
     : model_(model),
       stop_(std::move(stop)),
       simplex_(problems::static_program(model, model.dead)) {}
@@ -100,4 +100,4 @@ Descent descend(const LimitModel& model, LoadFactor& load_factor, double alpha,
   }
 }
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -10,7 +10,7 @@
 #include "problems/limit/limit_analysis.hpp"
 #include "solvers/linear/simplex.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 
 /// A collapse under a dead load, in the scaled units of the model.
 struct Collapse {
@@ -29,7 +29,7 @@ enum class LoadStatus {
 class LoadFactor {
  public:
   /// @param stop ends a long solve, which is undetermined then
-  explicit LoadFactor(const problems::LimitModel& model, linear::Stop stop = {});
+  explicit LoadFactor(const problems::LimitModel& model, support::Stop stop = {});
 
   /// Solves (5). The result depends on the load and on the basis, see `restart`.
   LoadStatus solve(const Eigen::VectorXd& dead);
@@ -54,7 +54,7 @@ class LoadFactor {
 
  private:
   const problems::LimitModel& model_;
-  linear::Stop stop_;
+  support::Stop stop_;
   linear::Simplex simplex_;
   std::optional<linear::Basis> first_;
 };
@@ -84,4 +84,4 @@ Descent descend(const problems::LimitModel& model, LoadFactor& load_factor, doub
 Eigen::VectorXd worst_for(const problems::LimitModel& model, double alpha,
                           const Eigen::VectorXd& motion, const Eigen::VectorXd& otherwise);
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -5,18 +5,18 @@
 #include <cstddef>
 #include <utility>
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 namespace {
 
 /// Bound of every c+, c- and gamma, where motions with f_R'u = 1 are of the order of one: it keeps
 /// the program bounded as long as there are too few cuts. A proof does not use it.
 constexpr double far = 1e4;
 
-problems::LinearProgram relaxation(const problems::LimitModel& model, double alpha) {
-  problems::LinearProgram program;
+linear::LinearProgram relaxation(const problems::LimitModel& model, double alpha) {
+  linear::LinearProgram program;
   program.name = "static relaxation";
   for (int k = 0; k < model.free_count(); ++k) {
-    program.add_column({.cost = -model.dead(k), .lower = -problems::infinity});
+    program.add_column({.cost = -model.dead(k), .lower = -linear::infinity});
   }
   for (const auto* yield : {&model.tension, &model.compression}) {
     for (const double cost : *yield) program.add_column({.cost = cost, .upper = far});
@@ -25,7 +25,7 @@ problems::LinearProgram relaxation(const problems::LimitModel& model, double alp
     const double weight = model.uncertain[static_cast<std::size_t>(j)].weight;
     program.add_column({.cost = -alpha * weight, .upper = far});
   }
-  std::vector<problems::LinearTerm> terms;
+  std::vector<linear::LinearTerm> terms;
   terms.reserve(static_cast<std::size_t>(model.free_count()));
   for (int k = 0; k < model.free_count(); ++k) terms.push_back({k, model.reference(k)});
   program.add_row({.lower = 1, .upper = 1}, terms);
@@ -50,7 +50,7 @@ problems::LinearProgram relaxation(const problems::LimitModel& model, double alp
 
 }  // namespace
 
-Master::Master(const problems::LimitModel& model, double alpha, linear::Stop stop)
+Master::Master(const problems::LimitModel& model, double alpha, support::Stop stop)
     : model_(model),
       alpha_(alpha),
       stop_(std::move(stop)),
@@ -122,17 +122,17 @@ bool Master::make_room(double first) {
 }
 
 void Master::limit_dissipation(double most) {
-  simplex_.set_row_bounds(dissipation_row(), -problems::infinity, most);
+  simplex_.set_row_bounds(dissipation_row(), -linear::infinity, most);
 }
 
 void Master::add(const StaticCut& cut) {
-  std::vector<problems::LinearTerm> terms{{gamma_column(cut.column), 1}};
+  std::vector<linear::LinearTerm> terms{{gamma_column(cut.column), 1}};
   for (const auto& [member, force] : cut.forces) {
     const int elongation = model_.free_count() + member;
     terms.push_back({elongation, -std::abs(force)});
     terms.push_back({elongation + model_.member_count(), -std::abs(force)});
   }
-  simplex_.add_row(-problems::infinity, std::abs(cut.factor), terms);
+  simplex_.add_row(-linear::infinity, std::abs(cut.factor), terms);
   ++cuts_;
 }
 
@@ -147,7 +147,7 @@ void Master::decide(const Signs& signs) {
     const auto at = static_cast<std::size_t>(j);
     if (signs[at] == signs_[at]) continue;
     const auto& [degree, weight] = model_.uncertain[at];
-    const double infinity = problems::infinity;
+    const double infinity = linear::infinity;
     simplex_.set_column_bounds(degree, signs[at] > 0 ? 0 : -infinity, signs[at] < 0 ? 0 : infinity);
     simplex_.set_cost(degree, -model_.dead(degree) - signs[at] * alpha_ * weight);
     simplex_.set_column_bounds(gamma_column(j), 0, signs[at] == 0 ? far : 0);
@@ -207,4 +207,4 @@ StaticProof Master::proof() const {
   return proof;
 }
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

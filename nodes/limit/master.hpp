@@ -25,7 +25,7 @@
 #include "problems/limit/limit_analysis.hpp"
 #include "solvers/linear/simplex.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 
 /// For each column of T: -1, 0 or 1, the sign of u_e that is decided, 0 none.
 using Signs = std::vector<std::int8_t>;
@@ -49,8 +49,8 @@ struct StaticProof {
 class Master {
  public:
   /// @param stop ends a long solve()
-  Master(const problems::LimitModel& model, double alpha, linear::Stop stop = {});
-  void set_stop(linear::Stop stop) { stop_ = std::move(stop); }
+  Master(const problems::LimitModel& model, double alpha, support::Stop stop = {});
+  void set_stop(support::Stop stop) { stop_ = std::move(stop); }
 
   /// From now on for yield forces that are smaller by this, n^m; decide() takes it back.
   void leave_room(const Eigen::VectorXd& room);
@@ -102,11 +102,11 @@ class Master {
 
   const problems::LimitModel& model_;
   double alpha_;
-  linear::Stop stop_;
+  support::Stop stop_;
   Eigen::VectorXd room_;  // n^m
   Signs signs_;
   linear::Simplex simplex_;
   std::size_t cuts_ = 0;
 };
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -6,7 +6,7 @@
 
 #include "nodes/limit/master.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 namespace {
 
 /// The bounds are widened by so much: the simplex method's L is right to 1e-9 or so, and an M that
@@ -20,7 +20,7 @@ std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, dou
   const Eigen::VectorXd yield = model.yield();
   Master master(model, alpha);
   for (const StaticCut& cut : cuts) master.add(cut);
-  double most = problems::infinity;  // D
+  double most = linear::infinity;  // D
   for (const double rho : {0.5, 0.3, 0.1, 0.03, 0.01, 0.003, 0.001}) {
     master.leave_room(rho * yield);
     if (master.solve() != linear::LinearStatus::optimal || master.presses_box()) continue;
@@ -30,7 +30,7 @@ std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, dou
   most = most * (1 + widened) + widened;
   MotionBounds bounds;
   bounds.elongation = most * yield.cwiseInverse();
-  bounds.motion.setConstant(model.uncertain_count(), problems::infinity);
+  bounds.motion.setConstant(model.uncertain_count(), linear::infinity);
   for (const StaticCut& cut : cuts) {
     double largest = 0;
     for (const auto& [member, force] : cut.forces) {
@@ -42,4 +42,4 @@ std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, dou
   return bounds;
 }
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -14,7 +14,7 @@
 #include "nodes/limit/static_cut.hpp"
 #include "problems/limit/limit_analysis.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 
 struct MotionBounds {
   Eigen::VectorXd motion;      ///< of |u_e| for the columns of T: m
@@ -28,4 +28,4 @@ struct MotionBounds {
 std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, double alpha,
                                           std::span<const StaticCut> cuts, double upper);
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 namespace {
 
 /// Rounds of cuts at a node below the root: the first ones bring most.
@@ -33,7 +33,7 @@ ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts
 }
 
 SignTree::SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
-                   bool keep_evidence, linear::Stop stop)
+                   bool keep_evidence, support::Stop stop)
     : model_(model),
       alpha_(alpha),
       root_(root),
@@ -95,11 +95,11 @@ double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& 
   const auto found =
       descend(model_, load_factor_, alpha_, worst_for(model_, alpha_, node.point.motion, plus));
   if (found.status == LoadStatus::not_carried) {
-    out.solution({-problems::infinity,
+    out.solution({-linear::infinity,
                   numbers(found.overpowering_load),
                   numbers(found.overpowering_motion),
                   {}});
-    return -problems::infinity;
+    return -linear::infinity;
   }
   if (found.status != LoadStatus::collapses) return known;
   // What is better by less than the gap would be another answer on another number of ranks.
@@ -141,7 +141,7 @@ void SignTree::split_unsolved(const Node& node, engine::Expansion<SignTree>& out
 void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
   const auto found = bounded(node);
   // A search that is asked to end keeps the node; its evidence would be of a bound half found.
-  if (linear::asked(stop_)) {
+  if (support::asked(stop_)) {
     out.branch(std::move(node));
     return;
   }
@@ -168,4 +168,4 @@ void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
   }
 }
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -17,7 +17,7 @@
 #include "engine/expansion.hpp"
 #include "nodes/limit/worst_case.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 
 /// A closed node and why it was closed.
 struct ClosedNode {
@@ -80,7 +80,7 @@ class SignTree {
   /// @param keep_evidence whether closed nodes go into the tally
   /// @param stop ends the opening of a node, which stays open
   SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
-           bool keep_evidence, linear::Stop stop = {});
+           bool keep_evidence, support::Stop stop = {});
 
   Node root() const;
   void expand(Node&& node, engine::Expansion<SignTree>& out);
@@ -102,7 +102,7 @@ class SignTree {
   double alpha_;
   const RootResult& root_;
   bool keep_evidence_;
-  linear::Stop stop_;
+  support::Stop stop_;
   LoadFactor load_factor_;
   StaticPricing pricing_;
   Master master_;
@@ -110,4 +110,4 @@ class SignTree {
   Tally tally_;
 };
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

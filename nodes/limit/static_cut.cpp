@@ -8,11 +8,11 @@
 #include <cstddef>
 #include <utility>
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 namespace {
 
-problems::LinearProgram pricing_program(const problems::LimitModel& model) {
-  problems::LinearProgram program;
+linear::LinearProgram pricing_program(const problems::LimitModel& model) {
+  linear::LinearProgram program;
   program.name = "static cut";
   for (int k = 0; k < model.free_count(); ++k) program.add_row({.lower = 0, .upper = 0}, {});
   for (const double sign : {1.0, -1.0}) {
@@ -40,7 +40,7 @@ double StaticCut::bound(const Eigen::VectorXd& z) const {
   return total;
 }
 
-StaticPricing::StaticPricing(const problems::LimitModel& model, linear::Stop stop)
+StaticPricing::StaticPricing(const problems::LimitModel& model, support::Stop stop)
     : model_(model), stop_(std::move(stop)), simplex_(pricing_program(model)) {}
 
 void StaticPricing::aim(const Eigen::VectorXd& z, int first) {
@@ -84,4 +84,4 @@ std::optional<StaticCut> StaticPricing::cut(int column) {
   return cut;
 }
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

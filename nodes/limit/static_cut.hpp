@@ -20,7 +20,7 @@
 #include "problems/limit/limit_analysis.hpp"
 #include "solvers/linear/simplex.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 
 struct StaticCut {
   int column = 0;                              ///< j of T
@@ -40,7 +40,7 @@ struct StaticCut {
 class StaticPricing {
  public:
   /// @param stop ends a long solve, which gives no cut then
-  explicit StaticPricing(const problems::LimitModel& model, linear::Stop stop = {});
+  explicit StaticPricing(const problems::LimitModel& model, support::Stop stop = {});
 
   /// What the next cuts are to be best at.
   /// @param z n^m, >= 0
@@ -54,16 +54,16 @@ class StaticPricing {
   std::optional<StaticCut> cut(int column);
 
   /// Whether it was asked to end.
-  [[nodiscard]] bool stopped() const { return linear::asked(stop_); }
+  [[nodiscard]] bool stopped() const { return support::asked(stop_); }
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
   const problems::LimitModel& model_;
-  linear::Stop stop_;
+  support::Stop stop_;
   linear::Simplex simplex_;
   std::optional<linear::Basis> start_;
   int last_degree_ = -1;
 };
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 namespace {
 
 using linear::LinearStatus;
@@ -46,7 +46,7 @@ class Rounds {
   bool price(const Eigen::VectorXd& z, const std::vector<int>& columns, const Relaxed* point);
   bool lift_dissipation();
   void bound_at_the_end();
-  [[nodiscard]] bool stopped() const { return linear::asked(control_.stop); }
+  [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
   RootStatus rounds();
 
   const LimitModel& model_;
@@ -94,7 +94,7 @@ bool Rounds::price(const Eigen::VectorXd& z, const std::vector<int>& columns,
 bool Rounds::lift_dissipation() {
   if (!limited_ || !master_.dissipation_presses()) return false;
   limited_ = false;
-  master_.limit_dissipation(problems::infinity);
+  master_.limit_dissipation(linear::infinity);
   return true;
 }
 
@@ -105,7 +105,7 @@ void Rounds::bound_at_the_end() {
   constexpr auto grace = std::chrono::milliseconds(300);
   const auto end = Clock::now() + grace;
   master_.set_stop([end] { return Clock::now() > end; });
-  master_.limit_dissipation(problems::infinity);
+  master_.limit_dissipation(linear::infinity);
   if (master_.solve() != LinearStatus::optimal || master_.presses_box()) return;
   result_.lower = master_.objective();
   if (master_.make_room(first_room)) result_.proof = master_.proof();
@@ -232,4 +232,4 @@ std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha
   return master.proof();
 }
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

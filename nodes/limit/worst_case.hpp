@@ -14,7 +14,7 @@
 #include "nodes/limit/master.hpp"
 #include "nodes/limit/static_cut.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 
 /// Upper and lower end meet if they differ by no more than this, in the scaled factor, which is of
 /// the order of one: the simplex method leaves rounding of 1e-12 or so, and no answer of
@@ -60,7 +60,7 @@ struct RootResult {
   Eigen::VectorXd overpowering_load;    ///< of not_carried: zeta
   Eigen::VectorXd overpowering_motion;  ///< what shows it; may be empty
   /// By the simplex method, scaled; minus infinity: none yet. See `proof`.
-  double lower = -problems::infinity;
+  double lower = -linear::infinity;
   std::vector<StaticCut> cuts;
   StaticProof proof;    ///< of the lower end; no forces: none
   linear::Basis basis;  ///< of the last relaxation
@@ -72,7 +72,7 @@ using RoundWatcher = std::function<void(std::uint64_t round, double lower, doubl
 
 /// What goes on around the rounds. Ranks that work together must be given the same answers.
 struct RootControl {
-  linear::Stop stop = {};
+  support::Stop stop = {};
   RoundWatcher watcher = {};
 };
 
@@ -99,4 +99,4 @@ Eigen::VectorXd looseness(const problems::LimitModel& model, const Relaxed& poin
 /// would be arbitrary.
 Eigen::VectorXd pricing_aim(const Eigen::VectorXd& z, double share);
 
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

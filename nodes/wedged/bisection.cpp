@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 PatternBisection::PatternBisection(const problems::WedgedProblem& problem, double width,
                                    std::vector<Pattern> patterns, std::int64_t start,
@@ -73,4 +73,4 @@ void PatternBisection::begin(const Node& node, engine::Expansion<PatternBisectio
   }
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -17,7 +17,7 @@
 #include "engine/expansion.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// A pattern and the cell that its critical coefficient was found in.
 struct CriticalPattern {
@@ -79,4 +79,4 @@ class PatternBisection {
   std::int64_t sections_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

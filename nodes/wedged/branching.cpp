@@ -1,7 +1,7 @@
 // The weights of the relative rule.
 #include "nodes/wedged/branching.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 std::vector<double> branching_weights(const problems::WedgedProblem& problem,
                                       std::span<const double> friction, Branching branching) {
@@ -16,4 +16,4 @@ std::vector<double> branching_weights(const problems::WedgedProblem& problem,
   return weights;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -9,7 +9,7 @@
 
 #include "problems/wedged/wedged_problem.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// The rule. Any gives the same patterns.
 enum class Branching {
@@ -45,4 +45,4 @@ int branching_candidate(std::uint64_t open, std::span<const double> weight, Viol
   return best;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 // A margin of a leaf is given to three digits.
@@ -168,4 +168,4 @@ std::uint64_t ContactSolver::moved_by(std::uint64_t loaded) const {
   return moved;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

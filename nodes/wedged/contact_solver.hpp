@@ -22,7 +22,7 @@
 #include "solvers/conic/node_solver.hpp"
 #include "solvers/conic/plain_solver.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// Friction other than none: below, a cone is a needle, above, a half-space.
 inline constexpr double least_friction = 1e-6;
@@ -115,4 +115,4 @@ class ContactSolver {
   Eigen::VectorXd reaction_, displacement_, multipliers_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -307,4 +307,4 @@ double CriticalFriction::bound(const SignPattern& node, double from, double cuto
   return known;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -15,7 +15,7 @@
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// What one cone program says.
 struct FrictionProbe {
@@ -126,4 +126,4 @@ class CriticalFriction {
   std::uint64_t programs_ = 0;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 // Bounds are compared with points of the grid, relatively: a product of two numbers is rounded.
@@ -96,4 +96,4 @@ void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>&
   out.solution({cell});
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

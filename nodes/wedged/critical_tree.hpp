@@ -17,7 +17,7 @@
 #include "nodes/wedged/critical_friction.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// The problem type that engine::search searches, with Goal::best.
 class CriticalTree {
@@ -86,4 +86,4 @@ class CriticalTree {
   Tally tally_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 int checked(int facets) {
@@ -73,4 +73,4 @@ double FacetBound::normal_displacement(int candidate) const {
   return solver_.displacement()[2 * Eigen::Index{cones_each_} * candidate];
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -16,7 +16,7 @@
 
 #include "solvers/conic/node_solver.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// Bounds the nodes of a contact problem in space with polyhedral friction.
 class FacetBound {
@@ -49,4 +49,4 @@ class FacetBound {
   conic::NodeSolver<2> solver_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -5,7 +5,7 @@
 #include <bit>
 #include <utility>
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 bool includes(std::uint64_t set, std::uint64_t part) {
@@ -72,4 +72,4 @@ std::uint64_t combinations(std::span<const std::uint64_t> cones_of_blocks) {
   return any ? product : 0;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -8,7 +8,7 @@
 
 #include "nodes/wedged/sign_pattern.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// Whether all configurations of the first cone are configurations of the second. That is so if,
 /// and only if, what the first loads and moves in its relative interior the second does, too.
@@ -25,4 +25,4 @@ std::vector<Configuration> maximal_cones(std::vector<Configuration> leaves);
 /// any of another. Blocks without any stay at rest.
 std::uint64_t combinations(std::span<const std::uint64_t> cones_of_blocks);
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

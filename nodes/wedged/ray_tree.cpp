@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 RayTally& RayTally::operator+=(const RayTally& other) {
   patterns += other.patterns;
@@ -40,4 +40,4 @@ void RayTree::expand(Node&& node, engine::Expansion<RayTree>& out) {
   if (!own.rays.empty()) out.solution(std::move(own));
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

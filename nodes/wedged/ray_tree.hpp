@@ -19,7 +19,7 @@
 #include "solvers/rays/double_description.hpp"
 #include "solvers/rays/reaction_cone.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// The rays that one leaf reports.
 struct PatternRays {
@@ -66,4 +66,4 @@ class RayTree {
   RayTally tally_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 std::uint64_t bit(int candidate) {
@@ -230,4 +230,4 @@ void SignPatternTree::report_open(const Node& node) const {
             .numbers = {}});
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

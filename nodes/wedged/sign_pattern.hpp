@@ -37,7 +37,7 @@
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// What is asked of each candidate, as bit sets; bit i is contact candidate i.
 struct SignPattern {
@@ -214,4 +214,4 @@ class SignPatternTree {
   Witness witness_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -12,12 +12,12 @@
 #include "solvers/linear/precise_simplex.hpp"
 #include "solvers/linear/safe_bound.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
+using linear::infinity;
 using linear::LinearStatus;
-using problems::infinity;
-using problems::LinearTerm;
+using linear::LinearTerm;
 
 // An end whose proof in doubles is this near to it, relative to its size (at least one), is left at
 // that.
@@ -32,7 +32,7 @@ constexpr double least_share = 1e-6;
 // An M that shrinks by less than this share of itself is left as it is.
 constexpr double worth_a_change = 1e-3;
 
-problems::LinearProgram with_objective_row(const problems::LinearProgram& given, double cutoff) {
+linear::LinearProgram with_objective_row(const linear::LinearProgram& given, double cutoff) {
   auto program = given;
   std::vector<LinearTerm> objective;
   for (std::size_t j = 0; j < program.columns.size(); ++j) {
@@ -47,8 +47,8 @@ problems::LinearProgram with_objective_row(const problems::LinearProgram& given,
 
 }  // namespace
 
-BoundTightening::BoundTightening(const problems::LinearProgram& program, double cutoff,
-                                 linear::Stop stop)
+BoundTightening::BoundTightening(const linear::LinearProgram& program, double cutoff,
+                                 support::Stop stop)
     : program_(with_objective_row(program, cutoff)),
       simplex_(program_),
       implied_(implied_bounds(program_)),
@@ -134,7 +134,7 @@ struct BigRow {
   std::vector<LinearTerm> others;
 };
 
-std::vector<BigRow> big_rows(const problems::MixedProgram& mixed) {
+std::vector<BigRow> big_rows(const linear::MixedProgram& mixed) {
   std::vector<bool> is_binary(mixed.program.columns.size());
   for (const int column : mixed.binaries) is_binary[static_cast<std::size_t>(column)] = true;
   struct Seen {
@@ -171,7 +171,7 @@ std::vector<BigRow> big_rows(const problems::MixedProgram& mixed) {
 // One round over all rows.
 class Round {
  public:
-  Round(problems::MixedProgram& mixed, double cutoff, bool proofs_only, const linear::Stop& stop,
+  Round(linear::MixedProgram& mixed, double cutoff, bool proofs_only, const support::Stop& stop,
         Tightening& result)
       : mixed_(mixed),
         ends_(mixed.program, cutoff, stop),
@@ -187,7 +187,7 @@ class Round {
       const double m = std::abs(mixed_.program.entries[row.entry].value);
       before += 1;
       gone += m > 0 ? apply(row) / m : 0;
-      if (result_.nothing_left || linear::asked(stop_)) break;
+      if (result_.nothing_left || support::asked(stop_)) break;
     }
     result_.programs += ends_.programs();
     return before > 0 ? gone / before : 0;
@@ -230,7 +230,7 @@ class Round {
     return loose - needed;
   }
 
-  void hold(problems::LinearColumn& column, int binary, double at, bool proved) {
+  void hold(linear::LinearColumn& column, int binary, double at, bool proved) {
     result_.proved = result_.proved && proved;
     if (at < column.lower || at > column.upper) {
       result_.nothing_left = true;
@@ -241,21 +241,21 @@ class Round {
     ++result_.fixed;
   }
 
-  problems::MixedProgram& mixed_;
+  linear::MixedProgram& mixed_;
   BoundTightening ends_;
   bool proofs_only_;
-  const linear::Stop& stop_;
+  const support::Stop& stop_;
   Tightening& result_;
 };
 
 }  // namespace
 
-Tightening tighten_big_m(problems::MixedProgram& mixed, double cutoff, bool proofs_only,
-                         const linear::Stop& stop) {
+Tightening tighten_big_m(linear::MixedProgram& mixed, double cutoff, bool proofs_only,
+                         const support::Stop& stop) {
   Tightening result;
   const auto rows = big_rows(mixed);
   if (rows.empty() || !std::isfinite(cutoff)) return result;
-  while (result.rounds < most_rounds && !result.nothing_left && !linear::asked(stop)) {
+  while (result.rounds < most_rounds && !result.nothing_left && !support::asked(stop)) {
     ++result.rounds;
     Round round(mixed, cutoff, proofs_only, stop, result);
     if (round.apply(rows) < worth_a_round) break;
@@ -263,4 +263,4 @@ Tightening tighten_big_m(problems::MixedProgram& mixed, double cutoff, bool proo
   return result;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

@@ -13,12 +13,12 @@
 #include "solvers/linear/linear_program.hpp"
 #include "solvers/linear/simplex.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
 /// A linear form lies in [lower, upper] at every point that matters; lower > upper: there is none.
 struct FormRange {
-  double lower = -problems::infinity;
-  double upper = problems::infinity;
+  double lower = -linear::infinity;
+  double upper = linear::infinity;
   /// Whether both ends hold in spite of rounding. If not, residuals that are zero in all but the
   /// last of 30 digits count as zero.
   bool proved = true;
@@ -29,12 +29,12 @@ class BoundTightening {
  public:
   /// @param cutoff infinity: all points matter
   /// @param stop asked within each program; one that is stopped says nothing
-  BoundTightening(const problems::LinearProgram& program, double cutoff, linear::Stop stop = {});
+  BoundTightening(const linear::LinearProgram& program, double cutoff, support::Stop stop = {});
 
   /// From the basis of the last call. @throws std::invalid_argument if a term is no column
-  FormRange range(std::span<const problems::LinearTerm> form);
+  FormRange range(std::span<const linear::LinearTerm> form);
   /// One end only: half the work.
-  FormRange upper_end(std::span<const problems::LinearTerm> form);
+  FormRange upper_end(std::span<const linear::LinearTerm> form);
 
   /// Bounds of a column from now on.
   void set_column_bounds(int column, double lower, double upper);
@@ -42,13 +42,13 @@ class BoundTightening {
   [[nodiscard]] std::uint64_t programs() const { return simplex_.solves(); }
 
  private:
-  FormRange end(std::span<const problems::LinearTerm> form, double sign);
+  FormRange end(std::span<const linear::LinearTerm> form, double sign);
   std::pair<double, bool> least_precisely();
 
-  problems::LinearProgram program_;  // the costs are those of a form; the objective is the last row
+  linear::LinearProgram program_;  // the costs are those of a form; the objective is the last row
   linear::Simplex simplex_;
   ColumnBounds implied_;
-  linear::Stop stop_;
+  support::Stop stop_;
 };
 
 /// What tighten_big_m() did.
@@ -65,7 +65,7 @@ struct Tightening {
 /// columns besides) as small as the points that matter allow, in rounds, until little changes.
 /// Points with an objective of at most `cutoff` stay; of others some may be lost.
 /// @param proofs_only whether to leave all as it is that is not proved
-Tightening tighten_big_m(problems::MixedProgram& mixed, double cutoff, bool proofs_only = false,
-                         const linear::Stop& stop = {});
+Tightening tighten_big_m(linear::MixedProgram& mixed, double cutoff, bool proofs_only = false,
+                         const support::Stop& stop = {});
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
+using linear::infinity;
 using linear::LinearStatus;
-using problems::infinity;
-using problems::LinearTerm;
+using linear::LinearTerm;
 
 // A column nearer to its bound than this lies at it.
 constexpr double at_bound = 1e-9;
@@ -66,7 +66,7 @@ class CutProgram {
   }
 
  private:
-  [[nodiscard]] const problems::LinearProgram& given() const { return relaxation_.program(); }
+  [[nodiscard]] const linear::LinearProgram& given() const { return relaxation_.program(); }
 
   void locate() {
     const auto& columns = given().columns;
@@ -227,7 +227,7 @@ class CutProgram {
   std::vector<double> point_;
   std::size_t split_;  // column of the binary
   std::vector<Spot> spot_;
-  problems::LinearProgram program_;
+  linear::LinearProgram program_;
   int beta_ = -1;
   std::vector<int> alpha_;  // columns of the cut generating program; -1: left out
   std::array<std::vector<std::array<int, 2>>, 2> multipliers_;  // side, row, {lower, upper}
@@ -264,7 +264,7 @@ CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basi
   std::vector<bool> excluded(residual.size());
   const auto most =
       static_cast<std::uint64_t>(rounds_a_binary * static_cast<double>(residual.size()));
-  while (result.rounds < most && fractional(residual) > 0 && !linear::asked(relaxation.stop())) {
+  while (result.rounds < most && fractional(residual) > 0 && !support::asked(relaxation.stop())) {
     ++result.rounds;
     std::size_t chosen = residual.size();
     for (std::size_t k = 0; k < residual.size(); ++k) {
@@ -300,4 +300,4 @@ CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basi
   return result;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

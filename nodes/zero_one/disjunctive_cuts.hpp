@@ -19,11 +19,11 @@
 #include "nodes/zero_one/relaxation.hpp"
 #include "solvers/linear/basis.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
 /// alpha'x >= beta
 struct DisjunctiveCut {
-  std::vector<problems::LinearTerm> terms;
+  std::vector<linear::LinearTerm> terms;
   double lower = 0;
   double violation = 0;  ///< at the point it was made for, with max |alpha_i| between 1/2 and 1
 };
@@ -47,4 +47,4 @@ struct CutRounds {
 /// @param basis of an optimum of the relaxation
 CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basis);
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

@@ -8,7 +8,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
 class Fixings {
  public:
@@ -41,4 +41,4 @@ class Fixings {
   Words one_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

@@ -7,7 +7,7 @@
 
 #include "solvers/linear/rounded.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
 using linear::Interval;
@@ -20,9 +20,9 @@ constexpr int rounds = 8;
 constexpr double worth_it = 0.05;
 
 struct Row {
-  double lower = -problems::infinity;
-  double upper = problems::infinity;
-  std::vector<problems::LinearTerm> terms;
+  double lower = -linear::infinity;
+  double upper = linear::infinity;
+  std::vector<linear::LinearTerm> terms;
 };
 
 Interval times(double a, double lower, double upper) {
@@ -67,14 +67,13 @@ class Propagation {
   }
 
   // least <= a x <= most
-  bool narrow(const problems::LinearTerm& at, double least, double most) {
-    if (std::isnan(least)) least = -problems::infinity;
-    if (std::isnan(most)) most = problems::infinity;
+  bool narrow(const linear::LinearTerm& at, double least, double most) {
+    if (std::isnan(least)) least = -linear::infinity;
+    if (std::isnan(most)) most = linear::infinity;
     const auto j = static_cast<std::size_t>(at.column);
     if (at.value < 0) std::swap(least, most);
-    const double below =
-        std::isfinite(least) ? quotient_down(least, at.value) : -problems::infinity;
-    const double above = std::isfinite(most) ? -quotient_down(-most, at.value) : problems::infinity;
+    const double below = std::isfinite(least) ? quotient_down(least, at.value) : -linear::infinity;
+    const double above = std::isfinite(most) ? -quotient_down(-most, at.value) : linear::infinity;
     const double width = bounds_.upper[j] - bounds_.lower[j];
     bool moved = false;
     if (below > bounds_.lower[j] && tightens(bounds_.lower[j], below, width)) {
@@ -96,7 +95,7 @@ class Propagation {
 
 }  // namespace
 
-ColumnBounds own_bounds(const problems::LinearProgram& program) {
+ColumnBounds own_bounds(const linear::LinearProgram& program) {
   ColumnBounds bounds;
   for (const auto& column : program.columns) {
     bounds.lower.push_back(column.lower);
@@ -105,7 +104,7 @@ ColumnBounds own_bounds(const problems::LinearProgram& program) {
   return bounds;
 }
 
-ColumnBounds implied_bounds(const problems::LinearProgram& program, double cutoff) {
+ColumnBounds implied_bounds(const linear::LinearProgram& program, double cutoff) {
   auto bounds = own_bounds(program);
   std::vector<Row> rows;
   for (const auto& row : program.rows) rows.push_back({row.lower, row.upper, {}});
@@ -130,4 +129,4 @@ ColumnBounds implied_bounds(const problems::LinearProgram& program, double cutof
   return bounds;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

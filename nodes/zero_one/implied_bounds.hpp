@@ -7,7 +7,7 @@
 
 #include "solvers/linear/linear_program.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
 struct ColumnBounds {
   std::vector<double> lower;
@@ -15,12 +15,11 @@ struct ColumnBounds {
 };
 
 /// The bounds of the columns themselves.
-ColumnBounds own_bounds(const problems::LinearProgram& program);
+ColumnBounds own_bounds(const linear::LinearProgram& program);
 
 /// Bounds that every point of the program with an objective of at most `cutoff` satisfies
 /// (infinity: every point at all): those of the columns, made tighter by one row after another a
 /// few times.
-ColumnBounds implied_bounds(const problems::LinearProgram& program,
-                            double cutoff = problems::infinity);
+ColumnBounds implied_bounds(const linear::LinearProgram& program, double cutoff = linear::infinity);
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

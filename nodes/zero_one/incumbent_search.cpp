@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
 using linear::LinearStatus;
@@ -38,7 +38,7 @@ std::vector<Candidate> hold_whole_ones(const Relaxation& relaxation, Fixings& fi
 }
 
 // By how much rows do not hold, in all; infinite if one is off by more than rounding.
-double excess(const problems::LinearProgram& program, const std::vector<double>& values) {
+double excess(const linear::LinearProgram& program, const std::vector<double>& values) {
   constexpr double part = 1e-12;
   struct Activity {
     numbers::Precise sum = 0.0;
@@ -58,19 +58,19 @@ double excess(const problems::LinearProgram& program, const std::vector<double>&
     const double below = std::isfinite(lower) ? numbers::rounded(numbers::Precise(lower) - sum) : 0;
     const double above = std::isfinite(upper) ? numbers::rounded(sum - numbers::Precise(upper)) : 0;
     const double missing = std::max({0.0, below, above});
-    if (!(missing <= part * size)) return problems::infinity;
+    if (!(missing <= part * size)) return linear::infinity;
     total += missing;
   }
   return total;
 }
 
-double largest_cost(const problems::LinearProgram& program) {
+double largest_cost(const linear::LinearProgram& program) {
   double largest = 0;
   for (const auto& column : program.columns) largest = std::max(largest, std::abs(column.cost));
   return largest;
 }
 
-numbers::Precise objective_of(const problems::LinearProgram& program,
+numbers::Precise objective_of(const linear::LinearProgram& program,
                               const std::vector<double>& values) {
   numbers::Precise sum = program.constant;
   for (std::size_t j = 0; j < values.size(); ++j) {
@@ -125,7 +125,7 @@ std::optional<ZeroOnePoint> dive(Relaxation& relaxation, const Fixings& fixings,
   if (relaxation.solve(fixings, basis) != LinearStatus::optimal) return {};
   Fixings held = fixings;
   for (;;) {
-    if (linear::asked(relaxation.stop())) return {};
+    if (support::asked(relaxation.stop())) return {};
     const auto start = relaxation.basis();
     const auto fractional = hold_whole_ones(relaxation, held);
     if (fractional.empty()) return point_at(relaxation, held, start);
@@ -144,4 +144,4 @@ std::optional<ZeroOnePoint> dive(Relaxation& relaxation, const Fixings& fixings,
   }
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

@@ -9,7 +9,7 @@
 
 #include "nodes/zero_one/relaxation.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
 /// A point of the program; its binaries are 0 or 1 exactly, its columns are within their bounds,
 /// and rows hold to 1e-12 of their terms.
@@ -37,4 +37,4 @@ Fixings rounded_fixings(const Relaxation& relaxation, Fixings fixings);
 std::optional<ZeroOnePoint> dive(Relaxation& relaxation, const Fixings& fixings,
                                  const linear::Basis& basis);
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
 class ObjectiveSteps {
  public:
@@ -40,4 +40,4 @@ class ObjectiveSteps {
   double least_size_ = 1;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

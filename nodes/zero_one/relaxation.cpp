@@ -8,12 +8,12 @@
 
 #include "solvers/linear/precise_bound.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
 using linear::LinearStatus;
 
-const problems::LinearProgram& checked(const problems::MixedProgram& mixed) {
+const linear::LinearProgram& checked(const linear::MixedProgram& mixed) {
   std::vector<bool> seen(mixed.program.columns.size());
   for (const int column : mixed.binaries) {
     const auto at = static_cast<std::size_t>(column);
@@ -34,8 +34,8 @@ constexpr double tight_share = 0.25;
 
 // The smallest cost that is one; 1 if there is none. An objective near zero is told apart by it:
 // the largest may be a penalty.
-double least_cost(const problems::LinearProgram& program) {
-  double least = problems::infinity;
+double least_cost(const linear::LinearProgram& program) {
+  double least = linear::infinity;
   for (const auto& column : program.columns) {
     if (column.cost != 0) least = std::min(least, std::abs(column.cost));
   }
@@ -44,7 +44,7 @@ double least_cost(const problems::LinearProgram& program) {
 
 }  // namespace
 
-Relaxation::Relaxation(problems::MixedProgram mixed)
+Relaxation::Relaxation(linear::MixedProgram mixed)
     : mixed_(std::move(mixed)),
       given_rows_(mixed_.program.rows.size()),
       simplex_(checked(mixed_)),
@@ -69,8 +69,8 @@ bool Relaxation::all_bounded() const {
          std::all_of(implied_.upper.begin(), implied_.upper.end(), finite);
 }
 
-void Relaxation::add_row(const problems::LinearRow& row,
-                         const std::vector<problems::LinearTerm>& terms) {
+void Relaxation::add_row(const linear::LinearRow& row,
+                         const std::vector<linear::LinearTerm>& terms) {
   mixed_.program.add_row(row, terms);
   simplex_.add_row(row.lower, row.upper, terms);
 }
@@ -121,7 +121,7 @@ LinearStatus Relaxation::solve(const Fixings& fixings, const linear::Basis& basi
 }
 
 void Relaxation::conclude() {
-  bound_ = -problems::infinity;
+  bound_ = -linear::infinity;
   contradiction_ = false;
   precise_.reset();
   basis_ = simplex_.basis();
@@ -247,7 +247,7 @@ void Relaxation::raise_bound(std::span<const numbers::Precise> duals) {
 
 // The first rows of the program, with the bounds that the simplex method has, from its basis.
 linear::PreciseSolution Relaxation::solve_precisely(std::size_t rows) {
-  problems::LinearProgram program;
+  linear::LinearProgram program;
   program.constant = mixed_.program.constant;
   for (const auto& [cost, lower, upper, name] : mixed_.program.columns) {
     program.add_column({.cost = cost, .lower = lower, .upper = upper});
@@ -301,7 +301,7 @@ double Relaxation::least(const std::vector<double>& alpha, const std::vector<dou
     const double residual = safe.residuals[j].lower;
     const double bound = residual > 0 ? bounds.lower[j] : bounds.upper[j];
     if (!std::isfinite(bound)) {
-      if (std::abs(residual) > give_way) return -problems::infinity;
+      if (std::abs(residual) > give_way) return -linear::infinity;
       continue;
     }
     total += residual * bound;
@@ -319,4 +319,4 @@ double Relaxation::bound_if(std::size_t binary, bool at_one) const {
   return sum_down(sum_down(bound_, -now), linear::least_product(residual, held, held));
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

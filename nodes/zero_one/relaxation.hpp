@@ -25,7 +25,7 @@
 #include "solvers/linear/simplex.hpp"
 #include "support/stop.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
 /// A binary this close to 0 or 1 is at it. (The solution that is handed out has it there exactly.)
 inline constexpr double integrality_tolerance = 1e-6;
@@ -34,24 +34,24 @@ class Relaxation {
  public:
   /// @throws std::invalid_argument if a binary is no column, occurs twice, or has bounds outside
   ///   [0, 1], or the program is none
-  explicit Relaxation(problems::MixedProgram mixed);
+  explicit Relaxation(linear::MixedProgram mixed);
 
-  [[nodiscard]] const problems::MixedProgram& mixed() const { return mixed_; }
-  [[nodiscard]] const problems::LinearProgram& program() const { return mixed_.program; }
+  [[nodiscard]] const linear::MixedProgram& mixed() const { return mixed_; }
+  [[nodiscard]] const linear::LinearProgram& program() const { return mixed_.program; }
   [[nodiscard]] std::size_t binaries() const { return mixed_.binaries.size(); }
   [[nodiscard]] int column(std::size_t binary) const { return mixed_.binaries[binary]; }
   /// How objectives of this program are told apart.
   [[nodiscard]] const ObjectiveSteps& steps() const { return steps_; }
 
   /// Asked within long solves from now on; those end as `interrupted`.
-  void end_when(linear::Stop stop) { stop_ = std::move(stop); }
-  [[nodiscard]] const linear::Stop& stop() const { return stop_; }
+  void end_when(support::Stop stop) { stop_ = std::move(stop); }
+  [[nodiscard]] const support::Stop& stop() const { return stop_; }
 
   /// The fixings that the bounds of the binaries say themselves.
   [[nodiscard]] Fixings root() const { return Fixings(binaries()); }
 
   /// A valid inequality (a cut); the basis stays good.
-  void add_row(const problems::LinearRow& row, const std::vector<problems::LinearTerm>& terms);
+  void add_row(const linear::LinearRow& row, const std::vector<linear::LinearTerm>& terms);
   void drop_last_row();
 
   /// Only points with an objective of at most `cutoff` matter from now on: that may bound columns.
@@ -111,14 +111,14 @@ class Relaxation {
   [[nodiscard]] double left_out() const;
   [[nodiscard]] bool all_bounded() const;
 
-  problems::MixedProgram mixed_;
+  linear::MixedProgram mixed_;
   std::size_t given_rows_;
   linear::Simplex simplex_;
   ColumnBounds implied_;  // at the root
   ColumnBounds node_;     // with the fixings
   ColumnBounds held_;     // of the binaries, in the order of them, as the simplex method has them
   ObjectiveSteps steps_;
-  linear::Stop stop_;
+  support::Stop stop_;
   bool proves_ = false;
   linear::LinearStatus status_ = linear::LinearStatus::failed;
   std::vector<double> values_;
@@ -126,8 +126,8 @@ class Relaxation {
   std::optional<linear::PreciseSolution> precise_;
   std::uint64_t precise_programs_ = 0;
   linear::SafeBound safe_;
-  double bound_ = -problems::infinity;
+  double bound_ = -linear::infinity;
   bool contradiction_ = false;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

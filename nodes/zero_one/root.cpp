@@ -10,7 +10,7 @@
 #include "nodes/zero_one/bound_tightening.hpp"
 #include "nodes/zero_one/disjunctive_cuts.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
 using linear::LinearStatus;
@@ -22,7 +22,7 @@ struct Grid {
   double error = 0;
 };
 
-Grid grid_of_objectives(const problems::MixedProgram& mixed) {
+Grid grid_of_objectives(const linear::MixedProgram& mixed) {
   constexpr double largest_whole = 1e9;
   std::vector<bool> binary(mixed.program.columns.size());
   for (const int column : mixed.binaries) binary[static_cast<std::size_t>(column)] = true;
@@ -94,7 +94,7 @@ bool safe_bound_is_of_use(ZeroOneRoot& root) {
 // allow for smaller ones.
 void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
   constexpr int most_times = 3;
-  for (int time = 0; time < most_times && root.point && !linear::asked(options.stop); ++time) {
+  for (int time = 0; time < most_times && root.point && !support::asked(options.stop); ++time) {
     const double before = root.point->objective;
     const double step = root.relaxation.steps().width(before);
     auto mixed = root.relaxation.mixed();
@@ -118,7 +118,7 @@ void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
 
 }  // namespace
 
-ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions& options) {
+ZeroOneRoot prepare_root(linear::MixedProgram mixed, const ZeroOneRootOptions& options) {
   const auto grid = grid_of_objectives(mixed);
   ZeroOneRoot root{
       .relaxation = Relaxation(std::move(mixed)), .grid = grid.width, .grid_error = grid.error};
@@ -129,7 +129,7 @@ ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions&
     find_points(root, options);
     if (options.tighten) tighten(root, options);
   }
-  if (root.status == LinearStatus::optimal && !linear::asked(options.stop)) {
+  if (root.status == LinearStatus::optimal && !support::asked(options.stop)) {
     if (root.point) {
       const double objective = root.point->objective;
       root.relaxation.matters_below(objective + root.relaxation.steps().width(objective));
@@ -145,10 +145,10 @@ ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions&
     relax(root);
     root.counts.last_bound = root.bound;
   }
-  root.interrupted = root.status == LinearStatus::interrupted || linear::asked(options.stop);
+  root.interrupted = root.status == LinearStatus::interrupted || support::asked(options.stop);
   root.counts.programs +=
       root.relaxation.programs() + root.counts.tighten_programs + root.counts.cut_programs;
   return root;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

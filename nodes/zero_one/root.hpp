@@ -10,7 +10,7 @@
 #include "nodes/zero_one/relaxation.hpp"
 #include "solvers/linear/basis.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
 enum class ZeroOneCuts {
   none,
@@ -26,7 +26,7 @@ struct ZeroOneRootOptions {
   std::vector<double> start = {};
   /// Asked within the work; ZeroOneRoot::interrupted says whether it was heeded. The tree asks it
   /// within long linear programs.
-  linear::Stop stop = {};
+  support::Stop stop = {};
 };
 
 /// What the work at the root came to; counts are of linear programs where nothing else is said.
@@ -37,17 +37,17 @@ struct ZeroOneRootCounts {
   std::uint64_t cut_programs = 0;  ///< cut generating programs (51)
   std::uint64_t tightened = 0;     ///< coefficients made smaller
   std::uint64_t tighten_programs = 0;
-  std::uint64_t fixed = 0;                   ///< binaries that one value was found impossible of
-  bool proved = true;                        ///< whether the tightening holds in spite of rounding
-  double first_bound = -problems::infinity;  ///< of the relaxation as given
-  double last_bound = -problems::infinity;   ///< of the relaxation as the tree gets it
+  std::uint64_t fixed = 0;                 ///< binaries that one value was found impossible of
+  bool proved = true;                      ///< whether the tightening holds in spite of rounding
+  double first_bound = -linear::infinity;  ///< of the relaxation as given
+  double last_bound = -linear::infinity;   ///< of the relaxation as the tree gets it
 };
 
 struct ZeroOneRoot {
   Relaxation relaxation;
   linear::LinearStatus status = linear::LinearStatus::failed;  ///< of the relaxation
   linear::Basis basis = {};
-  double bound = -problems::infinity;
+  double bound = -linear::infinity;
   std::optional<ZeroOnePoint> point = {};
   /// The work was not done to its end: bound and point hold, but are not the same on all ranks.
   bool interrupted = false;
@@ -58,6 +58,6 @@ struct ZeroOneRoot {
 };
 
 /// The search that follows needs `interrupted` to be false on all ranks.
-ZeroOneRoot prepare_root(problems::MixedProgram mixed, const ZeroOneRootOptions& options = {});
+ZeroOneRoot prepare_root(linear::MixedProgram mixed, const ZeroOneRootOptions& options = {});
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

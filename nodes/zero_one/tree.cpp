@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
 using linear::LinearStatus;
@@ -289,4 +289,4 @@ void ZeroOneTree::branch(const Node& node, const Split& split, bool one_first, O
   }
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

@@ -24,7 +24,7 @@
 #include "nodes/zero_one/root.hpp"
 #include "solvers/linear/basis.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
 struct ZeroOneNode {
   Fixings fixings;
@@ -126,4 +126,4 @@ class ZeroOneTree {
   std::uint64_t iterations_before_;
 };
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

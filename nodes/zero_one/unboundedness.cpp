@@ -7,13 +7,13 @@
 
 #include "solvers/linear/precise_simplex.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 
-bool falls_for_ever(const problems::MixedProgram& mixed, const linear::Stop& stop) {
+bool falls_for_ever(const linear::MixedProgram& mixed, const support::Stop& stop) {
   const auto end = [](double bound, double otherwise) {
     return std::isfinite(bound) ? 0 : otherwise;
   };
-  problems::LinearProgram directions;
+  linear::LinearProgram directions;
   double largest = 0;
   for (const auto& column : mixed.program.columns) {
     directions.add_column(
@@ -25,8 +25,8 @@ bool falls_for_ever(const problems::MixedProgram& mixed, const linear::Stop& sto
     held.lower = held.upper = 0;
   }
   for (const auto& row : mixed.program.rows) {
-    directions.rows.push_back({.lower = end(row.lower, -problems::infinity),
-                               .upper = end(row.upper, problems::infinity)});
+    directions.rows.push_back(
+        {.lower = end(row.lower, -linear::infinity), .upper = end(row.upper, linear::infinity)});
   }
   directions.entries = mixed.program.entries;
   const auto found = linear::solve_precisely(directions, {}, stop);
@@ -36,4 +36,4 @@ bool falls_for_ever(const problems::MixedProgram& mixed, const linear::Stop& sto
          numbers::rounded(found.objective) < -rounding * largest;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

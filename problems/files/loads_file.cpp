@@ -18,12 +18,12 @@ std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
     }
     if (axis == static_cast<std::size_t>(dimension)) {
       reader.fail(name.position, fmt::format("{} names the axis {}; expected {} in {} dimensions",
-                                             called, in_quotes(name.text),
+                                             called, support::in_quotes(name.text),
                                              dimension == 2 ? "x or y" : "x, y or z", dimension));
     }
     if (axes[axis]) {
       reader.fail(name.position, fmt::format("{} names the axis {} twice; expected once", called,
-                                             in_quotes(name.text)));
+                                             support::in_quotes(name.text)));
     }
     axes[axis] = true;
   }
@@ -58,7 +58,7 @@ void LoadsFile::load_group(const TomlTable& group, Structure& structure) const {
       reader_.text(reader_.require(group, "kind", "kind = \"dead\" or \"reference\""), "kind");
   if (kind.text != "dead" && kind.text != "reference") {
     reader_.fail(kind.position, fmt::format("kind is {}; expected \"dead\" or \"reference\"",
-                                            in_quotes(kind.text)));
+                                            support::in_quotes(kind.text)));
   }
   const auto& names = reader_.require(group, "nodes", "nodes = [\"a\", ...]");
   const Eigen::VectorXd force =

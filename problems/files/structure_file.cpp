@@ -39,12 +39,13 @@ class StructureFile {
   void contact();
   void loads();
 
-  void add_node(const std::string& name, const Eigen::VectorXd& place, SourcePosition position);
+  void add_node(const std::string& name, const Eigen::VectorXd& place,
+                support::SourcePosition position);
   void mesh(const TomlTable& group);
-  void refuse_unjoined(const std::vector<int>& edge, SourcePosition position) const;
+  void refuse_unjoined(const std::vector<int>& edge, support::SourcePosition position) const;
   Quadrilateral material(const TomlTable& group) const;
-  void add_element(Quadrilateral element, const std::array<int, 4>& nodes, SourcePosition position,
-                   SourcePosition material);
+  void add_element(Quadrilateral element, const std::array<int, 4>& nodes,
+                   support::SourcePosition position, support::SourcePosition material);
   void member_group(const TomlTable& group);
   void element_group(const TomlTable& group);
   void support_group(const TomlTable& group);
@@ -52,7 +53,8 @@ class StructureFile {
   int node(const TomlText& name) const;
   /// The nodes that an entry of a list names: one, or those of an edge of a mesh.
   std::vector<int> nodes_named(const TomlText& name) const;
-  void axial_stiffness(const TomlTable& group, Member& bar, SourcePosition& position) const;
+  void axial_stiffness(const TomlTable& group, Member& bar,
+                       support::SourcePosition& position) const;
   std::array<bool, 3> fixed_axes(const TomlTable& group) const;
 
   bool has(std::string_view section) const { return reader_.root().table->get(section) != nullptr; }
@@ -61,7 +63,7 @@ class StructureFile {
   Structure structure_;
   std::map<std::string, int, std::less<>> node_numbers_;
   std::map<std::string, std::vector<int>, std::less<>> edges_;  // of the meshes
-  std::map<int, SourcePosition> supported_;
+  std::map<int, support::SourcePosition> supported_;
 };
 
 Structure StructureFile::read() && {
@@ -102,16 +104,16 @@ void StructureFile::nodes() {
       reader_.require(reader_.root(), "nodes", "a table [nodes] of name = position"), "[nodes]");
   for (const TomlEntry& entry : entries) {
     reader_.check_text(entry.key, "a node name", entry.key_position);
-    add_node(
-        entry.key,
-        reader_.vector(*entry.value, fmt::format("the position of node {}", in_quotes(entry.key)),
-                       structure_.dimension),
-        entry.key_position);
+    add_node(entry.key,
+             reader_.vector(*entry.value,
+                            fmt::format("the position of node {}", support::in_quotes(entry.key)),
+                            structure_.dimension),
+             entry.key_position);
   }
 }
 
 void StructureFile::add_node(const std::string& name, const Eigen::VectorXd& place,
-                             SourcePosition position) {
+                             support::SourcePosition position) {
   const auto number = static_cast<int>(structure_.node_names.size());
   if (structure_.coordinates.cols() == number) {  // room for twice as many, cut off at the end
     structure_.coordinates.conservativeResize(Eigen::NoChange, 2 * number + 16);
@@ -128,10 +130,10 @@ int StructureFile::node(const TomlText& name) const {
   if (found != node_numbers_.end()) return found->second;
   std::vector<std::string_view> names(structure_.node_names.begin(), structure_.node_names.end());
   for (const auto& [edge, nodes] : edges_) names.push_back(edge);
-  std::string message =
-      fmt::format("node {} does not exist; expected a name from [nodes]", in_quotes(name.text));
+  std::string message = fmt::format("node {} does not exist; expected a name from [nodes]",
+                                    support::in_quotes(name.text));
   const std::string_view meant = nearest(name.text, names);
-  if (!meant.empty()) message += fmt::format("; did you mean {}?", in_quotes(meant));
+  if (!meant.empty()) message += fmt::format("; did you mean {}?", support::in_quotes(meant));
   reader_.fail(name.position, message);
 }
 
@@ -196,7 +198,7 @@ void StructureFile::mesh(const TomlTable& group) {
       if (node_numbers_.contains(node_name) || edges_.contains(node_name)) {
         reader_.fail(name.position, fmt::format("the mesh makes a node {}, which exists already; "
                                                 "expected another name for the mesh",
-                                                in_quotes(node_name)));
+                                                support::in_quotes(node_name)));
       }
       const int same = mesh.node_at(structure_.coordinates.leftCols(old_nodes), place);
       if (same >= 0) {  // the meshes hang together there, and the node has two names
@@ -214,7 +216,7 @@ void StructureFile::mesh(const TomlTable& group) {
       reader_.fail(name.position,
                    fmt::format("the mesh has an edge {}, which is the name of a node; "
                                "expected another name for the mesh",
-                               in_quotes(edge_name)));
+                               support::in_quotes(edge_name)));
     }
     refuse_unjoined(nodes, name.position);
   }
@@ -227,16 +229,18 @@ void StructureFile::mesh(const TomlTable& group) {
 
 // Meshes are joined where their nodes are, and nowhere else: two edges on one line with nodes at
 // other places would gape there.
-void StructureFile::refuse_unjoined(const std::vector<int>& edge, SourcePosition position) const {
+void StructureFile::refuse_unjoined(const std::vector<int>& edge,
+                                    support::SourcePosition position) const {
   for (const auto& [other_name, other] : edges_) {
     int node = node_between(structure_.coordinates, other, edge);
     if (node < 0) node = node_between(structure_.coordinates, edge, other);
     if (node < 0) continue;
-    reader_.fail(position,
-                 fmt::format("the mesh touches {} where their nodes do not meet: node {} lies "
-                             "between two of the other; expected divisions that match, or a gap",
-                             in_quotes(other_name),
-                             in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
+    reader_.fail(
+        position,
+        fmt::format("the mesh touches {} where their nodes do not meet: node {} lies "
+                    "between two of the other; expected divisions that match, or a gap",
+                    support::in_quotes(other_name),
+                    support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
   }
 }
 
@@ -251,14 +255,15 @@ Quadrilateral StructureFile::material(const TomlTable& group) const {
   const TomlText state = reader_.text(plane, "plane");
   if (state.text != "stress" && state.text != "strain") {
     reader_.fail(state.position, fmt::format("plane is {}; expected \"stress\" or \"strain\"",
-                                             in_quotes(state.text)));
+                                             support::in_quotes(state.text)));
   }
   element.state = state.text == "stress" ? PlaneState::stress : PlaneState::strain;
   return element;
 }
 
 void StructureFile::add_element(Quadrilateral element, const std::array<int, 4>& nodes,
-                                SourcePosition position, SourcePosition material) {
+                                support::SourcePosition position,
+                                support::SourcePosition material) {
   element.nodes = nodes;
   structure_.elements.push_back(element);
   structure_.sources.elements.push_back(position);
@@ -298,7 +303,7 @@ void StructureFile::members() {
 }
 
 void StructureFile::axial_stiffness(const TomlTable& group, Member& bar,
-                                    SourcePosition& position) const {
+                                    support::SourcePosition& position) const {
   const toml::node* entry = group.table->get("EA");
   position = reader_.position(entry == nullptr ? *group.table : *entry);
   if (entry == nullptr) return;
@@ -310,11 +315,11 @@ void StructureFile::axial_stiffness(const TomlTable& group, Member& bar,
 void StructureFile::member_group(const TomlTable& group) {
   reader_.allow_only(group, {"EA", "yield", "between"});
   Member bar{};
-  SourcePosition stiffness_position;
+  support::SourcePosition stiffness_position;
   axial_stiffness(group, bar, stiffness_position);
   const toml::node* yield_entry = group.table->get("yield");
   if (yield_entry != nullptr) bar.yield = yield_in(reader_, *yield_entry);
-  const SourcePosition yield_position =
+  const support::SourcePosition yield_position =
       reader_.position(yield_entry == nullptr ? *group.table : *yield_entry);
   const auto& between = reader_.require(group, "between", "between = [[\"a\", \"b\"], ...]");
   for (const toml::node* pair : reader_.elements(between, "between")) {
@@ -355,10 +360,11 @@ void StructureFile::support_group(const TomlTable& group) {
     for (const int number : nodes_named(name)) {
       const auto [before, is_new] = supported_.emplace(number, name.position);
       if (!is_new) {
-        reader_.fail(name.position,
-                     fmt::format("node {} is supported twice, first on line {}; expected once",
-                                 in_quotes(structure_.node_names[static_cast<std::size_t>(number)]),
-                                 before->second.line));
+        reader_.fail(
+            name.position,
+            fmt::format("node {} is supported twice, first on line {}; expected once",
+                        support::in_quotes(structure_.node_names[static_cast<std::size_t>(number)]),
+                        before->second.line));
       }
       structure_.fixed[static_cast<std::size_t>(number)] = fixed;
     }
@@ -392,13 +398,13 @@ void StructureFile::contact_group(const TomlTable& group) {
   const Eigen::VectorXd normal = direction.stableNormalized();
   const toml::node* tangent_entry = group.table->get("tangent");
   std::optional<Eigen::VectorXd> tangent;
-  SourcePosition tangent_position;
+  support::SourcePosition tangent_position;
   if (tangent_entry != nullptr) {
     tangent = reader_.vector(*tangent_entry, "the tangent", structure_.dimension);
     tangent_position = reader_.position(*tangent_entry);
   }
   double friction = 1;
-  SourcePosition friction_position;
+  support::SourcePosition friction_position;
   if (const toml::node* entry = group.table->get("friction"); entry != nullptr) {
     friction = reader_.number(*entry, "friction");
     friction_position = reader_.position(*entry);
@@ -418,7 +424,8 @@ void StructureFile::contact_group(const TomlTable& group) {
 
 Structure read_structure(std::string_view toml_text, const std::string& file_name) {
   if (toml_text.empty()) {
-    throw InputError(file_name, {1, 1}, "the file is empty; expected a problem file in TOML");
+    throw support::InputError(file_name, {1, 1},
+                              "the file is empty; expected a problem file in TOML");
   }
   return StructureFile(toml_text, file_name).read();
 }
@@ -427,12 +434,14 @@ std::string file_text(const std::filesystem::path& file) {
   std::error_code failure;
   const std::uintmax_t size = std::filesystem::file_size(file, failure);
   if (!failure && size > largest_file) {
-    throw InputError(file.string(), {},
-                     fmt::format("the file has {} bytes; expected at most {}", size, largest_file));
+    throw support::InputError(
+        file.string(), {},
+        fmt::format("the file has {} bytes; expected at most {}", size, largest_file));
   }
   std::ifstream stream(file, std::ios::binary);
   if (failure || !stream) {
-    throw InputError(file.string(), {}, "the file cannot be read; expected a problem file in TOML");
+    throw support::InputError(file.string(), {},
+                              "the file cannot be read; expected a problem file in TOML");
   }
   return {std::istreambuf_iterator<char>(stream), {}};
 }

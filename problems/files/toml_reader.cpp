@@ -18,7 +18,7 @@ namespace {
 /// Longest name, in bytes. Names head the columns of a result; no one means a longer one.
 constexpr std::size_t longest_text = 64;
 
-SourcePosition position_in_file(const toml::source_position& position) {
+support::SourcePosition position_in_file(const toml::source_position& position) {
   return {static_cast<int>(position.line), static_cast<int>(position.column)};
 }
 
@@ -60,8 +60,8 @@ toml::table parsed(std::string_view text, const std::string& file) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    throw InputError(file, position_in_file(error.source().begin),
-                     syntax_message(error.description()));
+    throw support::InputError(file, position_in_file(error.source().begin),
+                              syntax_message(error.description()));
   }
 }
 
@@ -82,15 +82,15 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
 TomlReader::TomlReader(std::string_view text, const std::string& file)
     : file_(file), root_(parsed(text, file)) {}
 
-void TomlReader::fail(SourcePosition position, std::string_view message) const {
-  throw InputError(file_, position, message);
+void TomlReader::fail(support::SourcePosition position, std::string_view message) const {
+  throw support::InputError(file_, position, message);
 }
 
 void TomlReader::fail(const toml::node& node, std::string_view message) const {
   fail(position(node), message);
 }
 
-SourcePosition TomlReader::position(const toml::node& node) const {
+support::SourcePosition TomlReader::position(const toml::node& node) const {
   return position_in_file(node.source().begin);
 }
 
@@ -98,8 +98,9 @@ void TomlReader::allow_only(const TomlTable& table,
                             std::initializer_list<std::string_view> allowed) const {
   for (const TomlEntry& entry : entries(*table.table, table.called)) {
     if (std::ranges::find(allowed, entry.key) != allowed.end()) continue;
-    std::string message = fmt::format("unknown key {} in {}; expected one of {}",
-                                      in_quotes(entry.key), table.called, fmt::join(allowed, ", "));
+    std::string message =
+        fmt::format("unknown key {} in {}; expected one of {}", support::in_quotes(entry.key),
+                    table.called, fmt::join(allowed, ", "));
     const std::string_view meant = nearest(entry.key, allowed);
     if (!meant.empty()) message += fmt::format("; did you mean \"{}\"?", meant);
     fail(entry.key_position, message);
@@ -210,11 +211,11 @@ Eigen::VectorXd TomlReader::vector(const toml::node& node, std::string_view call
 }
 
 void TomlReader::check_text(std::string_view text, std::string_view called,
-                            SourcePosition position) const {
+                            support::SourcePosition position) const {
   if (text.empty()) fail(position, fmt::format("{} is an empty string; expected text", called));
   if (text.size() > longest_text) {
     fail(position, fmt::format("{} {} is {} bytes long; expected at most {}", called,
-                               in_quotes(text), text.size(), longest_text));
+                               support::in_quotes(text), text.size(), longest_text));
   }
   const bool has_control = std::ranges::any_of(text, [](char character) {
     const auto byte = static_cast<unsigned char>(character);
@@ -222,7 +223,7 @@ void TomlReader::check_text(std::string_view text, std::string_view called,
   });
   if (has_control) {
     fail(position, fmt::format("{} {} holds a control character; expected printable text", called,
-                               in_quotes(text)));
+                               support::in_quotes(text)));
   }
 }
 

@@ -25,14 +25,14 @@ struct TomlTable {
 /// A value with the key it stands under.
 struct TomlEntry {
   std::string key;
-  SourcePosition key_position;
+  support::SourcePosition key_position;
   const toml::node* value;
 };
 
 /// A string with its place.
 struct TomlText {
   std::string text;
-  SourcePosition position;
+  support::SourcePosition position;
 };
 
 class TomlReader {
@@ -72,11 +72,12 @@ class TomlReader {
   TomlText text(const toml::node& node, std::string_view called) const;
   std::vector<TomlText> texts(const toml::node& node, std::string_view called) const;
   /// The rule of `text`, for a string from elsewhere (a key).
-  void check_text(std::string_view text, std::string_view called, SourcePosition position) const;
+  void check_text(std::string_view text, std::string_view called,
+                  support::SourcePosition position) const;
 
-  SourcePosition position(const toml::node& node) const;
+  support::SourcePosition position(const toml::node& node) const;
   const std::string& file() const { return file_; }
-  [[noreturn]] void fail(SourcePosition position, std::string_view message) const;
+  [[noreturn]] void fail(support::SourcePosition position, std::string_view message) const;
   [[noreturn]] void fail(const toml::node& node, std::string_view message) const;
 
  private:

@@ -77,15 +77,15 @@ Eigen::VectorXd motion_in_units(const LimitModel& model, const Eigen::VectorXd& 
   return motion.cwiseProduct(model.displacement_unit);
 }
 
-LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dead) {
-  LinearProgram program;
+linear::LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dead) {
+  linear::LinearProgram program;
   program.name = "static principle (5)";
   for (int i = 0; i < model.member_count(); ++i) {
     program.add_column({.lower = -model.compression(i), .upper = model.tension(i)});
   }
-  const int factor = program.add_column({.cost = -1, .lower = -infinity});
+  const int factor = program.add_column({.cost = -1, .lower = -linear::infinity});
   for (int k = 0; k < model.free_count(); ++k) {
-    const LinearTerm term{factor, -model.reference(k)};
+    const linear::LinearTerm term{factor, -model.reference(k)};
     program.add_row({.lower = dead(k), .upper = dead(k)}, std::span(&term, 1));
   }
   for (int i = 0; i < model.member_count(); ++i) {
@@ -96,22 +96,22 @@ LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dea
   return program;
 }
 
-LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& dead) {
-  LinearProgram program;
+linear::LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& dead) {
+  linear::LinearProgram program;
   program.name = "kinematic principle (15)";
-  std::vector<LinearTerm> normalisation;
+  std::vector<linear::LinearTerm> normalisation;
   const Eigen::VectorXd yield = model.yield();
   const Eigen::VectorXd shift = (model.tension - model.compression) / 2;
   const Eigen::VectorXd load = dead - model.equilibrium * shift;
   for (int k = 0; k < model.free_count(); ++k) {
-    const int motion = program.add_column({.cost = -load(k), .lower = -infinity});
+    const int motion = program.add_column({.cost = -load(k), .lower = -linear::infinity});
     normalisation.push_back({motion, model.reference(k)});
   }
   program.add_row({.lower = 1, .upper = 1}, normalisation);
   for (int i = 0; i < model.member_count(); ++i) {
     const int elongation = program.add_column({.cost = yield(i)});
     for (const double sign : {-1.0, 1.0}) {
-      std::vector<LinearTerm> terms{{elongation, 1}};
+      std::vector<linear::LinearTerm> terms{{elongation, 1}};
       for (Eigen::SparseMatrix<double>::InnerIterator entry(model.equilibrium, i); entry; ++entry) {
         terms.push_back({static_cast<int>(entry.row()), sign * entry.value()});
       }

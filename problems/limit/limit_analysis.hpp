@@ -68,12 +68,12 @@ Eigen::VectorXd motion_in_units(const LimitModel& model, const Eigen::VectorXd& 
 
 /// (5): minimise -lambda. Columns: q_1 ... q_nm, lambda. Rows: equilibrium, one a free
 /// displacement; the duals of the rows are the collapse mode u with f_R^T u = 1.
-LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dead);
+linear::LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dead);
 
 /// (15), of the same optimum: minimise -(f_D - B (q^t - q^c) / 2)^T u + ((q^t + q^c) / 2)^T z:
 /// yield forces that are not the same either way are a common one of forces that begin elsewhere.
 /// Columns: u_1 ... u_nd, z_1 ... z_nm. Rows: f_R^T u = 1; then z_i - b_i^T u >= 0 and z_i + b_i^T
 /// u >= 0, member by member.
-LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& dead);
+linear::LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& dead);
 
 }  // namespace kusabi::problems

@@ -14,8 +14,8 @@
 namespace kusabi::problems {
 namespace {
 
-SourcePosition top_of(const Structure& structure) {
-  return structure.sources.file.empty() ? SourcePosition{} : SourcePosition{1, 1};
+support::SourcePosition top_of(const Structure& structure) {
+  return structure.sources.file.empty() ? support::SourcePosition{} : support::SourcePosition{1, 1};
 }
 
 void require_bars_with_yield_and_reference(const Structure& structure) {
@@ -75,7 +75,7 @@ std::vector<UncertainColumn> given_columns(const Structure& structure,
           fmt::format("component {} of the load at {} is uncertain and carries reference load; "
                       "expected one or the other (assumption 3.1)",
                       axis_name(axis),
-                      in_quotes(structure.node_names[static_cast<std::size_t>(node)])));
+                      support::in_quotes(structure.node_names[static_cast<std::size_t>(node)])));
     }
     columns.push_back({degree, weight});
   }
@@ -91,7 +91,7 @@ std::vector<UncertainColumn> default_columns(const LimitProblem& problem) {
 }
 
 std::uint64_t fingerprint(const LimitProblem& problem) {
-  Fingerprint result;
+  support::Fingerprint result;
   result.add(problem.dimension);
   result.add(problem.units.length);
   result.add(problem.units.force);

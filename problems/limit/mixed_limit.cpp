@@ -7,10 +7,11 @@
 
 namespace kusabi::problems {
 
-MixedProgram worst_case_program(const LimitModel& model, double alpha, const Eigen::VectorXd& big_m,
-                                const Eigen::VectorXd& most_motion,
-                                const Eigen::VectorXd& most_elongation) {
-  MixedProgram mixed;
+linear::MixedProgram worst_case_program(const LimitModel& model, double alpha,
+                                        const Eigen::VectorXd& big_m,
+                                        const Eigen::VectorXd& most_motion,
+                                        const Eigen::VectorXd& most_elongation) {
+  linear::MixedProgram mixed;
   mixed.program = kinematic_program(model, model.dead);
   auto& program = mixed.program;
   program.name = "worst-case limit load (29)";
@@ -32,9 +33,9 @@ MixedProgram worst_case_program(const LimitModel& model, double alpha, const Eig
     const int degree = model.uncertain[static_cast<std::size_t>(j)].degree;
     const int gamma = model.free_count() + model.member_count() + j;
     const int tau = gamma + m;
-    const std::array<LinearTerm, 3> positive{{{gamma, 1}, {degree, -1}, {tau, big_m(j)}}};
+    const std::array<linear::LinearTerm, 3> positive{{{gamma, 1}, {degree, -1}, {tau, big_m(j)}}};
     program.add_row({.upper = big_m(j)}, positive);
-    const std::array<LinearTerm, 3> negative{{{gamma, 1}, {degree, 1}, {tau, -big_m(j)}}};
+    const std::array<linear::LinearTerm, 3> negative{{{gamma, 1}, {degree, 1}, {tau, -big_m(j)}}};
     program.add_row({.upper = 0}, negative);
   }
   return mixed;

@@ -16,9 +16,10 @@ namespace kusabi::problems {
 /// @param big_m M, m, scaled: at least twice the largest |u_e| of an optimum
 /// @param most_motion bound of |u|, n^d; may be infinite
 /// @param most_elongation bound of z, n^m; may be infinite
-MixedProgram worst_case_program(const LimitModel& model, double alpha, const Eigen::VectorXd& big_m,
-                                const Eigen::VectorXd& most_motion,
-                                const Eigen::VectorXd& most_elongation);
+linear::MixedProgram worst_case_program(const LimitModel& model, double alpha,
+                                        const Eigen::VectorXd& big_m,
+                                        const Eigen::VectorXd& most_motion,
+                                        const Eigen::VectorXd& most_elongation);
 
 /// The point of a motion in worst_case_program(): z = |B'u|, gamma = |u_e|, tau its sign.
 std::vector<double> worst_case_point(const LimitModel& model, const Eigen::VectorXd& motion);

@@ -9,16 +9,17 @@ std::string_view axis_name(int axis) {
   return std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1);
 }
 
-InputError structure_error(const Structure& structure, SourcePosition position,
-                           std::string_view message) {
+support::InputError structure_error(const Structure& structure, support::SourcePosition position,
+                                    std::string_view message) {
   const std::string& file =
       structure.sources.file.empty() ? structure.name : structure.sources.file;
-  return InputError(file, position, message);
+  return support::InputError(file, position, message);
 }
 
-SourcePosition position_of(const std::vector<SourcePosition>& positions, int index) {
+support::SourcePosition position_of(const std::vector<support::SourcePosition>& positions,
+                                    int index) {
   const auto place = static_cast<std::size_t>(index);
-  return place < positions.size() ? positions[place] : SourcePosition{};
+  return place < positions.size() ? positions[place] : support::SourcePosition{};
 }
 
 }  // namespace kusabi::problems

@@ -83,18 +83,18 @@ struct ContactCandidate {
 /// structure made by a program leaves the vectors empty.
 struct Sources {
   std::string file;
-  std::vector<SourcePosition> nodes;              ///< one a node: its name
-  std::vector<SourcePosition> members;            ///< one a member: its pair of nodes
-  std::vector<SourcePosition> axial_stiffnesses;  ///< one a member: the EA of its group
-  std::vector<SourcePosition> elements;           ///< one an element: its nodes, or its mesh
-  std::vector<SourcePosition> materials;          ///< one an element: the head of its group
-  std::vector<SourcePosition> yields;             ///< one a member: the yield of its group
-  std::vector<SourcePosition> contact;            ///< one a candidate: its name in the list
-  std::vector<SourcePosition> normals;            ///< one a candidate: the normal of its group
-  std::vector<SourcePosition> tangents;           ///< one a candidate: the tangent of its group
-  std::vector<SourcePosition> frictions;          ///< one a candidate: the friction of its group
-  std::vector<SourcePosition> loads;              ///< one a load: its node in the list
-  std::vector<SourcePosition> uncertain;          ///< one a component: its node in the list
+  std::vector<support::SourcePosition> nodes;              ///< one a node: its name
+  std::vector<support::SourcePosition> members;            ///< one a member: its pair of nodes
+  std::vector<support::SourcePosition> axial_stiffnesses;  ///< one a member: the EA of its group
+  std::vector<support::SourcePosition> elements;   ///< one an element: its nodes, or its mesh
+  std::vector<support::SourcePosition> materials;  ///< one an element: the head of its group
+  std::vector<support::SourcePosition> yields;     ///< one a member: the yield of its group
+  std::vector<support::SourcePosition> contact;    ///< one a candidate: its name in the list
+  std::vector<support::SourcePosition> normals;    ///< one a candidate: the normal of its group
+  std::vector<support::SourcePosition> tangents;   ///< one a candidate: the tangent of its group
+  std::vector<support::SourcePosition> frictions;  ///< one a candidate: the friction of its group
+  std::vector<support::SourcePosition> loads;      ///< one a load: its node in the list
+  std::vector<support::SourcePosition> uncertain;  ///< one a component: its node in the list
 };
 
 struct Structure {
@@ -117,10 +117,11 @@ struct Structure {
 std::string_view axis_name(int axis);
 
 /// An error about `structure`: names its file and `position`, or, without a file, the structure.
-InputError structure_error(const Structure& structure, SourcePosition position,
-                           std::string_view message);
+support::InputError structure_error(const Structure& structure, support::SourcePosition position,
+                                    std::string_view message);
 
 /// Entry `index` of `positions`, or no position when the structure has none.
-SourcePosition position_of(const std::vector<SourcePosition>& positions, int index);
+support::SourcePosition position_of(const std::vector<support::SourcePosition>& positions,
+                                    int index);
 
 }  // namespace kusabi::problems

@@ -37,7 +37,7 @@ class StructureCheck {
   int node_count() const { return static_cast<int>(structure_.node_names.size()); }
   bool is_node(int node) const { return node >= 0 && node < node_count(); }
   std::string name(int node) const {
-    return in_quotes(structure_.node_names[static_cast<std::size_t>(node)]);
+    return support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)]);
   }
   bool is_fixed(int node, int axis) const {
     return structure_.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)];
@@ -47,7 +47,7 @@ class StructureCheck {
   void material(int index) const;
   void shape(int index) const;
   void yield_forces(int index) const;
-  [[noreturn]] void fail(SourcePosition position, std::string_view message) const {
+  [[noreturn]] void fail(support::SourcePosition position, std::string_view message) const {
     throw structure_error(structure_, position, message);
   }
 
@@ -93,7 +93,7 @@ void StructureCheck::coordinates() const {
 void StructureCheck::member(int index) const {
   const auto& [first, second, axial_stiffness, yield] =
       structure_.members[static_cast<std::size_t>(index)];
-  const SourcePosition position = position_of(structure_.sources.members, index);
+  const support::SourcePosition position = position_of(structure_.sources.members, index);
   if (!is_node(first) || !is_node(second)) {
     fail(position, fmt::format("member {} names a node that does not exist", index));
   }
@@ -124,7 +124,7 @@ void StructureCheck::yield_forces(int index) const {
   const auto in_range = [](double force) {
     return force == 0 || (force >= smallest_magnitude && force <= largest_magnitude);
   };
-  const SourcePosition position = position_of(structure_.sources.yields, index);
+  const support::SourcePosition position = position_of(structure_.sources.yields, index);
   for (const double force : {yield.tension, yield.compression}) {
     if (in_range(force)) continue;
     fail(position, fmt::format("a yield force is {:g}; expected a magnitude: 0, or between {:g} "
@@ -151,7 +151,7 @@ void StructureCheck::members() const {
 
 void StructureCheck::material(int index) const {
   const Quadrilateral& element = structure_.elements[static_cast<std::size_t>(index)];
-  const SourcePosition position = position_of(structure_.sources.materials, index);
+  const support::SourcePosition position = position_of(structure_.sources.materials, index);
   const auto in_range = [](double value) {
     return value >= smallest_magnitude && value <= largest_magnitude;
   };
@@ -174,7 +174,7 @@ void StructureCheck::material(int index) const {
 
 void StructureCheck::shape(int index) const {
   const Quadrilateral& element = structure_.elements[static_cast<std::size_t>(index)];
-  const SourcePosition position = position_of(structure_.sources.elements, index);
+  const support::SourcePosition position = position_of(structure_.sources.elements, index);
   double size = 0;
   for (const int node : element.nodes) {
     if (!is_node(node)) {
@@ -236,7 +236,7 @@ void StructureCheck::contact_nodes() const {
   std::set<int> seen;
   for (int index = 0; index < static_cast<int>(structure_.contact.size()); ++index) {
     const int node = structure_.contact[static_cast<std::size_t>(index)].node;
-    const SourcePosition position = position_of(structure_.sources.contact, index);
+    const support::SourcePosition position = position_of(structure_.sources.contact, index);
     if (!is_node(node)) {
       fail(position, fmt::format("contact candidate {} names a node that does not exist", index));
     }
@@ -269,7 +269,7 @@ void StructureCheck::contact_directions() const {
                        name(node), structure_.dimension));
     }
     if (!tangent) continue;
-    const SourcePosition position = position_of(structure_.sources.tangents, index);
+    const support::SourcePosition position = position_of(structure_.sources.tangents, index);
     if (tangent->size() != structure_.dimension || !tangent->allFinite()) {
       fail(position, fmt::format("the tangent at {} is not a vector of {} finite numbers",
                                  name(node), structure_.dimension));
@@ -286,7 +286,7 @@ void StructureCheck::contact_directions() const {
 void StructureCheck::loads() const {
   for (int index = 0; index < static_cast<int>(structure_.loads.size()); ++index) {
     const Load& load = structure_.loads[static_cast<std::size_t>(index)];
-    const SourcePosition position = position_of(structure_.sources.loads, index);
+    const support::SourcePosition position = position_of(structure_.sources.loads, index);
     if (!is_node(load.node)) {
       fail(position, fmt::format("load {} names a node that does not exist", index));
     }
@@ -303,7 +303,7 @@ void StructureCheck::uncertain() const {
   std::set<std::pair<int, int>> seen;
   for (int index = 0; index < static_cast<int>(structure_.uncertain->size()); ++index) {
     const auto& [node, axis, weight] = (*structure_.uncertain)[static_cast<std::size_t>(index)];
-    const SourcePosition position = position_of(structure_.sources.uncertain, index);
+    const support::SourcePosition position = position_of(structure_.sources.uncertain, index);
     if (!is_node(node) || axis < 0 || axis >= structure_.dimension) {
       fail(position, fmt::format("uncertain component {} does not exist", index));
     }

@@ -20,8 +20,8 @@ namespace {
 
 /// The wedged problem needs two things that a structure may be without.
 void require_contact_and_stiffness(const Structure& structure) {
-  const SourcePosition top =
-      structure.sources.file.empty() ? SourcePosition{} : SourcePosition{1, 1};
+  const support::SourcePosition top =
+      structure.sources.file.empty() ? support::SourcePosition{} : support::SourcePosition{1, 1};
   if (structure.contact.empty()) {
     throw structure_error(structure, top,
                           "no contact candidates; expected at least one [[contact]] group");
@@ -40,7 +40,7 @@ void require_contact_and_stiffness(const Structure& structure) {
                         "stiffnesses and lengths of similar size, and no almost free motion");
 }
 
-void add(Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {
+void add(support::Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {
   for (const double value : matrix.reshaped()) fingerprint.add(value);
 }
 
@@ -59,7 +59,7 @@ void set_compliance(WedgedProblem& problem, const Structure& structure) {
 }
 
 std::uint64_t fingerprint(const Structure& structure, const std::vector<Eigen::MatrixXd>& frames) {
-  Fingerprint result;
+  support::Fingerprint result;
   result.add(structure.dimension);
   result.add(structure.units.length);
   result.add(structure.units.force);

@@ -26,7 +26,7 @@ struct Sums {
   double end = 0;  // the last rank knows that the search is over
 };
 
-Sums sums(const engine::Outcome<nodes::SizedTree>& outcome) {
+Sums sums(const engine::Outcome<benchmark::SizedTree>& outcome) {
   Sums sums;
   for (const auto& [rank, tally] : outcome.ranks) {
     sums.requests += rank.requests;
@@ -44,7 +44,7 @@ void print_row(const BenchScalingOptions& options, int ranks) {
                                 .bandwidth = options.gigabytes_a_second * 1e9,
                                 .node = options.node_microseconds * micro,
                                 .handling = options.handling_microseconds * micro};
-  const auto run = engine::simulate(nodes::SizedTree(options.seed, options.nodes), ranks,
+  const auto run = engine::simulate(benchmark::SizedTree(options.seed, options.nodes), ranks,
                                     options.seed, weather, {}, UINT64_MAX);
   if (run.outcome.opened() != options.nodes || run.left_behind != 0) {
     throw std::runtime_error(fmt::format("{} ranks opened {} nodes of {}, {} messages left", ranks,

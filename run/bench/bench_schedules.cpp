@@ -18,10 +18,10 @@
 namespace kusabi::run {
 namespace {
 
+using benchmark::SizedTree;
 using engine::Goal;
 using engine::Order;
 using engine::Weather;
-using nodes::SizedTree;
 
 // Days on which one thing or another takes longest.
 constexpr std::array weathers{

@@ -19,8 +19,8 @@
 namespace kusabi::run {
 namespace {
 
-using nodes::TreeCounts;
-using nodes::UnbalancedTree;
+using benchmark::TreeCounts;
+using benchmark::UnbalancedTree;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -148,7 +148,7 @@ void print_times(const Times& times, std::uint64_t opened) {
 }  // namespace
 
 int bench_uts(Session& session, const BenchUtsOptions& options) {
-  const auto& standard = nodes::standard_tree(options.tree);
+  const auto& standard = benchmark::standard_tree(options.tree);
   bool right = true;
   Times least{infinity, infinity};
   engine::Outcome<TimedTree> fastest;

@@ -9,7 +9,7 @@
 namespace kusabi::run {
 
 struct BenchUtsOptions {
-  std::string tree = "T1";  ///< a name in nodes::standard_trees
+  std::string tree = "T1";  ///< a name in benchmark::standard_trees
   unsigned work = 1;        ///< hashes a node; one takes about 0.1 microseconds
   unsigned rounds = 5;      ///< recursions and searches in turn, of which the fastest count
 };

@@ -73,7 +73,7 @@ int critical(Session& session, const CriticalOptions& asked) {
   const auto structure = problems::read_structure(text, options.file);
   const auto problem = problems::wedged_problem(structure);
   // No further than the roughest candidate can be computed with.
-  const double most = nodes::CriticalFriction::range(problem).most;
+  const double most = wedged::CriticalFriction::range(problem).most;
   if (options.most) friction_at(problem, *options.most, options.file);
   if (!options.most && most < usual_most) options.most = most;
   agree(session, problem);

@@ -28,7 +28,7 @@ struct CriticalOptions {
 };
 
 /// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, problems::InputError on every rank alike
+/// @throws WrongInput, support::InputError on every rank alike
 int critical(Session& session, const CriticalOptions& options);
 
 }  // namespace kusabi::run

@@ -38,8 +38,8 @@ constexpr double wide = 2.5;
 /// What lives at one coefficient.
 struct Decided {
   std::string status;
-  std::vector<nodes::Configuration> leaves;  ///< maximal cones and open leaves
-  std::uint64_t alive = 0;                   ///< leaves that live by the verifier's test
+  std::vector<wedged::Configuration> leaves;  ///< maximal cones and open leaves
+  std::uint64_t alive = 0;                    ///< leaves that live by the verifier's test
   std::uint64_t unproved = 0;  ///< nodes whose evidence it refuses, or of which nothing is claimed
 
   template <class Archive>
@@ -48,12 +48,12 @@ struct Decided {
   }
 
   [[nodiscard]] bool solved() const { return status == "solved"; }
-  [[nodiscard]] std::uint64_t count(nodes::LeafState state) const {
+  [[nodiscard]] std::uint64_t count(wedged::LeafState state) const {
     return static_cast<std::uint64_t>(std::count_if(
         leaves.begin(), leaves.end(), [&](const auto& leaf) { return leaf.state == state; }));
   }
   [[nodiscard]] bool lives() const {
-    return count(nodes::LeafState::alive) + count(nodes::LeafState::flat) != 0;
+    return count(wedged::LeafState::alive) + count(wedged::LeafState::flat) != 0;
   }
 };
 
@@ -84,9 +84,9 @@ class Ends {
   template <class Wanted>
   Decided decide(double factor, const std::string& certificate, Wanted wanted) {
     const auto friction = friction_at(problem_, factor, options_.file);
-    nodes::SignPatternTree tree(
-        problem_, friction, {.tolerances = nodes::CriticalFriction::tolerances, .thorough = true});
-    problems::Fingerprint fingerprint;
+    wedged::SignPatternTree tree(
+        problem_, friction, {.tolerances = wedged::CriticalFriction::tolerances, .thorough = true});
+    support::Fingerprint fingerprint;
     fingerprint.add(problem_.fingerprint);
     fingerprint.add(factor);
     CertificateFile file(session_, certificate, options_.file, fingerprint.value(), false);
@@ -96,16 +96,16 @@ class Ends {
     Proved own;
     tree.report_to([&](const auto& evidence) {
       const bool holds = !check || check->holds(evidence);
-      if (!holds || evidence.kind == nodes::Evidence::Kind::marginal) ++own.unproved;
-      if (holds && evidence.kind == nodes::Evidence::Kind::alive) ++own.alive;
+      if (!holds || evidence.kind == wedged::Evidence::Kind::marginal) ++own.unproved;
+      if (holds && evidence.kind == wedged::Evidence::Kind::alive) ++own.alive;
       if (file.wanted()) file.add(evidence);
     });
     auto outcome = shown_search(session_, tree, {}, budget_.left(), options_.quiet);
     auto decided = told_by_first_rank(session_, [&] {
-      std::vector<nodes::Configuration> leaves;
+      std::vector<wedged::Configuration> leaves;
       for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
       return Decided{.status = status_name(outcome.status),
-                     .leaves = nodes::maximal_cones(std::move(leaves))};
+                     .leaves = wedged::maximal_cones(std::move(leaves))};
     });
     const auto all = session_.meet({.ranks = 1, .open = own.unproved, .found = own.alive});
     decided.alive = all.found;
@@ -158,7 +158,7 @@ void prove_lower(Ends& ends, const CriticalOptions& options, double least,
   findings.lower_proved = findings.lower == 0;
 }
 
-CriticalEntry entry_of(const nodes::Configuration& leaf, const CriticalFindings& findings) {
+CriticalEntry entry_of(const wedged::Configuration& leaf, const CriticalFindings& findings) {
   return {.block = leaf.block,
           .pattern = leaf.pattern,
           .lower = findings.lower,
@@ -173,7 +173,7 @@ void prove_upper(Ends& ends, const CriticalOptions& options, double most,
                  CriticalFindings& findings) {
   const auto lives = [](const Decided& decided) { return decided.lives(); };
   const auto solid = [](const Decided& decided) {
-    return decided.count(nodes::LeafState::alive) != 0;
+    return decided.count(wedged::LeafState::alive) != 0;
   };
   std::optional<Decided> living;  // the first where something lives
   double factor = findings.upper.value_or(most);
@@ -200,7 +200,8 @@ void prove_upper(Ends& ends, const CriticalOptions& options, double most,
   }
   if (options.way != CriticalWay::global) return;
   for (const auto& leaf : living->leaves) {
-    const bool cone = leaf.state == nodes::LeafState::alive || leaf.state == nodes::LeafState::flat;
+    const bool cone =
+        leaf.state == wedged::LeafState::alive || leaf.state == wedged::LeafState::flat;
     if (cone) findings.patterns.push_back(entry_of(leaf, findings));
   }
 }
@@ -239,7 +240,7 @@ void prove_ends(Session& session, const CriticalOptions& options,
   if (bracket.size() > 1) findings.upper = bracket[1];
   const double most = options.most.value_or(usual_most);
   Ends ends(session, options, structure, problem, budget);
-  prove_lower(ends, options, nodes::CriticalFriction::range(problem).least, findings);
+  prove_lower(ends, options, wedged::CriticalFriction::range(problem).least, findings);
   if (findings.status == "solved" && findings.upper) prove_upper(ends, options, most, findings);
   say_what_is_open(options, most, findings);
 }

@@ -18,7 +18,7 @@ namespace kusabi::run {
 /// A pattern that begins to live within a bracket of the friction coefficient.
 struct CriticalEntry {
   std::uint32_t block = 0;
-  nodes::SignPattern pattern;
+  wedged::SignPattern pattern;
   double lower = 0;                  ///< dead here
   std::optional<double> upper;       ///< alive here; nothing: not known to be anywhere
   std::vector<double> reaction;      ///< of the block at `upper`; empty if it was not asked for

@@ -29,7 +29,7 @@ std::int64_t multiples(double most, double width) {
 // What lives or may live at the largest coefficient: maximal cones and open leaves.
 struct Living {
   std::string status;
-  std::vector<nodes::Configuration> leaves;
+  std::vector<wedged::Configuration> leaves;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -40,24 +40,24 @@ struct Living {
 Living living_patterns(Session& session, const CriticalOptions& options,
                        const problems::WedgedProblem& problem, const Budget& budget) {
   const auto friction = friction_at(problem, *options.most, options.file);
-  nodes::SignPatternTree tree(problem, friction);
+  wedged::SignPatternTree tree(problem, friction);
   auto outcome = shown_search(session, tree, {}, budget.left(), options.quiet);
   return told_by_first_rank(session, [&] {
-    std::vector<nodes::Configuration> leaves;
+    std::vector<wedged::Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
-    return Living{status_name(outcome.status), nodes::maximal_cones(std::move(leaves))};
+    return Living{status_name(outcome.status), wedged::maximal_cones(std::move(leaves))};
   });
 }
 
 // A leaf of the block's tree whose cone it is: candidates at rest may be called separated.
-nodes::PatternBisection::Pattern pattern_of(const nodes::Configuration& leaf,
-                                            const std::vector<std::uint64_t>& blocks) {
+wedged::PatternBisection::Pattern pattern_of(const wedged::Configuration& leaf,
+                                             const std::vector<std::uint64_t>& blocks) {
   const auto block = blocks[leaf.block];
   const auto contact = leaf.pattern.contact;
   return {.leaf = {.block = leaf.block,
                    .pattern = {.contact = problems::in_block(contact, block),
                                .separated = problems::in_block(block & ~contact, block)}},
-          .lives = leaf.state == nodes::LeafState::alive || leaf.state == nodes::LeafState::flat};
+          .lives = leaf.state == wedged::LeafState::alive || leaf.state == wedged::LeafState::flat};
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ nodes::PatternBisection::Pattern pattern_of(const nodes::Configuration& leaf,
 CriticalFindings global_search(Session& session, const CriticalOptions& options,
                                const problems::WedgedProblem& problem, const Budget& budget) {
   const double most = options.most.value_or(usual_most);
-  nodes::CriticalTree tree(problem, options.width, multiples(most, options.width));
+  wedged::CriticalTree tree(problem, options.width, multiples(most, options.width));
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
   search_options.order = engine::Order::best_first;
@@ -105,14 +105,14 @@ CriticalFindings pattern_by_pattern(Session& session, const CriticalOptions& opt
   findings.status = living.status;
   if (findings.status != "solved") return findings;  // a part of them would say nothing
   const auto blocks = problems::blocks_of(problem);
-  std::vector<nodes::PatternBisection::Pattern> patterns;
+  std::vector<wedged::PatternBisection::Pattern> patterns;
   for (const auto& leaf : living.leaves) patterns.push_back(pattern_of(leaf, blocks));
   const auto count = static_cast<std::int64_t>(patterns.size());
   const auto sections = count == 0 ? 1 : session.ranks() / count;
-  nodes::PatternBisection tree(
+  wedged::PatternBisection tree(
       problem, options.width, patterns, multiples(*options.most, options.width),
-      options.way == CriticalWay::newton ? nodes::CriticalMethod::newton
-                                         : nodes::CriticalMethod::bisection,
+      options.way == CriticalWay::newton ? wedged::CriticalMethod::newton
+                                         : wedged::CriticalMethod::bisection,
       sections);
   const auto outcome = shown_search(session, tree, {}, budget.left(), options.quiet);
   findings.status = session.on_first_rank([&] { return status_name(outcome.status); });
@@ -133,7 +133,7 @@ CriticalFindings pattern_by_pattern(Session& session, const CriticalOptions& opt
                         .upper = {},
                         .reaction = {},
                         .displacement = {}};
-    if (cell.alive != nodes::CriticalCell::nowhere)
+    if (cell.alive != wedged::CriticalCell::nowhere)
       entry.upper = options.width * static_cast<double>(cell.alive);
     findings.patterns.push_back(std::move(entry));
   }

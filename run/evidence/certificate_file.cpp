@@ -115,11 +115,11 @@ class Writer {
     digest_.add(text);
   }
 
-  void end() { out_ << "digest " << nodes::hexadecimal(digest_.digest()) << '\n'; }
+  void end() { out_ << "digest " << support::hexadecimal(digest_.digest()) << '\n'; }
 
  private:
   std::ostream& out_;
-  nodes::Sha1Stream digest_;
+  support::Sha1Stream digest_;
 };
 
 }  // namespace
@@ -145,10 +145,10 @@ std::string certificate_header(const problems::WedgedProblem& problem,
   return text + "nodes\n";
 }
 
-std::string certificate_line(const nodes::Evidence& evidence) {
-  const auto* const kind = evidence.kind == nodes::Evidence::Kind::dead    ? "dead"
-                           : evidence.kind == nodes::Evidence::Kind::alive ? "alive"
-                                                                           : "marginal";
+std::string certificate_line(const wedged::Evidence& evidence) {
+  const auto* const kind = evidence.kind == wedged::Evidence::Kind::dead    ? "dead"
+                           : evidence.kind == wedged::Evidence::Kind::alive ? "alive"
+                                                                            : "marginal";
   auto line = fmt::format("{} {} {:x} {:x}", kind, evidence.block + 1, evidence.node.contact,
                           evidence.node.separated);
   append(line, evidence.numbers);
@@ -222,7 +222,7 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on) {
   return std::to_string(run);
 }
 
-void CertificateFile::add(const nodes::Evidence& evidence) {
+void CertificateFile::add(const wedged::Evidence& evidence) {
   put(certificate_line(evidence));
 }
 

@@ -22,7 +22,7 @@ std::string certificate_header(const problems::WedgedProblem& problem,
                                std::span<const double> friction);
 
 /// A node of a certificate: its line, with the end of the line.
-std::string certificate_line(const nodes::Evidence& evidence);
+std::string certificate_line(const wedged::Evidence& evidence);
 
 /// A certificate that is being written, by all ranks together. Part `rank` of a run lies in
 /// NAME.part.RUN.RANK until the certificate is in its place, and is locked while the rank lives.
@@ -47,7 +47,7 @@ class CertificateFile {
 
   /// Writes a node down. A disk that is full is remembered until close().
   /// @pre wanted()
-  void add(const nodes::Evidence& evidence);
+  void add(const wedged::Evidence& evidence);
 
   /// Ends this rank's part; every rank calls it, and it returns when all have.
   /// @throws std::runtime_error on rank 0 if a part could not be written in full: the others may

@@ -24,11 +24,12 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
   proof_.emplace(certificate_, stiffness);
 }
 
-bool EvidenceCheck::holds(const nodes::Evidence& evidence) const {
-  if (evidence.kind == nodes::Evidence::Kind::marginal || !proof_->least_eigenvalue()) return false;
+bool EvidenceCheck::holds(const wedged::Evidence& evidence) const {
+  if (evidence.kind == wedged::Evidence::Kind::marginal || !proof_->least_eigenvalue())
+    return false;
   verify::Record record;
   record.claim =
-      evidence.kind == nodes::Evidence::Kind::dead ? verify::Claim::dead : verify::Claim::alive;
+      evidence.kind == wedged::Evidence::Kind::dead ? verify::Claim::dead : verify::Claim::alive;
   record.block = evidence.block;
   record.contact = evidence.node.contact;
   record.separated = evidence.node.separated;

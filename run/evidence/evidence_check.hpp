@@ -34,7 +34,7 @@ class EvidenceCheck {
   EvidenceCheck& operator=(const EvidenceCheck&) = delete;
 
   /// Whether the evidence proves what it claims. What claims nothing is not proved.
-  [[nodiscard]] bool holds(const nodes::Evidence& evidence) const;
+  [[nodiscard]] bool holds(const wedged::Evidence& evidence) const;
 
  private:
   verify::Certificate certificate_;

@@ -7,8 +7,8 @@
 namespace kusabi::run {
 namespace {
 
-using nodes::limit::ClosedNode;
-using nodes::limit::StaticCut;
+using limit::ClosedNode;
+using limit::StaticCut;
 using problems::LimitModel;
 
 /// Shares of the cuts of a column add up to alpha times its weight but for rounding; a proof needs
@@ -96,7 +96,7 @@ verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<s
 
 verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
                                            const LimitModel& model, double alpha,
-                                           const nodes::limit::Worst& worst,
+                                           const limit::Worst& worst,
                                            const std::vector<StaticCut>& root_cuts,
                                            const std::vector<ClosedNode>& nodes) {
   verify::LimitCertificate certificate;

@@ -14,8 +14,8 @@ namespace kusabi::run {
 /// @param alpha in the unit of force
 verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
                                            const problems::LimitModel& model, double alpha,
-                                           const nodes::limit::Worst& worst,
-                                           const std::vector<nodes::limit::StaticCut>& root_cuts,
-                                           const std::vector<nodes::limit::ClosedNode>& nodes);
+                                           const limit::Worst& worst,
+                                           const std::vector<limit::StaticCut>& root_cuts,
+                                           const std::vector<limit::ClosedNode>& nodes);
 
 }  // namespace kusabi::run

@@ -35,7 +35,7 @@ struct LimitOptions {
 };
 
 /// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, problems::InputError on every rank alike
+/// @throws WrongInput, support::InputError on every rank alike
 int limit(Session& session, const LimitOptions& options);
 
 }  // namespace kusabi::run

@@ -25,7 +25,7 @@ struct LimitCollapse {
 
 /// What is known of the worst case.
 struct LimitWorstCase {
-  nodes::limit::RootStatus status = nodes::limit::RootStatus::failed;
+  limit::RootStatus status = limit::RootStatus::failed;
   /// Minus infinity: none is known.
   double lower = -std::numeric_limits<double>::infinity();
   /// Minus infinity: a load is carried at no factor.
@@ -40,19 +40,19 @@ struct LimitWorstCase {
   std::uint64_t cuts = 0;
   std::uint64_t nodes = 1;          ///< of the tree of signs, and
   std::uint64_t tree_programs = 0;  ///< its linear programs: they depend on the number of ranks
-  nodes::limit::WorstCaseCounts counts;
+  limit::WorstCaseCounts counts;
   engine::Status search = engine::Status::solved;  ///< why it ended before it was done
 };
 
 struct LimitAnswer {
-  nodes::limit::LoadStatus status = nodes::limit::LoadStatus::undetermined;
+  limit::LoadStatus status = limit::LoadStatus::undetermined;
   std::optional<LimitCollapse> nominal;  ///< of `collapses`
   bool no_factor_proved = false;         ///< whether exact arithmetic shows `not_carried`
   std::optional<LimitWorstCase> worst;
   std::vector<double> samples;  ///< factors; minus infinity: not carried
   /// lambda*(f_D + beta T zeta) over beta, zeta the critical one; and lambda_min(beta alpha).
-  std::vector<nodes::limit::CurvePiece> curve;
-  std::vector<nodes::limit::CurvePiece> worst_curve;
+  std::vector<limit::CurvePiece> curve;
+  std::vector<limit::CurvePiece> worst_curve;
   /// Why what else was asked for (the nominal factor, samples, curves) was not done to the end.
   engine::Status rest = engine::Status::solved;
 

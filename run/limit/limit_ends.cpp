@@ -15,7 +15,7 @@
 namespace kusabi::run {
 namespace {
 
-using nodes::limit::ClosedNode;
+using limit::ClosedNode;
 
 /// Shares of the yield forces, after the first.
 constexpr double rooms[] = {1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
@@ -53,7 +53,7 @@ double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& t
   cuts.insert(cuts.end(), node.own_cuts.begin(), node.own_cuts.end());
   const double alpha = evidence.alpha / evidence.model.force_unit;
   for (const double room : rooms) {
-    const auto proof = nodes::limit::proof_with_room(evidence.model, alpha, cuts, node.signs, room);
+    const auto proof = limit::proof_with_room(evidence.model, alpha, cuts, node.signs, room);
     if (!proof) continue;
     auto candidate = closed_node(*proof, node.own_cuts);
     const auto certificate = certificate_of(evidence, {candidate});
@@ -88,8 +88,8 @@ LimitEnds proved_ends(LimitEvidence evidence, bool again) {
     double least = infinite();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       double shown = has_proof[k] ? lower_end(proof, ends.certificate.nodes[k]) : -infinite();
-      const double wanted = ends.upper.value_or(-infinite()) -
-                            2 * nodes::limit::closed_gap * evidence.model.factor_unit;
+      const double wanted =
+          ends.upper.value_or(-infinite()) - 2 * limit::closed_gap * evidence.model.factor_unit;
       if (again && shown < wanted) {
         const double more = with_more_room(evidence, truss, nodes[k], shown, wanted);
         changed = changed || more > shown;
@@ -108,7 +108,7 @@ bool shows_no_factor(const verify::Structure& truss, const problems::LimitProble
                      const Eigen::VectorXd& motion) {
   if (motion.size() != model.free_count() || !motion.allFinite()) return false;
   const double alpha = zeta.size() == 0 ? 0 : zeta.cwiseAbs().maxCoeff() * model.force_unit;
-  const nodes::limit::Worst worst{zeta, {0, {}, motion}};
+  const limit::Worst worst{zeta, {0, {}, motion}};
   const auto evidence = limit_certificate(problem, model, alpha, worst, {}, {});
   return verify::LimitProof(evidence, meant_truss(evidence, truss)).shows_no_factor();
 }

@@ -19,9 +19,9 @@ struct LimitEvidence {
   const problems::LimitProblem& problem;
   const problems::LimitModel& model;
   double alpha = 0;  ///< in the unit of force
-  const nodes::limit::Worst& worst;
-  const std::vector<nodes::limit::StaticCut>& cuts;  ///< those that all nodes share
-  std::vector<nodes::limit::ClosedNode> nodes;       ///< which cover all signs
+  const limit::Worst& worst;
+  const std::vector<limit::StaticCut>& cuts;  ///< those that all nodes share
+  std::vector<limit::ClosedNode> nodes;       ///< which cover all signs
 };
 
 /// Ends that hold, in the unit of the load factor; nothing: not shown.

@@ -17,8 +17,8 @@
 namespace kusabi::run {
 namespace {
 
-using nodes::limit::MotionBounds;
-using nodes::limit::StaticCut;
+using limit::MotionBounds;
+using limit::StaticCut;
 using problems::LimitModel;
 
 // What rank 0 knows of the search, for all.
@@ -36,9 +36,8 @@ struct Found {
 };
 
 // gamma_j <= |y|'z + |k| as a row.
-void add_static_row(problems::LinearProgram& program, const LimitModel& model,
-                    const StaticCut& cut) {
-  std::vector<problems::LinearTerm> terms;
+void add_static_row(linear::LinearProgram& program, const LimitModel& model, const StaticCut& cut) {
+  std::vector<linear::LinearTerm> terms;
   terms.push_back({model.free_count() + model.member_count() + cut.column, 1});
   for (const auto& [member, force] : cut.forces) {
     terms.push_back({model.free_count() + member, -std::abs(force)});
@@ -49,21 +48,22 @@ void add_static_row(problems::LinearProgram& program, const LimitModel& model,
 }  // namespace
 
 MixedWorst solve_mixed(Session& session, const LimitOptions& options, const LimitModel& model,
-                       double alpha, const nodes::limit::RootResult& root,
-                       nodes::limit::LoadFactor& load_factor, const Budget& budget) {
-  const double infinity = problems::infinity;
+                       double alpha, const limit::RootResult& root, limit::LoadFactor& load_factor,
+                       const Budget& budget) {
+  const double infinity = linear::infinity;
   const bool all = options.method == LimitMethod::all;
   MixedWorst result;
-  nodes::ZeroOneRootOptions root_options{.tighten = all || options.method == LimitMethod::tightened,
-                                         .dive = false,
-                                         .stop = budget.stop()};
+  zero_one::ZeroOneRootOptions root_options{
+      .tighten = all || options.method == LimitMethod::tightened,
+      .dive = false,
+      .stop = budget.stop()};
   if (all || options.method == LimitMethod::disjunctive) {
-    root_options.cuts = nodes::ZeroOneCuts::disjunctive;
+    root_options.cuts = zero_one::ZeroOneCuts::disjunctive;
   }
   const auto& known = root.worst;
   const auto& cuts = root.cuts;
   const std::optional<MotionBounds> bounds =
-      nodes::limit::motion_bounds(model, alpha, cuts, known->collapse.factor);
+      limit::motion_bounds(model, alpha, cuts, known->collapse.factor);
   Eigen::VectorXd big_m;
   Eigen::VectorXd most_motion = Eigen::VectorXd::Constant(model.free_count(), infinity);
   Eigen::VectorXd most_elongation = Eigen::VectorXd::Constant(model.member_count(), infinity);
@@ -92,7 +92,7 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
   if (root_options.tighten) {
     root_options.start = problems::worst_case_point(model, known->collapse.motion);
   }
-  auto prepared = nodes::prepare_root(std::move(mixed), root_options);
+  auto prepared = zero_one::prepare_root(std::move(mixed), root_options);
   // One rank that was stopped at the root stops all: their roots differ.
   const auto stopped = session.meet({.ranks = 1, .found = prepared.interrupted ? 1U : 0U});
   if (stopped.found != 0) {
@@ -102,14 +102,14 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
     result.programs = prepared.counts.programs;
     return result;
   }
-  if (prepared.status != nodes::linear::LinearStatus::optimal) {
+  if (prepared.status != linear::LinearStatus::optimal) {
     throw std::runtime_error("the relaxation of (29) was not solved");
   }
   result.cuts += prepared.counts.cuts;
   result.cut_programs = prepared.counts.cut_programs;
   const auto root_programs = prepared.counts.programs;
   const auto start = prepared.point;
-  nodes::ZeroOneTree tree(std::move(prepared));
+  zero_one::ZeroOneTree tree(std::move(prepared));
   engine::Options search_options;
   search_options.goal = engine::Goal::best;
   const auto outcome = shown_search(session, tree, search_options, budget.left(), options.quiet,
@@ -142,10 +142,10 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
     return result;
   }
   const Eigen::Map<const Eigen::VectorXd> motion(found.motion.data(), model.free_count());
-  const auto descent = descend(model, load_factor, alpha,
-                               nodes::limit::worst_for(model, alpha, motion, known->zeta));
+  const auto descent =
+      descend(model, load_factor, alpha, limit::worst_for(model, alpha, motion, known->zeta));
   result.worst = *known;
-  if (descent.status == nodes::limit::LoadStatus::collapses &&
+  if (descent.status == limit::LoadStatus::collapses &&
       descent.worst.collapse.factor < known->collapse.factor) {
     result.worst = descent.worst;
   }

@@ -15,7 +15,7 @@ namespace kusabi::run {
 
 /// What came of it, in the scaled units of the model.
 struct MixedWorst {
-  nodes::limit::Worst worst;
+  limit::Worst worst;
   double lower = 0;  ///< as the 0-1 tree has it: not proved
   std::uint64_t nodes = 0;
   std::uint64_t programs = 0;  ///< linear programs, at the root and in the tree
@@ -30,7 +30,7 @@ struct MixedWorst {
 /// @throws WrongInput if no safe M is found
 MixedWorst solve_mixed(Session& session, const LimitOptions& options,
                        const problems::LimitModel& model, double alpha,
-                       const nodes::limit::RootResult& root, nodes::limit::LoadFactor& load_factor,
+                       const limit::RootResult& root, limit::LoadFactor& load_factor,
                        const Budget& budget);
 
 }  // namespace kusabi::run

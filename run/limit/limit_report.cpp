@@ -14,9 +14,9 @@
 namespace kusabi::run {
 namespace {
 
+using limit::CurvePiece;
+using limit::RootStatus;
 using nlohmann::ordered_json;
-using nodes::limit::CurvePiece;
-using nodes::limit::RootStatus;
 using problems::LimitProblem;
 
 std::vector<double> numbers(const Eigen::VectorXd& vector) {
@@ -235,7 +235,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
 
 // Why there is no nominal factor.
 std::string no_nominal(const LimitAnswer& answer) {
-  if (answer.status == nodes::limit::LoadStatus::not_carried) {
+  if (answer.status == limit::LoadStatus::not_carried) {
     return fmt::format("the nominal dead load is carried at no load factor, of either sign{}\n",
                        answer.no_factor_proved ? ", proved" : without_proof(false));
   }
@@ -278,7 +278,7 @@ std::string LimitReport::table() const {
 ordered_json LimitReport::json() const {
   ordered_json result;
   std::string status = answer.nominal ? "solved" : "open";
-  if (answer.status == nodes::limit::LoadStatus::not_carried && answer.no_factor_proved) {
+  if (answer.status == limit::LoadStatus::not_carried && answer.no_factor_proved) {
     status = "not-carried";
   }
   if (answer.rest != engine::Status::solved) status = status_name(answer.rest);

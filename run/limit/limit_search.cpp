@@ -33,18 +33,18 @@
 namespace kusabi::run {
 namespace {
 
-using nodes::limit::ClosedNode;
-using nodes::limit::Collapse;
-using nodes::limit::CurvePiece;
-using nodes::limit::CurvePoint;
-using nodes::limit::LoadFactor;
-using nodes::limit::LoadStatus;
-using nodes::limit::RootResult;
-using nodes::limit::RootStatus;
-using nodes::limit::SignTree;
-using nodes::limit::StaticCut;
-using nodes::limit::StaticPricing;
-using nodes::limit::Worst;
+using limit::ClosedNode;
+using limit::Collapse;
+using limit::CurvePiece;
+using limit::CurvePoint;
+using limit::LoadFactor;
+using limit::LoadStatus;
+using limit::RootResult;
+using limit::RootStatus;
+using limit::SignTree;
+using limit::StaticCut;
+using limit::StaticPricing;
+using limit::Worst;
 using problems::LimitModel;
 using problems::LimitProblem;
 
@@ -81,7 +81,7 @@ struct Solvers {
   StaticPricing pricing;
   Collapse nominal;
 
-  Solvers(LimitModel of, const nodes::linear::Stop& stop)
+  Solvers(LimitModel of, const support::Stop& stop)
       : model(std::move(of)), load_factor(model, stop), pricing(model, stop) {}
 };
 
@@ -103,7 +103,7 @@ class LimitSearch {
   [[nodiscard]] LimitCollapse in_units(const Collapse& collapse, const Eigen::VectorXd& dead);
 
   bool ended();
-  nodes::linear::Stop lockstep_stop();
+  support::Stop lockstep_stop();
   LoadStatus set_up(LimitModel model);
   void nominal(LimitAnswer& answer);
   std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
@@ -140,7 +140,7 @@ bool LimitSearch::ended() {
   return ended_;
 }
 
-nodes::linear::Stop LimitSearch::lockstep_stop() {
+support::Stop LimitSearch::lockstep_stop() {
   return [this] { return sharing_ ? budget_.spent() : ended(); };
 }
 
@@ -165,7 +165,7 @@ LimitCollapse LimitSearch::in_units(const Collapse& collapse, const Eigen::Vecto
   auto least = solvers_->load_factor.least_factor(dead);
   if (least) {
     // Zero, which is carried where there is no load, to the last bit.
-    if (std::abs(*least) <= nodes::limit::closed_gap) *least = 0;
+    if (std::abs(*least) <= limit::closed_gap) *least = 0;
     *least *= model().factor_unit;
   }
   return {collapse.factor * model().factor_unit, least,
@@ -175,7 +175,7 @@ LimitCollapse LimitSearch::in_units(const Collapse& collapse, const Eigen::Vecto
 
 // The cuts do not depend on who makes them: see pricing_block.
 std::vector<StaticCut> LimitSearch::price(const Eigen::VectorXd& z, std::span<const int> columns) {
-  using nodes::limit::pricing_block;
+  using limit::pricing_block;
   auto& pricing = solvers_->pricing;
   say(fmt::format("{} of {} uncertain components are looked at for cuts", columns.size(),
                   model().uncertain_count()));
@@ -217,9 +217,9 @@ RootResult LimitSearch::balanced_root() {
                           result.status == RootStatus::unbounded ||
                           result.status == RootStatus::failed;
     if (!doubtful || !result.worst) break;
-    const double size = nodes::limit::dissipation(problem_, model(), result.worst->collapse.motion);
-    if (!nodes::limit::is_out_of_balance(size)) break;
-    if (set_up(nodes::limit::rebalanced(problem_, model(), size, *options_.alpha)) !=
+    const double size = limit::dissipation(problem_, model(), result.worst->collapse.motion);
+    if (!limit::is_out_of_balance(size)) break;
+    if (set_up(limit::rebalanced(problem_, model(), size, *options_.alpha)) !=
         LoadStatus::collapses)
       break;
     result = root(scaled_alpha());
@@ -282,7 +282,7 @@ void LimitSearch::prove(const RootResult& root, std::vector<ClosedNode> nodes,
     const double upper = ends.upper.value_or(root.worst->collapse.factor * unit);
     // What the nodes of a tree prove beyond the gap depends on what was known when they were
     // closed, and so on the number of ranks.
-    const double most = of_a_tree ? upper - 2 * nodes::limit::closed_gap * unit : upper;
+    const double most = of_a_tree ? upper - 2 * limit::closed_gap * unit : upper;
     const double lower = std::min(ends.lower.value_or(root.lower * unit), most);
     if (ends.lower && ends.upper) certificate_ = std::move(ends.certificate);
     return ShownEnds{lower, upper, ends.lower.has_value(), ends.upper.has_value()};
@@ -333,7 +333,7 @@ LimitWorstCase LimitSearch::worst_case() {
     worst.cuts = result.cuts.size();
     conclude(result, worst);
     if (worst.proved || worst.search != engine::Status::solved) return worst;
-    auto model_with_more = nodes::limit::with_more_yield(problem_, model());
+    auto model_with_more = limit::with_more_yield(problem_, model());
     if (!model_with_more) return worst;
     if (set_up(*std::move(model_with_more)) != LoadStatus::collapses) return worst;
   }
@@ -426,7 +426,7 @@ std::vector<CurvePiece> LimitSearch::curve(const Eigen::VectorXd& zeta) {
     return CurvePoint{beta, collapse.factor, slope, std::move(collapse.motion)};
   };
   const double tolerance = curve_tolerance * std::max(1.0, std::abs(solvers_->nominal.factor));
-  return in_units(nodes::limit::concave_curve(solve, 1, tolerance));
+  return in_units(limit::concave_curve(solve, 1, tolerance));
 }
 
 // lambda_min(beta alpha).
@@ -450,7 +450,7 @@ std::vector<CurvePiece> LimitSearch::worst_curve() {
     }
     return CurvePoint{beta, collapse.factor, slope, std::move(collapse.motion)};
   };
-  return in_units(nodes::limit::concave_curve(solve, 1, nodes::limit::closed_gap));
+  return in_units(limit::concave_curve(solve, 1, limit::closed_gap));
 }
 
 // The nominal load factor, in units that make it sure.
@@ -463,13 +463,13 @@ void LimitSearch::nominal(LimitAnswer& answer) {
   answer.status = set_up(limit_model(problem_));
   if (ended()) return;
   if (answer.status == LoadStatus::collapses) {
-    const double size = nodes::limit::dissipation(problem_, model(), solvers_->nominal.motion);
-    if (!nodes::limit::is_out_of_balance(size)) return;
+    const double size = limit::dissipation(problem_, model(), solvers_->nominal.motion);
+    if (!limit::is_out_of_balance(size)) return;
   } else if (answer.status == LoadStatus::not_carried && shown()) {
     answer.no_factor_proved = true;
     return;
   }
-  answer.status = set_up(nodes::limit::balanced_model(problem_, options_.alpha.value_or(0)));
+  answer.status = set_up(limit::balanced_model(problem_, options_.alpha.value_or(0)));
   answer.no_factor_proved = answer.status == LoadStatus::not_carried && shown();
 }
 

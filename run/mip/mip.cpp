@@ -27,7 +27,7 @@
 namespace kusabi::run {
 namespace {
 
-using nodes::linear::ProgramFile;
+using linear::ProgramFile;
 
 void announce(const MipOptions& options, const ProgramFile& program, int ranks) {
   const auto& [name, constant, columns, rows, entries] = program.mixed.program;
@@ -44,7 +44,7 @@ void announce(const MipOptions& options, const ProgramFile& program, int ranks) 
 ProgramFile read_on_first_rank(Session& session, const MipOptions& options,
                                std::optional<ResultFile>& result_file) {
   return told_by_first_rank(session, [&] {
-    auto program = nodes::linear::read_program(options.file);
+    auto program = linear::read_program(options.file);
     check_outputs(
         options.file, {{"--output", options.output}},
         {{"--checkpoint", options.checkpoint.empty() ? options.restart : options.checkpoint}});
@@ -55,7 +55,7 @@ ProgramFile read_on_first_rank(Session& session, const MipOptions& options,
 
 std::uint64_t program_fingerprint(const ProgramFile& file) {
   const auto& [name, constant, columns, rows, entries] = file.mixed.program;
-  problems::Fingerprint fingerprint;
+  support::Fingerprint fingerprint;
   fingerprint.add(constant);
   for (const auto& column : columns) {
     fingerprint.add(column.cost);
@@ -77,7 +77,7 @@ std::uint64_t program_fingerprint(const ProgramFile& file) {
 
 // A checkpoint belongs to a tree, and the tree depends on the options as well.
 std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options) {
-  problems::Fingerprint fingerprint;
+  support::Fingerprint fingerprint;
   fingerprint.add(program);
   fingerprint.add(static_cast<int>(options.cuts));
   fingerprint.add(static_cast<int>(options.branching));
@@ -87,11 +87,11 @@ std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options)
 }
 
 void tell_what_is_left(const MipOptions& options, const std::string& checkpoint,
-                       const engine::Outcome<nodes::ZeroOneTree>& outcome) {
+                       const engine::Outcome<zero_one::ZeroOneTree>& outcome) {
   tell("stopped early ({}): {} open nodes are left\n", status_name(outcome.status), outcome.open);
   std::string call = fmt::format("kusabi mip {}", options.file);
-  if (options.cuts == nodes::ZeroOneCuts::disjunctive) call += " --cuts disjunctive";
-  if (options.branching == nodes::ZeroOneBranching::look_ahead) {
+  if (options.cuts == zero_one::ZeroOneCuts::disjunctive) call += " --cuts disjunctive";
+  if (options.branching == zero_one::ZeroOneBranching::look_ahead) {
     call += " --branching look-ahead";
   }
   if (!options.tighten) call += " --no-tighten";
@@ -100,8 +100,8 @@ void tell_what_is_left(const MipOptions& options, const std::string& checkpoint,
 }
 
 // What the search starts from, which every rank has worked out by itself.
-std::uint64_t root_fingerprint(const nodes::ZeroOneRoot& root) {
-  problems::Fingerprint fingerprint;
+std::uint64_t root_fingerprint(const zero_one::ZeroOneRoot& root) {
+  support::Fingerprint fingerprint;
   const auto& program = root.relaxation.program();
   for (const auto& column : program.columns) {
     fingerprint.add(column.lower);
@@ -113,14 +113,14 @@ std::uint64_t root_fingerprint(const nodes::ZeroOneRoot& root) {
   }
   for (const auto& entry : program.entries) fingerprint.add(entry.value);
   fingerprint.add(root.bound);
-  fingerprint.add(root.point ? root.point->objective : problems::infinity);
+  fingerprint.add(root.point ? root.point->objective : linear::infinity);
   return fingerprint.value();
 }
 
 // The outcome if the work at the root was stopped: its bound and its point, and one open node.
-engine::Outcome<nodes::ZeroOneTree> outcome_of_root(const nodes::ZeroOneTree& tree, int ranks,
-                                                    engine::Status why) {
-  engine::Outcome<nodes::ZeroOneTree> outcome;
+engine::Outcome<zero_one::ZeroOneTree> outcome_of_root(const zero_one::ZeroOneTree& tree, int ranks,
+                                                       engine::Status why) {
+  engine::Outcome<zero_one::ZeroOneTree> outcome;
   outcome.status = why;
   outcome.open = 1;
   outcome.bound = tree.prepared().bound;
@@ -132,15 +132,15 @@ engine::Outcome<nodes::ZeroOneTree> outcome_of_root(const nodes::ZeroOneTree& tr
 // If the relaxation has no lower bound, neither has the program, if it has a point at all: the
 // direction in which the objective falls leaves the binaries alone. So a point is all there is to
 // look for.
-bool without_bound(nodes::ZeroOneRoot& root, const ProgramFile& program,
-                   const nodes::ZeroOneRootOptions& options) {
-  if (root.status != nodes::linear::LinearStatus::unbounded ||
-      !nodes::falls_for_ever(program.mixed, options.stop)) {
+bool without_bound(zero_one::ZeroOneRoot& root, const ProgramFile& program,
+                   const zero_one::ZeroOneRootOptions& options) {
+  if (root.status != linear::LinearStatus::unbounded ||
+      !zero_one::falls_for_ever(program.mixed, options.stop)) {
     return false;
   }
   auto any_point = program.mixed;
   for (auto& column : any_point.program.columns) column.cost = 0;
-  root = nodes::prepare_root(std::move(any_point), options);
+  root = zero_one::prepare_root(std::move(any_point), options);
   return true;
 }
 
@@ -166,16 +166,16 @@ int mip(Session& session, const MipOptions& options) {
     for (const auto& warning : program.warnings) warn(warning);
     if (!options.quiet) announce(options, program, session.ranks());
   }
-  const nodes::ZeroOneRootOptions root_options{.cuts = options.cuts,
-                                               .tighten = options.tighten,
-                                               .dive = options.dive,
-                                               .stop = budget.stop()};
-  auto root = nodes::prepare_root(program.mixed, root_options);
+  const zero_one::ZeroOneRootOptions root_options{.cuts = options.cuts,
+                                                  .tighten = options.tighten,
+                                                  .dive = options.dive,
+                                                  .stop = budget.stop()};
+  auto root = zero_one::prepare_root(program.mixed, root_options);
   const bool unbounded = without_bound(root, program, root_options);
   // One rank that was stopped at the root stops all: their roots differ.
   const auto stopped = session.meet({.ranks = 1, .found = root.interrupted ? 1U : 0U});
   if (stopped.found == 0) session.agree(root_fingerprint(root));
-  nodes::ZeroOneTree tree(std::move(root), options.branching);
+  zero_one::ZeroOneTree tree(std::move(root), options.branching);
   const auto outcome = stopped.found != 0
                            ? outcome_of_root(tree, session.ranks(), budget.why())
                            : shown_search(session, tree, search_options, budget.left(),

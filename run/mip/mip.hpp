@@ -12,9 +12,9 @@
 namespace kusabi::run {
 
 struct MipOptions {
-  std::string file;                                    ///< the program, MPS or CPLEX LP
-  nodes::ZeroOneCuts cuts = nodes::ZeroOneCuts::none;  ///< at the root
-  nodes::ZeroOneBranching branching = nodes::ZeroOneBranching::paper;
+  std::string file;                                          ///< the program, MPS or CPLEX LP
+  zero_one::ZeroOneCuts cuts = zero_one::ZeroOneCuts::none;  ///< at the root
+  zero_one::ZeroOneBranching branching = zero_one::ZeroOneBranching::paper;
   bool tighten = true;                               ///< big Ms, by optimisation
   bool dive = true;                                  ///< for points, at the root
   engine::Order order = engine::Order::depth_first;  ///< which node is next
@@ -27,7 +27,7 @@ struct MipOptions {
 };
 
 /// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, problems::InputError on every rank alike
+/// @throws WrongInput, support::InputError on every rank alike
 int mip(Session& session, const MipOptions& options);
 
 }  // namespace kusabi::run

@@ -43,7 +43,7 @@ ordered_json number(double value) {
   return nullptr;
 }
 
-ordered_json tally_json(const nodes::ZeroOneTally& tally) {
+ordered_json tally_json(const zero_one::ZeroOneTally& tally) {
   return {{"branched", tally.branched},
           {"infeasible", tally.infeasible},
           {"above", tally.above},
@@ -57,7 +57,7 @@ ordered_json tally_json(const nodes::ZeroOneTally& tally) {
 
 }  // namespace
 
-const nodes::ZeroOnePoint* MipReport::point() const {
+const zero_one::ZeroOnePoint* MipReport::point() const {
   return outcome.solutions.empty() ? nullptr : &outcome.solutions.front().solution;
 }
 
@@ -72,7 +72,7 @@ MipAnswer MipReport::answer() const {
   return whole && missing <= most ? MipAnswer::optimal : MipAnswer::feasible;
 }
 
-nodes::ZeroOneTally MipReport::total() const {
+zero_one::ZeroOneTally MipReport::total() const {
   return outcome.tally();
 }
 
@@ -179,7 +179,7 @@ std::string MipReport::table() const {
                  outcome.opened(), tally.programs + counts.programs, counts.programs, counts.cuts,
                  counts.cut_rounds, counts.tightened);
   RankTable ranks({"branched", "infeasible", "above", "leaves", "programs", "iterations"});
-  const auto own = [](const nodes::ZeroOneTally& its) {
+  const auto own = [](const zero_one::ZeroOneTally& its) {
     return std::vector<std::uint64_t>{its.branched, its.infeasible + its.unproved,
                                       its.above,    its.leaves,
                                       its.programs, its.iterations};
@@ -218,30 +218,30 @@ ordered_json MipReport::json() const {
                     {"tighten_programs", counts.tighten_programs},
                     {"tightened", counts.tightened},
                     {"fixed", counts.fixed}};
-  return {
-      {"command", "mip"},
-      {"version", KUSABI_VERSION},
-      {"problem",
-       {{"file", options.file},
-        {"name", given.name},
-        {"sense", program.maximise ? "maximise" : "minimise"},
-        {"rows", given.rows.size()},
-        {"columns", given.columns.size()},
-        {"binaries", program.mixed.binaries.size()},
-        {"entries", given.entries.size()},
-        {"fingerprint", fmt::format("{:016x}", fingerprint)}}},
-      {"options",
-       {{"cuts", options.cuts == nodes::ZeroOneCuts::none ? "none" : "disjunctive"},
-        {"branching", options.branching == nodes::ZeroOneBranching::paper ? "paper" : "look-ahead"},
-        {"tighten", options.tighten},
-        {"dive", options.dive}}},
-      {"status", status_name(outcome.status)},
-      {"result", std::move(result)},
-      {"statistics",
-       {{"opened", outcome.opened()},
-        {"open", outcome.open},
-        {"ranks", rank_reports(outcome.ranks, tally_json)},
-        {"earlier_runs", rank_reports(outcome.earlier, tally_json)}}}};
+  return {{"command", "mip"},
+          {"version", KUSABI_VERSION},
+          {"problem",
+           {{"file", options.file},
+            {"name", given.name},
+            {"sense", program.maximise ? "maximise" : "minimise"},
+            {"rows", given.rows.size()},
+            {"columns", given.columns.size()},
+            {"binaries", program.mixed.binaries.size()},
+            {"entries", given.entries.size()},
+            {"fingerprint", fmt::format("{:016x}", fingerprint)}}},
+          {"options",
+           {{"cuts", options.cuts == zero_one::ZeroOneCuts::none ? "none" : "disjunctive"},
+            {"branching",
+             options.branching == zero_one::ZeroOneBranching::paper ? "paper" : "look-ahead"},
+            {"tighten", options.tighten},
+            {"dive", options.dive}}},
+          {"status", status_name(outcome.status)},
+          {"result", std::move(result)},
+          {"statistics",
+           {{"opened", outcome.opened()},
+            {"open", outcome.open},
+            {"ranks", rank_reports(outcome.ranks, tally_json)},
+            {"earlier_runs", rank_reports(outcome.earlier, tally_json)}}}};
 }
 
 }  // namespace kusabi::run

@@ -30,15 +30,15 @@ enum class MipAnswer {
 
 struct MipReport {
   const MipOptions& options;
-  const nodes::linear::ProgramFile& program;
+  const linear::ProgramFile& program;
   std::uint64_t fingerprint;
-  const nodes::ZeroOneTree& tree;
-  const engine::Outcome<nodes::ZeroOneTree>& outcome;
+  const zero_one::ZeroOneTree& tree;
+  const engine::Outcome<zero_one::ZeroOneTree>& outcome;
   bool unbounded = false;
 
   [[nodiscard]] MipAnswer answer() const;
-  [[nodiscard]] const nodes::ZeroOnePoint* point() const;
-  [[nodiscard]] nodes::ZeroOneTally total() const;
+  [[nodiscard]] const zero_one::ZeroOnePoint* point() const;
+  [[nodiscard]] zero_one::ZeroOneTally total() const;
 
   /// No point has a better objective, as the file's sense has it.
   [[nodiscard]] double bound() const;

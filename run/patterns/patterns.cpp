@@ -43,17 +43,17 @@ void announce(const PatternsOptions& options, const problems::WedgedProblem& pro
 // A checkpoint belongs to a tree, and the tree hangs on the friction and the tolerance as well.
 std::uint64_t tree_fingerprint(const problems::WedgedProblem& problem,
                                const PatternsOptions& options) {
-  problems::Fingerprint fingerprint;
+  support::Fingerprint fingerprint;
   fingerprint.add(problem.fingerprint);
   fingerprint.add(options.friction);
   fingerprint.add(options.tolerance);
-  fingerprint.add(std::uint64_t{options.branching == nodes::Branching::product});
+  fingerprint.add(std::uint64_t{options.branching == wedged::Branching::product});
   fingerprint.add(static_cast<std::uint64_t>(options.facets));
   return fingerprint.value();
 }
 
 void tell_what_is_left(const PatternsOptions& options, const std::string& checkpoint,
-                       const engine::Outcome<nodes::SignPatternTree>& outcome) {
+                       const engine::Outcome<wedged::SignPatternTree>& outcome) {
   tell("stopped early ({}): {} open nodes are left, the list is not complete\n",
        status_name(outcome.status), outcome.open);
   std::string call = fmt::format("kusabi patterns {} --mu {}", options.file, options.friction);
@@ -124,11 +124,11 @@ int patterns(Session& session, const PatternsOptions& options) {
         "expected --method cones",
         options.file));
   }
-  nodes::SignPatternTree tree(problem, friction,
-                              {.tolerances = {.sign = options.tolerance},
-                               .branching = options.branching,
-                               .facets = options.facets,
-                               .thorough = !options.certificate.empty()});
+  wedged::SignPatternTree tree(problem, friction,
+                               {.tolerances = {.sign = options.tolerance},
+                                .branching = options.branching,
+                                .facets = options.facets,
+                                .thorough = !options.certificate.empty()});
 
   engine::Options search_options;
   auto& checkpoint = search_options.checkpoint;

@@ -11,10 +11,10 @@
 namespace kusabi::run {
 
 struct PatternsOptions {
-  std::string file;                                         ///< the problem
-  double friction = 0;                                      ///< mu
-  double tolerance = conic::Tolerances{}.sign;              ///< |t*| up to this is marginal
-  nodes::Branching branching = nodes::Branching::relative;  ///< how nodes are split
+  std::string file;                                           ///< the problem
+  double friction = 0;                                        ///< mu
+  double tolerance = conic::Tolerances{}.sign;                ///< |t*| up to this is marginal
+  wedged::Branching branching = wedged::Branching::relative;  ///< how nodes are split
   int facets = 0;          ///< of the polyhedral friction cones of Algorithm 5.8; 0: Algorithm 5.1
   std::string output;      ///< the result file; empty: none
   engine::Limits limits;   ///< where to stop early
@@ -27,7 +27,7 @@ struct PatternsOptions {
 };
 
 /// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, problems::InputError on every rank alike
+/// @throws WrongInput, support::InputError on every rank alike
 int patterns(Session& session, const PatternsOptions& options);
 
 }  // namespace kusabi::run

@@ -16,15 +16,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* state_name(nodes::LeafState state) {
+const char* state_name(wedged::LeafState state) {
   switch (state) {
-    case nodes::LeafState::alive:
+    case wedged::LeafState::alive:
       return "alive";
-    case nodes::LeafState::flat:
+    case wedged::LeafState::flat:
       return "flat";
-    case nodes::LeafState::marginal:
+    case wedged::LeafState::marginal:
       return "marginal";
-    case nodes::LeafState::undecided:
+    case wedged::LeafState::undecided:
       break;
   }
   return "undecided";
@@ -38,25 +38,25 @@ std::string patterns(std::uint64_t count) {
 
 PatternsReport::PatternsReport(const PatternsOptions& options,
                                const problems::WedgedProblem& problem,
-                               const engine::Outcome<nodes::SignPatternTree>& outcome)
+                               const engine::Outcome<wedged::SignPatternTree>& outcome)
     : options_(options), problem_(problem), outcome_(outcome) {
-  std::vector<nodes::Configuration> leaves;
+  std::vector<wedged::Configuration> leaves;
   for (const auto& found : outcome.solutions) leaves.push_back(found.solution);
-  leaves_ = nodes::maximal_cones(std::move(leaves));
+  leaves_ = wedged::maximal_cones(std::move(leaves));
   for (const auto candidates : problems::blocks_of(problem)) blocks_.push_back({candidates});
   for (const auto& leaf : leaves_) {
     switch (leaf.state) {
-      case nodes::LeafState::flat:
+      case wedged::LeafState::flat:
         ++flat_;
         [[fallthrough]];
-      case nodes::LeafState::alive:
+      case wedged::LeafState::alive:
         ++blocks_[leaf.block].cones;
         break;
-      case nodes::LeafState::marginal:
+      case wedged::LeafState::marginal:
         ++marginal_;
         ++blocks_[leaf.block].open;
         break;
-      case nodes::LeafState::undecided:
+      case wedged::LeafState::undecided:
         ++undecided_;
         ++blocks_[leaf.block].open;
         break;
@@ -64,14 +64,14 @@ PatternsReport::PatternsReport(const PatternsOptions& options,
   }
 }
 
-nodes::SignPatternTally PatternsReport::total() const {
+wedged::SignPatternTally PatternsReport::total() const {
   return outcome_.tally();
 }
 
 std::uint64_t PatternsReport::count() const {
   std::vector<std::uint64_t> cones;
   for (const auto& block : blocks_) cones.push_back(block.cones);
-  return nodes::combinations(cones);
+  return wedged::combinations(cones);
 }
 
 // The candidates of blocks that cannot wedge: at rest whatever the others do.
@@ -97,8 +97,8 @@ std::string PatternsReport::list() const {
   for (const auto& leaf : leaves_) {
     const auto& [contact, separated, at_rest] = leaf.pattern;
     fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}{}\n", ++number,
-                   leaf.state == nodes::LeafState::alive ? fmt::format("{:.3e}", leaf.lower)
-                                                         : state_name(leaf.state),
+                   leaf.state == wedged::LeafState::alive ? fmt::format("{:.3e}", leaf.lower)
+                                                          : state_name(leaf.state),
                    names(contact), contact_width, names(separated),
                    at_rest == 0 ? "" : "  at rest: " + names(at_rest));
   }
@@ -151,7 +151,7 @@ std::string PatternsReport::verdict() const {
 
 std::string PatternsReport::table() const {
   RankTable ranks({"branched", "pruned", "found", "marginal", "iterations"});
-  const auto own = [](const nodes::SignPatternTally& its) {
+  const auto own = [](const wedged::SignPatternTally& its) {
     return std::vector<std::uint64_t>{its.branched, its.dead, its.found + its.flat,
                                       its.marginal + its.undecided + its.doubtful, its.iterations};
   };
@@ -180,29 +180,30 @@ ordered_json PatternsReport::json() const {
   tree["opened"] = outcome_.opened();
   tree["open"] = outcome_.open;
   tree["fingerprint"] = fmt::format("{:016x}", outcome_.fingerprint());
-  return {{"command", "patterns"},
-          {"version", KUSABI_VERSION},
-          {"problem", problem_json(problem_, options_.file)},
-          {"options",
-           {{"mu", options_.friction},
-            {"tolerance", options_.tolerance},
-            {"method", options_.facets == 0 ? "cones" : "polyhedral"},
-            {"facets", options_.facets},
-            {"branching", options_.branching == nodes::Branching::product ? "paper" : "relative"}}},
-          {"status", status_name(outcome_.status)},
-          {"result",
-           {{"friction", options_.friction},
-            {"tolerance", options_.tolerance},
-            {"count", count()},
-            {"flat", flat_},
-            {"marginal", marginal_},
-            {"undecided", undecided_},
-            {"blocks", std::move(blocks)},
-            {"tree", std::move(tree)},
-            {"patterns", std::move(patterns)}}},
-          {"statistics",
-           {{"ranks", rank_reports(outcome_.ranks, tally_json)},
-            {"earlier_runs", rank_reports(outcome_.earlier, tally_json)}}}};
+  return {
+      {"command", "patterns"},
+      {"version", KUSABI_VERSION},
+      {"problem", problem_json(problem_, options_.file)},
+      {"options",
+       {{"mu", options_.friction},
+        {"tolerance", options_.tolerance},
+        {"method", options_.facets == 0 ? "cones" : "polyhedral"},
+        {"facets", options_.facets},
+        {"branching", options_.branching == wedged::Branching::product ? "paper" : "relative"}}},
+      {"status", status_name(outcome_.status)},
+      {"result",
+       {{"friction", options_.friction},
+        {"tolerance", options_.tolerance},
+        {"count", count()},
+        {"flat", flat_},
+        {"marginal", marginal_},
+        {"undecided", undecided_},
+        {"blocks", std::move(blocks)},
+        {"tree", std::move(tree)},
+        {"patterns", std::move(patterns)}}},
+      {"statistics",
+       {{"ranks", rank_reports(outcome_.ranks, tally_json)},
+        {"earlier_runs", rank_reports(outcome_.earlier, tally_json)}}}};
 }
 
 }  // namespace kusabi::run

@@ -20,7 +20,7 @@ namespace kusabi::run {
 class PatternsReport {
  public:
   PatternsReport(const PatternsOptions& options, const problems::WedgedProblem& problem,
-                 const engine::Outcome<nodes::SignPatternTree>& outcome);
+                 const engine::Outcome<wedged::SignPatternTree>& outcome);
 
   /// Leaves of which it could not be told whether they are patterns.
   [[nodiscard]] std::size_t open() const { return marginal_ + undecided_; }
@@ -41,7 +41,7 @@ class PatternsReport {
     [[nodiscard]] bool rests() const { return cones == 0 && open == 0; }
   };
 
-  [[nodiscard]] nodes::SignPatternTally total() const;
+  [[nodiscard]] wedged::SignPatternTally total() const;
   [[nodiscard]] std::uint64_t count() const;
   [[nodiscard]] std::uint64_t idle() const;
   [[nodiscard]] std::string list() const;
@@ -49,8 +49,8 @@ class PatternsReport {
 
   const PatternsOptions& options_;
   const problems::WedgedProblem& problem_;
-  const engine::Outcome<nodes::SignPatternTree>& outcome_;
-  std::vector<nodes::Configuration> leaves_;  // the maximal cones, then the open leaves
+  const engine::Outcome<wedged::SignPatternTree>& outcome_;
+  std::vector<wedged::Configuration> leaves_;  // the maximal cones, then the open leaves
   std::vector<Block> blocks_;
   std::size_t flat_ = 0, marginal_ = 0, undecided_ = 0;  // of leaves_
 };

@@ -66,7 +66,7 @@ RaysFound by_double_description(const rays::ReactionCone& cone) {
 }
 
 // What rank 0 makes of the outcome of the tree.
-RaysFound gathered(engine::Outcome<nodes::RayTree>& outcome) {
+RaysFound gathered(engine::Outcome<wedged::RayTree>& outcome) {
   RaysFound found;
   found.method = RayMethod::tree;
   found.status = status_name(outcome.status);
@@ -96,7 +96,7 @@ std::optional<RaysFound> by_tree(Session& session, const RaysOptions& options,
   // Rays are known by their zeros at all candidates, so the blocks stay together.
   problems::WedgedProblem whole = problem;
   whole.blocks.clear();
-  nodes::RayTree tree(nodes::SignPatternTree(whole, friction), cone);
+  wedged::RayTree tree(wedged::SignPatternTree(whole, friction), cone);
   auto outcome = shown_search(session, tree, {}, options.limits, options.quiet);
   if (!session.speaks()) return std::nullopt;
   return gathered(outcome);

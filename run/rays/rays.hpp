@@ -28,7 +28,7 @@ struct RaysOptions {
 };
 
 /// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, problems::InputError on every rank alike
+/// @throws WrongInput, support::InputError on every rank alike
 int rays(Session& session, const RaysOptions& options);
 
 }  // namespace kusabi::run

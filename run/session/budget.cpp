@@ -8,7 +8,7 @@
 namespace kusabi::run {
 
 Budget::Budget(const engine::Limits& limits) : limits_(limits) {
-  heed_signals();
+  engine::heed_signals();
 }
 
 double Budget::seconds() const {
@@ -23,11 +23,11 @@ engine::Limits Budget::left() const {
 }
 
 bool Budget::spent() const {
-  return end_asked_by_signal() || seconds() >= limits_.seconds;
+  return engine::end_asked_by_signal() || seconds() >= limits_.seconds;
 }
 
 engine::Status Budget::why() const {
-  return end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
+  return engine::end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
 }
 
 }  // namespace kusabi::run

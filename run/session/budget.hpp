@@ -21,7 +21,7 @@ class Budget {
   [[nodiscard]] bool spent() const;
 
   /// `spent`, for work that knows nothing of clocks and signals. This must outlive it.
-  [[nodiscard]] nodes::linear::Stop stop() const {
+  [[nodiscard]] support::Stop stop() const {
     return [this] { return spent(); };
   }
 

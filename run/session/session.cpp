@@ -68,7 +68,7 @@ std::string Session::on_first_rank(const std::function<std::string()>& prepare) 
       tell(good, prepare());
     } catch (const WrongInput& error) {
       tell(wrong, error.what());
-    } catch (const problems::InputError& error) {
+    } catch (const support::InputError& error) {
       tell(wrong, error.what());
     }
   }

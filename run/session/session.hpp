@@ -43,7 +43,7 @@ class Session {
   [[nodiscard]] bool speaks() { return transport().rank() == 0; }
 
   /// Calls `prepare` on rank 0 and gives its result to all ranks, so that they agree on what was
-  /// read even if their file systems do not. If it throws a WrongInput or a problems::InputError,
+  /// read even if their file systems do not. If it throws a WrongInput or a support::InputError,
   /// every rank throws a WrongInput that says the same.
   std::string on_first_rank(const std::function<std::string()>& prepare);
 

@@ -17,7 +17,7 @@ struct VerifyOptions {
 /// @return the exit code: `failed` if anything was refused, `stopped_early` if the search has left
 ///         something open that the certificate claims nothing of
 /// @throws WrongInput on every rank alike, if the file is not a certificate or was altered;
-///         problems::InputError if something is wrong with the problem file
+///         support::InputError if something is wrong with the problem file
 int verify(Session& session, const VerifyOptions& options);
 
 }  // namespace kusabi::run

@@ -14,7 +14,7 @@ namespace kusabi::run {
 /// @param structure of the problem file that it is to be proved of, if any
 /// @param text of the file, the same on all ranks
 /// @return the exit code
-/// @throws WrongInput on every rank alike; problems::InputError if the structure is none that limit
+/// @throws WrongInput on every rank alike; support::InputError if the structure is none that limit
 ///         analysis is for
 int verify_limit(Session& session, const VerifyOptions& options,
                  const std::optional<problems::Structure>& structure, const std::string& text);

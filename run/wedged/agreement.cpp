@@ -6,7 +6,7 @@
 namespace kusabi::run {
 
 void agree(Session& session, const problems::WedgedProblem& problem) {
-  problems::Fingerprint computed;
+  support::Fingerprint computed;
   computed.add(problem.fingerprint);
   for (const auto* matrix : {&problem.stiffness, &problem.compliance}) {
     for (const double number : matrix->reshaped()) computed.add(number);

@@ -64,11 +64,12 @@ std::vector<double> friction_at(const problems::WedgedProblem& problem, double c
   for (std::size_t i = 0; i < friction.size(); ++i) {
     friction[i] *= coefficient;
     if (friction[i] == 0) continue;
-    if (friction[i] >= nodes::least_friction && friction[i] <= nodes::most_friction) continue;
+    if (friction[i] >= wedged::least_friction && friction[i] <= wedged::most_friction) continue;
     throw WrongInput(fmt::format(
         "{}: the friction at {} comes out as {:g}; expected 0, or {:g} to {:g}: another --mu, or "
         "another relative friction",
-        file, problem.contact_names[i], friction[i], nodes::least_friction, nodes::most_friction));
+        file, problem.contact_names[i], friction[i], wedged::least_friction,
+        wedged::most_friction));
   }
   return friction;
 }
@@ -82,7 +83,7 @@ std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
 }
 
 ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
-                          const nodes::SignPattern& pattern, std::uint64_t idle) {
+                          const wedged::SignPattern& pattern, std::uint64_t idle) {
   ordered_json json;
   if (problem.blocks.size() > 1) json["block"] = block + 1;
   json["contact"] = candidate_names(problem, pattern.contact);
@@ -120,7 +121,7 @@ ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t bl
   return candidate_rows(whole, problem.dimension);
 }
 
-ordered_json tally_json(const nodes::SignPatternTally& tally) {
+ordered_json tally_json(const wedged::SignPatternTally& tally) {
   return {{"branched", tally.branched},
           {"dead", tally.dead},
           {"found", tally.found},

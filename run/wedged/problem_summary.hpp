@@ -33,7 +33,7 @@ std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
 /// from 1, if there are several. Blocks that cannot wedge at all are at rest as well, see `idle`.
 /// @param idle candidates of such blocks
 nlohmann::ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
-                                    const nodes::SignPattern& pattern, std::uint64_t idle = 0);
+                                    const wedged::SignPattern& pattern, std::uint64_t idle = 0);
 
 /// Words as one cell of a table; "-" if there are none.
 std::string listed(const std::vector<std::string>& words);
@@ -46,6 +46,6 @@ nlohmann::ordered_json block_rows(const problems::WedgedProblem& problem, std::u
                                   std::span<const double> values);
 
 /// What became of the nodes of a tree of sign patterns.
-nlohmann::ordered_json tally_json(const nodes::SignPatternTally& tally);
+nlohmann::ordered_json tally_json(const wedged::SignPatternTally& tally);
 
 }  // namespace kusabi::run

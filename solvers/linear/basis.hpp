@@ -9,7 +9,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 /// Where a row or column lies. One without the bound in question lies at the other, or at zero.
 enum class Place : std::uint8_t { basic = 0, lower = 1, upper = 2 };
@@ -51,4 +51,4 @@ class Basis {
   std::vector<std::uint8_t> bits_;
 };
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

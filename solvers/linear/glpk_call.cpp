@@ -5,7 +5,7 @@
 
 #include <glpk.h>
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
 // GLPK keeps one environment a thread.
@@ -82,4 +82,4 @@ std::string glpk_messages_of(const std::function<void()>& call) {
   return here.messages;
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

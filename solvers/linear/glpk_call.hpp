@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 /// GLPK gave up, or was called wrongly.
 class GlpkError : public std::runtime_error {
@@ -28,4 +28,4 @@ void glpk_call(const std::function<void()>& call);
 /// The same for a call whose messages matter: what GLPK would have printed comes back.
 std::string glpk_messages_of(const std::function<void()>& call);
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace kusabi::problems {
+namespace kusabi::linear {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -72,4 +72,4 @@ struct MixedProgram {
   std::vector<int> binaries;  ///< columns, each once
 };
 
-}  // namespace kusabi::problems
+}  // namespace kusabi::linear

@@ -18,19 +18,18 @@
 #include "solvers/linear/mps_lines.hpp"
 #include "support/input_error.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
-using problems::in_quotes;
-using problems::infinity;
-using problems::InputError;
+using support::in_quotes;
+using support::InputError;
 
 struct Row {
   char type = 'N';
   std::string name;
   std::optional<double> right;
   std::optional<double> range;
-  std::vector<problems::LinearTerm> terms;
+  std::vector<LinearTerm> terms;
 };
 
 struct Column {
@@ -579,4 +578,4 @@ ProgramFile parse_mps(std::string_view text, const std::string& file) {
   }
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

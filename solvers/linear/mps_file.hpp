@@ -7,13 +7,13 @@
 
 #include "solvers/linear/program_file.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 /// A bound or right-hand side this large is none at all (HiGHS, CPLEX and SCIP agree).
 inline constexpr double infinite_in_files = 1e20;
 
 /// @param text the whole file, unpacked; `file` is its name in messages
-/// @throws problems::InputError `FILE:LINE: what is wrong; expected ...`
+/// @throws support::InputError `FILE:LINE: what is wrong; expected ...`
 ProgramFile parse_mps(std::string_view text, const std::string& file);
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";
@@ -84,4 +84,4 @@ std::string capitals(std::string_view word) {
   return result;
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

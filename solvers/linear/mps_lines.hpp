@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 enum class MpsLayout { free, fixed };
 
@@ -46,4 +46,4 @@ class MpsLines {
 /// `word` in capitals.
 std::string capitals(std::string_view word);
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

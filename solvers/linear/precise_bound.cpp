@@ -7,7 +7,7 @@
 
 #include "solvers/linear/rounded.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
 using numbers::Precise;
@@ -66,7 +66,7 @@ bool add_least(Sum& total, const Sum& residual, double lower, double upper, Resi
   return residuals == Residuals::forgiven && std::abs(r.x[0]) <= forgiven_share * residual.size();
 }
 
-SafeBound bound(const problems::LinearProgram& program, std::span<const Precise> duals,
+SafeBound bound(const LinearProgram& program, std::span<const Precise> duals,
                 std::span<const double> lower, std::span<const double> upper, Residuals residuals,
                 bool with_costs) {
   std::vector<Precise> y(duals.begin(), duals.end());
@@ -104,16 +104,16 @@ SafeBound bound(const problems::LinearProgram& program, std::span<const Precise>
 
 }  // namespace
 
-SafeBound safe_bound(const problems::LinearProgram& program, std::span<const Precise> duals,
+SafeBound safe_bound(const LinearProgram& program, std::span<const Precise> duals,
                      std::span<const double> lower, std::span<const double> upper,
                      Residuals residuals) {
   return bound(program, duals, lower, upper, residuals, true);
 }
 
-double safe_infeasibility(const problems::LinearProgram& program, std::span<const Precise> duals,
+double safe_infeasibility(const LinearProgram& program, std::span<const Precise> duals,
                           std::span<const double> lower, std::span<const double> upper,
                           Residuals residuals) {
   return bound(program, duals, lower, upper, residuals, false).value;
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

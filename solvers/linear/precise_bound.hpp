@@ -10,7 +10,7 @@
 #include "solvers/linear/safe_bound.hpp"
 #include "support/numbers/precise.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 /// What to do about a residual that should be zero, of a column without the bound in question.
 enum class Residuals {
@@ -19,13 +19,13 @@ enum class Residuals {
 };
 
 /// As safe_bound() of doubles. Errors of the 104 bits are bounded and taken off.
-SafeBound safe_bound(const problems::LinearProgram& program,
-                     std::span<const numbers::Precise> duals, std::span<const double> lower,
-                     std::span<const double> upper, Residuals residuals = Residuals::proved);
+SafeBound safe_bound(const LinearProgram& program, std::span<const numbers::Precise> duals,
+                     std::span<const double> lower, std::span<const double> upper,
+                     Residuals residuals = Residuals::proved);
 
 /// As safe_infeasibility() of doubles: above zero if no point satisfies all rows and bounds.
-double safe_infeasibility(const problems::LinearProgram& program,
-                          std::span<const numbers::Precise> duals, std::span<const double> lower,
-                          std::span<const double> upper, Residuals residuals = Residuals::proved);
+double safe_infeasibility(const LinearProgram& program, std::span<const numbers::Precise> duals,
+                          std::span<const double> lower, std::span<const double> upper,
+                          Residuals residuals = Residuals::proved);
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

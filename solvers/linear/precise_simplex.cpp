@@ -11,11 +11,10 @@
 
 #include <Eigen/LU>
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
 using numbers::Precise;
-using problems::infinity;
 using Vector = std::vector<Precise>;
 
 // A basis is solved when each equation holds to this part of its terms.
@@ -39,8 +38,8 @@ double size(const Precise& number) {
 }
 
 // With a column for each row's activity s, so that it can have a cost: Ax - s = 0.
-problems::LinearProgram with_activities(const problems::LinearProgram& given) {
-  problems::LinearProgram program;
+LinearProgram with_activities(const LinearProgram& given) {
+  LinearProgram program;
   program.columns.reserve(given.columns.size() + given.rows.size());
   for (const auto& column : given.columns) {
     program.add_column({.cost = column.cost, .lower = column.lower, .upper = column.upper});
@@ -56,7 +55,7 @@ problems::LinearProgram with_activities(const problems::LinearProgram& given) {
 
 class Refinement {
  public:
-  Refinement(const problems::LinearProgram& given, const Stop& stop)
+  Refinement(const LinearProgram& given, const support::Stop& stop)
       : given_(given),
         extended_(with_activities(given)),
         rows_(given.rows.size()),
@@ -383,13 +382,13 @@ class Refinement {
     }
   }
 
-  const problems::LinearProgram& given_;
-  problems::LinearProgram extended_;
+  const LinearProgram& given_;
+  LinearProgram extended_;
   std::size_t rows_;
   std::size_t columns_;
   Simplex simplex_;
-  const Stop& stop_;
-  std::vector<std::vector<problems::LinearEntry>> column_entries_;
+  const support::Stop& stop_;
+  std::vector<std::vector<LinearEntry>> column_entries_;
   std::vector<int> head_;
   std::vector<Place> place_;
   Vector values_;  // of the columns, then of the activities
@@ -404,9 +403,9 @@ class Refinement {
 
 }  // namespace
 
-PreciseSolution solve_precisely(const problems::LinearProgram& program, const Basis& start,
-                                const Stop& stop) {
+PreciseSolution solve_precisely(const LinearProgram& program, const Basis& start,
+                                const support::Stop& stop) {
   return Refinement(program, stop).solve(start);
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

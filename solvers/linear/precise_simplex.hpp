@@ -14,10 +14,10 @@
 #include "solvers/linear/basis.hpp"
 #include "solvers/linear/linear_program.hpp"
 #include "solvers/linear/simplex.hpp"
-#include "support/stop.hpp"
 #include "support/numbers/precise.hpp"
+#include "support/stop.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 struct PreciseSolution {
   /// `optimal`, `infeasible` and `unbounded` as GLPK says of the program scaled up; otherwise
@@ -32,7 +32,7 @@ struct PreciseSolution {
 
 /// From `start`, a basis of GLPK's for the program or one near to it; empty: from slacks. It hangs
 /// on its arguments alone.
-PreciseSolution solve_precisely(const problems::LinearProgram& program, const Basis& start,
-                                const Stop& stop = {});
+PreciseSolution solve_precisely(const LinearProgram& program, const Basis& start,
+                                const support::Stop& stop = {});
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

@@ -19,11 +19,10 @@
 #include "solvers/linear/mps_file.hpp"
 #include "support/input_error.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
-using problems::infinity;
-using problems::InputError;
+using support::InputError;
 
 // A problem of GLPK's, for as long as its environment lasts.
 class Loaded {
@@ -130,22 +129,21 @@ void check(const Bounds& bounds, const std::string& file, const char* what,
   throw InputError(file, {},
                    fmt::format("{} {} has a lower bound of {} and an upper bound of {}; expected "
                                "bounds with a number between them",
-                               what, problems::in_quotes(name), bounds.lower, bounds.upper));
+                               what, support::in_quotes(name), bounds.lower, bounds.upper));
 }
 
 double finite(double value, const std::string& file, const char* what, const std::string& name) {
   if (std::isfinite(value)) return value;
   throw InputError(file, {},
                    fmt::format("{} {} has a coefficient of {}; expected a finite number", what,
-                               problems::in_quotes(name), value));
+                               support::in_quotes(name), value));
 }
 
 std::string text(const char* name) {
   return name == nullptr ? std::string() : std::string(name);
 }
 
-void add_columns(glp_prob* lp, const std::string& file, double sign,
-                 problems::MixedProgram& mixed) {
+void add_columns(glp_prob* lp, const std::string& file, double sign, MixedProgram& mixed) {
   for (int j = 1; j <= glp_get_num_cols(lp); ++j) {
     auto [lower, upper] =
         bounds(glp_get_col_type(lp, j), glp_get_col_lb(lp, j), glp_get_col_ub(lp, j));
@@ -159,7 +157,7 @@ void add_columns(glp_prob* lp, const std::string& file, double sign,
       throw InputError(file, {},
                        fmt::format("column {} is a general integer, {} to {}; expected integer "
                                    "columns between 0 and 1 only",
-                                   problems::in_quotes(name), lower, upper));
+                                   support::in_quotes(name), lower, upper));
     }
     const int column = mixed.program.add_column(
         {sign * finite(glp_get_obj_coef(lp, j), file, "column", name), lower, upper, name});
@@ -167,7 +165,7 @@ void add_columns(glp_prob* lp, const std::string& file, double sign,
   }
 }
 
-void add_rows(glp_prob* lp, const std::string& file, problems::MixedProgram& mixed) {
+void add_rows(glp_prob* lp, const std::string& file, MixedProgram& mixed) {
   std::vector<int> at(static_cast<std::size_t>(glp_get_num_cols(lp)) + 1);
   std::vector<double> values(at.size());
   for (int i = 1; i <= glp_get_num_rows(lp); ++i) {
@@ -178,7 +176,7 @@ void add_rows(glp_prob* lp, const std::string& file, problems::MixedProgram& mix
     if (lower == -infinity && upper == infinity) continue;
     check({lower, upper}, file, "row", name);
     const int count = glp_get_mat_row(lp, i, at.data(), values.data());
-    std::vector<problems::LinearTerm> terms;
+    std::vector<LinearTerm> terms;
     for (int k = count; k >= 1; --k) {  // GLPK puts the last entry first
       const auto place = static_cast<std::size_t>(k);
       terms.push_back({at[place] - 1, finite(values[place], file, "row", name)});
@@ -210,4 +208,4 @@ ProgramFile read_program(const std::filesystem::path& file) {
   return result;
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

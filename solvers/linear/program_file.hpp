@@ -12,12 +12,12 @@
 
 #include "solvers/linear/linear_program.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 /// A program as it is in a file.
 struct ProgramFile {
-  problems::MixedProgram mixed;  ///< to be minimised
-  bool maximise = false;         ///< the costs of `mixed` are the negatives of the file's
+  MixedProgram mixed;     ///< to be minimised
+  bool maximise = false;  ///< the costs of `mixed` are the negatives of the file's
   std::vector<std::string> warnings =
       {};  ///< `FILE:LINE: ...`: what other readers may take otherwise
 
@@ -45,9 +45,9 @@ struct ProgramFile {
 
 /// Reads a file whose name ends in .mps or .lp (or one of these and .gz). Rows without bounds are
 /// left out. An integer column must fit between 0 and 1, or be fixed.
-/// @throws problems::InputError `FILE:LINE: ...` where the file is wrong (of an LP file in GLPK's
+/// @throws support::InputError `FILE:LINE: ...` where the file is wrong (of an LP file in GLPK's
 ///   words); `FILE: ...` if it cannot be opened or unpacked, or a column of an LP file is a general
 ///   integer
 ProgramFile read_program(const std::filesystem::path& file);
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

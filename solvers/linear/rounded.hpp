@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 /// A number somewhere in [lower, upper].
 struct Interval {
@@ -69,4 +69,4 @@ inline Interval product(double a, double b) {
   return {rounded::product_down(a, b), rounded::product_up(a, b)};
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

@@ -8,10 +8,10 @@
 
 #include "solvers/linear/rounded.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
-SafeBound bound(const problems::LinearProgram& program, std::span<const double> duals,
+SafeBound bound(const LinearProgram& program, std::span<const double> duals,
                 std::span<const double> lower, std::span<const double> upper, bool with_costs) {
   std::vector<double> y(duals.begin(), duals.end());
   double total = with_costs ? program.constant : 0;
@@ -40,8 +40,8 @@ SafeBound bound(const problems::LinearProgram& program, std::span<const double> 
       finite = finite && least > 0;
     }
   }
-  if (std::isnan(total)) total = -problems::infinity;
-  return {finite ? total : -problems::infinity, total, std::move(residual)};
+  if (std::isnan(total)) total = -infinity;
+  return {finite ? total : -infinity, total, std::move(residual)};
 }
 
 }  // namespace
@@ -52,12 +52,12 @@ double least_product(const Interval& residual, double lower, double upper) {
                    product_down(residual.upper, lower), product_down(residual.upper, upper)});
 }
 
-SafeBound safe_bound(const problems::LinearProgram& program, std::span<const double> duals,
+SafeBound safe_bound(const LinearProgram& program, std::span<const double> duals,
                      std::span<const double> lower, std::span<const double> upper) {
   return bound(program, duals, lower, upper, true);
 }
 
-double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals) {
+double safe_dual_bound(const LinearProgram& program, std::span<const double> duals) {
   std::vector<double> lower;
   std::vector<double> upper;
   lower.reserve(program.columns.size());
@@ -69,14 +69,14 @@ double safe_dual_bound(const problems::LinearProgram& program, std::span<const d
   return safe_dual_bound(program, duals, lower, upper);
 }
 
-double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals,
+double safe_dual_bound(const LinearProgram& program, std::span<const double> duals,
                        std::span<const double> lower, std::span<const double> upper) {
   return bound(program, duals, lower, upper, true).value;
 }
 
-double safe_infeasibility(const problems::LinearProgram& program, std::span<const double> duals,
+double safe_infeasibility(const LinearProgram& program, std::span<const double> duals,
                           std::span<const double> lower, std::span<const double> upper) {
   return bound(program, duals, lower, upper, false).value;
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

@@ -14,25 +14,25 @@
 #include "solvers/linear/linear_program.hpp"
 #include "solvers/linear/rounded.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 /// A number that no point of the program has an objective below. Multipliers that press on a bound
 /// which a row does not have count as zero. Minus infinity if a column without the bound in
 /// question is left with a residual r_j other than zero: give columns bounds to have one.
 /// @param duals a number for each row
-double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals);
+double safe_dual_bound(const LinearProgram& program, std::span<const double> duals);
 
 /// The same with other bounds of the columns: those of a node.
-double safe_dual_bound(const problems::LinearProgram& program, std::span<const double> duals,
+double safe_dual_bound(const LinearProgram& program, std::span<const double> duals,
                        std::span<const double> lower, std::span<const double> upper);
 
 /// The bound with what it was made of.
 struct SafeBound {
-  double value = -problems::infinity;
-  double finite_part = -problems::infinity;  ///< without columns whose part is minus infinity
-  std::vector<Interval> residuals;           ///< c - A'y, one for each column
+  double value = -infinity;
+  double finite_part = -infinity;   ///< without columns whose part is minus infinity
+  std::vector<Interval> residuals;  ///< c - A'y, one for each column
 };
-SafeBound safe_bound(const problems::LinearProgram& program, std::span<const double> duals,
+SafeBound safe_bound(const LinearProgram& program, std::span<const double> duals,
                      std::span<const double> lower, std::span<const double> upper);
 
 /// The least r x with r in `residual` and x in [lower, upper], rounded down: what one column adds
@@ -40,7 +40,7 @@ SafeBound safe_bound(const problems::LinearProgram& program, std::span<const dou
 double least_product(const Interval& residual, double lower, double upper);
 
 /// The same without the costs: if it is above zero then no point satisfies all rows and bounds.
-double safe_infeasibility(const problems::LinearProgram& program, std::span<const double> duals,
+double safe_infeasibility(const LinearProgram& program, std::span<const double> duals,
                           std::span<const double> lower, std::span<const double> upper);
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

@@ -12,7 +12,7 @@
 
 #include "solvers/linear/glpk_call.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
 // Relative to the scaled program. GLPK's own 1e-7 is what a general solver can promise of programs
@@ -55,7 +55,7 @@ void require(bool holds, const char* what) {
 
 void require_bounds(double lower, double upper) {
   require(!std::isnan(lower) && !std::isnan(upper), "a bound is not a number");
-  require(lower < problems::infinity && upper > -problems::infinity, "a bound shuts all out");
+  require(lower < infinity && upper > -infinity, "a bound shuts all out");
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ struct Simplex::Problem {
   }
 };
 
-Simplex::Simplex(const problems::LinearProgram& program) : problem_(std::make_unique<Problem>()) {
+Simplex::Simplex(const LinearProgram& program) : problem_(std::make_unique<Problem>()) {
   const auto row_count = static_cast<int>(program.rows.size());
   const auto column_count = static_cast<int>(program.columns.size());
   row_empty_.resize(program.rows.size());
@@ -180,7 +180,7 @@ void Simplex::set_constant(double constant) {
   problem_->call([&] { glp_set_obj_coef(problem_->lp, 0, constant); });
 }
 
-int Simplex::add_row(double lower, double upper, std::span<const problems::LinearTerm> terms) {
+int Simplex::add_row(double lower, double upper, std::span<const LinearTerm> terms) {
   std::vector<int> at{0};
   std::vector<double> values{0};
   for (const auto& [column, value] : terms) {
@@ -200,8 +200,7 @@ int Simplex::add_row(double lower, double upper, std::span<const problems::Linea
   return index;
 }
 
-int Simplex::add_column(const problems::LinearColumn& column,
-                        std::span<const problems::LinearEntry> entries) {
+int Simplex::add_column(const LinearColumn& column, std::span<const LinearEntry> entries) {
   std::vector<int> at{0};
   std::vector<double> values{0};
   for (const auto& entry : entries) {
@@ -293,7 +292,7 @@ LinearStatus Simplex::solve(int method, const SolveLimits& limits) {
     problem_->call([&] { code = glp_simplex(problem_->lp, &control); });
     done = std::max(0, glp_get_it_cnt(problem_->lp) - before);
     if (code != GLP_EITLIM || done >= most) break;
-    if (asked(limits.stop)) {
+    if (support::asked(limits.stop)) {
       iterations_ += static_cast<std::uint64_t>(done);
       return LinearStatus::interrupted;
     }
@@ -477,4 +476,4 @@ bool Simplex::solve_with_transposed_basis(std::vector<double>& b) {
   return true;
 }
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

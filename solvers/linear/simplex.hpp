@@ -18,7 +18,7 @@
 #include "solvers/linear/linear_program.hpp"
 #include "support/stop.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 
 /// What a solve found out. The first four are claims of a floating-point method: what they prove is
 /// told by safe_dual_bound().
@@ -37,14 +37,14 @@ struct SolveLimits {
   int iterations = std::numeric_limits<int>::max();
   /// Asked between pieces of a long solve, each of them a fraction of a second. Where it is given,
   /// the solve is in pieces whatever it says, so that its result does not depend on the answers.
-  Stop stop = {};
+  support::Stop stop = {};
 };
 
 class Simplex {
  public:
   /// Loads and scales. @throws std::invalid_argument if an entry is out of range, doubled or not
   /// finite, or a bound or cost is not a number
-  explicit Simplex(const problems::LinearProgram& program);
+  explicit Simplex(const LinearProgram& program);
   Simplex(Simplex&& other) noexcept;
   Simplex& operator=(Simplex&& other) noexcept;
   ~Simplex();
@@ -60,10 +60,9 @@ class Simplex {
   void set_cost(int column, double cost);
   void set_constant(double constant);
   /// The new row is basic. @return its index
-  int add_row(double lower, double upper, std::span<const problems::LinearTerm> terms);
+  int add_row(double lower, double upper, std::span<const LinearTerm> terms);
   /// The new column lies at a bound. @return its index
-  int add_column(const problems::LinearColumn& column,
-                 std::span<const problems::LinearEntry> entries);
+  int add_column(const LinearColumn& column, std::span<const LinearEntry> entries);
   /// Removes the rows from `first` on. If they are not all basic the basis may be lost; then the
   /// next solve begins with the slack basis.
   void drop_rows(int first);
@@ -141,4 +140,4 @@ class Simplex {
   std::uint64_t solves_ = 0;
 };
 
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

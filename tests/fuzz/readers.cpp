@@ -81,15 +81,15 @@ std::optional<std::string> try_structure(const std::string& bytes) {
   // What follows takes the cube of the size.
   constexpr std::size_t most_nodes = 60;
   std::optional<problems::Structure> structure;
-  auto refused = refusal<problems::InputError>(
+  auto refused = refusal<support::InputError>(
       [&] { structure = problems::read_structure(bytes, "fuzzed.toml"); });
   if (refused || structure->node_names.size() > most_nodes) return refused;
-  refused = refusal<problems::InputError>([&] { problems::wedged_problem(*structure); });
-  const auto other = refusal<problems::InputError>([&] { problems::limit_problem(*structure); });
+  refused = refusal<support::InputError>([&] { problems::wedged_problem(*structure); });
+  const auto other = refusal<support::InputError>([&] { problems::limit_problem(*structure); });
   return refused && other ? refused : std::nullopt;
 }
 
-void check(const problems::MixedProgram& mixed) {
+void check(const linear::MixedProgram& mixed) {
   const auto& program = mixed.program;
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw Defect(what);
@@ -115,7 +115,7 @@ void check(const problems::MixedProgram& mixed) {
 std::optional<std::string> try_program(const std::string& bytes, const char* name) {
   const auto file = folder().file(name);
   write(file, bytes);
-  return refusal<problems::InputError>([&] { check(nodes::linear::read_program(file).mixed); });
+  return refusal<support::InputError>([&] { check(linear::read_program(file).mixed); });
 }
 
 std::optional<std::string> try_certificate(const std::string& bytes) {
@@ -156,7 +156,7 @@ void repair_digest(std::string& bytes) {
   const auto at = bytes.rfind("\ndigest ");
   if (at == std::string::npos) return;
   bytes.resize(at + 1);
-  bytes += "digest " + nodes::hexadecimal(nodes::sha1(bytes)) + '\n';
+  bytes += "digest " + support::hexadecimal(support::sha1(bytes)) + '\n';
 }
 
 std::string checksummed(std::string header, const std::string& body) {

@@ -20,8 +20,8 @@
 namespace kusabi::run {
 namespace {
 
-using nodes::limit::LoadStatus;
-using nodes::limit::RootStatus;
+using limit::LoadStatus;
+using limit::RootStatus;
 using problems::LimitProblem;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -138,18 +138,17 @@ Corner worst_corner(const LimitProblem& problem, double alpha) {
       loaded.dead(degree) += ((corner >> j) & 1U) != 0 ? alpha * weight : -alpha * weight;
     }
     const auto usual = problems::limit_model(loaded);
-    if (nodes::limit::LoadFactor(usual).solve(usual.dead) == LoadStatus::not_carried) {
+    if (limit::LoadFactor(usual).solve(usual.dead) == LoadStatus::not_carried) {
       return {LoadStatus::not_carried, -infinity, 0};
     }
-    const auto model = nodes::limit::balanced_model(loaded, 0);
-    nodes::limit::LoadFactor solver(model);
+    const auto model = limit::balanced_model(loaded, 0);
+    limit::LoadFactor solver(model);
     const auto status = solver.solve(model.dead);
     if (status != LoadStatus::collapses) return {status, -infinity, 0};
     const auto collapse = solver.collapse();
     if (collapse.factor * model.factor_unit >= worst.factor) continue;
     worst.factor = collapse.factor * model.factor_unit;
-    worst.dissipation =
-        nodes::limit::dissipation(loaded, model, collapse.motion) * model.factor_unit;
+    worst.dissipation = limit::dissipation(loaded, model, collapse.motion) * model.factor_unit;
   }
   return worst;
 }
@@ -176,7 +175,7 @@ TEST(LimitSearch, ProvesTheWorstCornerOfRandomTrusses) {
     std::optional<LimitProblem> problem;
     try {
       problem = problems::limit_problem(truss);
-    } catch (const problems::InputError&) {
+    } catch (const support::InputError&) {
       continue;  // a mechanism, or two nodes at one place
     }
     LimitOptions options;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kusabi::problems {
+namespace kusabi::support {
 namespace {
 
 TEST(InputError, SaysFileLineColumnAndMessage) {
@@ -35,4 +35,4 @@ TEST(InQuotes, CutsLongTextBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace kusabi::problems
+}  // namespace kusabi::support

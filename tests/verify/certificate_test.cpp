@@ -15,9 +15,9 @@
 namespace kusabi::verify {
 namespace {
 
-using nodes::random_problem;
 using testing::AllOf;
 using testing::HasSubstr;
+using wedged::random_problem;
 
 // A small problem with dead nodes and living ones.
 const Draft& small() {

@@ -102,8 +102,7 @@ TEST(LimitAgreement, ErrorsMoveTheUpperEndAndForbidTheLower) {
   coarse.reference[1].error = error;
   const LimitProof of_reference(certificate, coarse);
   EXPECT_GE(std::get<mpq_class>(of_reference.upper()).get_d(), 0.5 + 0x1p-22);
-  EXPECT_THAT(std::get<std::string>(of_reference.lower(certificate.nodes[0])),
-              HasSubstr("yields"));
+  EXPECT_THAT(std::get<std::string>(of_reference.lower(certificate.nodes[0])), HasSubstr("yields"));
   coarse = agreed(certificate, truss());
   for (auto& [place, entry] : coarse.columns[0]) entry.error = Dyadic(1.0);
   EXPECT_THAT(std::get<std::string>(LimitProof(certificate, coarse).lower(certificate.nodes[0])),

@@ -20,12 +20,12 @@
 namespace kusabi::verify {
 namespace {
 
-using nodes::random_problem;
 using testing::AnyOf;
 using testing::Contains;
 using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using wedged::random_problem;
 
 const Draft& truss() {
   static const Draft draft = searched(example("space-truss.toml"), 0.65);

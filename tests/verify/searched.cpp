@@ -18,7 +18,7 @@ namespace kusabi::verify {
 
 std::string sealed(const std::string& text) {
   const auto body = text.substr(0, text.rfind("digest "));
-  return fmt::format("{}digest {}\n", body, nodes::hexadecimal(nodes::sha1(body)));
+  return fmt::format("{}digest {}\n", body, support::hexadecimal(support::sha1(body)));
 }
 
 std::string Draft::text() const {
@@ -45,8 +45,8 @@ std::string listed(const Numbers& numbers) {
   return text;
 }
 
-std::string node_line(const nodes::Evidence& evidence) {
-  using Kind = nodes::Evidence::Kind;
+std::string node_line(const wedged::Evidence& evidence) {
+  using Kind = wedged::Evidence::Kind;
   const auto* const kind = evidence.kind == Kind::dead    ? "dead"
                            : evidence.kind == Kind::alive ? "alive"
                                                           : "marginal";
@@ -75,7 +75,7 @@ Draft searched(const problems::WedgedProblem& problem, double friction) {
   // Version 1 knows of no blocks.
   auto whole = problem;
   whole.blocks.clear();
-  nodes::SignPatternTree tree(whole, everywhere, {.tolerances = {}, .thorough = true});
+  wedged::SignPatternTree tree(whole, everywhere, {.tolerances = {}, .thorough = true});
   tree.report_to([&](const auto& evidence) { draft.nodes.push_back(node_line(evidence)); });
   engine::search(tree);
   return draft;

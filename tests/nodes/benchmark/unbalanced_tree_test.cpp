@@ -15,7 +15,7 @@
 #include "nodes/benchmark/standard_trees.hpp"
 #include "support/sha1.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::benchmark {
 
 // What a failing test prints.
 std::ostream& operator<<(std::ostream& out, const TreeCounts& counts) {
@@ -26,12 +26,14 @@ namespace {
 
 // The examples that came with FIPS 180 and the digest of nothing.
 TEST(Sha1, GivesTheDigestsOfTheStandard) {
-  EXPECT_EQ(sha1(""), (Sha1Digest{0xDA39A3EE, 0x5E6B4B0D, 0x3255BFEF, 0x95601890, 0xAFD80709}));
-  EXPECT_EQ(sha1("abc"), (Sha1Digest{0xA9993E36, 0x4706816A, 0xBA3E2571, 0x7850C26C, 0x9CD0D89D}));
-  EXPECT_EQ(sha1("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
-            (Sha1Digest{0x84983E44, 0x1C3BD26E, 0xBAAE4AA1, 0xF95129E5, 0xE54670F1}));
-  EXPECT_EQ(sha1(std::string(1'000'000, 'a')),
-            (Sha1Digest{0x34AA973C, 0xD4C4DAA4, 0xF61EEB2B, 0xDBAD2731, 0x6534016F}));
+  EXPECT_EQ(support::sha1(""),
+            (support::Sha1Digest{0xDA39A3EE, 0x5E6B4B0D, 0x3255BFEF, 0x95601890, 0xAFD80709}));
+  EXPECT_EQ(support::sha1("abc"),
+            (support::Sha1Digest{0xA9993E36, 0x4706816A, 0xBA3E2571, 0x7850C26C, 0x9CD0D89D}));
+  EXPECT_EQ(support::sha1("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            (support::Sha1Digest{0x84983E44, 0x1C3BD26E, 0xBAAE4AA1, 0xF95129E5, 0xE54670F1}));
+  EXPECT_EQ(support::sha1(std::string(1'000'000, 'a')),
+            (support::Sha1Digest{0x34AA973C, 0xD4C4DAA4, 0xF61EEB2B, 0xDBAD2731, 0x6534016F}));
 }
 
 TEST(Sha1, PiecesAreAsGoodAsTheWhole) {
@@ -39,19 +41,20 @@ TEST(Sha1, PiecesAreAsGoodAsTheWhole) {
   for (int i = 0; i < 300; ++i) message += static_cast<char>('a' + i % 23);
   for (std::size_t first = 0; first <= 130; ++first) {
     for (const std::size_t second : {0, 1, 63, 64, 65, 129}) {
-      Sha1Stream stream;
+      support::Sha1Stream stream;
       stream.add(std::string_view(message).substr(0, first));
       stream.add(std::string_view(message).substr(first, second));
       stream.add(std::string_view(message).substr(first + second));
-      EXPECT_EQ(stream.digest(), sha1(message)) << first << " " << second;
+      EXPECT_EQ(stream.digest(), support::sha1(message)) << first << " " << second;
     }
   }
-  EXPECT_EQ(hexadecimal(sha1("abc")), "a9993e364706816aba3e25717850c26c9cd0d89d");
+  EXPECT_EQ(support::hexadecimal(support::sha1("abc")), "a9993e364706816aba3e25717850c26c9cd0d89d");
 }
 
 TEST(Sha1, WordsAreTheirBytesWithTheUpperOneFirst) {
-  EXPECT_EQ(sha1(std::array<std::uint32_t, 2>{0x61626364, 0x65666768}), sha1("abcdefgh"));
-  EXPECT_EQ(sha1(std::array<std::uint32_t, 0>{}), sha1(""));
+  EXPECT_EQ(support::sha1(std::array<std::uint32_t, 2>{0x61626364, 0x65666768}),
+            support::sha1("abcdefgh"));
+  EXPECT_EQ(support::sha1(std::array<std::uint32_t, 0>{}), support::sha1(""));
 }
 
 class Standard : public testing::TestWithParam<const char*> {};
@@ -94,4 +97,4 @@ TEST(UnbalancedTree, SimulatedRanksCountWhatOneDoes) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::benchmark

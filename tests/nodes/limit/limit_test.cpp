@@ -18,7 +18,7 @@
 #include "run/evidence/limit_evidence.hpp"
 #include "verify/limit_proof.hpp"
 
-namespace kusabi::nodes::limit {
+namespace kusabi::limit {
 namespace {
 
 using problems::LimitModel;
@@ -269,7 +269,7 @@ std::optional<LimitProblem> random_truss(std::mt19937& bits) {
   load(problems::Load::Kind::dead, nodes - 3);
   try {
     return limit_problem(truss);
-  } catch (const problems::InputError&) {
+  } catch (const support::InputError&) {
     return {};
   }
 }
@@ -352,4 +352,4 @@ TEST(LoadFactor, OfTwoBarsIsThatOfTheHandCalculation) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes::limit
+}  // namespace kusabi::limit

@@ -13,7 +13,7 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 problems::WedgedProblem problem_of(const std::string& name) {
@@ -107,4 +107,4 @@ TEST(Stalled, NothingIsUndecidedNearACriticalCoefficient) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

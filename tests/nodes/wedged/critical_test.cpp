@@ -17,7 +17,7 @@
 #include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 constexpr double width = 1e-8;
@@ -237,4 +237,4 @@ TEST(CriticalFriction, NothingBelowABoundIsAnAnswer) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -19,7 +19,7 @@
 #include "solvers/rays/maximal_cones.hpp"
 #include "support/input_error.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 /// (S, G): what a cone loads and what it moves.
@@ -55,7 +55,7 @@ std::optional<Cones> whole_cones(const problems::WedgedProblem& problem, double 
 std::optional<problems::WedgedProblem> problem_of(const problems::Structure& structure) {
   try {
     return problems::wedged_problem(structure);
-  } catch (const problems::InputError&) {  // a mechanism, which is no fault of ours
+  } catch (const support::InputError&) {  // a mechanism, which is no fault of ours
     return std::nullopt;
   }
 }
@@ -194,4 +194,4 @@ TEST(MaximalCones, OfIndependentBlocksMultiply) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -10,7 +10,7 @@
 #include "nodes/wedged/contact_solver.hpp"
 #include "tests/nodes/wedged/random_truss.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 using conic::Answer;
@@ -240,4 +240,4 @@ TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -9,7 +9,7 @@
 
 #include "problems/wedged/wedged_problem.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// A random positive definite stiffness, full, of condition about ten.
 inline problems::WedgedProblem random_problem(int dimension, int candidates, std::uint64_t seed) {
@@ -29,4 +29,4 @@ inline problems::WedgedProblem random_problem(int dimension, int candidates, std
   return problem;
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

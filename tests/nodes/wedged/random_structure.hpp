@@ -11,7 +11,7 @@
 
 #include "problems/structure/structure.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 
 /// Makes a structure node by node and bar by bar.
 class StructureBuilder {
@@ -90,4 +90,4 @@ inline problems::Structure random_structure(int dimension, std::uint64_t seed) {
   return builder.structure();
 }
 
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -11,7 +11,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "support/input_error.hpp"
 
-namespace kusabi::nodes::testing {
+namespace kusabi::wedged::testing {
 
 /// What a random truss is made of.
 struct TrussKind {
@@ -64,10 +64,10 @@ inline std::pair<problems::Structure, problems::WedgedProblem> random_problem(
     try {
       problems::WedgedProblem problem = problems::wedged_problem(structure);
       return {std::move(structure), std::move(problem)};
-    } catch (const problems::InputError&) {
+    } catch (const support::InputError&) {
       continue;  // a mechanism
     }
   }
 }
 
-}  // namespace kusabi::nodes::testing
+}  // namespace kusabi::wedged::testing

@@ -9,7 +9,7 @@
 #include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 std::vector<rays::ZeroSet> sorted(std::vector<rays::ZeroSet> list) {
@@ -46,4 +46,4 @@ TEST(RayTree, FindsTheRaysOfTheDoubleDescription) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

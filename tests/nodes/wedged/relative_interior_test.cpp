@@ -7,7 +7,7 @@
 #include "nodes/wedged/contact_solver.hpp"
 #include "tests/nodes/wedged/random_truss.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 constexpr conic::Tolerances tight{};
@@ -129,4 +129,4 @@ TEST(RelativeInterior, AtTheCriticalCoefficientTheCandidateIsLoaded) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

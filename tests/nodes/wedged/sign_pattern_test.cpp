@@ -19,7 +19,7 @@
 #include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::wedged {
 namespace {
 
 using ContactSet = std::vector<int>;
@@ -301,4 +301,4 @@ TEST(SignPatternTree, OpensTheSameNodesOnAnyNumberOfSimulatedRanks) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::wedged

@@ -10,16 +10,16 @@
 #include "nodes/zero_one/disjunctive_cuts.hpp"
 #include "tests/nodes/zero_one/programs.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
 using linear::LinearStatus;
-using problems::LinearTerm;
+using linear::LinearTerm;
 using tests::by_brute_force;
 using tests::random_mixed;
 
 // The program with the costs replaced: its optimum is the least of that form over all points.
-std::optional<double> least_of(problems::MixedProgram mixed, const std::vector<LinearTerm>& form) {
+std::optional<double> least_of(linear::MixedProgram mixed, const std::vector<LinearTerm>& form) {
   mixed.program.constant = 0;
   for (auto& column : mixed.program.columns) column.cost = 0;
   for (const auto& [column, value] : form) {
@@ -60,7 +60,7 @@ TEST(DisjunctiveCuts, HoldAtEveryPointAndCutOffTheOptimumOfTheRelaxation) {
 TEST(DisjunctiveCuts, AreAsDeepAsTheHullOfBothSides) {
   // x <= tau, x <= 1 - tau with 0 <= x <= 1: both sides of the disjunction say x = 0, the
   // relaxation allows x = 1/2 at tau = 1/2.
-  problems::MixedProgram mixed;
+  linear::MixedProgram mixed;
   const int tau = mixed.program.add_column({.upper = 1});
   const int x = mixed.program.add_column({.cost = -1, .upper = 1});
   mixed.binaries = {tau};
@@ -134,7 +134,7 @@ TEST(BoundTightening, SaysWhenNoPointMatters) {
 TEST(BoundTightening, MakesABigMAsSmallAsItNeedsToBe) {
   // gamma <= |u| with -3 <= u <= 4 and M = 100, as in (29): gamma - u <= M (1 - tau) needs
   // M = 6 where u = -3 (gamma = 3), gamma + u <= M tau needs 8.
-  problems::MixedProgram mixed;
+  linear::MixedProgram mixed;
   auto& program = mixed.program;
   const int tau = program.add_column({.upper = 1});
   const int u = program.add_column({.lower = -3, .upper = 4});
@@ -168,8 +168,8 @@ TEST(BoundTightening, LosesNoOptimum) {
 }
 
 TEST(ImpliedBounds, FollowFromRowsAndLoseNothing) {
-  problems::LinearProgram program;
-  const int x = program.add_column({.lower = -problems::infinity});
+  linear::LinearProgram program;
+  const int x = program.add_column({.lower = -linear::infinity});
   const int y = program.add_column({.cost = 3});
   const int tau = program.add_column({.upper = 1});
   program.add_row({.upper = 0}, {{{x, 1}, {tau, -7}}});              // x <= 7 tau
@@ -182,4 +182,4 @@ TEST(ImpliedBounds, FollowFromRowsAndLoseNothing) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

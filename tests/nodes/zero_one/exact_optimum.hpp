@@ -161,7 +161,7 @@ struct ExactOptimum {
 };
 
 /// Of a linear program.
-inline ExactOptimum exact_optimum(const problems::LinearProgram& program) {
+inline ExactOptimum exact_optimum(const linear::LinearProgram& program) {
   using Numbers = std::vector<mpq_class>;
   // x = start + sum of direction * x', x' >= 0
   struct Part {
@@ -235,7 +235,7 @@ inline ExactOptimum exact_optimum(const problems::LinearProgram& program) {
 }
 
 /// Of a mixed program.
-inline ExactOptimum exact_optimum(const problems::MixedProgram& mixed) {
+inline ExactOptimum exact_optimum(const linear::MixedProgram& mixed) {
   ExactOptimum best;
   for (std::uint64_t mask = 0; mask < (std::uint64_t{1} << mixed.binaries.size()); ++mask) {
     auto program = mixed.program;

@@ -20,11 +20,11 @@
 #include "nodes/zero_one/unboundedness.hpp"
 #include "solvers/linear/linear_program.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
-using problems::infinity;
-using problems::MixedProgram;
+using linear::infinity;
+using linear::MixedProgram;
 using tests::exact_optimum;
 
 unsigned from_environment(const char* name, unsigned otherwise) {
@@ -77,7 +77,7 @@ MixedProgram penalised(unsigned seed) {
   const int rows = draw.whole(1, 5);
   const double shared = draw.penalty();
   for (int i = 0; i < rows; ++i) {
-    std::vector<problems::LinearTerm> terms;
+    std::vector<linear::LinearTerm> terms;
     const bool many_digits = draw.one_in(3);
     double middle = 0;
     for (int j = 0; j < binaries + continuous; ++j) {
@@ -215,4 +215,4 @@ TEST(Penalties, NothingIsCalledOptimalOrInfeasibleWrongly) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

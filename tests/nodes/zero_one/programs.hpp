@@ -14,9 +14,9 @@
 
 namespace kusabi::tests {
 
-using problems::infinity;
-using problems::LinearTerm;
-using problems::MixedProgram;
+using linear::infinity;
+using linear::LinearTerm;
+using linear::MixedProgram;
 
 /// The least objective over all values of the binaries, each by a linear program of its own that
 /// starts anew; none if there is no point. For at most some 12 binaries.
@@ -32,8 +32,8 @@ inline std::optional<double> by_brute_force(const MixedProgram& mixed) {
       column.lower = column.upper = value;
     }
     if (!within) continue;
-    nodes::linear::Simplex simplex(program);
-    if (simplex.solve_primal() != nodes::linear::LinearStatus::optimal) continue;
+    linear::Simplex simplex(program);
+    if (simplex.solve_primal() != linear::LinearStatus::optimal) continue;
     best = std::min(best.value_or(infinity), simplex.objective());
   }
   return best;

@@ -16,7 +16,7 @@
 #include "support/input_error.hpp"
 #include "tests/nodes/zero_one/programs.hpp"
 
-namespace kusabi::nodes {
+namespace kusabi::zero_one {
 namespace {
 
 using tests::by_brute_force;
@@ -36,7 +36,7 @@ struct Way {
   engine::Order order = engine::Order::depth_first;
 };
 
-Solved solved(const problems::MixedProgram& mixed, const Way& way = {}) {
+Solved solved(const linear::MixedProgram& mixed, const Way& way = {}) {
   ZeroOneTree tree(prepare_root(mixed, way.root), way.branching);
   engine::Options search;
   search.goal = engine::Goal::best;
@@ -127,12 +127,12 @@ TEST(ZeroOneTree, IsTheSameWhateverWasOpenedBefore) {
 }
 
 TEST(ZeroOneTree, SolvesAProgramWithoutRowsAndOneWithoutBinaries) {
-  problems::MixedProgram free;
+  linear::MixedProgram free;
   free.binaries = {free.program.add_column({.cost = -2, .upper = 1}),
                    free.program.add_column({.cost = 3, .upper = 1})};
   free.program.constant = 10;
   EXPECT_NEAR(solved(free).point->objective, 8, 1e-9);
-  problems::MixedProgram linear_only;
+  linear::MixedProgram linear_only;
   const int x = linear_only.program.add_column({.cost = 1});
   linear_only.program.add_row({.lower = 2.5}, {{{x, 1}}});
   EXPECT_NEAR(solved(linear_only).point->objective, 2.5, 1e-9);
@@ -159,7 +159,7 @@ TEST(ProgramFile, ABadFileGetsTheLineThatItAsksFor) {
     try {
       linear::read_program(entry.path());
       ADD_FAILURE() << entry.path() << " was read";
-    } catch (const problems::InputError& error) {
+    } catch (const support::InputError& error) {
       std::string said = error.what();
       said = said.substr(said.find(entry.path().filename().string()));
       if (gap == std::string::npos) {
@@ -176,4 +176,4 @@ TEST(ProgramFile, ABadFileGetsTheLineThatItAsksFor) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes
+}  // namespace kusabi::zero_one

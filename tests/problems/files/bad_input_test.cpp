@@ -55,7 +55,7 @@ std::string error_of(const std::string& text, const std::string& file_name) {
     } else {
       wedged_problem(structure);
     }
-  } catch (const InputError& error) {
+  } catch (const support::InputError& error) {
     return error.what();
   }
   return "no error";

@@ -79,7 +79,7 @@ TEST(StructureFile, KnowsWhereEverythingStands) {
 std::string error_of(const std::filesystem::path& file) {
   try {
     load_structure(file);
-  } catch (const InputError& error) {
+  } catch (const support::InputError& error) {
     return error.what();
   }
   return "no error";
@@ -101,7 +101,8 @@ TEST(StructureFile, LargerThanAnyProblemIsRefusedUnread) {
 }
 
 TEST(StructureFile, WithDeepNestingIsAnErrorAndNotAStackOverflow) {
-  EXPECT_THROW(read_structure("name = " + std::string(100000, '['), "deep.toml"), InputError);
+  EXPECT_THROW(read_structure("name = " + std::string(100000, '['), "deep.toml"),
+               support::InputError);
 }
 
 }  // namespace

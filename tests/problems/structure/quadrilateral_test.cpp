@@ -171,7 +171,7 @@ normal = [-1, 0]
   EXPECT_EQ(joined.elements.size(), 4U + 6);
   EXPECT_NO_THROW(wedged_problem(joined));
   const auto apart = read_structure(text("[[1.1, 0], [2, 0], [2, 1], [1.1, 1]]"), "apart");
-  EXPECT_THROW(wedged_problem(apart), InputError);  // the second block falls off
+  EXPECT_THROW(wedged_problem(apart), support::InputError);  // the second block falls off
 }
 
 TEST(Mesh, IsWrittenAsElementsAndReadBack) {

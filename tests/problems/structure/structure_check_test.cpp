@@ -26,7 +26,7 @@ TEST_P(StructureCheckOf, RefusesIt) {
   try {
     check_structure(structure);
     FAIL() << "accepted";
-  } catch (const InputError& error) {
+  } catch (const support::InputError& error) {
     EXPECT_STREQ(error.what(), GetParam().message);
   }
 }

@@ -17,8 +17,8 @@ namespace {
 TEST(Fingerprint, IsTheFnvHashOfItsBytes) {
   // The published value of FNV-1a, 64 bits, of no byte at all; and of eight zero bytes the basis
   // times the prime to the eighth.
-  EXPECT_EQ(Fingerprint().value(), 0xCBF29CE484222325U);
-  Fingerprint zero;
+  EXPECT_EQ(support::Fingerprint().value(), 0xCBF29CE484222325U);
+  support::Fingerprint zero;
   zero.add(std::uint64_t{0});
   std::uint64_t expected = 0xCBF29CE484222325U;
   for (int byte = 0; byte < 8; ++byte) expected *= 0x100000001B3U;
@@ -27,16 +27,16 @@ TEST(Fingerprint, IsTheFnvHashOfItsBytes) {
 
 TEST(Fingerprint, TakesTheLeastSignificantByteFirst) {
   // Both hash the bytes 1, 0, 0, 0, 0, 0, 0, 0 and then 'a'.
-  Fingerprint text;
+  support::Fingerprint text;
   text.add(std::string_view("a"));
-  Fingerprint number;
+  support::Fingerprint number;
   number.add(std::uint64_t{1});
   EXPECT_EQ(text.value(), (number.value() ^ std::uint64_t{'a'}) * 0x100000001B3U);
 }
 
 TEST(Fingerprint, ZeroHasNoSign) {
-  Fingerprint positive;
-  Fingerprint negative;
+  support::Fingerprint positive;
+  support::Fingerprint negative;
   positive.add(0.0);
   negative.add(-0.0);
   EXPECT_EQ(positive.value(), negative.value());

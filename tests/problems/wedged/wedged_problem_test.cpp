@@ -130,7 +130,7 @@ template <typename Action>
 std::string error_of(Action action) {
   try {
     action();
-  } catch (const InputError& error) {
+  } catch (const support::InputError& error) {
     return error.what();
   }
   return "no error";

@@ -12,10 +12,9 @@
 #include "solvers/linear/mps_file.hpp"
 #include "support/input_error.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
-using problems::infinity;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -35,7 +34,7 @@ ProgramFile read(const std::string& text) {
 std::string refusal(const std::string& text) {
   try {
     read(text);
-  } catch (const problems::InputError& error) {
+  } catch (const support::InputError& error) {
     return error.what();
   }
   return "it was read";
@@ -266,9 +265,9 @@ TEST(Mps, IsUnpackedIfItIsPackedAndRefusedIfThatFails) {
   gzclose(packed);
   EXPECT_EQ(ends(read_program(path), 0), Ends(-infinity, 4));
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 10);
-  EXPECT_THROW(read_program(path), problems::InputError);
+  EXPECT_THROW(read_program(path), support::InputError);
   std::filesystem::remove(path);
 }
 
 }  // namespace
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

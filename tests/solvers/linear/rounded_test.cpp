@@ -11,7 +11,7 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
@@ -92,4 +92,4 @@ TEST(Rounded, StaysSafeAtTheEndsOfTheRange) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear

@@ -15,11 +15,8 @@
 #include "solvers/linear/glpk_call.hpp"
 #include "solvers/linear/safe_bound.hpp"
 
-namespace kusabi::nodes::linear {
+namespace kusabi::linear {
 namespace {
-
-using problems::infinity;
-using problems::LinearProgram;
 
 // maximise 3x + 5y, x <= 4, 2y <= 12, 3x + 2y <= 18 (Hillier and Lieberman's first): 36 at (2, 6),
 // with shadow prices 0, 3/2 and 1.
@@ -42,7 +39,7 @@ LinearProgram random_program(unsigned seed, bool boxed) {
     program.add_column({.cost = number(draw), .lower = -1, .upper = boxed ? 2 : infinity});
   }
   for (int i = 0; i < 3 + static_cast<int>(seed % 7); ++i) {
-    std::vector<problems::LinearTerm> terms;
+    std::vector<LinearTerm> terms;
     for (int j = 0; j < columns; ++j) {
       if (number(draw) > 0) terms.push_back({j, 10 * number(draw)});
     }
@@ -219,14 +216,14 @@ TEST(SafeBound, RoundsDownWhereNearestWouldRoundUp) {
 }
 
 // A program that takes many steps: to cover rows by dense columns.
-problems::LinearProgram long_one() {
+LinearProgram long_one() {
   constexpr int size = 400;
   std::mt19937 draw(5);
   std::uniform_real_distribution<double> between(0.1, 1);
-  problems::LinearProgram program;
+  LinearProgram program;
   for (int j = 0; j < size; ++j) program.add_column({.cost = between(draw)});
   for (int i = 0; i < size; ++i) {
-    std::vector<problems::LinearTerm> terms;
+    std::vector<LinearTerm> terms;
     for (int j = 0; j < size; ++j) {
       if (between(draw) < 0.5) terms.push_back({j, between(draw)});
     }
@@ -260,4 +257,4 @@ TEST(Simplex, GivesTheSameWhateverAStopThatNeverComesIsAsked) {
 }
 
 }  // namespace
-}  // namespace kusabi::nodes::linear
+}  // namespace kusabi::linear
