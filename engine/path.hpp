@@ -31,7 +31,7 @@ constexpr std::uint64_t hash_of_mark(std::uint64_t mark) {
 }
 
 /// The hash of branch number `branch` of a node: the whole round. Also a good source of random
-/// numbers that hang on a place in a tree.
+/// numbers that depend on a place in a tree.
 constexpr std::uint64_t branch_hash(std::uint64_t parent_hash, std::uint32_t branch) {
   return hash_of_mark(branch_mark(parent_hash, branch));
 }

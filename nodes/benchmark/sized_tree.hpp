@@ -2,7 +2,7 @@
 //
 // A node knows the size of its subtree, itself included, and deals the rest out to a few children
 // in random, very uneven parts; so the tree is deep and unbalanced, and nobody can tell from a node
-// how much work lies below it without opening it. The tree hangs on its seed and size alone.
+// how much work lies below it without opening it. The tree depends on its seed and size alone.
 #pragma once
 
 #include <algorithm>

@@ -17,10 +17,10 @@
 
 namespace kusabi::benchmark {
 
-/// How the number of children hangs on a node.
+/// How the number of children depends on a node.
 enum class TreeType {
   binomial,   ///< m children with probability q, else none; the root has b
-  geometric,  ///< geometrically distributed, with a mean that hangs on the depth: see TreeShape
+  geometric,  ///< geometrically distributed, with a mean that depends on the depth: see TreeShape
   hybrid,     ///< geometric above half of the depth d, binomial from there on
 };
 

@@ -219,7 +219,7 @@ void StructureCheck::every_node_hangs_on_something() const {
   for (int node = 0; node < node_count(); ++node) {
     if (!held[static_cast<std::size_t>(node)] && fixed_axes(node) < structure_.dimension) {
       fail(position_of(structure_.sources.nodes, node),
-           fmt::format("node {} hangs on no member; expected a member to it, or no such node",
+           fmt::format("node {} has no member; expected a member to it, or no such node",
                        name(node)));
     }
   }

@@ -146,7 +146,8 @@ std::string MipReport::doubts() const {
         "say that nothing better is\n",
         unproved);
   }
-  if (found != MipAnswer::unbounded && !proved()) {
+  // That nothing satisfies the rows is shown by a contradiction of theirs, whatever the bounds.
+  if (found != MipAnswer::unbounded && found != MipAnswer::infeasible && !proved()) {
     text +=
         "not proved: some columns have no bounds, so that the bound holds but for rounding in the "
         "last of 30 digits\n";

@@ -40,7 +40,7 @@ void announce(const PatternsOptions& options, const problems::WedgedProblem& pro
       ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
 
-// A checkpoint belongs to a tree, and the tree hangs on the friction and the tolerance as well.
+// A checkpoint belongs to a tree, and the tree depends on the friction and the tolerance as well.
 std::uint64_t tree_fingerprint(const problems::WedgedProblem& problem,
                                const PatternsOptions& options) {
   support::Fingerprint fingerprint;

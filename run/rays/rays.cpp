@@ -34,7 +34,7 @@ using nlohmann::ordered_json;
 /// Up to so many candidates double description is two to four times as fast as the tree on one
 /// rank, and takes less than a gigabyte; beyond, its memory grows threefold with each candidate,
 /// and the tree's twofold from a tenth of it (bench/README.md). By size alone: the result must not
-/// hang on the number of ranks.
+/// depend on the number of ranks.
 constexpr int most_for_double_description = 14;
 
 bool limited(const engine::Limits& limits) {

@@ -25,7 +25,7 @@ class SharedWork {
   using Node = IndexRange;  ///< of pieces
   using Solution = Result;
 
-  /// @param piece must hang on its number alone, whatever rank it is done on and in what order
+  /// @param piece must depend on its number alone, whatever rank it is done on and in what order
   SharedWork(std::uint64_t pieces, std::function<Result(std::uint64_t)> piece)
       : pieces_(pieces), piece_(std::move(piece)) {}
 

@@ -1,7 +1,7 @@
 // Linear programs by the simplex methods of GLPK, warm from any basis: the programs at the nodes of
 // the zero-one tree (the limit paper, Algorithm 4.2 step 1), of the cuts, and of limit analysis.
 //
-// A result hangs on the program and on the basis it starts from, and on nothing that was solved
+// A result depends on the program and on the basis it starts from, and on nothing that was solved
 // before, to the last bit, if the basis was given by set_basis() or use_slack_basis(): that is what
 // makes a tree the same on any number of ranks.
 #pragma once

@@ -1,4 +1,4 @@
-// A random tree that is the same for everybody: the shape hangs on the path hash alone. Most
+// A random tree that is the same for everybody: the shape depends on the path hash alone. Most
 // subtrees are tiny and some are huge, as in real searches; nodes cost nothing to open.
 #pragma once
 

@@ -78,6 +78,7 @@ TEST_F(MipCommand, IsRightWhereItOnceWasWrong) {
   const auto none = solve(source("cases/no_entries.mps"));
   EXPECT_EQ(none.exit_code, 0) << none.said;
   EXPECT_EQ(none.result["answer"], "infeasible");
+  EXPECT_THAT(none.said, Not(HasSubstr("not proved")));
 }
 
 TEST_F(MipCommand, SolvesSmallProgramsOfTheClassicKinds) {
