@@ -42,6 +42,15 @@ const CLI::Validator positive(
     },
     "> 0");
 
+// The same, or zero.
+const CLI::Validator not_negative(
+    [](std::string& text) -> std::string {
+      double value = 0;
+      if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0) return {};
+      return "'" + text + "', expected a number of 0 or more";
+    },
+    ">= 0");
+
 // From where on a margin counts as one: doubles have no more digits in theirs, and above nothing
 // would be left to find.
 const CLI::Validator sensible_tolerance(
@@ -232,7 +241,7 @@ void add_limit(CLI::App& app, Action& action, bool& serial) {
       command
           .add_option("--alpha", options->alpha,
                       "the uncertain components of the dead load are known up to +- this")
-          ->check(CLI::NonNegativeNumber);
+          ->check(not_negative);
   auto* const cuts =
       command
           .add_option(

@@ -48,6 +48,41 @@ void each_displacement(const MemberColumns& members, std::size_t i, const Visit&
   for (const auto& [e, error] : members.errors[i]) visit(e);
 }
 
+// Slack of members that can carry nothing off is taken away: at a displacement without a defect
+// that one member alone reaches, equilibrium leaves that member nothing; and so on from there. What
+// is left may hold its displacements where all of it did not.
+std::vector<double> slack_of_use(const MemberColumns& members, std::vector<double> slack,
+                                 const std::vector<double>& defect) {
+  std::vector<std::vector<std::size_t>> at(members.displacements);
+  for (std::size_t i = 0; i < slack.size(); ++i) {
+    if (slack[i] <= tiny) slack[i] = 0;
+    if (slack[i] == 0) continue;
+    each_displacement(members, i, [&](std::size_t e) {
+      if (at[e].empty() || at[e].back() != i) at[e].push_back(i);
+    });
+  }
+  std::vector<std::size_t> count;
+  std::vector<std::size_t> ends;
+  for (std::size_t e = 0; e < at.size(); ++e) {
+    count.push_back(at[e].size());
+    if (count[e] == 1 && defect[e] == 0) ends.push_back(e);
+  }
+  while (!ends.empty()) {
+    const auto e = ends.back();
+    ends.pop_back();
+    const auto last = std::ranges::find_if(at[e], [&](std::size_t i) { return slack[i] > 0; });
+    if (last == at[e].end()) continue;
+    const auto member = *last;
+    slack[member] = 0;
+    each_displacement(members, member, [&](std::size_t other) {
+      if (std::ranges::find(at[other], member) == at[other].end()) return;
+      std::erase(at[other], member);
+      if (--count[other] == 1 && defect[other] == 0) ends.push_back(other);
+    });
+  }
+  return slack;
+}
+
 /// The part of a truss that a defect can be carried off by.
 struct Part {
   std::vector<std::size_t> displacements;
@@ -178,8 +213,9 @@ std::optional<std::vector<double>> Reach::forces(const std::vector<double>& defe
 }  // namespace
 
 std::variant<std::vector<double>, std::string> forces_against_defects(
-    const MemberColumns& members, const std::vector<double>& slack,
+    const MemberColumns& members, const std::vector<double>& slack_of_all,
     const std::vector<double>& defect) {
+  const auto slack = slack_of_use(members, slack_of_all, defect);
   const auto part = part_with_defects(members, slack, defect);
   if (!part) return "forces are not in equilibrium where no member has anything left";
   if (part->displacements.empty()) return std::vector<double>(slack.size(), 0.0);

@@ -59,9 +59,12 @@ std::optional<LimitModel> with_more_yield(const LimitProblem& problem, const Lim
 
 LimitModel rebalanced(const LimitProblem& problem, const LimitModel& model, double dissipation,
                       double alpha) {
-  double load = problem.dead.cwiseAbs().maxCoeff();
+  // Nor far below the weakest member: a collapse may dissipate nothing at all.
+  constexpr double below_all = 0x1p-10;
+  const Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
+  double load = std::max(problem.dead.cwiseAbs().maxCoeff(), below_all * yield.minCoeff());
   for (const auto& [degree, weight] : problem.uncertain) load = std::max(load, alpha * weight);
-  constexpr double farthest = 0x1p60;  // a collapse may dissipate nothing at all
+  constexpr double farthest = 0x1p60;
   const double unit = model.force_unit * std::clamp(dissipation, 1 / farthest, farthest);
   return limit_model(problem, std::max(unit, load), model.most_yield);
 }

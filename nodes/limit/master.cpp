@@ -106,13 +106,13 @@ bool Master::has_room(double share) const {
   return true;
 }
 
-bool Master::make_room(double first) {
+bool Master::make_room(double first, bool for_all) {
   const double most = std::max(2e-7, first);
   Eigen::VectorXd has_choice = Eigen::VectorXd::Ones(model_.member_count());
   for (double share = first; share <= most;) {
     leave_room(share * has_choice);  // forces are of the order of one, or of their yield force
     if (solve() != linear::LinearStatus::optimal) return false;
-    const auto without = members_without_choice();
+    const auto without = for_all ? std::vector<int>() : members_without_choice();
     for (const int member : without) has_choice(member) = 0;
     if (!without.empty()) continue;
     if (has_room(share)) return true;

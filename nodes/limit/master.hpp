@@ -59,8 +59,9 @@ class Master {
   /// ten times that and so on, until the proof holds for the true ones with room for rounding.
   /// The bound is lower by about as much. Members that equilibrium leaves no choice (an idle cable)
   /// keep theirs.
+  /// @param for_all those as well: it is by the size of motions that they are told, which may err
   /// @return false if the simplex method fails
-  bool make_room(double first);
+  bool make_room(double first, bool for_all = false);
 
   /// Adds q^y'(c+ + c-) <= most: it keeps the first points near the motions that matter while there
   /// are too few cuts. Infinity: no limit. A bound is one only if the limit does not press.

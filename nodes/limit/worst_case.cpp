@@ -224,11 +224,11 @@ RootResult solve_root(const LimitModel& model, double alpha, const Collapse& nom
 
 std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha,
                                            std::span<const StaticCut> cuts, const Signs& signs,
-                                           double share) {
+                                           double share, bool for_all) {
   Master master(model, alpha);
   for (const auto& cut : cuts) master.add(cut);
   master.decide(signs);
-  if (master.solve() != LinearStatus::optimal || !master.make_room(share)) return {};
+  if (master.solve() != LinearStatus::optimal || !master.make_room(share, for_all)) return {};
   return master.proof();
 }
 

@@ -84,9 +84,10 @@ RootResult solve_root(const problems::LimitModel& model, double alpha, const Col
 
 /// A proof of the bound at a node with these signs and cuts, for yield forces smaller by `share`:
 /// where the first one has too little room. Nothing if the simplex method fails.
+/// @param for_all also for members that seem to have no choice
 std::optional<StaticProof> proof_with_room(const problems::LimitModel& model, double alpha,
                                            std::span<const StaticCut> cuts, const Signs& signs,
-                                           double share);
+                                           double share, bool for_all);
 
 /// The share of the yield forces that a first proof leaves: enough where the simplex method leaves
 /// no more than rounding.

@@ -68,8 +68,11 @@ int limit(Session& session, const LimitOptions& options) {
     if (!options.quiet) {
       tell_written({options.output, certificate ? options.certificate : std::string()});
       if (!options.certificate.empty() && !certificate) {
-        tell("no certificate: {}\n", answer.worst ? "its two ends are not proved"
-                                                  : "it is of a worst case; expected --alpha");
+        const bool load = answer.worst && answer.worst->status == limit::RootStatus::not_carried;
+        tell("no certificate ({} is as it was): {}\n", options.certificate,
+             !answer.worst ? "it would be of a worst case; expected --alpha"
+             : load        ? "they hold load factors, and here a load is carried at none"
+                           : "the two ends are not proved");
       }
     }
   }

@@ -17,8 +17,8 @@ namespace {
 
 using limit::ClosedNode;
 
-/// Shares of the yield forces, after the first.
-constexpr double rooms[] = {1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
+/// Scaled forces; the first has been tried, but not for all members.
+constexpr double rooms[] = {limit::first_room, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
 
 double infinite() {
   return std::numeric_limits<double>::infinity();
@@ -53,16 +53,19 @@ double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& t
   cuts.insert(cuts.end(), node.own_cuts.begin(), node.own_cuts.end());
   const double alpha = evidence.alpha / evidence.model.force_unit;
   for (const double room : rooms) {
-    const auto proof = limit::proof_with_room(evidence.model, alpha, cuts, node.signs, room);
-    if (!proof) continue;
-    auto candidate = closed_node(*proof, node.own_cuts);
-    const auto certificate = certificate_of(evidence, {candidate});
-    const double lower =
-        lower_end(verify::LimitProof(certificate, truss), certificate.nodes.front());
-    if (lower <= shown) continue;
-    shown = lower;
-    node = std::move(candidate);
-    if (shown >= wanted) break;
+    for (const bool for_all : {false, true}) {
+      const auto proof =
+          limit::proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all);
+      if (!proof) continue;
+      auto candidate = closed_node(*proof, node.own_cuts);
+      const auto certificate = certificate_of(evidence, {candidate});
+      const double lower =
+          lower_end(verify::LimitProof(certificate, truss), certificate.nodes.front());
+      if (lower <= shown) continue;
+      shown = lower;
+      node = std::move(candidate);
+      if (shown >= wanted) return shown;
+    }
   }
   return shown;
 }

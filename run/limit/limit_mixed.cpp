@@ -47,9 +47,10 @@ void add_static_row(linear::LinearProgram& program, const LimitModel& model, con
 
 }  // namespace
 
-MixedWorst solve_mixed(Session& session, const LimitOptions& options, const LimitModel& model,
-                       double alpha, const limit::RootResult& root, limit::LoadFactor& load_factor,
-                       const Budget& budget) {
+std::optional<MixedWorst> solve_mixed(Session& session, const LimitOptions& options,
+                                      const LimitModel& model, double alpha,
+                                      const limit::RootResult& root, limit::LoadFactor& load_factor,
+                                      const Budget& budget) {
   const double infinity = linear::infinity;
   const bool all = options.method == LimitMethod::all;
   MixedWorst result;
@@ -82,7 +83,7 @@ MixedWorst solve_mixed(Session& session, const LimitOptions& options, const Limi
     }
   }
   if (big_m.size() == 0) {
-    throw WrongInput("--cuts: no safe M was found; expected --big-m, or the default method");
+    return std::nullopt;
   }
   auto mixed = problems::worst_case_program(model, alpha, big_m, most_motion, most_elongation);
   if (all) {

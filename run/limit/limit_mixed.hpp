@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/outcome.hpp"
 #include "nodes/limit/worst_case.hpp"
@@ -27,10 +28,11 @@ struct MixedWorst {
 /// Solves (29) on all ranks; the same on each.
 /// @param alpha scaled
 /// @param root what static cuts have found: they say which M is safe, and know a collapse
-/// @throws WrongInput if no safe M is found
-MixedWorst solve_mixed(Session& session, const LimitOptions& options,
-                       const problems::LimitModel& model, double alpha,
-                       const limit::RootResult& root, limit::LoadFactor& load_factor,
-                       const Budget& budget);
+/// @return nothing if no safe M is found
+/// @throws WrongInput if the M of the call is too small for any point
+std::optional<MixedWorst> solve_mixed(Session& session, const LimitOptions& options,
+                                      const problems::LimitModel& model, double alpha,
+                                      const limit::RootResult& root, limit::LoadFactor& load_factor,
+                                      const Budget& budget);
 
 }  // namespace kusabi::run

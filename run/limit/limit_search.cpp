@@ -106,6 +106,7 @@ class LimitSearch {
   support::Stop lockstep_stop();
   LoadStatus set_up(LimitModel model);
   void nominal(LimitAnswer& answer);
+  void settle_for(double alpha);
   std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
   void say(const std::string& what);
   RootResult root(double alpha);
@@ -352,19 +353,28 @@ LimitWorstCase LimitSearch::mixed_worst_case() {
   }
   const auto found = solve_mixed(session_, options_, model(), scaled_alpha(), result,
                                  solvers_->load_factor, budget_);
-  if (found.worst.collapse.factor < result.worst->collapse.factor) result.worst = found.worst;
-  if (found.status == engine::Status::solved) {
+  if (!found) {
+    if (session_.speaks() && !options_.quiet) {
+      tell(
+          "--cuts: no safe M was found, and (29) was not tried; the ends are those of static "
+          "cuts\n");
+    }
+    conclude(result, worst);
+    return worst;
+  }
+  if (found->worst.collapse.factor < result.worst->collapse.factor) result.worst = found->worst;
+  if (found->status == engine::Status::solved) {
     conclude(result, worst);
   } else {
-    worst.search = found.status;
+    worst.search = found->status;
     result.status = RootStatus::closed;  // no tree of signs: there is no time left
     conclude(result, worst);
   }
-  worst.zero_one_bound = std::min(found.lower * model().factor_unit, worst.upper);
-  worst.cuts = found.cuts;
-  worst.nodes = found.nodes;
-  worst.tree_programs += found.programs;
-  worst.counts.pricings = found.cut_programs;
+  worst.zero_one_bound = std::min(found->lower * model().factor_unit, worst.upper);
+  worst.cuts = found->cuts;
+  worst.nodes = found->nodes;
+  worst.tree_programs += found->programs;
+  worst.counts.pricings = found->cut_programs;
   return worst;
 }
 
@@ -469,8 +479,20 @@ void LimitSearch::nominal(LimitAnswer& answer) {
     answer.no_factor_proved = true;
     return;
   }
-  answer.status = set_up(limit::balanced_model(problem_, options_.alpha.value_or(0)));
+  answer.status = set_up(limit::balanced_model(problem_, 0));
   answer.no_factor_proved = answer.status == LoadStatus::not_carried && shown();
+}
+
+// Units that are not far below the loads, if the simplex method can do with them.
+void LimitSearch::settle_for(double alpha) {
+  double load = 0;
+  for (const auto& [degree, weight] : problem_.uncertain) load = std::max(load, alpha * weight);
+  const double before = model().force_unit;
+  constexpr double far = 0x1p6;
+  if (load <= far * before) return;
+  if (set_up(limit_model(problem_, load)) != LoadStatus::collapses) {
+    set_up(limit_model(problem_, before));
+  }
 }
 
 LimitFindings LimitSearch::findings() {
@@ -482,6 +504,7 @@ LimitFindings LimitSearch::findings() {
   }
   answer.nominal = in_units(solvers_->nominal, model().dead);
   if (!options_.alpha) return {answer, {}};
+  settle_for(*options_.alpha);
   const bool by_static_cuts = options_.method == LimitMethod::static_cuts;
   answer.worst = by_static_cuts ? worst_case() : mixed_worst_case();
   if (options_.samples > 0) {

@@ -149,8 +149,9 @@ std::string MipReport::doubts() const {
   // That nothing satisfies the rows is shown by a contradiction of theirs, whatever the bounds.
   if (found != MipAnswer::unbounded && found != MipAnswer::infeasible && !proved()) {
     text +=
-        "not proved: some columns have no bounds, so that the bound holds but for rounding in the "
-        "last of 30 digits\n";
+        "the bound is not proved: columns without bounds leave no room for rounding; it was "
+        "computed "
+        "in 30 digits\n";
   }
   return text;
 }

@@ -46,6 +46,12 @@ TEST_F(LimitCommand, ProvesATrussWithAnIdleCable) {
   expect_proved(result_of(case_file("tie.toml") + " --alpha 0.1"), std::sqrt(2.0) - 0.1, 1e-8);
 }
 
+// By hand: the post n0-n2 is all that holds n2 upright, and n1-n5 yields first: 0.6 of its 0.0307.
+TEST_F(LimitCommand, ProvesATrussWithAChainOfIdleBars) {
+  const auto json = result_of(case_file("idle_chain.toml") + " --alpha 0.1");
+  expect_proved(json, 0.6 * 0.0307, 1e-8);
+}
+
 // One yield force of 8e12 stands for "never": the others do not change their answer for it, which
 // is that of the paper's truss (tests/reference/limit.json).
 TEST_F(LimitCommand, ProvesATrussWithMembersThatNeverYield) {
@@ -117,6 +123,23 @@ TEST_F(LimitCommand, ATimeLimitReachesTheRoot) {
   if (!ends["lower"].is_null()) {
     EXPECT_LE(ends["lower"], truth["upper"]);
   }
+}
+
+TEST_F(LimitCommand, RefusesAWidthThatIsNone) {
+  for (const char* alpha : {"nan", "-1", "inf", "1e400", "x"}) {
+    const auto run = shell(command + " limit " + example("grid-3x3.toml") + " --alpha " + alpha);
+    EXPECT_EQ(run.exit_code, 2) << alpha;
+    EXPECT_THAT(run.output, HasSubstr("--alpha"));
+  }
+}
+
+// The nominal load knows nothing of alpha.
+TEST_F(LimitCommand, TheNominalFactorDoesNotDependOnAlpha) {
+  const auto nominal = [&](const std::string& alpha) {
+    return result_of(case_file("tie.toml") + alpha)["result"]["nominal"].get<double>();
+  };
+  EXPECT_EQ(nominal(" --alpha 0.1"), nominal(""));
+  EXPECT_EQ(nominal(" --alpha 1e3"), nominal(""));
 }
 
 TEST_F(LimitCommand, AStoppedSearchSaysWhatIsNotProved) {
