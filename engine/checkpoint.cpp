@@ -57,6 +57,24 @@ std::string checksum(const std::string& header, const std::string& body) {
   throw CheckpointError(file + ": " + what);
 }
 
+// A word of a file as a message repeats it.
+std::string shown(std::string word) {
+  constexpr std::size_t longest = 200;
+  for (char& character : word) {
+    const auto byte = static_cast<unsigned char>(character);
+    if (byte < 0x20U || byte == 0x7FU) character = '?';
+  }
+  if (word.size() > longest) word = word.substr(0, longest) + "...";
+  return word;
+}
+
+// What the compiler calls a type, as the source does. With what stands for earlier parts of it, a
+// name doubles in length every six bytes; so a long one from a file stays as it is.
+std::string type_name(const std::string& mangled) {
+  constexpr std::size_t longest = 80;
+  return shown(mangled.size() > longest ? mangled : boost::core::demangle(mangled.c_str()));
+}
+
 fs::path folder_of(const std::string& name) {
   const auto folder = fs::path(name).parent_path();
   return folder.empty() ? "." : folder;
@@ -281,7 +299,7 @@ Manifest read_manifest(const std::string& manifest_file) {
   }
   if (!words || manifest.ranks < 1) fail(manifest_file, "is damaged: its line is incomplete");
   if (order != byte_order) {
-    fail(manifest_file, "was written on a " + order + " machine; expected " + byte_order);
+    fail(manifest_file, "was written on a " + shown(order) + " machine; expected " + byte_order);
   }
   return manifest;
 }
@@ -290,16 +308,15 @@ void expect_same_search(const std::string& manifest_file, const Manifest& found,
                         const Manifest& own) {
   if (found.problem != own.problem) fail(manifest_file, other_problem);
   if (found.goal.empty()) return;  // of version 3
-  const auto expect = [&](const char* what, const std::string& there, const std::string& here) {
+  const auto expect = [&](const char* what, const std::string& there, const std::string& here,
+                          const auto& name) {
     if (there == here) return;
-    fail(manifest_file, std::string("is of a search with ") + what + ' ' + there + "; expected " +
-                            what + ' ' + here);
+    fail(manifest_file, std::string("is of a search with ") + what + ' ' + name(there) +
+                            "; expected " + what + ' ' + name(here));
   };
-  expect("the goal", found.goal, own.goal);
-  expect("nodes of type", boost::core::demangle(found.node.c_str()),
-         boost::core::demangle(own.node.c_str()));
-  expect("solutions of type", boost::core::demangle(found.solution.c_str()),
-         boost::core::demangle(own.solution.c_str()));
+  expect("the goal", found.goal, own.goal, shown);
+  expect("nodes of type", found.node, own.node, type_name);
+  expect("solutions of type", found.solution, own.solution, type_name);
 }
 
 void expect_no_other(const std::string& file, const std::string& resume_from) {

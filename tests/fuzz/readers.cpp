@@ -6,16 +6,20 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <optional>
+#include <set>
+#include <typeinfo>
+#include <utility>
 
 #include <boost/crc.hpp>
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
+#include "engine/wire.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "solvers/linear/linear_program.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/input_error.hpp"
 #include "support/sha1.hpp"
@@ -57,7 +61,15 @@ void write(const std::string& file, std::string_view bytes) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
 }
 
-// What `read` throws as an `Error`, which must be one line of a bounded length.
+// An answer must be one line of a bounded length.
+void check_line(const std::string& line) {
+  constexpr std::size_t longest = 2000;
+  if (line.empty() || line.size() > longest || line.find('\n') != std::string::npos) {
+    throw Defect("not one line: " + line);
+  }
+}
+
+// What `read` throws as an `Error`.
 template <class Error, class Read>
 std::optional<std::string> refusal(Read read) {
   try {
@@ -65,10 +77,7 @@ std::optional<std::string> refusal(Read read) {
     return std::nullopt;
   } catch (const Error& error) {
     std::string line = error.what();
-    constexpr std::size_t longest = 2000;
-    if (line.empty() || line.size() > longest || line.find('\n') != std::string::npos) {
-      throw Defect("not one line: " + line);
-    }
+    check_line(line);
     return line;
   } catch (const Defect&) {
     throw;
@@ -89,33 +98,54 @@ std::optional<std::string> try_structure(const std::string& bytes) {
   return refused && other ? refused : std::nullopt;
 }
 
+void require(bool holds, const char* what) {
+  if (!holds) throw Defect(what);
+}
+
 void check(const linear::MixedProgram& mixed) {
   const auto& program = mixed.program;
-  const auto require = [](bool holds, const char* what) {
-    if (!holds) throw Defect(what);
-  };
+  require(std::isfinite(program.constant), "a constant that is no number");
   for (const auto& column : program.columns) {
     require(std::isfinite(column.cost), "a cost that is no number");
     require(column.lower <= column.upper, "bounds of a column that cross, or are no numbers");
+    require(column.lower < linear::infinity && column.upper > -linear::infinity,
+            "bounds of a column that leave no number");
   }
   for (const auto& row : program.rows) {
     require(row.lower <= row.upper, "bounds of a row that cross, or are no numbers");
+    require(row.lower < linear::infinity && row.upper > -linear::infinity,
+            "bounds of a row that leave no number");
   }
+  std::set<std::pair<int, int>> places;
   for (const auto& entry : program.entries) {
     require(std::isfinite(entry.value), "an entry that is no number");
     require(static_cast<std::size_t>(entry.row) < program.rows.size() &&
                 static_cast<std::size_t>(entry.column) < program.columns.size(),
             "an entry outside of the matrix");
+    require(places.emplace(entry.row, entry.column).second, "two entries in one place");
   }
-  for (const int column : mixed.binaries) {
-    require(static_cast<std::size_t>(column) < program.columns.size(), "a binary of no column");
+  std::set<int> binaries;
+  for (const int binary : mixed.binaries) {
+    require(static_cast<std::size_t>(binary) < program.columns.size(), "a binary of no column");
+    require(binaries.insert(binary).second, "a binary that is listed twice");
+    const auto& column = program.columns[static_cast<std::size_t>(binary)];
+    require(column.lower >= 0 && column.upper <= 1, "a binary with bounds outside of [0, 1]");
   }
+}
+
+// What the first rank has read is sent to the others, and what may be read otherwise is told.
+void check(const linear::ProgramFile& program) {
+  check(program.mixed);
+  for (const auto& warning : program.warnings) check_line(warning);
+  const auto sent = engine::pack(program);
+  require(sent == engine::pack(engine::unpack<linear::ProgramFile>(sent)),
+          "a program that changes on its way");
 }
 
 std::optional<std::string> try_program(const std::string& bytes, const char* name) {
   const auto file = folder().file(name);
   write(file, bytes);
-  return refusal<support::InputError>([&] { check(linear::read_program(file).mixed); });
+  return refusal<support::InputError>([&] { check(linear::read_program(file)); });
 }
 
 std::optional<std::string> try_certificate(const std::string& bytes) {
@@ -140,6 +170,10 @@ std::optional<std::string> try_checkpoint(const std::string& bytes) {
     const auto manifest = engine::read_manifest(file);
     const auto part = file + "." + std::to_string(manifest.epoch) + "." + std::to_string(0);
     write(part, std::string_view(bytes).substr(line_end + 1));
+    // The search that goes on from it compares; here nothing but the types differs.
+    engine::Manifest own = manifest;
+    own.node = own.solution = typeid(int).name();
+    refusal<engine::CheckpointError>([&] { engine::expect_same_search(file, manifest, own); });
     std::string warning;
     try {
       static_cast<void>(engine::usable_checkpoint(file, manifest.problem, warning));

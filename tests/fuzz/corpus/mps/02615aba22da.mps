@@ -1,0 +1,10 @@
+NAME     T
+ROWS
+ N  COST
+ G  $1
+COLUMNS
+ 
+ENDATA
+     C.0
+END à3.0
+ENDATA

@@ -1,0 +1,6 @@
+NAME T
+ROWS
+ N  Cp?T
+ G  R1
+COLUMNS
+    X TA

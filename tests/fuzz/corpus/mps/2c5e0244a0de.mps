@@ -1,0 +1,3 @@
+* expeCt: 
+NzAM+E C A
+ENDATA

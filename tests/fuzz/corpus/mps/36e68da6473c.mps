@@ -1,0 +1,4 @@
+NAME T
+ROWS
+COLUMNS
+    X COST 0.

@@ -1,0 +1,11 @@
+NAME     T
+ROWS
+ N  COST
+ G  R1
+COLUMNS    T
+ROWS
+ N  COST
+ G  R1
+COLUMNS
+    X,         COST         1.00
+ENDATA

@@ -1,0 +1,7 @@
+* expecion ROW BV ME X
+ROWS
+ N COST
+ L R1
+COLUMNS
+ A R1 2
+ENDATA

@@ -1,0 +1,9 @@
+NAME T
+ROWS
+ N  Cp1T
+ G  R1OWS
+ N  Cp0T
+ G  R1
+COLUMNS
+    R SHR1 3.0
+ENDATA

@@ -1,0 +1,5 @@
+NAME T
+rOWS
+ 0N  CHST
+ G S
+  OST 1

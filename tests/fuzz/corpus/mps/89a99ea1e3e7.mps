@@ -1,0 +1,7 @@
+NAME T
+ROWS
+ N  Cp1T
+ G  R1
+OBJNAME
+    X COST 1ÖÏÿÿÿ°õß   R SHR1 3.0
+ENDATA

@@ -1,0 +1,4 @@
+NAME T
+ENDATA
+   R
+  S

@@ -1,0 +1,5 @@
+NAME  R1
+OBJNAME
+    X COST 0.0
+Rüÿÿÿ0 0
+ENDATA

@@ -1,0 +1,6 @@
+NAME T
+ROWS
+"N  CNAME T
+ROWS
+ N r1T
+ G  R1 

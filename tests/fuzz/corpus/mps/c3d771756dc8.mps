@@ -1,0 +1,7 @@
+NAME T
+ROWS
+ROWS
+"N‡T
+ROWS
+ r2T
+ G]`r$71 

@@ -1,0 +1,9 @@
+NAME T
+ROWS
+ N  Cp1T
+ G  R1
+OBJNAME
+    X COST 1.0
+RHS
+    R SHR1 3.0
+ENDATA

@@ -1,0 +1,8 @@
+* expecion ROWS
+NAME X
+ROWS
+ N COST
+ L R1
+COLUMNS
+ENDATA A R-inf2 1
+ENDATA

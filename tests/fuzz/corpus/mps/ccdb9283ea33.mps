@@ -1,0 +1,7 @@
+NAME (   T
+ROWS
+ N  CO
+COLUMNS
+  ! X    
+CO0
+DATA

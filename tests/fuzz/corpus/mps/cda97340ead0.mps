@@ -1,0 +1,7 @@
+NAME  CONST
+ROWS
+ N  COST
+ G  R0ö0 -3
+    RHS r1 1
+    RP BND x2 4
+A

@@ -1,0 +1,5 @@
+NAME T
+ROWS
+ N  C 0.0
+RHS    RHS R1 3.0
+ENDATA

@@ -1,0 +1,5 @@
+NAME     T
+OBJNAME  CFST
+ G  R1
+COLUMNS
+  1        A
