@@ -239,14 +239,17 @@ void CertificateFile::close() {
   part_ = -1;
   engine::Survey own{.ranks = 1};
   if (failed_) own.wishes = engine::wish_failed;
-  const bool failed = (session_.meet(own).wishes & engine::wish_failed) != 0;
-  if (failed && session_.speaks()) {
-    throw std::runtime_error(
-        fmt::format("{}: a part could not be written in full; is the disk full?", name_));
-  }
+  failed_ = (session_.meet(own).wishes & engine::wish_failed) != 0;
+}
+
+void CertificateFile::require_parts() const {
+  if (!failed_) return;
+  throw std::runtime_error(
+      fmt::format("{}: a part could not be written in full; is the disk full?", name_));
 }
 
 void CertificateFile::put_in_place(const std::string& header) {
+  require_parts();
   const auto parts = parts_of(name_);
   const auto own = std::count_if(parts.begin(), parts.end(), [&](const Part& part) {
     return std::to_string(part.run) == run_;
