@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "engine/together.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
 #include "nodes/wedged/facets.hpp"
 #include "run/bench/bench_scaling.hpp"
@@ -535,7 +536,7 @@ int main(int argc, char** argv) {
     return complain(session, error.what());
   } catch (const kusabi::support::InputError& error) {
     return complain(session, error.what());
-  } catch (const Disagreement& error) {
+  } catch (const kusabi::engine::Disagreement& error) {
     if (session.speaks()) tell("kusabi: {}\n", error.what());
     return failed;
   } catch (const std::exception& error) {

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/budget.hpp"
+#include "engine/signals.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/critical/critical_ends.hpp"
@@ -58,7 +60,7 @@ void tell_what_is_open(const CriticalFindings& findings) {
 int critical(Session& session, const CriticalOptions& asked) {
   CriticalOptions options = asked;
   std::optional<ResultFile> result_file;
-  const std::string text = session.on_first_rank([&] {
+  const std::string text = session.from_first_rank([&] {
     check(options);
     auto content = problems::file_text(options.file);
     std::vector<NamedFile> files{{"--output", options.output}};
@@ -78,7 +80,8 @@ int critical(Session& session, const CriticalOptions& asked) {
   if (!options.most && most < usual_most) options.most = most;
   agree(session, problem);
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  const Budget budget(options.limits);
+  engine::heed_signals();
+  const engine::Budget budget(options.limits, engine::asked_by_signal);
   auto findings = options.way == CriticalWay::global
                       ? global_search(session, options, problem, budget)
                       : pattern_by_pattern(session, options, problem, budget);

@@ -19,7 +19,7 @@ namespace {
 template <class MakeStructure>
 int write_example(Session& session, const char* name, const std::string& output,
                   MakeStructure structure) {
-  session.on_first_rank([&]() -> std::string {
+  session.from_first_rank([&] {
     std::string text;
     try {
       text = problems::structure_text(structure());
@@ -33,7 +33,6 @@ int write_example(Session& session, const char* name, const std::string& output,
     } else {
       print_answer(text);
     }
-    return {};
   });
   return solved;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/together.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/limit/limit_report.hpp"
@@ -38,7 +39,7 @@ void announce(const LimitOptions& options, const LimitProblem& problem, int rank
 int limit(Session& session, const LimitOptions& options) {
   std::optional<ResultFile> result_file;
   std::optional<OutputFile> certificate_file;
-  const std::string text = session.on_first_rank([&] {
+  const std::string text = session.from_first_rank([&] {
     auto content = problems::file_text(options.file);
     check_outputs(options.file,
                   {{"--output", options.output}, {"--certificate", options.certificate}});
@@ -49,7 +50,7 @@ int limit(Session& session, const LimitOptions& options) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   const auto truss = problems::read_structure(text, options.file);
   const auto problem = problems::limit_problem(truss);
-  session.agree(problem.fingerprint);
+  engine::agree(session.transport(), problem.fingerprint);
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
   const auto found = limit_search(session, options, truss, problem);
   const auto& answer = found.answer;

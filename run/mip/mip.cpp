@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "engine/budget.hpp"
 #include "engine/signals.hpp"
+#include "engine/together.hpp"
 #include "nodes/zero_one/unboundedness.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/exit_code.hpp"
@@ -17,10 +19,8 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/session/budget.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 
@@ -43,7 +43,7 @@ void announce(const MipOptions& options, const ProgramFile& program, int ranks) 
 // Rank 0 reads; the others get what it read.
 ProgramFile read_on_first_rank(Session& session, const MipOptions& options,
                                std::optional<ResultFile>& result_file) {
-  return told_by_first_rank(session, [&] {
+  return session.from_first_rank([&] {
     auto program = linear::read_program(options.file);
     check_outputs(
         options.file, {{"--output", options.output}},
@@ -148,7 +148,8 @@ bool without_bound(zero_one::ZeroOneRoot& root, const ProgramFile& program,
 
 int mip(Session& session, const MipOptions& options) {
   std::optional<ResultFile> result_file;
-  const Budget budget(options.limits);
+  engine::heed_signals();
+  const engine::Budget budget(options.limits, engine::asked_by_signal);
   const auto program = read_on_first_rank(session, options, result_file);
   const std::uint64_t fingerprint = program_fingerprint(program);
 
@@ -161,6 +162,7 @@ int mip(Session& session, const MipOptions& options) {
   checkpoint.problem = tree_fingerprint(fingerprint, options);
   checkpoint.resume_from =
       restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
+  search_options.interrupt = budget.interrupt();
   search_options.warn = warn;
   if (session.speaks()) {
     for (const auto& warning : program.warnings) warn(warning);
@@ -173,8 +175,9 @@ int mip(Session& session, const MipOptions& options) {
   auto root = zero_one::prepare_root(program.mixed, root_options);
   const bool unbounded = without_bound(root, program, root_options);
   // One rank that was stopped at the root stops all: their roots differ.
-  const auto stopped = session.meet({.ranks = 1, .found = root.interrupted ? 1U : 0U});
-  if (stopped.found == 0) session.agree(root_fingerprint(root));
+  const auto stopped =
+      engine::meet(session.transport(), {.ranks = 1, .found = root.interrupted ? 1U : 0U});
+  if (stopped.found == 0) engine::agree(session.transport(), root_fingerprint(root));
   zero_one::ZeroOneTree tree(std::move(root), options.branching);
   const auto outcome = stopped.found != 0
                            ? outcome_of_root(tree, session.ranks(), budget.why())
@@ -193,7 +196,8 @@ int mip(Session& session, const MipOptions& options) {
     if (!options.quiet) tell_written({options.output});
     if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
   }
-  return told_by_first_rank(session, [&] { return answered; }) ? solved : stopped_early;
+  return engine::from_first_rank(session.transport(), [&] { return answered; }) ? solved
+                                                                                : stopped_early;
 }
 
 }  // namespace kusabi::run

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/checkpoint.hpp"
+#include "engine/together.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/evidence/certificate_file.hpp"
@@ -23,7 +24,6 @@
 #include "run/patterns/patterns_report.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
@@ -102,7 +102,7 @@ void tell_what_became_of_the_certificate(const PatternsOptions& options, bool wh
 int patterns(Session& session, const PatternsOptions& options) {
   std::optional<ResultFile> result_file;
   std::optional<OutputFile> trace_file;
-  const std::string text = session.on_first_rank([&] {
+  const std::string text = session.from_first_rank([&] {
     auto content = problems::file_text(options.file);
     check_outputs(
         options.file,
@@ -172,7 +172,8 @@ int patterns(Session& session, const PatternsOptions& options) {
     if (open != 0) tell_what_is_open(open);
     tell_what_became_of_the_certificate(options, whole, goes_on);
   }
-  const bool answered = told_by_first_rank(session, [&] { return whole && open == 0; });
+  const bool answered =
+      engine::from_first_rank(session.transport(), [&] { return whole && open == 0; });
   return answered ? solved : stopped_early;
 }
 

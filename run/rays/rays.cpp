@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/together.hpp"
 #include "nodes/wedged/ray_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/precise_compliance.hpp"
@@ -181,7 +182,7 @@ int report(const RaysOptions& options, const problems::WedgedProblem& problem,
 
 int rays(Session& session, const RaysOptions& options) {
   std::optional<RaysFiles> files;
-  const std::string text = session.on_first_rank([&] {
+  const std::string text = session.from_first_rank([&] {
     if (options.method == RayMethod::double_description && limited(options.limits)) {
       throw WrongInput(
           "--method double-description has nothing to show before its end; expected no "
@@ -210,7 +211,7 @@ int rays(Session& session, const RaysOptions& options) {
     found = by_double_description(cone);
   }
   const int code = found ? report(options, problem, cone, *found, *files) : int{solved};
-  session.meet({});
+  engine::meet(session.transport());
   return code;
 }
 

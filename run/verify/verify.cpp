@@ -144,14 +144,14 @@ int refuse_all(Session& session, const VerifyOptions& options, const std::string
 
 std::optional<problems::Structure> structure_in(Session& session, const VerifyOptions& options) {
   if (options.problem.empty()) return {};
-  const auto text = session.on_first_rank([&] { return problems::file_text(options.problem); });
+  const auto text = session.from_first_rank([&] { return problems::file_text(options.problem); });
   return problems::read_structure(text, options.problem);
 }
 
 }  // namespace
 
 int verify(Session& session, const VerifyOptions& options) {
-  const auto text = session.on_first_rank([&] { return content(options.certificate); });
+  const auto text = session.from_first_rank([&] { return content(options.certificate); });
   const auto structure = structure_in(session, options);
   // The first line says what it is a certificate of.
   if (text.starts_with(verify::limit_first_line)) {

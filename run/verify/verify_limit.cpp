@@ -15,11 +15,11 @@
 #include <boost/serialization/string.hpp>
 #include <fmt/format.h>
 
+#include "engine/shared_work.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/evidence/verified_structure.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/session/shared_work.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/limit_proof.hpp"
@@ -89,7 +89,8 @@ int verify_limit(Session& session, const VerifyOptions& options,
       }
       return found;
     };
-    const auto verdicts = share_work<NodeVerdict>(session, certificate.nodes.size(), verdict);
+    const auto verdicts =
+        engine::share_work<NodeVerdict>(session.transport(), certificate.nodes.size(), verdict);
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
       lower = std::min(lower, verdicts[i].lower);
       if (!verdicts[i].refusal.empty()) {
