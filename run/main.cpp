@@ -4,6 +4,7 @@
 #include <exception>
 #include <string>
 
+#include "engine/together.hpp"
 #include "run/command/command_run.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
@@ -53,7 +54,7 @@ int main(int argc, char** argv) {
     return complain(session, error.what());
   } catch (const kusabi::support::InputError& error) {
     return complain(session, error.what());
-  } catch (const Disagreement& error) {
+  } catch (const kusabi::engine::Disagreement& error) {
     if (session.speaks()) tell("kusabi: {}\n", error.what());
     return failed;
   } catch (const std::exception& error) {

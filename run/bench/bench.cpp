@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/together.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
 #include "run/bench/bench_scaling.hpp"
 #include "run/bench/bench_schedules.hpp"
@@ -21,7 +22,7 @@ class Bench : public Subcommand {
   void search(CommandRun& run) final {
     const bool good = measure(run.session()) == solved;
     // A survey counts, and here it counts the ranks on which something was wrong.
-    const auto all = run.session().meet({.ranks = 1, .found = good ? 0U : 1U});
+    const auto all = engine::meet(run.session().transport(), {.ranks = 1, .found = good ? 0U : 1U});
     code_ = all.found == 0 ? solved : failed;
   }
   std::vector<Step> results(CommandRun& /*run*/) final { return {flush_standard_output}; }

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/checkpoint.hpp"
+#include "engine/together.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/outputs.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/told.hpp"
 
 namespace kusabi::run {
 
@@ -36,7 +36,7 @@ int CommandRun::execute() {
     for (const auto& remark : verdict.remarks) tell("{}\n", remark);
     code = verdict.code;
   }
-  return told_by_first_rank(session_, [&] { return code; });
+  return engine::from_first_rank(session_.transport(), [&] { return code; });
 }
 
 // The first file that is read: what messages are about.
@@ -59,13 +59,12 @@ void CommandRun::open_outputs() {
       if (others.empty()) others.push_back({row.name, *row.given});
     }
   }
-  session_.on_first_rank([&]() -> std::string {
+  session_.from_first_rank([&] {
     check_outputs(input(), outputs, others);
     for (const auto& row : table_.rows()) {
       if (row.role != Role::output) continue;
       outputs_.try_emplace(row.name, row.name, row.given.value_or(std::string{}), input());
     }
-    return {};
   });
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/budget.hpp"
+#include "engine/signals.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
@@ -79,7 +81,7 @@ void Critical::check() const {
 }
 
 void Critical::read(CommandRun& run) {
-  text_ = run.session().on_first_rank([&] { return problems::file_text(options_.file); });
+  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
 }
 
 void Critical::prepare(CommandRun& run) {
@@ -101,7 +103,8 @@ std::string Critical::announcement(const std::string& ranks) const {
 
 void Critical::search(CommandRun& run) {
   options_.quiet = run.quiet();
-  const Budget budget(options_.limits);
+  engine::heed_signals();
+  const engine::Budget budget(options_.limits, engine::asked_by_signal);
   findings_ = options_.way == CriticalWay::global
                   ? global_search(run.session(), options_, problem_, budget)
                   : pattern_by_pattern(run.session(), options_, problem_, budget);

@@ -22,7 +22,7 @@ namespace {
 class Example : public Subcommand {
  public:
   void search(CommandRun& run) final {
-    text_ = run.session().on_first_rank([&] {
+    text_ = run.session().from_first_rank([&] {
       try {
         return problems::structure_text(structure());
       } catch (const std::invalid_argument& error) {

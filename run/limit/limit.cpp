@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/together.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/command/command_run.hpp"
@@ -86,14 +87,14 @@ void Limit::describe(OptionTable& table) {
 }
 
 void Limit::read(CommandRun& run) {
-  text_ = run.session().on_first_rank([&] { return problems::file_text(options_.file); });
+  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
 }
 
 void Limit::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   truss_ = problems::read_structure(text_, options_.file);
   problem_ = problems::limit_problem(*truss_);
-  run.session().agree(problem_->fingerprint);
+  engine::agree(run.session().transport(), problem_->fingerprint);
 }
 
 std::string Limit::announcement(const std::string& ranks) const {

@@ -6,15 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "engine/budget.hpp"
 #include "engine/signals.hpp"
+#include "engine/together.hpp"
 #include "nodes/zero_one/unboundedness.hpp"
 #include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/rank_table.hpp"
-#include "run/session/budget.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 
@@ -117,7 +117,7 @@ class Mip final : public Subcommand {
 
  private:
   MipOptions options_;
-  std::optional<Budget> budget_;  // from the reading of the file on
+  std::optional<engine::Budget> budget_;  // from the reading of the file on
   ProgramFile program_;
   std::uint64_t fingerprint_ = 0;
   engine::Options search_options_;
@@ -162,8 +162,9 @@ void Mip::describe(OptionTable& table) {
 }
 
 void Mip::read(CommandRun& run) {
-  budget_.emplace(options_.limits);
-  program_ = told_by_first_rank(run.session(), [&] { return linear::read_program(options_.file); });
+  engine::heed_signals();
+  budget_.emplace(options_.limits, engine::asked_by_signal);
+  program_ = run.session().from_first_rank([&] { return linear::read_program(options_.file); });
 }
 
 void Mip::prepare(CommandRun& run) {
@@ -173,6 +174,7 @@ void Mip::prepare(CommandRun& run) {
   search_options_.checkpoint =
       run.checkpoint(options_.checkpoint, tree_fingerprint(fingerprint_, options_));
   search_options_.warn = warn;
+  search_options_.interrupt = budget_->interrupt();
   if (!run.session().speaks()) return;
   for (const auto& warning : program_.warnings) warn(warning);
 }
@@ -194,8 +196,9 @@ void Mip::search(CommandRun& run) {
   auto root = zero_one::prepare_root(program_.mixed, root_options);
   unbounded_ = without_bound(root, program_, root_options);
   // One rank that was stopped at the root stops all: their roots differ.
-  const auto stopped = session.meet({.ranks = 1, .found = root.interrupted ? 1U : 0U});
-  if (stopped.found == 0) session.agree(root_fingerprint(root));
+  const auto stopped =
+      engine::meet(session.transport(), {.ranks = 1, .found = root.interrupted ? 1U : 0U});
+  if (stopped.found == 0) engine::agree(session.transport(), root_fingerprint(root));
   tree_.emplace(std::move(root), options_.branching);
   outcome_ = stopped.found != 0 ? outcome_of_root(*tree_, session.ranks(), budget_->why())
                                 : shown_search(session, *tree_, search_options_, budget_->left(),

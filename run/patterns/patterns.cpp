@@ -99,7 +99,7 @@ void Patterns::check() const {
 }
 
 void Patterns::read(CommandRun& run) {
-  text_ = run.session().on_first_rank([&] { return problems::file_text(options_.file); });
+  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
 }
 
 // A checkpoint belongs to a tree, and the tree depends on the friction and the tolerance as well.

@@ -153,7 +153,7 @@ void Rays::check() const {
 }
 
 void Rays::read(CommandRun& run) {
-  text_ = run.session().on_first_rank([&] { return problems::file_text(options_.file); });
+  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
 }
 
 void Rays::prepare(CommandRun& run) {

@@ -71,10 +71,10 @@ void Verify::describe(OptionTable& table) {
 }
 
 void Verify::read(CommandRun& run) {
-  text_ = run.session().on_first_rank([&] { return content(options_.certificate); });
+  text_ = run.session().from_first_rank([&] { return content(options_.certificate); });
   if (options_.problem.empty()) return;
   const auto problem =
-      run.session().on_first_rank([&] { return problems::file_text(options_.problem); });
+      run.session().from_first_rank([&] { return problems::file_text(options_.problem); });
   structure_ = problems::read_structure(problem, options_.problem);
 }
 

@@ -14,10 +14,10 @@
 #include <boost/serialization/string.hpp>
 #include <fmt/format.h>
 
+#include "engine/shared_work.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/evidence/verified_structure.hpp"
 #include "run/output/wrong_input.hpp"
-#include "run/session/shared_work.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/limit_proof.hpp"
@@ -85,7 +85,8 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
       }
       return found;
     };
-    const auto verdicts = share_work<NodeVerdict>(run.session(), certificate.nodes.size(), verdict);
+    const auto verdicts = engine::share_work<NodeVerdict>(run.session().transport(),
+                                                          certificate.nodes.size(), verdict);
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
       lower = std::min(lower, verdicts[i].lower);
       if (!verdicts[i].refusal.empty()) {
