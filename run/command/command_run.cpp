@@ -9,6 +9,7 @@
 #include "run/output/last_steps.hpp"
 #include "run/output/outputs.hpp"
 #include "run/output/standard_output.hpp"
+#include "run/output/values.hpp"
 #include "run/session/restart.hpp"
 
 namespace kusabi::run {
@@ -69,8 +70,8 @@ void CommandRun::open_outputs() {
 }
 
 void CommandRun::announce() {
-  const int ranks = session_.ranks();
-  const auto line = command_.announcement(ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+  const auto line =
+      command_.announcement(counted(static_cast<std::uint64_t>(session_.ranks()), "rank"));
   if (line.empty()) return;
   tell("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, command_.name(), input(), line);
 }

@@ -27,7 +27,8 @@ class CommandRun {
   CommandRun(Session& session, Subcommand& command, const OptionTable& table);
 
   /// Goes through all stages. @return the exit code, the same on every rank
-  /// @throws WrongInput, support::InputError, engine::Disagreement on every rank alike; whatever else goes
+  /// @throws WrongInput, support::InputError, engine::Disagreement on every rank alike; whatever
+  /// else goes
   ///   wrong on one
   int execute();
 

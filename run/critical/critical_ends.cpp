@@ -20,6 +20,7 @@
 #include "run/evidence/evidence_check.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/standard_output.hpp"
+#include "run/output/values.hpp"
 #include "run/session/shown_search.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"

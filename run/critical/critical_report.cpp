@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -24,10 +25,6 @@ const char* way_name(CriticalWay way) {
       break;
   }
   return "bisection";
-}
-
-ordered_json number_or_null(const std::optional<double>& number) {
-  return number ? ordered_json(*number) : ordered_json();
 }
 
 ordered_json entry_json(const problems::WedgedProblem& problem, const CriticalEntry& entry) {

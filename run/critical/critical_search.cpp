@@ -14,6 +14,7 @@
 #include "nodes/wedged/critical_tree.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 #include "run/session/shown_search.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -96,7 +97,7 @@ CriticalFindings global_search(Session& session, const CriticalOptions& options,
     findings.upper = options.width * static_cast<double>(cell.alive);
   }
   // A leaf that is doubtful from further down on is opened on any schedule.
-  findings.lower = std::min(findings.lower, total.doubt);
+  findings.lower = std::min(findings.lower, total.doubt.value);
   return findings;
 }
 

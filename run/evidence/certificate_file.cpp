@@ -20,6 +20,7 @@
 #include "engine/checkpoint.hpp"
 #include "engine/together.hpp"
 #include "problems/wedged/problem_block.hpp"
+#include "run/output/values.hpp"
 #include "support/sha1.hpp"
 
 namespace kusabi::run {
@@ -159,7 +160,7 @@ std::string certificate_line(const wedged::Evidence& evidence) {
 CertificateFile::CertificateFile(Session& session, const std::string& name,
                                  const std::string& input, std::uint64_t tree, bool goes_on,
                                  const std::string& checkpoint)
-    : session_(session), name_(name), tree_(fmt::format("part of the tree {:016x}", tree)) {
+    : session_(session), name_(name), tree_("part of the tree " + hexadecimal(tree)) {
   if (!wanted()) return;
   run_ = session.from_first_rank([&] { return prepare(input, goes_on); });
   const auto file = part_name(name_, run_, session.transport().rank());

@@ -10,6 +10,7 @@
 
 #include "problems/limit/collapse_mode.hpp"
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -18,10 +19,6 @@ using limit::CurvePiece;
 using limit::RootStatus;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
-
-std::vector<double> numbers(const Eigen::VectorXd& vector) {
-  return {vector.begin(), vector.end()};
-}
 
 const std::string& node_name(const LimitProblem& problem, int node) {
   return problem.node_names[static_cast<std::size_t>(node)];
@@ -105,14 +102,9 @@ const char* method_name(LimitMethod method) {
   return "static";
 }
 
-// Infinite numbers are null in JSON.
-ordered_json finite(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json();
-}
-
 // The factors at which the load is carried.
 ordered_json interval_json(const LimitCollapse& collapse) {
-  return {collapse.least ? ordered_json(*collapse.least) : ordered_json(), collapse.factor};
+  return {number_or_null(collapse.least), collapse.factor};
 }
 
 void write_mode(std::string& text, const LimitProblem& problem, const LimitCollapse& collapse) {
@@ -297,12 +289,12 @@ ordered_json LimitReport::json() const {
     }
     result["alpha"] = *options.alpha;
     result["uncertain_components"] = problem.uncertain_count();
-    result["worst_case"] = {{"lower", finite(worst.lower)},
-                            {"upper", finite(worst.upper)},
+    result["worst_case"] = {{"lower", number_or_null(worst.lower)},
+                            {"upper", number_or_null(worst.upper)},
                             {"proved", worst.proved},
                             {"lower_proved", worst.lower_proved},
                             {"upper_proved", worst.upper_proved}};
-    if (worst.zero_one_bound) result["zero_one_bound"] = finite(*worst.zero_one_bound);
+    if (worst.zero_one_bound) result["zero_one_bound"] = number_or_null(*worst.zero_one_bound);
     result["critical_load"] = load_json(problem, problems::dead_load(problem, worst.zeta));
     if (worst.collapse) {
       result["critical_interval"] = interval_json(*worst.collapse);
@@ -317,9 +309,9 @@ ordered_json LimitReport::json() const {
   }
   if (!answer.samples.empty()) {
     auto factors = ordered_json::array();
-    for (const double factor : answer.samples) factors.push_back(finite(factor));
+    for (const double factor : answer.samples) factors.push_back(number_or_null(factor));
     result["samples"] = {{"seed", options.seed},
-                         {"least", finite(*std::ranges::min_element(answer.samples))},
+                         {"least", number_or_null(*std::ranges::min_element(answer.samples))},
                          {"factors", std::move(factors)}};
   }
   if (options.curve && answer.worst) {
@@ -332,9 +324,9 @@ ordered_json LimitReport::json() const {
     statistics["tree_programs"] = answer.worst->tree_programs;
   }
   ordered_json chosen = ordered_json::object();
-  chosen["alpha"] = options.alpha ? ordered_json(*options.alpha) : ordered_json();
+  chosen["alpha"] = number_or_null(options.alpha);
   chosen["cuts"] = method_name(options.method);
-  chosen["big_m"] = options.big_m ? ordered_json(*options.big_m) : ordered_json();
+  chosen["big_m"] = number_or_null(options.big_m);
   chosen["samples"] = options.samples;
   chosen["seed"] = options.seed;
   chosen["curve"] = options.curve;
@@ -348,7 +340,7 @@ ordered_json LimitReport::json() const {
             {"nodes", problem.node_names.size()},
             {"members", problem.member_count()},
             {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-            {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}}},
+            {"fingerprint", hexadecimal(problem.fingerprint)}}},
           {"options", std::move(chosen)},
           {"status", status},
           {"result", std::move(result)},

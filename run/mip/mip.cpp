@@ -13,6 +13,7 @@
 #include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/shown_search.hpp"
 #include "solvers/linear/program_file.hpp"

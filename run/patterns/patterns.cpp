@@ -15,6 +15,7 @@
 #include "run/evidence/certificate_file.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/trace_file.hpp"
+#include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/session/restart.hpp"

@@ -9,6 +9,7 @@
 
 #include "problems/wedged/problem_block.hpp"
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -31,7 +32,7 @@ const char* state_name(wedged::LeafState state) {
 }
 
 std::string patterns(std::uint64_t count) {
-  return fmt::format("{} sign pattern{}", count, count == 1 ? "" : "s");
+  return counted(count, "sign pattern");
 }
 
 }  // namespace
@@ -176,10 +177,10 @@ ordered_json PatternsReport::json() const {
     blocks.push_back(
         {{"candidates", candidate_names(problem_, block.candidates)}, {"count", block.cones}});
   }
-  ordered_json tree = tally_json(total());
+  ordered_json tree = counts_json<wedged::SignPatternTally>(total());
   tree["opened"] = outcome_.opened();
   tree["open"] = outcome_.open;
-  tree["fingerprint"] = fmt::format("{:016x}", outcome_.fingerprint());
+  tree["fingerprint"] = hexadecimal(outcome_.fingerprint());
   return {
       {"command", "patterns"},
       {"version", KUSABI_VERSION},
@@ -202,8 +203,8 @@ ordered_json PatternsReport::json() const {
         {"tree", std::move(tree)},
         {"patterns", std::move(patterns)}}},
       {"statistics",
-       {{"ranks", rank_reports(outcome_.ranks, tally_json)},
-        {"earlier_runs", rank_reports(outcome_.earlier, tally_json)}}}};
+       {{"ranks", rank_reports(outcome_.ranks, counts_json<wedged::SignPatternTally>)},
+        {"earlier_runs", rank_reports(outcome_.earlier, counts_json<wedged::SignPatternTally>)}}}};
 }
 
 }  // namespace kusabi::run

@@ -17,6 +17,7 @@
 #include "run/command/command_run.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/standard_output.hpp"
+#include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/rays/rays_report.hpp"
 #include "run/session/shown_search.hpp"
@@ -74,12 +75,12 @@ RaysFound gathered(engine::Outcome<wedged::RayTree>& outcome) {
     own = {};  // the memory is needed
   }
   found.health = total.health;
-  found.tree = tally_json(total.patterns);
+  found.tree = counts_json(total.patterns);
   found.tree["opened"] = outcome.opened();
   found.tree["open"] = outcome.open;
-  found.tree["fingerprint"] = fmt::format("{:016x}", outcome.fingerprint());
+  found.tree["fingerprint"] = hexadecimal(outcome.fingerprint());
   found.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {
-                         auto own = tally_json(tally.patterns);
+                         auto own = counts_json(tally.patterns);
                          own.update(effort_json(tally.effort));
                          return own;
                        })}};

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -33,19 +34,11 @@ State state_of(const rays::Supports& supports, int candidate) {
   return {'.', "idle"};
 }
 
-std::string plural(std::size_t count, const char* word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 // A cell of a CSV file (RFC 4180).
 std::string cell(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + '"';
-}
-
-std::vector<double> list(const Eigen::VectorXd& vector) {
-  return {vector.begin(), vector.end()};
 }
 
 }  // namespace
@@ -117,7 +110,7 @@ std::string RaysReport::summary() const {
   }
   fmt::format_to(
       out, "\n{} in {} at friction coefficient {}{}, by {}\n",
-      plural(found_.rays.size(), "extremal ray"), plural(found_.cones.size(), "maximal cone"),
+      counted(found_.rays.size(), "extremal ray"), counted(found_.cones.size(), "maximal cone"),
       options_.friction,
       problems::uniform_friction(problem_) ? "" : " times that of each candidate",
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
@@ -166,8 +159,8 @@ ordered_json RaysReport::ray_json(std::size_t number, const rays::Ray& ray) cons
   for (int i = 0; i < cone_.candidates(); ++i) words.push_back(state_of(supports(number), i).word);
   return {{"number", number + 1},
           {"state", std::move(words)},
-          {"reaction", candidate_rows(list(ray.reaction), 2)},
-          {"displacement", candidate_rows(list(ray.displacement), 2)}};
+          {"reaction", candidate_rows(numbers(ray.reaction), 2)},
+          {"displacement", candidate_rows(numbers(ray.displacement), 2)}};
 }
 
 ordered_json RaysReport::cone_json(const rays::Cone& each) const {

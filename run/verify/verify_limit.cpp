@@ -17,6 +17,7 @@
 #include "engine/shared_work.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/evidence/verified_structure.hpp"
+#include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_certificate.hpp"
@@ -108,10 +109,10 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   const auto out = std::back_inserter(summary);
   if (structure) {
     fmt::format_to(out,
-                   "problem: {}, from {}, fingerprint {:016x}\n"
+                   "problem: {}, from {}, fingerprint {}\n"
                    "direction cosines were computed anew from the truss, yield forces and loads "
                    "compared\n",
-                   structure->name, options.problem, fingerprint);
+                   structure->name, options.problem, hexadecimal(fingerprint));
   } else {
     summary += "the truss is the certificate's own; --problem FILE proves it of a file\n";
   }

@@ -13,6 +13,7 @@
 #include "engine/search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/evidence/verified_structure.hpp"
+#include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/progress_line.hpp"
 #include "run/verify/verification.hpp"
@@ -30,11 +31,6 @@ verify::Certificate certificate_in(const std::string& text, const std::string& f
   } catch (const verify::CertificateError& error) {
     throw WrongInput(error.what());
   }
-}
-
-// Of `count` things.
-std::string counted(std::uint64_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string all_patterns(std::size_t candidates) {
@@ -65,8 +61,9 @@ void write_subject(std::string& text, const VerifyOptions& options,
                    "structure\n");
     return;
   }
-  fmt::format_to(std::back_inserter(text), "problem: {}, from {}, fingerprint {:016x}\n",
-                 structure->name, options.problem, problems::wedged_fingerprint(*structure));
+  fmt::format_to(std::back_inserter(text), "problem: {}, from {}, fingerprint {}\n",
+                 structure->name, options.problem,
+                 hexadecimal(problems::wedged_fingerprint(*structure)));
   fmt::format_to(
       std::back_inserter(text), "friction coefficient: {}{}\n", agreement->friction,
       std::ranges::all_of(structure->contact, [](const auto& c) { return c.friction == 1; })
