@@ -157,7 +157,7 @@ class Bounds {
     const double noise = safety * (error_ + rounding_) * size;
     const double unit = 4 * numbers::unit_roundoff<Real>;
     double tau = -infinity;
-    double sigma = 0;
+    double omega = 0;
     for (const int k : sets.cones) {
       const auto mu = friction[static_cast<std::size_t>(k)];
       Real tangential = 0;
@@ -174,9 +174,9 @@ class Bounds {
                                    std::abs(numbers::rounded(tangential))) +
                            double_rounding * std::abs(reach);
       tau = std::max(tau, reach + wrong * safety);
-      sigma += level_weight(mu);
+      omega += level_weight(mu);
     }
-    // N between two numbers; t = (1 - sum x_0) / sigma is never above 1 / sigma.
+    // N between two numbers; t = (1 - sum x_0) / omega is never above 1 / omega.
     double scale = numbers::rounded(pushes);
     double wrong = double_rounding * std::abs(scale) + rounding_ * std::abs(scale);
     for (const int k : sets.cones) {
@@ -187,7 +187,7 @@ class Bounds {
     }
     wrong = safety *
             (wrong + double_rounding * static_cast<double>(sets.cones.size()) * std::abs(scale));
-    const double trivial = (1 + 8 * double_rounding) / sigma;
+    const double trivial = (1 + 8 * double_rounding) / omega;
     if (tau < 0) return tau / (scale + wrong) * (1 - 2 * double_rounding);
     if (!(scale - wrong > 0)) return trivial;
     return std::min(trivial, tau / (scale - wrong) * (1 + 2 * double_rounding));
