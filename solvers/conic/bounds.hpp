@@ -2,8 +2,8 @@
 //
 // The iterations hand over points that satisfy their equations up to a residual, computed from an F
 // that is right up to an error e: |F~_ij - F_ij| <= e sqrt(F_ii F_jj). Here is what such a point
-// proves of the program with the true F (docs/theory.md, section 3). With n terms in a sum and the
-// unit roundoff u of its numbers let eps = e + (n + 4) u and R_i = sqrt(F_ii).
+// proves of the program with the true F (docs/theory/wedged.md, "Two proofs"). With n terms in a
+// sum and the unit roundoff u of its numbers let eps = e + (n + 4) u and R_i = sqrt(F_ii).
 //
 // From above: for multipliers y with y_j >= 0 off U, w = sum_i y_i (row (n, i) of F) and any
 // tau >= w_nk + mu_k |w_tk| on C,

@@ -18,7 +18,7 @@
 //
 // A candidate may have several cones, whose reactions add up to its own and which share its row: so
 // polyhedral friction cones are solved, as sums of plane ones (nodes/wedged/facets.hpp).
-// docs/theory.md, section 3, has the derivation.
+// docs/theory/wedged.md, "Standard form with m rows", derives it.
 #pragma once
 
 #include <cstdint>
