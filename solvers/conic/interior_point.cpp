@@ -5,37 +5,17 @@
 #include <bit>
 #include <cmath>
 
+#include "solvers/conic/iteration_rules.hpp"
+
 namespace kusabi::conic {
 
 namespace {
-
-// The dual start leaves each z_i at least this share of its distance from the boundary at y = 0.
-constexpr double start_share = 0.5;
-
-// No multiplier starts above this: where the rows with a slack push z into the cone, nothing else
-// bounds them.
-constexpr double start_limit = 1;
-
-// The primal start, times the size 1 / |C| of a reaction that sums to one. The better start of
-// those we measured: the sign is proved half an iteration earlier than from the identity.
-constexpr double start_point = 1;
-constexpr double start_slack = 0.5;
-
-// A step goes this share of the way to the boundary; the rest keeps the next scaling computable.
-constexpr double boundary_fraction = 0.99;
-
-// Shorter steps than this no longer change the bracket.
-constexpr double least_step_length = 1e-6;
 
 // Added to the diagonal of A W^2 A', relative to the size of each row before cancellation (A has b
 // in it): of the order of its rounding. A candidate in contact whose normal and tangents are
 // decoupled makes a row of A vanish, and then u_n = 0 has no solution; the shift lets y run along
 // that row, which proves the node dead.
 constexpr double diagonal_shift = 1e-15;
-
-// A rounding-level step may put the new z on the wrong side of the boundary; halving this often
-// goes back far enough, or the digits are used up.
-constexpr int most_halvings = 8;
 
 // The columns of one cone of B = A W: the cone of this lane.
 template <int D>

@@ -1,5 +1,4 @@
-// The interior-point iteration of interior_point.cpp in plain words; see there for the reasons of
-// its constants.
+// The interior-point iteration of interior_point.cpp without its packs and padding.
 #include "solvers/conic/plain_solver.hpp"
 
 #include <algorithm>
@@ -9,17 +8,13 @@
 
 #include <Eigen/Cholesky>
 
+#include "solvers/conic/iteration_rules.hpp"
+
 namespace kusabi::conic {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr double start_share = 0.5;
-constexpr double start_point = 1;
-constexpr double start_slack = 0.5;
-constexpr double boundary_fraction = 0.99;
-constexpr double least_step_length = 1e-6;
-constexpr int most_halvings = 8;
 constexpr int most_projections = 3;
 
 // More digits take more iterations.
@@ -154,7 +149,7 @@ Answer PlainSolver<D, Real>::start() {
     y_[i] = Real(1);
     v_[i] = Real(start_slack / count);
   }
-  double size = 1;
+  double size = start_limit;
   for (std::size_t c = 0; c < cones_.size(); ++c) {
     const Cone push = transposed(c, y_);
     const double outward = numbers::rounded(Real(push[0] + radius(push)));
