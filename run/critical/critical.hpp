@@ -2,11 +2,12 @@
 // proved bracket: by one global search, or pattern by pattern (Algorithm 6.1 of the paper).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "engine/options.hpp"
-#include "run/session/session.hpp"
+#include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
 
@@ -21,14 +22,11 @@ struct CriticalOptions {
   CriticalWay way = CriticalWay::global;
   std::optional<double> most;  ///< no larger coefficient is of interest; mu^0 of the paper
   double width = 1e-8;         ///< of the brackets
-  std::string output;          ///< the result file; empty: none
   std::string certificate;     ///< evidence of both ends goes to NAME.lower and NAME.upper
   engine::Limits limits;       ///< where to stop early
-  bool quiet = false;          ///< no progress, no table
+  bool quiet = false;          ///< nothing is shown while it works
 };
 
-/// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, support::InputError on every rank alike
-int critical(Session& session, const CriticalOptions& options);
+std::unique_ptr<Subcommand> critical_subcommand();
 
 }  // namespace kusabi::run

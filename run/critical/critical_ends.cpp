@@ -12,6 +12,7 @@
 #include <boost/serialization/vector.hpp>
 #include <fmt/format.h>
 
+#include "engine/together.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
@@ -20,7 +21,6 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
 
@@ -65,7 +65,7 @@ struct Proved {
 class Ends {
  public:
   Ends(Session& session, const CriticalOptions& options, const problems::Structure& structure,
-       const problems::WedgedProblem& problem, const Budget& budget)
+       const problems::WedgedProblem& problem, const engine::Budget& budget)
       : session_(session),
         options_(options),
         problem_(problem),
@@ -101,13 +101,14 @@ class Ends {
       if (file.wanted()) file.add(evidence);
     });
     auto outcome = shown_search(session_, tree, {}, budget_.left(), options_.quiet);
-    auto decided = told_by_first_rank(session_, [&] {
+    auto decided = engine::from_first_rank(session_.transport(), [&] {
       std::vector<wedged::Configuration> leaves;
       for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
       return Decided{.status = status_name(outcome.status),
                      .leaves = wedged::maximal_cones(std::move(leaves))};
     });
-    const auto all = session_.meet({.ranks = 1, .open = own.unproved, .found = own.alive});
+    const auto all =
+        engine::meet(session_.transport(), {.ranks = 1, .open = own.unproved, .found = own.alive});
     decided.alive = all.found;
     decided.unproved = all.open;
     if (!file.wanted()) return decided;
@@ -126,7 +127,7 @@ class Ends {
   Session& session_;
   const CriticalOptions& options_;
   const problems::WedgedProblem& problem_;
-  const Budget& budget_;
+  const engine::Budget& budget_;
   std::variant<verify::EnclosedMatrix, std::string> stiffness_;
 };
 
@@ -229,9 +230,9 @@ void say_what_is_open(const CriticalOptions& options, double most, CriticalFindi
 
 void prove_ends(Session& session, const CriticalOptions& options,
                 const problems::Structure& structure, const problems::WedgedProblem& problem,
-                const Budget& budget, CriticalFindings& findings) {
+                const engine::Budget& budget, CriticalFindings& findings) {
   // All ranks move the ends alike.
-  const auto bracket = told_by_first_rank(session, [&] {
+  const auto bracket = engine::from_first_rank(session.transport(), [&] {
     std::vector<double> known{findings.lower};
     if (findings.upper) known.push_back(*findings.upper);
     return known;

@@ -18,6 +18,6 @@ namespace kusabi::run {
 /// @pre the search was solved
 void prove_ends(Session& session, const CriticalOptions& options,
                 const problems::Structure& structure, const problems::WedgedProblem& problem,
-                const Budget& budget, CriticalFindings& findings);
+                const engine::Budget& budget, CriticalFindings& findings);
 
 }  // namespace kusabi::run

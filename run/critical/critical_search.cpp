@@ -9,12 +9,12 @@
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include "engine/together.hpp"
 #include "nodes/wedged/bisection.hpp"
 #include "nodes/wedged/critical_tree.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -38,11 +38,11 @@ struct Living {
 };
 
 Living living_patterns(Session& session, const CriticalOptions& options,
-                       const problems::WedgedProblem& problem, const Budget& budget) {
+                       const problems::WedgedProblem& problem, const engine::Budget& budget) {
   const auto friction = friction_at(problem, *options.most, options.file);
   wedged::SignPatternTree tree(problem, friction);
   auto outcome = shown_search(session, tree, {}, budget.left(), options.quiet);
-  return told_by_first_rank(session, [&] {
+  return engine::from_first_rank(session.transport(), [&] {
     std::vector<wedged::Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
     return Living{status_name(outcome.status), wedged::maximal_cones(std::move(leaves))};
@@ -63,7 +63,8 @@ wedged::PatternBisection::Pattern pattern_of(const wedged::Configuration& leaf,
 }  // namespace
 
 CriticalFindings global_search(Session& session, const CriticalOptions& options,
-                               const problems::WedgedProblem& problem, const Budget& budget) {
+                               const problems::WedgedProblem& problem,
+                               const engine::Budget& budget) {
   const double most = options.most.value_or(usual_most);
   wedged::CriticalTree tree(problem, options.width, multiples(most, options.width));
   engine::Options search_options;
@@ -71,7 +72,8 @@ CriticalFindings global_search(Session& session, const CriticalOptions& options,
   search_options.order = engine::Order::best_first;
   const auto outcome = shown_search(session, tree, search_options, budget.left(), options.quiet);
   CriticalFindings findings;
-  findings.status = session.on_first_rank([&] { return status_name(outcome.status); });
+  findings.status =
+      session.from_first_rank([&] { return std::string(status_name(outcome.status)); });
   if (!session.speaks()) return findings;
 
   RankTable table({"branched", "pruned", "leaves", "programs"});
@@ -99,7 +101,8 @@ CriticalFindings global_search(Session& session, const CriticalOptions& options,
 }
 
 CriticalFindings pattern_by_pattern(Session& session, const CriticalOptions& options,
-                                    const problems::WedgedProblem& problem, const Budget& budget) {
+                                    const problems::WedgedProblem& problem,
+                                    const engine::Budget& budget) {
   CriticalFindings findings;
   const auto living = living_patterns(session, options, problem, budget);
   findings.status = living.status;
@@ -115,7 +118,8 @@ CriticalFindings pattern_by_pattern(Session& session, const CriticalOptions& opt
                                          : wedged::CriticalMethod::bisection,
       sections);
   const auto outcome = shown_search(session, tree, {}, budget.left(), options.quiet);
-  findings.status = session.on_first_rank([&] { return status_name(outcome.status); });
+  findings.status =
+      session.from_first_rank([&] { return std::string(status_name(outcome.status)); });
   if (!session.speaks()) return findings;
 
   RankTable table({"programs"});

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "engine/options.hpp"
-#include "run/session/session.hpp"
+#include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
 
@@ -29,13 +30,9 @@ struct LimitOptions {
   std::uint64_t seed = 1;       ///< of those
   bool curve = false;           ///< how the factor falls as the uncertainty grows
   engine::Limits limits;        ///< where the search of a tree stops early
-  std::string output;           ///< the result file; empty: none
-  std::string certificate;      ///< the evidence goes here; empty: nowhere
-  bool quiet = false;
+  bool quiet = false;           ///< nothing is shown while it works
 };
 
-/// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, support::InputError on every rank alike
-int limit(Session& session, const LimitOptions& options);
+std::unique_ptr<Subcommand> limit_subcommand();
 
 }  // namespace kusabi::run

@@ -7,12 +7,12 @@
 
 #include <boost/serialization/vector.hpp>
 
+#include "engine/together.hpp"
 #include "nodes/limit/motion_bounds.hpp"
 #include "nodes/zero_one/root.hpp"
 #include "nodes/zero_one/tree.hpp"
 #include "problems/limit/mixed_limit.hpp"
 #include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -50,7 +50,7 @@ void add_static_row(linear::LinearProgram& program, const LimitModel& model, con
 std::optional<MixedWorst> solve_mixed(Session& session, const LimitOptions& options,
                                       const LimitModel& model, double alpha,
                                       const limit::RootResult& root, limit::LoadFactor& load_factor,
-                                      const Budget& budget) {
+                                      const engine::Budget& budget) {
   const double infinity = linear::infinity;
   const bool all = options.method == LimitMethod::all;
   MixedWorst result;
@@ -95,7 +95,8 @@ std::optional<MixedWorst> solve_mixed(Session& session, const LimitOptions& opti
   }
   auto prepared = zero_one::prepare_root(std::move(mixed), root_options);
   // One rank that was stopped at the root stops all: their roots differ.
-  const auto stopped = session.meet({.ranks = 1, .found = prepared.interrupted ? 1U : 0U});
+  const auto stopped =
+      engine::meet(session.transport(), {.ranks = 1, .found = prepared.interrupted ? 1U : 0U});
   if (stopped.found != 0) {
     result.worst = *known;
     result.lower = std::max(root.lower, prepared.bound);
@@ -115,7 +116,7 @@ std::optional<MixedWorst> solve_mixed(Session& session, const LimitOptions& opti
   search_options.goal = engine::Goal::best;
   const auto outcome = shown_search(session, tree, search_options, budget.left(), options.quiet,
                                     {model.factor_unit, known->collapse.factor, root.lower});
-  const auto found = told_by_first_rank(session, [&] {
+  const auto found = engine::from_first_rank(session.transport(), [&] {
     Found known_here;
     const auto total = outcome.tally();
     known_here.lower = tree.lower_bound(outcome.bound, total);

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/budget.hpp"
 #include "engine/outcome.hpp"
 #include "nodes/limit/worst_case.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "run/limit/limit.hpp"
-#include "run/session/budget.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {
@@ -33,6 +33,6 @@ struct MixedWorst {
 std::optional<MixedWorst> solve_mixed(Session& session, const LimitOptions& options,
                                       const problems::LimitModel& model, double alpha,
                                       const limit::RootResult& root, limit::LoadFactor& load_factor,
-                                      const Budget& budget);
+                                      const engine::Budget& budget);
 
 }  // namespace kusabi::run

@@ -17,6 +17,10 @@
 #include <boost/serialization/vector.hpp>
 #include <fmt/format.h>
 
+#include "engine/budget.hpp"
+#include "engine/shared_work.hpp"
+#include "engine/signals.hpp"
+#include "engine/together.hpp"
 #include "nodes/limit/balanced_model.hpp"
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
@@ -25,10 +29,7 @@
 #include "run/limit/limit_ends.hpp"
 #include "run/limit/limit_mixed.hpp"
 #include "run/output/standard_output.hpp"
-#include "run/session/budget.hpp"
-#include "run/session/shared_work.hpp"
 #include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -93,7 +94,9 @@ class LimitSearch {
         options_(options),
         truss_(verified_structure(truss)),
         problem_(problem),
-        budget_(options.limits) {}
+        budget_(options.limits, engine::asked_by_signal) {
+    engine::heed_signals();
+  }
 
   LimitFindings findings();
 
@@ -125,7 +128,7 @@ class LimitSearch {
   const LimitOptions& options_;
   verify::Structure truss_;
   const LimitProblem& problem_;
-  Budget budget_;
+  engine::Budget budget_;
   bool ended_ = false;    // all ranks have agreed to end
   bool sharing_ = false;  // each rank does something else just now
   std::unique_ptr<Solvers> solvers_;
@@ -137,7 +140,7 @@ class LimitSearch {
 
 // Every rank must make this call, and all get the same answer.
 bool LimitSearch::ended() {
-  if (!ended_) ended_ = told_by_first_rank(session_, budget_.stop());
+  if (!ended_) ended_ = engine::from_first_rank(session_.transport(), budget_.stop());
   return ended_;
 }
 
@@ -191,7 +194,7 @@ std::vector<StaticCut> LimitSearch::price(const Eigen::VectorXd& z, std::span<co
                        columns.subspan(first, std::min(pricing_block, columns.size() - first)));
   };
   sharing_ = true;
-  auto shared = share_work<std::vector<StaticCut>>(session_, blocks, block);
+  auto shared = engine::share_work<std::vector<StaticCut>>(session_.transport(), blocks, block);
   sharing_ = false;
   std::vector<StaticCut> cuts;
   for (auto& some : shared) std::move(some.begin(), some.end(), std::back_inserter(cuts));
@@ -240,7 +243,7 @@ void LimitSearch::tree(RootResult& root, double alpha, LimitWorstCase& worst,
   const auto outcome =
       shown_search(session_, tree, search_options, budget_.left(), options_.quiet, shown);
   std::vector<SignTree::Solution> best;
-  std::tie(best, worst.search) = told_by_first_rank(session_, [&] {
+  std::tie(best, worst.search) = engine::from_first_rank(session_.transport(), [&] {
     worst.nodes = outcome.opened();
     for (const auto& rank : outcome.ranks) {
       const auto& tally = rank.tally;
@@ -274,7 +277,7 @@ void LimitSearch::prove(const RootResult& root, std::vector<ClosedNode> nodes,
                         LimitWorstCase& worst) {
   const double unit = model().factor_unit;
   const bool of_a_tree = nodes.size() > 1;
-  const auto shown = told_by_first_rank(session_, [&] {
+  const auto shown = engine::from_first_rank(session_.transport(), [&] {
     const bool again = worst.search == engine::Status::solved;
     const bool any = again || !nodes.front().forces.empty();  // else only the upper end is left
     auto ends = proved_ends({truss_, problem_, model(), *options_.alpha, *root.worst,
@@ -407,7 +410,8 @@ std::vector<double> LimitSearch::samples() {
   };
   std::vector<double> all;
   const auto pieces = (options_.samples + samples_a_piece - 1) / samples_a_piece;
-  for (const auto& some : share_work<std::vector<double>>(session_, pieces, piece)) {
+  for (const auto& some :
+       engine::share_work<std::vector<double>>(session_.transport(), pieces, piece)) {
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

@@ -138,7 +138,7 @@ std::string PatternsReport::verdict() const {
           "of the whole, and the list has those of each block\n";
     }
   }
-  if (options_.facets != 0) {
+  if (options_.polyhedral) {
     fmt::format_to(out, "{} candidates under polyhedral friction cones of {} facets\n",
                    total().candidates, options_.facets);
   }
@@ -187,8 +187,8 @@ ordered_json PatternsReport::json() const {
       {"options",
        {{"mu", options_.friction},
         {"tolerance", options_.tolerance},
-        {"method", options_.facets == 0 ? "cones" : "polyhedral"},
-        {"facets", options_.facets},
+        {"method", options_.polyhedral ? "polyhedral" : "cones"},
+        {"facets", options_.facets_in_use()},
         {"branching", options_.branching == wedged::Branching::product ? "paper" : "relative"}}},
       {"status", status_name(outcome_.status)},
       {"result",

@@ -31,7 +31,7 @@ void warn(const std::string& line) {
 
 std::string restart_from(Session& session, const std::string& checkpoint,
                          const std::string& restart, std::optional<std::uint64_t> tree) {
-  return session.on_first_rank([&]() -> std::string {
+  return session.from_first_rank([&]() -> std::string {
     if (!checkpoint.empty()) require_writable_folder(checkpoint);
     // The engine refuses to overwrite one as well; here the call can be said that goes on.
     if (!checkpoint.empty() && restart != checkpoint && engine::checkpoint_exists(checkpoint)) {

@@ -12,15 +12,15 @@
 
 namespace kusabi::run {
 
-/// engine::search on all ranks. @param options is completed by the limits, the signals and, unless
-/// `quiet`, the progress line
+/// engine::search on all ranks. @param options is completed by the limits, the signals (unless it
+/// has an `interrupt`) and, unless `quiet`, the progress line
 /// @param shown how the progress line shows objectives
 template <class Tree>
 engine::Outcome<Tree> shown_search(Session& session, Tree& tree, engine::Options options,
                                    const engine::Limits& limits, bool quiet,
                                    const ShownObjective& shown = {}) {
   options.limits = limits;
-  options.interrupt = engine::asked_by_signal;
+  if (!options.interrupt) options.interrupt = engine::asked_by_signal;
   std::optional<ProgressLine> progress;
   if (session.speaks() && !quiet) {
     progress.emplace(options.goal, shown);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/expansion.hpp"
-#include "run/session/index_range.hpp"
+#include "engine/index_range.hpp"
 #include "verify/certificate.hpp"
 #include "verify/proof.hpp"
 
@@ -15,7 +15,7 @@ namespace kusabi::run {
 /// The problem type that engine::search searches.
 class Verification {
  public:
-  using Node = IndexRange;  ///< of records
+  using Node = engine::IndexRange;  ///< of records
 
   /// A record that does not prove what it claims.
   struct Solution {

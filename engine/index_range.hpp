@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace kusabi::run {
+namespace kusabi::engine {
 
 /// `first` to `last` - 1.
 struct IndexRange {
@@ -23,4 +23,4 @@ struct IndexRange {
   }
 };
 
-}  // namespace kusabi::run
+}  // namespace kusabi::engine

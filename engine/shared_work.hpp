@@ -10,12 +10,11 @@
 
 #include <boost/serialization/vector.hpp>
 
+#include "engine/index_range.hpp"
 #include "engine/search.hpp"
-#include "run/session/index_range.hpp"
-#include "run/session/session.hpp"
-#include "run/session/told.hpp"
+#include "engine/together.hpp"
 
-namespace kusabi::run {
+namespace kusabi::engine {
 
 /// The problem type that engine::search searches.
 /// @tparam Result Boost-serialisable
@@ -31,7 +30,7 @@ class SharedWork {
 
   Node root() const { return {0, pieces_}; }
 
-  void expand(Node&& node, engine::Expansion<SharedWork>& out) {
+  void expand(Node&& node, Expansion<SharedWork>& out) {
     if (node.size() == 1) {
       out.solution(piece_(node.first));
       return;
@@ -48,19 +47,19 @@ class SharedWork {
 
 /// Does all pieces; every rank makes the same call. @pre pieces > 0
 template <class Result>
-std::vector<Result> share_work(Session& session, std::uint64_t pieces,
+std::vector<Result> share_work(Transport& transport, std::uint64_t pieces,
                                std::function<Result(std::uint64_t)> piece) {
   std::vector<Result> results;
-  if (session.ranks() == 1) {
+  if (transport.size() == 1) {
     for (std::uint64_t i = 0; i < pieces; ++i) results.push_back(piece(i));
     return results;
   }
   SharedWork<Result> work(pieces, std::move(piece));
-  auto outcome = engine::search(work, session.transport());
-  return told_by_first_rank(session, [&] {
+  auto outcome = search(work, transport);
+  return from_first_rank(transport, [&] {
     for (auto& found : outcome.solutions) results.push_back(std::move(found.solution));
-    return results;
+    return std::move(results);
   });
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::engine
