@@ -161,8 +161,8 @@ class SignPatternTree {
   using Solution = Configuration;
   using Tally = SignPatternTally;
 
-  /// Contact leaves less to search than separation: a quarter to a third of a subtree is below
-  /// it, weighted by size, on space trusses of 20 to 40 candidates (docs/theory.md).
+  /// Contact leaves less to search than separation: a quarter to a third of a subtree is below it,
+  /// weighted by size, on space trusses of 20 to 40 candidates (docs/theory/wedged.md).
   static constexpr double work_of_first_child = 1.0 / 3;
 
   /// @param friction mu of each contact candidate, m numbers >= 0
