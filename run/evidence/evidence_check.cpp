@@ -1,8 +1,8 @@
 // A certificate without nodes, and one record at a time.
 #include "run/evidence/evidence_check.hpp"
 
+#include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/problem_block.hpp"
-#include "run/evidence/verified_structure.hpp"
 #include "verify/condensation.hpp"
 
 namespace kusabi::run {
@@ -11,7 +11,7 @@ std::variant<verify::EnclosedMatrix, std::string> enclosed_stiffness(
     const problems::Structure& structure) {
   if (structure.coordinates.size() > most_enclosed_displacements)
     return "the structure is too large to enclose its stiffness on the way; kusabi verify does it";
-  return verify::condensed_stiffness(verified_structure(structure));
+  return verify::condensed_stiffness(evidence::verified_structure(structure));
 }
 
 EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,

@@ -7,16 +7,17 @@
 #include <fmt/format.h>
 
 #include "engine/together.hpp"
+#include "nodes/limit/limit_loads.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/limit/limit_report.hpp"
-#include "run/limit/limit_search.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/output_file.hpp"
 #include "run/output/outputs.hpp"
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
+#include "run/session/supervision.hpp"
 #include "verify/limit_certificate.hpp"
 
 namespace kusabi::run {
@@ -32,6 +33,23 @@ void announce(const LimitOptions& options, const LimitProblem& problem, int rank
       problem.dimension == 2 ? "in the plane" : "in space", problem.node_names.size(),
       problem.member_count(), problem.free_count(),
       ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+}
+
+limit::LimitFindings limit_findings(Session& session, const LimitOptions& options,
+                                    const problems::Structure& truss, const LimitProblem& problem) {
+  engine::Campaign campaign(session.transport(), supervision(options.limits, options.quiet));
+  try {
+    return limit::limit_loads(campaign, truss, problem,
+                              {.alpha = options.alpha,
+                               .method = options.method,
+                               .big_m = options.big_m,
+                               .samples = options.samples,
+                               .seed = options.seed,
+                               .curve = options.curve});
+  } catch (const limit::BigMTooSmall&) {
+    throw WrongInput(
+        "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
+  }
 }
 
 }  // namespace
@@ -52,10 +70,15 @@ int limit(Session& session, const LimitOptions& options) {
   const auto problem = problems::limit_problem(truss);
   engine::agree(session.transport(), problem.fingerprint);
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  const auto found = limit_search(session, options, truss, problem);
+  const auto found = limit_findings(session, options, truss, problem);
   const auto& answer = found.answer;
   const auto& certificate = found.certificate;
   if (session.speaks()) {
+    if (!options.quiet && answer.worst && answer.worst->no_safe_m) {
+      tell(
+          "--cuts: no safe M was found, and (29) was not tried; the ends are those of static "
+          "cuts\n");
+    }
     const LimitReport report{options, problem, answer, session.ranks()};
     do_all({[&] { result_file->write(report.json()); },
             [&] {

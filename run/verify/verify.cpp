@@ -17,9 +17,9 @@
 #include <fmt/ranges.h>
 
 #include "engine/search.hpp"
+#include "nodes/evidence/verified_structure.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/evidence/verified_structure.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/session/progress_line.hpp"
@@ -161,7 +161,7 @@ int verify(Session& session, const VerifyOptions& options) {
   const auto certificate = certificate_in(text, options.certificate);
   std::optional<verify::Agreement> agreement;
   if (structure) {
-    auto found = verify::agreement(certificate, verified_structure(*structure));
+    auto found = verify::agreement(certificate, evidence::verified_structure(*structure));
     if (const auto* why = std::get_if<std::string>(&found)) {
       return refuse_all(session, options, fmt::format("{}: {}", options.problem, *why));
     }

@@ -1,4 +1,5 @@
-// What `kusabi limit` has found out: numbers alone, in the units of the problem.
+// What has been found out of the load factor of a truss and of its worst case: numbers alone, in
+// the units of the problem.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/worst_case.hpp"
 
-namespace kusabi::run {
+namespace kusabi::limit {
 
 /// A collapse.
 struct LimitCollapse {
@@ -23,36 +24,47 @@ struct LimitCollapse {
   Eigen::VectorXd motion;  ///< u, n^d, f_R^T u = 1
 };
 
-/// What is known of the worst case.
-struct LimitWorstCase {
-  limit::RootStatus status = limit::RootStatus::failed;
+/// Between what the worst case is known to be, and whether exact arithmetic shows it.
+struct LimitEnds {
   /// Minus infinity: none is known.
   double lower = -std::numeric_limits<double>::infinity();
   /// Minus infinity: a load is carried at no factor.
   double upper = -std::numeric_limits<double>::infinity();
-  bool proved = false;  ///< whether both are shown in exact arithmetic, and near to each other
   bool lower_proved = false;
   bool upper_proved = false;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& lower& upper& lower_proved& upper_proved;
+  }
+};
+
+/// What is known of the worst case.
+struct LimitWorstCase {
+  RootStatus status = RootStatus::failed;
+  LimitEnds ends;
+  bool proved = false;  ///< whether both ends are, and are near to each other
   /// What the 0-1 tree of (29) has come to by itself, if it was asked for: not proved.
   std::optional<double> zero_one_bound;
+  bool no_safe_m = false;  ///< (29) was asked for, but not tried: no safe M was found
   Eigen::VectorXd zeta;
   std::optional<LimitCollapse> collapse;
   std::uint64_t cuts = 0;
   std::uint64_t nodes = 1;          ///< of the tree of signs, and
   std::uint64_t tree_programs = 0;  ///< its linear programs: they depend on the number of ranks
-  limit::WorstCaseCounts counts;
+  WorstCaseCounts counts;
   engine::Status search = engine::Status::solved;  ///< why it ended before it was done
 };
 
 struct LimitAnswer {
-  limit::LoadStatus status = limit::LoadStatus::undetermined;
+  LoadStatus status = LoadStatus::undetermined;
   std::optional<LimitCollapse> nominal;  ///< of `collapses`
   bool no_factor_proved = false;         ///< whether exact arithmetic shows `not_carried`
   std::optional<LimitWorstCase> worst;
   std::vector<double> samples;  ///< factors; minus infinity: not carried
   /// lambda*(f_D + beta T zeta) over beta, zeta the critical one; and lambda_min(beta alpha).
-  std::vector<limit::CurvePiece> curve;
-  std::vector<limit::CurvePiece> worst_curve;
+  std::vector<CurvePiece> curve;
+  std::vector<CurvePiece> worst_curve;
   /// Why what else was asked for (the nominal factor, samples, curves) was not done to the end.
   engine::Status rest = engine::Status::solved;
 
@@ -60,4 +72,4 @@ struct LimitAnswer {
   [[nodiscard]] bool whole() const;
 };
 
-}  // namespace kusabi::run
+}  // namespace kusabi::limit

@@ -1,5 +1,5 @@
 // Room for rounding, as little as will do.
-#include "run/limit/limit_ends.hpp"
+#include "nodes/limit/proved_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,18 +7,16 @@
 #include <utility>
 #include <variant>
 
+#include "nodes/limit/limit_evidence.hpp"
 #include "nodes/limit/worst_case.hpp"
-#include "run/evidence/limit_evidence.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_proof.hpp"
 
-namespace kusabi::run {
+namespace kusabi::limit {
 namespace {
 
-using limit::ClosedNode;
-
 /// Scaled forces; the first has been tried, but not for all members.
-constexpr double rooms[] = {limit::first_room, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
+constexpr double rooms[] = {first_room, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
 
 double infinite() {
   return std::numeric_limits<double>::infinity();
@@ -51,16 +49,18 @@ double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& t
                       ClosedNode& node, double shown, double wanted) {
   auto cuts = evidence.cuts;
   cuts.insert(cuts.end(), node.own_cuts.begin(), node.own_cuts.end());
+  // All but the node itself is the same in every room.
+  const auto certificate =
+      limit_certificate(evidence.problem, evidence.model, evidence.alpha, evidence.worst, cuts, {});
+  const verify::LimitProof proof(certificate, truss);
   const double alpha = evidence.alpha / evidence.model.force_unit;
   for (const double room : rooms) {
     for (const bool for_all : {false, true}) {
-      const auto proof =
-          limit::proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all);
-      if (!proof) continue;
-      auto candidate = closed_node(*proof, node.own_cuts);
-      const auto certificate = certificate_of(evidence, {candidate});
-      const double lower =
-          lower_end(verify::LimitProof(certificate, truss), certificate.nodes.front());
+      const auto found = proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all);
+      if (!found) continue;
+      auto candidate = closed_node(*found, node.own_cuts);
+      const double lower = lower_end(
+          proof, limit_node(evidence.problem, evidence.model, evidence.alpha, cuts, candidate));
       if (lower <= shown) continue;
       shown = lower;
       node = std::move(candidate);
@@ -72,7 +72,7 @@ double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& t
 
 }  // namespace
 
-LimitEnds proved_ends(LimitEvidence evidence, bool again) {
+ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
   auto& nodes = evidence.nodes;
   // A node that was closed without a proof has no forces; its signs are enough to look for some.
   std::vector<bool> has_proof;
@@ -80,19 +80,22 @@ LimitEnds proved_ends(LimitEvidence evidence, bool again) {
     has_proof.push_back(!node.forces.empty());
     node.forces.resize(static_cast<std::size_t>(evidence.model.member_count()));
   }
-  LimitEnds ends;
-  ends.certificate = certificate_of(evidence, nodes);
-  const auto truss = meant_truss(ends.certificate, evidence.truss);
+  ProvedEnds result;
+  auto& [ends, certificate] = result;
+  certificate = certificate_of(evidence, nodes);
+  const auto truss = meant_truss(certificate, evidence.truss);
   bool changed = false;
   {
-    const verify::LimitProof proof(ends.certificate, truss);
+    const verify::LimitProof proof(certificate, truss);
     const auto upper = proof.upper();
-    if (const auto* value = std::get_if<mpq_class>(&upper)) ends.upper = verify::rounded_up(*value);
+    if (const auto* value = std::get_if<mpq_class>(&upper)) {
+      ends.upper = verify::rounded_up(*value);
+      ends.upper_proved = true;
+    }
     double least = infinite();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      double shown = has_proof[k] ? lower_end(proof, ends.certificate.nodes[k]) : -infinite();
-      const double wanted =
-          ends.upper.value_or(-infinite()) - 2 * limit::closed_gap * evidence.model.factor_unit;
+      double shown = has_proof[k] ? lower_end(proof, certificate.nodes[k]) : -infinite();
+      const double wanted = ends.upper - 2 * closed_gap * evidence.model.factor_unit;
       if (again && shown < wanted) {
         const double more = with_more_room(evidence, truss, nodes[k], shown, wanted);
         changed = changed || more > shown;
@@ -100,10 +103,13 @@ LimitEnds proved_ends(LimitEvidence evidence, bool again) {
       }
       least = std::min(least, shown);
     }
-    if (std::isfinite(least) && !verify::flaw_of_sign_cover(ends.certificate)) ends.lower = least;
+    if (std::isfinite(least) && !verify::flaw_of_sign_cover(certificate)) {
+      ends.lower = least;
+      ends.lower_proved = true;
+    }
   }
-  if (changed) ends.certificate = certificate_of(evidence, nodes);
-  return ends;
+  if (changed) certificate = certificate_of(evidence, nodes);
+  return result;
 }
 
 bool shows_no_factor(const verify::Structure& truss, const problems::LimitProblem& problem,
@@ -111,9 +117,9 @@ bool shows_no_factor(const verify::Structure& truss, const problems::LimitProble
                      const Eigen::VectorXd& motion) {
   if (motion.size() != model.free_count() || !motion.allFinite()) return false;
   const double alpha = zeta.size() == 0 ? 0 : zeta.cwiseAbs().maxCoeff() * model.force_unit;
-  const limit::Worst worst{zeta, {0, {}, motion}};
+  const Worst worst{zeta, {0, {}, motion}};
   const auto evidence = limit_certificate(problem, model, alpha, worst, {}, {});
   return verify::LimitProof(evidence, meant_truss(evidence, truss)).shows_no_factor();
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::limit

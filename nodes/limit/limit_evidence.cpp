@@ -1,14 +1,12 @@
 // A change of units, and the shares of cuts made sure to be large enough.
-#include "run/evidence/limit_evidence.hpp"
+#include "nodes/limit/limit_evidence.hpp"
 
 #include <cmath>
 #include <cstddef>
 
-namespace kusabi::run {
+namespace kusabi::limit {
 namespace {
 
-using limit::ClosedNode;
-using limit::StaticCut;
 using problems::LimitModel;
 
 /// Shares of the cuts of a column add up to alpha times its weight but for rounding; a proof needs
@@ -96,7 +94,7 @@ verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<s
 
 verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
                                            const LimitModel& model, double alpha,
-                                           const limit::Worst& worst,
+                                           const Worst& worst,
                                            const std::vector<StaticCut>& root_cuts,
                                            const std::vector<ClosedNode>& nodes) {
   verify::LimitCertificate certificate;
@@ -137,4 +135,16 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
   return certificate;
 }
 
-}  // namespace kusabi::run
+verify::LimitNode limit_node(const problems::LimitProblem& problem, const LimitModel& model,
+                             double alpha, std::span<const StaticCut> cuts,
+                             const ClosedNode& node) {
+  std::vector<std::size_t> places;
+  std::vector<std::size_t> columns;
+  for (const auto& cut : cuts) {
+    places.push_back(places.size());
+    columns.push_back(static_cast<std::size_t>(cut.column));
+  }
+  return Converter(problem, model, alpha).node_of(node, places, columns);
+}
+
+}  // namespace kusabi::limit

@@ -5,18 +5,16 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine/budget.hpp"
-#include "engine/outcome.hpp"
+#include "engine/campaign.hpp"
+#include "nodes/limit/limit_question.hpp"
 #include "nodes/limit/worst_case.hpp"
 #include "problems/limit/limit_analysis.hpp"
-#include "run/limit/limit.hpp"
-#include "run/session/session.hpp"
 
-namespace kusabi::run {
+namespace kusabi::limit {
 
 /// What came of it, in the scaled units of the model.
-struct MixedWorst {
-  limit::Worst worst;
+struct ZeroOneWorst {
+  Worst worst;
   double lower = 0;  ///< as the 0-1 tree has it: not proved
   std::uint64_t nodes = 0;
   std::uint64_t programs = 0;  ///< linear programs, at the root and in the tree
@@ -29,10 +27,10 @@ struct MixedWorst {
 /// @param alpha scaled
 /// @param root what static cuts have found: they say which M is safe, and know a collapse
 /// @return nothing if no safe M is found
-/// @throws WrongInput if the M of the call is too small for any point
-std::optional<MixedWorst> solve_mixed(Session& session, const LimitOptions& options,
-                                      const problems::LimitModel& model, double alpha,
-                                      const limit::RootResult& root, limit::LoadFactor& load_factor,
-                                      const engine::Budget& budget);
+/// @throws BigMTooSmall on every rank if the question's M leaves no point
+std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
+                                           const LimitQuestion& question,
+                                           const problems::LimitModel& model, double alpha,
+                                           const RootResult& root, LoadFactor& load_factor);
 
-}  // namespace kusabi::run
+}  // namespace kusabi::limit

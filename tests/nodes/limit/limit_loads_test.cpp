@@ -1,7 +1,7 @@
 // The worst case of random trusses against all corners of their loads: each end must be proved, and
 // the upper one be that of the worst corner. KUSABI_TRUSSES sets how many, KUSABI_SEED where to
 // begin.
-#include "run/limit/limit_search.hpp"
+#include "nodes/limit/limit_loads.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -12,16 +12,14 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/transport/single_process.hpp"
 #include "nodes/limit/balanced_model.hpp"
 #include "nodes/limit/load_factor.hpp"
-#include "run/session/session.hpp"
 #include "support/input_error.hpp"
 
-namespace kusabi::run {
+namespace kusabi::limit {
 namespace {
 
-using limit::LoadStatus;
-using limit::RootStatus;
 using problems::LimitProblem;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -138,17 +136,17 @@ Corner worst_corner(const LimitProblem& problem, double alpha) {
       loaded.dead(degree) += ((corner >> j) & 1U) != 0 ? alpha * weight : -alpha * weight;
     }
     const auto usual = problems::limit_model(loaded);
-    if (limit::LoadFactor(usual).solve(usual.dead) == LoadStatus::not_carried) {
+    if (LoadFactor(usual).solve(usual.dead) == LoadStatus::not_carried) {
       return {LoadStatus::not_carried, -infinity, 0};
     }
-    const auto model = limit::balanced_model(loaded, 0);
-    limit::LoadFactor solver(model);
+    const auto model = balanced_model(loaded, 0);
+    LoadFactor solver(model);
     const auto status = solver.solve(model.dead);
     if (status != LoadStatus::collapses) return {status, -infinity, 0};
     const auto collapse = solver.collapse();
     if (collapse.factor * model.factor_unit >= worst.factor) continue;
     worst.factor = collapse.factor * model.factor_unit;
-    worst.dissipation = limit::dissipation(loaded, model, collapse.motion) * model.factor_unit;
+    worst.dissipation = dissipation(loaded, model, collapse.motion) * model.factor_unit;
   }
   return worst;
 }
@@ -158,12 +156,8 @@ unsigned from_environment(const char* name, unsigned otherwise) {
   return text == nullptr ? otherwise : static_cast<unsigned>(std::stoul(text));
 }
 
-TEST(LimitSearch, ProvesTheWorstCornerOfRandomTrusses) {
-  int argc = 1;
-  std::string name = "tests";
-  char* list[] = {name.data(), nullptr};
-  char** argv = list;
-  Session session(argc, argv);
+TEST(LimitLoads, ProvesTheWorstCornerOfRandomTrusses) {
+  engine::SingleProcess alone;
   const unsigned first = from_environment("KUSABI_SEED", 1);
   const unsigned count = from_environment("KUSABI_TRUSSES", 120);
   unsigned compared = 0;
@@ -178,10 +172,8 @@ TEST(LimitSearch, ProvesTheWorstCornerOfRandomTrusses) {
     } catch (const support::InputError&) {
       continue;  // a mechanism, or two nodes at one place
     }
-    LimitOptions options;
-    options.alpha = alpha;
-    options.quiet = true;
-    const auto found = limit_search(session, options, truss, *problem).answer;
+    engine::Campaign campaign(alone);
+    const auto found = limit_loads(campaign, truss, *problem, {.alpha = alpha}).answer;
     if (!found.whole()) {
       ++open;  // and says so
       continue;
@@ -194,7 +186,7 @@ TEST(LimitSearch, ProvesTheWorstCornerOfRandomTrusses) {
     const auto expected = worst_corner(*problem, alpha);
     if (expected.status != LoadStatus::collapses) {
       EXPECT_EQ(found.worst->status, RootStatus::not_carried)
-          << found.worst->lower << " to " << found.worst->upper;
+          << found.worst->ends.lower << " to " << found.worst->ends.upper;
       ++not_carried;
       continue;
     }
@@ -208,8 +200,8 @@ TEST(LimitSearch, ProvesTheWorstCornerOfRandomTrusses) {
     constexpr double of_units = 2e-8;  // twice closed_gap
     const double near = share * (std::abs(expected.factor) + expected.dissipation) +
                         of_units * problems::limit_model(*problem).factor_unit;
-    EXPECT_NEAR(found.worst->upper, expected.factor, near);
-    EXPECT_NEAR(found.worst->lower, expected.factor, near);
+    EXPECT_NEAR(found.worst->ends.upper, expected.factor, near);
+    EXPECT_NEAR(found.worst->ends.lower, expected.factor, near);
     ++compared;
   }
   RecordProperty("compared", static_cast<int>(compared));
@@ -221,4 +213,4 @@ TEST(LimitSearch, ProvesTheWorstCornerOfRandomTrusses) {
 }
 
 }  // namespace
-}  // namespace kusabi::run
+}  // namespace kusabi::limit

@@ -2,16 +2,16 @@
 // here, in exact arithmetic, from the evidence that a certificate holds.
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "nodes/limit/limit_answer.hpp"
 #include "nodes/limit/sign_tree.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/limit_proof.hpp"
 #include "verify/structure.hpp"
 
-namespace kusabi::run {
+namespace kusabi::limit {
 
 /// What was found and is to be proved.
 struct LimitEvidence {
@@ -19,15 +19,14 @@ struct LimitEvidence {
   const problems::LimitProblem& problem;
   const problems::LimitModel& model;
   double alpha = 0;  ///< in the unit of force
-  const limit::Worst& worst;
-  const std::vector<limit::StaticCut>& cuts;  ///< those that all nodes share
-  std::vector<limit::ClosedNode> nodes;       ///< which cover all signs
+  const Worst& worst;
+  const std::vector<StaticCut>& cuts;  ///< those that all nodes share
+  std::vector<ClosedNode> nodes;       ///< which cover all signs
 };
 
-/// Ends that hold, in the unit of the load factor; nothing: not shown.
-struct LimitEnds {
-  std::optional<double> lower;
-  std::optional<double> upper;
+/// What is shown, with its evidence.
+struct ProvedEnds {
+  LimitEnds ends;  ///< in the unit of the load factor; an end that is not proved says nothing
   verify::LimitCertificate certificate;
 };
 
@@ -38,7 +37,7 @@ inline constexpr double answered_gap = 1e-6;
 /// Proves each node; where a proof fails for want of room, or shows less than `closed_gap` allows,
 /// makes more room and tries again.
 /// @param again whether to try again
-LimitEnds proved_ends(LimitEvidence evidence, bool again);
+ProvedEnds proved_ends(LimitEvidence evidence, bool again);
 
 /// Whether a motion shows that a load is carried at no factor.
 /// @param zeta m @param motion n^d, both scaled as in `model`
@@ -46,4 +45,4 @@ bool shows_no_factor(const verify::Structure& truss, const problems::LimitProble
                      const problems::LimitModel& model, const Eigen::VectorXd& zeta,
                      const Eigen::VectorXd& motion);
 
-}  // namespace kusabi::run
+}  // namespace kusabi::limit

@@ -7,9 +7,9 @@
 #include "problems/structure/structure.hpp"
 #include "verify/structure.hpp"
 
-namespace kusabi::run {
+namespace kusabi::evidence {
 
 /// @param structure as read, checked
 verify::Structure verified_structure(const problems::Structure& structure);
 
-}  // namespace kusabi::run
+}  // namespace kusabi::evidence

@@ -1,10 +1,10 @@
 // Number by number, none of them changed.
-#include "run/evidence/verified_structure.hpp"
+#include "nodes/evidence/verified_structure.hpp"
 
 #include <cmath>
 #include <cstddef>
 
-namespace kusabi::run {
+namespace kusabi::evidence {
 namespace {
 
 std::size_t number(int index) {
@@ -80,4 +80,4 @@ verify::Structure verified_structure(const problems::Structure& structure) {
   return result;
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::evidence
