@@ -8,18 +8,18 @@
 
 #include <fmt/format.h>
 
-#include "engine/budget.hpp"
-#include "engine/signals.hpp"
 #include "nodes/wedged/critical_friction.hpp"
+#include "nodes/wedged/critical_search.hpp"
 #include "problems/files/structure_file.hpp"
-#include "run/critical/critical_ends.hpp"
+#include "run/critical/critical_certificate.hpp"
 #include "run/critical/critical_report.hpp"
-#include "run/critical/critical_search.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/outputs.hpp"
+#include "run/output/rank_table.hpp"
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
+#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -28,7 +28,7 @@ namespace {
 
 void announce(const CriticalOptions& options, const problems::WedgedProblem& problem, int ranks) {
   tell("kusabi {} · critical · {}\n{}; up to a friction coefficient of {}{}; {}\n", KUSABI_VERSION,
-       options.file, problem_line(problem), options.most.value_or(usual_most),
+       options.file, problem_line(problem), options.most.value_or(wedged::usual_most),
        uniform_friction(problem) ? "" : " times that of each candidate",
        ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
 }
@@ -39,7 +39,7 @@ void check(const CriticalOptions& options) {
         "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
         "for, or --method global");
   }
-  const double most = options.most.value_or(usual_most);
+  const double most = options.most.value_or(wedged::usual_most);
   constexpr double most_multiples = 1e15;
   if (options.width >= most || most > most_multiples * options.width) {
     throw WrongInput(fmt::format("--width {}: expected a number below --mu-max {} and above {}",
@@ -47,12 +47,12 @@ void check(const CriticalOptions& options) {
   }
 }
 
-void tell_what_is_open(const CriticalFindings& findings) {
-  if (findings.status != "solved") {
-    tell("stopped early ({}): nothing lives below {:.10g}; more is not proved\n", findings.status,
-         findings.lower);
+void tell_what_is_open(const CriticalOptions& options, const wedged::CriticalFindings& findings) {
+  if (findings.status != engine::Status::solved) {
+    tell("stopped early ({}): nothing lives below {:.10g}; more is not proved\n",
+         status_name(findings.status), findings.lower);
   }
-  for (const auto& sentence : findings.open) tell("open: {}\n", sentence);
+  for (const auto& sentence : open_sentences(options, findings)) tell("open: {}\n", sentence);
 }
 
 }  // namespace
@@ -77,16 +77,14 @@ int critical(Session& session, const CriticalOptions& asked) {
   // No further than the roughest candidate can be computed with.
   const double most = wedged::CriticalFriction::range(problem).most;
   if (options.most) friction_at(problem, *options.most, options.file);
-  if (!options.most && most < usual_most) options.most = most;
+  if (!options.most && most < wedged::usual_most) options.most = most;
   agree(session, problem);
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  engine::heed_signals();
-  const engine::Budget budget(options.limits, engine::asked_by_signal);
-  auto findings = options.way == CriticalWay::global
-                      ? global_search(session, options, problem, budget)
-                      : pattern_by_pattern(session, options, problem, budget);
-  if (findings.status == "solved")
-    prove_ends(session, options, structure, problem, budget, findings);
+  engine::Campaign campaign(session.transport(), supervision(options.limits, options.quiet));
+  const auto findings = wedged::find_critical_friction(
+      campaign, structure, problem,
+      {.way = options.way, .most = options.most, .width = options.width},
+      end_recorder(session, options, problem));
   int code = findings.answered() ? solved : stopped_early;
   if (session.speaks()) {
     do_all({[&] { result_file->write(critical_json(options, problem, findings)); },
@@ -94,7 +92,7 @@ int critical(Session& session, const CriticalOptions& asked) {
               if (!options.quiet) print_answer(critical_table(options, problem, findings));
             }});
     if (!options.quiet) tell_written({options.output});
-    tell_what_is_open(findings);
+    tell_what_is_open(options, findings);
   }
   return code;
 }

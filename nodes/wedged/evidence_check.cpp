@@ -1,16 +1,16 @@
 // A certificate without nodes, and one record at a time.
-#include "run/evidence/evidence_check.hpp"
+#include "nodes/wedged/evidence_check.hpp"
 
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "verify/condensation.hpp"
 
-namespace kusabi::run {
+namespace kusabi::wedged {
 
 std::variant<verify::EnclosedMatrix, std::string> enclosed_stiffness(
     const problems::Structure& structure) {
   if (structure.coordinates.size() > most_enclosed_displacements)
-    return "the structure is too large to enclose its stiffness on the way; kusabi verify does it";
+    return "the structure is too large to enclose its stiffness on the way; verify does it";
   return verify::condensed_stiffness(evidence::verified_structure(structure));
 }
 
@@ -24,12 +24,10 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
   proof_.emplace(certificate_, stiffness);
 }
 
-bool EvidenceCheck::holds(const wedged::Evidence& evidence) const {
-  if (evidence.kind == wedged::Evidence::Kind::marginal || !proof_->least_eigenvalue())
-    return false;
+bool EvidenceCheck::holds(const Evidence& evidence) const {
+  if (evidence.kind == Evidence::Kind::marginal || !proof_->least_eigenvalue()) return false;
   verify::Record record;
-  record.claim =
-      evidence.kind == wedged::Evidence::Kind::dead ? verify::Claim::dead : verify::Claim::alive;
+  record.claim = evidence.kind == Evidence::Kind::dead ? verify::Claim::dead : verify::Claim::alive;
   record.block = evidence.block;
   record.contact = evidence.node.contact;
   record.separated = evidence.node.separated;
@@ -37,4 +35,4 @@ bool EvidenceCheck::holds(const wedged::Evidence& evidence) const {
   return !proof_->refusal(record);
 }
 
-}  // namespace kusabi::run
+}  // namespace kusabi::wedged

@@ -14,7 +14,7 @@
 #include "verify/exact.hpp"
 #include "verify/proof.hpp"
 
-namespace kusabi::run {
+namespace kusabi::wedged {
 
 /// Most displacements, supported ones included, of a structure whose K is enclosed unasked: a
 /// second.
@@ -34,11 +34,11 @@ class EvidenceCheck {
   EvidenceCheck& operator=(const EvidenceCheck&) = delete;
 
   /// Whether the evidence proves what it claims. What claims nothing is not proved.
-  [[nodiscard]] bool holds(const wedged::Evidence& evidence) const;
+  [[nodiscard]] bool holds(const Evidence& evidence) const;
 
  private:
   verify::Certificate certificate_;
   std::optional<verify::Proof> proof_;
 };
 
-}  // namespace kusabi::run
+}  // namespace kusabi::wedged
