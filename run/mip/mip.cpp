@@ -8,10 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/budget.hpp"
-#include "engine/signals.hpp"
 #include "engine/together.hpp"
-#include "nodes/zero_one/unboundedness.hpp"
+#include "nodes/zero_one/mixed_search.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/last_steps.hpp"
@@ -20,7 +18,7 @@
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/shown_search.hpp"
+#include "run/session/supervision.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 
@@ -99,62 +97,15 @@ void tell_what_is_left(const MipOptions& options, const std::string& checkpoint,
   tell_how_to_go_on(call, checkpoint, outcome.saved);
 }
 
-// What the search starts from, which every rank has worked out by itself.
-std::uint64_t root_fingerprint(const zero_one::ZeroOneRoot& root) {
-  support::Fingerprint fingerprint;
-  const auto& program = root.relaxation.program();
-  for (const auto& column : program.columns) {
-    fingerprint.add(column.lower);
-    fingerprint.add(column.upper);
-  }
-  for (const auto& row : program.rows) {
-    fingerprint.add(row.lower);
-    fingerprint.add(row.upper);
-  }
-  for (const auto& entry : program.entries) fingerprint.add(entry.value);
-  fingerprint.add(root.bound);
-  fingerprint.add(root.point ? root.point->objective : linear::infinity);
-  return fingerprint.value();
-}
-
-// The outcome if the work at the root was stopped: its bound and its point, and one open node.
-engine::Outcome<zero_one::ZeroOneTree> outcome_of_root(const zero_one::ZeroOneTree& tree, int ranks,
-                                                       engine::Status why) {
-  engine::Outcome<zero_one::ZeroOneTree> outcome;
-  outcome.status = why;
-  outcome.open = 1;
-  outcome.bound = tree.prepared().bound;
-  if (const auto& point = tree.prepared().point) outcome.solutions.push_back({{}, *point});
-  outcome.ranks.resize(static_cast<std::size_t>(ranks));
-  return outcome;
-}
-
-// If the relaxation has no lower bound, neither has the program, if it has a point at all: the
-// direction in which the objective falls leaves the binaries alone. So a point is all there is to
-// look for.
-bool without_bound(zero_one::ZeroOneRoot& root, const ProgramFile& program,
-                   const zero_one::ZeroOneRootOptions& options) {
-  if (root.status != linear::LinearStatus::unbounded ||
-      !zero_one::falls_for_ever(program.mixed, options.stop)) {
-    return false;
-  }
-  auto any_point = program.mixed;
-  for (auto& column : any_point.program.columns) column.cost = 0;
-  root = zero_one::prepare_root(std::move(any_point), options);
-  return true;
-}
-
 }  // namespace
 
 int mip(Session& session, const MipOptions& options) {
   std::optional<ResultFile> result_file;
-  engine::heed_signals();
-  const engine::Budget budget(options.limits, engine::asked_by_signal);
+  engine::Campaign campaign(session.transport(), supervision(options.limits, options.quiet));
   const auto program = read_on_first_rank(session, options, result_file);
   const std::uint64_t fingerprint = program_fingerprint(program);
 
   engine::Options search_options;
-  search_options.goal = engine::Goal::best;
   search_options.order = options.order;
   auto& checkpoint = search_options.checkpoint;
   checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
@@ -162,33 +113,22 @@ int mip(Session& session, const MipOptions& options) {
   checkpoint.problem = tree_fingerprint(fingerprint, options);
   checkpoint.resume_from =
       restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
-  search_options.interrupt = budget.interrupt();
   search_options.warn = warn;
   if (session.speaks()) {
     for (const auto& warning : program.warnings) warn(warning);
     if (!options.quiet) announce(options, program, session.ranks());
   }
-  const zero_one::ZeroOneRootOptions root_options{.cuts = options.cuts,
-                                                  .tighten = options.tighten,
-                                                  .dive = options.dive,
-                                                  .stop = budget.stop()};
-  auto root = zero_one::prepare_root(program.mixed, root_options);
-  const bool unbounded = without_bound(root, program, root_options);
-  // One rank that was stopped at the root stops all: their roots differ.
-  const auto stopped =
-      engine::meet(session.transport(), {.ranks = 1, .found = root.interrupted ? 1U : 0U});
-  if (stopped.found == 0) engine::agree(session.transport(), root_fingerprint(root));
-  zero_one::ZeroOneTree tree(std::move(root), options.branching);
-  const auto outcome = stopped.found != 0
-                           ? outcome_of_root(tree, session.ranks(), budget.why())
-                           : shown_search(session, tree, search_options, budget.left(),
-                                          options.quiet, {program.maximise ? -1.0 : 1.0});
+  const auto found = zero_one::solve_mixed(
+      campaign, program.mixed,
+      {.cuts = options.cuts, .tighten = options.tighten, .dive = options.dive}, options.branching,
+      search_options, {program.maximise ? -1.0 : 1.0});
+  const auto& outcome = found.outcome;
 
   bool answered = false;
   const bool whole = outcome.status == engine::Status::solved;
   if (session.speaks()) {
-    const MipReport report{options, program, fingerprint, tree, outcome, unbounded};
-    answered = report.answered();
+    const MipReport report{options, program, fingerprint, found};
+    answered = found.answered();
     do_all({[&] { result_file->write(report.json()); },
             [&] {
               if (!options.quiet) print_answer(report.table());
