@@ -1,18 +1,14 @@
 // From the file to the report: which way, on which ranks.
 #include "run/rays/rays.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "engine/together.hpp"
-#include "nodes/wedged/ray_tree.hpp"
+#include "nodes/wedged/ray_search.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "run/output/exit_code.hpp"
@@ -23,85 +19,12 @@
 #include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/rays/rays_report.hpp"
-#include "run/session/shown_search.hpp"
+#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {
-
-using nlohmann::ordered_json;
-
-/// Up to so many candidates double description is two to four times as fast as the tree on one
-/// rank, and takes less than a gigabyte; beyond, its memory grows threefold with each candidate,
-/// and the tree's twofold from a tenth of it (bench/README.md). By size alone: the result must not
-/// depend on the number of ranks.
-constexpr int most_for_double_description = 14;
-
-bool limited(const engine::Limits& limits) {
-  const engine::Limits none;
-  return limits.seconds != none.seconds || limits.nodes != none.nodes;
-}
-
-RayMethod chosen_method(const RaysOptions& options, int candidates) {
-  if (options.method != RayMethod::automatic) return options.method;
-  // Only the tree can stop early with something to show for it.
-  const bool small = candidates <= most_for_double_description && !limited(options.limits);
-  return small ? RayMethod::double_description : RayMethod::tree;
-}
-
-ordered_json effort_json(const rays::Effort& effort) {
-  return {{"peak_rays", effort.peak_rays}, {"pairs", effort.pairs}, {"adjacent", effort.adjacent}};
-}
-
-RaysFound by_double_description(const rays::ReactionCone& cone) {
-  const auto start = std::chrono::steady_clock::now();
-  auto enumeration = rays::complementary_rays(cone);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  RaysFound found;
-  found.rays = std::move(enumeration.rays);
-  found.health = enumeration.health;
-  found.statistics = effort_json(enumeration.effort);
-  found.statistics["seconds"] = time.count();
-  return found;
-}
-
-// What rank 0 makes of the outcome of the tree.
-RaysFound gathered(engine::Outcome<wedged::RayTree>& outcome) {
-  RaysFound found;
-  found.method = RayMethod::tree;
-  found.status = status_name(outcome.status);
-  const auto total = outcome.tally();
-  for (auto& leaf : outcome.solutions) {
-    auto& own = leaf.solution.rays;
-    found.rays.insert(found.rays.end(), own.begin(), own.end());
-    own = {};  // the memory is needed
-  }
-  found.health = total.health;
-  found.tree = tally_json(total.patterns);
-  found.tree["opened"] = outcome.opened();
-  found.tree["open"] = outcome.open;
-  found.tree["fingerprint"] = fmt::format("{:016x}", outcome.fingerprint());
-  found.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {
-                         auto own = tally_json(tally.patterns);
-                         own.update(effort_json(tally.effort));
-                         return own;
-                       })}};
-  return found;
-}
-
-std::optional<RaysFound> by_tree(Session& session, const RaysOptions& options,
-                                 const problems::WedgedProblem& problem,
-                                 const std::vector<double>& friction,
-                                 const rays::ReactionCone& cone) {
-  // Rays are known by their zeros at all candidates, so the blocks stay together.
-  problems::WedgedProblem whole = problem;
-  whole.blocks.clear();
-  wedged::RayTree tree(wedged::SignPatternTree(whole, friction), cone);
-  auto outcome = shown_search(session, tree, {}, options.limits, options.quiet);
-  if (!session.speaks()) return std::nullopt;
-  return gathered(outcome);
-}
 
 void announce(const RaysOptions& options, const problems::WedgedProblem& problem, RayMethod method,
               int ranks) {
@@ -134,10 +57,8 @@ struct RaysFiles {
 
 // @return the exit code
 int report(const RaysOptions& options, const problems::WedgedProblem& problem,
-           const rays::ReactionCone& cone, RaysFound& found, RaysFiles& files) {
-  const bool whole = found.status == "solved";
-  std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
-  if (whole) found.cones = rays::maximal_cones(found.rays, cone.all());
+           const rays::ReactionCone& cone, wedged::RayFindings& found, RaysFiles& files) {
+  const bool whole = found.status == engine::Status::solved;
   RaysReport report(options, problem, cone, found);
   std::ostringstream table;
   std::ostream* const csv = files.csv.wanted() ? &files.csv.stream() : nullptr;
@@ -173,7 +94,7 @@ int report(const RaysOptions& options, const problems::WedgedProblem& problem,
     tell(
         "stopped early ({}): the list of rays is not complete, and no cones are made "
         "of it\n",
-        found.status);
+        status_name(found.status));
   }
   return whole ? solved : stopped_early;
 }
@@ -183,7 +104,7 @@ int report(const RaysOptions& options, const problems::WedgedProblem& problem,
 int rays(Session& session, const RaysOptions& options) {
   std::optional<RaysFiles> files;
   const std::string text = session.from_first_rank([&] {
-    if (options.method == RayMethod::double_description && limited(options.limits)) {
+    if (options.method == RayMethod::double_description && wedged::limited(options.limits)) {
       throw WrongInput(
           "--method double-description has nothing to show before its end; expected no "
           "limit, or --method tree");
@@ -201,16 +122,15 @@ int rays(Session& session, const RaysOptions& options) {
   if (problem.dimension != 2) refuse_space(options.file);
   const auto friction = friction_at(problem, options.friction, options.file);
   const rays::ReactionCone cone(problems::precise_compliance(structure), friction);
-  const RayMethod method = chosen_method(options, cone.candidates());
+  const RayMethod method = wedged::chosen_method(options.method, options.limits, cone.candidates());
   if (session.speaks() && !options.quiet) announce(options, problem, method, session.ranks());
 
-  std::optional<RaysFound> found;
-  if (method == RayMethod::tree) {
-    found = by_tree(session, options, problem, friction, cone);
-  } else if (session.speaks()) {
-    found = by_double_description(cone);
-  }
-  const int code = found ? report(options, problem, cone, *found, *files) : int{solved};
+  // Double description has nothing to show before its end, so a signal ends it at once.
+  engine::Campaign campaign(session.transport(), method == RayMethod::tree
+                                                     ? supervision(options.limits, options.quiet)
+                                                     : engine::Supervision{});
+  auto found = wedged::find_rays(campaign, problem, friction, cone, method);
+  const int code = session.speaks() ? report(options, problem, cone, found, *files) : int{solved};
   engine::meet(session.transport());
   return code;
 }
