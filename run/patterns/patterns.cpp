@@ -4,13 +4,12 @@
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "engine/checkpoint.hpp"
 #include "engine/together.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/pattern_search.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/evidence/certificate_file.hpp"
 #include "run/output/exit_code.hpp"
@@ -23,7 +22,7 @@
 #include "run/output/trace_file.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/shown_search.hpp"
+#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
@@ -124,13 +123,13 @@ int patterns(Session& session, const PatternsOptions& options) {
         "expected --method cones",
         options.file));
   }
-  wedged::SignPatternTree tree(problem, friction,
-                               {.tolerances = {.sign = options.tolerance},
-                                .branching = options.branching,
-                                .facets = options.facets,
-                                .thorough = !options.certificate.empty()});
+  wedged::PatternQuestion question;
+  question.tree = {.tolerances = {.sign = options.tolerance},
+                   .branching = options.branching,
+                   .facets = options.facets,
+                   .thorough = !options.certificate.empty()};
 
-  engine::Options search_options;
+  auto& search_options = question.search;
   auto& checkpoint = search_options.checkpoint;
   checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
   checkpoint.interval = options.checkpoint_interval;
@@ -140,13 +139,15 @@ int patterns(Session& session, const PatternsOptions& options) {
   CertificateFile certificate(session, options.certificate, options.file, fingerprint,
                               !options.restart.empty(), checkpoint.file);
   if (certificate.wanted())
-    tree.report_to([&](const auto& evidence) { certificate.add(evidence); });
+    question.witness = [&](const auto& evidence) { certificate.add(evidence); };
   if (!options.trace.empty()) search_options.trace_events = trace_events_a_rank(session.ranks());
   search_options.warn = warn;
   if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
+  engine::Campaign campaign(session.transport(), supervision(options.limits, options.quiet));
+  const auto findings = wedged::find_patterns(campaign, problem, friction, question);
+  const auto& outcome = findings.outcome;
 
-  const bool whole = outcome.status == engine::Status::solved;
+  const bool whole = findings.whole();
   const bool goes_on = !checkpoint.file.empty() && engine::checkpoint_exists(checkpoint.file);
   const auto certified = [&] {
     end_certificate(session, certificate, certificate_header(problem, friction), whole, goes_on);
@@ -155,8 +156,8 @@ int patterns(Session& session, const PatternsOptions& options) {
   if (!session.speaks()) {
     certified();
   } else {
-    const PatternsReport report(options, problem, outcome);
-    open = report.open();
+    const PatternsReport report(options, problem, findings);
+    open = findings.open();
     do_all({[&] { result_file->write(report.json()); },
             [&] {
               if (!trace_file->wanted()) return;
