@@ -7,15 +7,16 @@
 
 #include <fmt/format.h>
 
-#include "engine/budget.hpp"
-#include "engine/signals.hpp"
+#include "engine/campaign.hpp"
 #include "nodes/wedged/critical_friction.hpp"
+#include "nodes/wedged/critical_search.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
-#include "run/critical/critical_ends.hpp"
+#include "run/critical/critical_certificate.hpp"
 #include "run/critical/critical_report.hpp"
-#include "run/critical/critical_search.hpp"
+#include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -42,7 +43,7 @@ class Critical final : public Subcommand {
   std::string text_;
   std::optional<problems::Structure> structure_;
   problems::WedgedProblem problem_;
-  CriticalFindings findings_;
+  wedged::CriticalFindings findings_;
 };
 
 void Critical::describe(OptionTable& table) {
@@ -72,7 +73,7 @@ void Critical::check() const {
         "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
         "for, or --method global");
   }
-  const double most = options_.most.value_or(usual_most);
+  const double most = options_.most.value_or(wedged::usual_most);
   constexpr double most_multiples = 1e15;
   if (options_.width >= most || most > most_multiples * options_.width) {
     throw WrongInput(fmt::format("--width {}: expected a number below --mu-max {} and above {}",
@@ -91,25 +92,23 @@ void Critical::prepare(CommandRun& run) {
   // No further than the roughest candidate can be computed with.
   const double most = wedged::CriticalFriction::range(problem_).most;
   if (options_.most) friction_at(problem_, *options_.most, options_.file);
-  if (!options_.most && most < usual_most) options_.most = most;
+  if (!options_.most && most < wedged::usual_most) options_.most = most;
   agree(run.session(), problem_);
 }
 
 std::string Critical::announcement(const std::string& ranks) const {
   return fmt::format("{}; up to a friction coefficient of {}{}; {}", problem_line(problem_),
-                     options_.most.value_or(usual_most),
+                     options_.most.value_or(wedged::usual_most),
                      uniform_friction(problem_) ? "" : " times that of each candidate", ranks);
 }
 
 void Critical::search(CommandRun& run) {
   options_.quiet = run.quiet();
-  engine::heed_signals();
-  const engine::Budget budget(options_.limits, engine::asked_by_signal);
-  findings_ = options_.way == CriticalWay::global
-                  ? global_search(run.session(), options_, problem_, budget)
-                  : pattern_by_pattern(run.session(), options_, problem_, budget);
-  if (findings_.status == "solved")
-    prove_ends(run.session(), options_, *structure_, problem_, budget, findings_);
+  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  findings_ = wedged::find_critical_friction(
+      campaign, *structure_, problem_,
+      {.way = options_.way, .most = options_.most, .width = options_.width},
+      end_recorder(run.session(), options_, problem_));
 }
 
 std::vector<Step> Critical::results(CommandRun& run) {
@@ -119,12 +118,14 @@ std::vector<Step> Critical::results(CommandRun& run) {
 
 Verdict Critical::verdict(CommandRun& /*run*/) {
   Verdict verdict{.remarks = {}, .code = findings_.answered() ? solved : stopped_early};
-  if (findings_.status != "solved") {
+  if (findings_.status != engine::Status::solved) {
     verdict.remarks.push_back(
         fmt::format("stopped early ({}): nothing lives below {:.10g}; more is not proved",
-                    findings_.status, findings_.lower));
+                    status_name(findings_.status), findings_.lower));
   }
-  for (const auto& sentence : findings_.open) verdict.remarks.push_back("open: " + sentence);
+  for (const auto& sentence : open_sentences(options_, findings_)) {
+    verdict.remarks.push_back("open: " + sentence);
+  }
   return verdict;
 }
 

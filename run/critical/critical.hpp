@@ -7,15 +7,12 @@
 #include <string>
 
 #include "engine/options.hpp"
+#include "nodes/wedged/critical_findings.hpp"
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
 
-enum class CriticalWay {
-  global,     ///< one best-first search for the smallest
-  newton,     ///< of every pattern that lives at the largest coefficient, by Newton's method
-  bisection,  ///< the same by bisection, as the paper does it
-};
+using wedged::CriticalWay;
 
 struct CriticalOptions {
   std::string file;  ///< the problem

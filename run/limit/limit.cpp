@@ -7,12 +7,15 @@
 
 #include <fmt/format.h>
 
+#include "engine/campaign.hpp"
 #include "engine/together.hpp"
+#include "nodes/limit/limit_loads.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/command/command_run.hpp"
 #include "run/limit/limit_report.hpp"
-#include "run/limit/limit_search.hpp"
+#include "run/output/wrong_input.hpp"
+#include "run/session/supervision.hpp"
 #include "verify/limit_certificate.hpp"
 
 namespace kusabi::run {
@@ -41,7 +44,7 @@ class Limit final : public Subcommand {
   std::string text_;
   std::optional<problems::Structure> truss_;
   std::optional<problems::LimitProblem> problem_;
-  LimitFindings found_;
+  limit::LimitFindings found_;
 };
 
 void Limit::describe(OptionTable& table) {
@@ -105,8 +108,19 @@ std::string Limit::announcement(const std::string& ranks) const {
 }
 
 void Limit::search(CommandRun& run) {
-  options_.quiet = run.quiet();
-  found_ = limit_search(run.session(), options_, *truss_, *problem_);
+  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  try {
+    found_ = limit::limit_loads(campaign, *truss_, *problem_,
+                                {.alpha = options_.alpha,
+                                 .method = options_.method,
+                                 .big_m = options_.big_m,
+                                 .samples = options_.samples,
+                                 .seed = options_.seed,
+                                 .curve = options_.curve});
+  } catch (const limit::BigMTooSmall&) {
+    throw WrongInput(
+        "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
+  }
 }
 
 std::vector<Step> Limit::results(CommandRun& run) {
@@ -131,6 +145,11 @@ const char* Limit::why_no_certificate() const {
 
 Verdict Limit::verdict(CommandRun& run) {
   Verdict verdict{.remarks = {}, .code = found_.answer.whole() ? solved : stopped_early};
+  const auto& worst = found_.answer.worst;
+  if (worst && worst->no_safe_m && !run.quiet()) {
+    verdict.remarks.emplace_back(
+        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static cuts");
+  }
   if (run.wants("--certificate") && !found_.certificate && !run.quiet()) {
     verdict.remarks.push_back(
         fmt::format("no certificate ({} is as it was): {}", certificate_, why_no_certificate()));

@@ -8,18 +8,12 @@
 #include <string>
 
 #include "engine/options.hpp"
+#include "nodes/limit/limit_question.hpp"
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
 
-/// How the worst case is found.
-enum class LimitMethod {
-  fixed,        ///< the 0-1 program (29) by Algorithm 4.2, as it is
-  disjunctive,  ///< with the cuts of Algorithm 5.1: the paper's method
-  tightened,    ///< with M made as small as can be by optimisation
-  static_cuts,  ///< static cuts and the tree of signs: neither (29) nor M
-  all,          ///< (29) with static cuts as rows, tightened M, and disjunctive cuts
-};
+using limit::LimitMethod;
 
 struct LimitOptions {
   std::string file;
@@ -30,7 +24,6 @@ struct LimitOptions {
   std::uint64_t seed = 1;       ///< of those
   bool curve = false;           ///< how the factor falls as the uncertainty grows
   engine::Limits limits;        ///< where the search of a tree stops early
-  bool quiet = false;           ///< nothing is shown while it works
 };
 
 std::unique_ptr<Subcommand> limit_subcommand();

@@ -40,7 +40,7 @@ ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load)
   return list;
 }
 
-ordered_json mode_json(const LimitProblem& problem, const LimitCollapse& collapse) {
+ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& collapse) {
   const auto mode = problems::collapse_mode(problem, collapse.motion);
   auto moving = ordered_json::array();
   for (const auto& [node, velocity] : mode.moving) {
@@ -103,11 +103,12 @@ const char* method_name(LimitMethod method) {
 }
 
 // The factors at which the load is carried.
-ordered_json interval_json(const LimitCollapse& collapse) {
+ordered_json interval_json(const limit::LimitCollapse& collapse) {
   return {number_or_null(collapse.least), collapse.factor};
 }
 
-void write_mode(std::string& text, const LimitProblem& problem, const LimitCollapse& collapse) {
+void write_mode(std::string& text, const LimitProblem& problem,
+                const limit::LimitCollapse& collapse) {
   const auto mode = problems::collapse_mode(problem, collapse.motion);
   std::vector<std::string> tension;
   std::vector<std::string> compression;
@@ -159,7 +160,7 @@ void write_curve(std::string& text, const LimitProblem& problem, const char* wha
 }
 
 // What holds at the load factor zero, where it is not what one expects.
-void write_zero(std::string& text, const char* load, const LimitCollapse& collapse) {
+void write_zero(std::string& text, const char* load, const limit::LimitCollapse& collapse) {
   if (collapse.factor < 0) {
     fmt::format_to(std::back_inserter(text), "  negative: {} alone collapses the structure\n",
                    load);
@@ -174,26 +175,28 @@ const char* without_proof(bool proved) {
   return proved ? "" : " (as the simplex method finds it: not proved)";
 }
 
-void write_ends(std::string& text, const LimitWorstCase& worst) {
+void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
   if (worst.proved) {
-    fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", worst.lower, worst.upper);
+    fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", worst.ends.lower,
+                   worst.ends.upper);
     return;
   }
-  if (std::isfinite(worst.lower)) {
-    fmt::format_to(out, "  load factor at least {:.10g}{}\n", worst.lower,
-                   without_proof(worst.lower_proved));
+  if (std::isfinite(worst.ends.lower)) {
+    fmt::format_to(out, "  load factor at least {:.10g}{}\n", worst.ends.lower,
+                   without_proof(worst.ends.lower_proved));
   } else {
     text += "  no lower bound of the load factor was found\n";
   }
-  fmt::format_to(out, "  and at most {:.10g}{}\n", worst.upper, without_proof(worst.upper_proved));
+  fmt::format_to(out, "  and at most {:.10g}{}\n", worst.ends.upper,
+                 without_proof(worst.ends.upper_proved));
   if (worst.search == engine::Status::solved) {
     text += "  open: these two ends are not shown to be one\n";
   }
 }
 
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
-                 const LimitWorstCase& worst) {
+                 const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "\nworst case of {} uncertain components, alpha = {} {}\n",
                  problem.uncertain_count(), *options.alpha, problem.units.force);
@@ -226,7 +229,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
 }
 
 // Why there is no nominal factor.
-std::string no_nominal(const LimitAnswer& answer) {
+std::string no_nominal(const limit::LimitAnswer& answer) {
   if (answer.status == limit::LoadStatus::not_carried) {
     return fmt::format("the nominal dead load is carried at no load factor, of either sign{}\n",
                        answer.no_factor_proved ? ", proved" : without_proof(false));
@@ -289,11 +292,11 @@ ordered_json LimitReport::json() const {
     }
     result["alpha"] = *options.alpha;
     result["uncertain_components"] = problem.uncertain_count();
-    result["worst_case"] = {{"lower", number_or_null(worst.lower)},
-                            {"upper", number_or_null(worst.upper)},
+    result["worst_case"] = {{"lower", number_or_null(worst.ends.lower)},
+                            {"upper", number_or_null(worst.ends.upper)},
                             {"proved", worst.proved},
-                            {"lower_proved", worst.lower_proved},
-                            {"upper_proved", worst.upper_proved}};
+                            {"lower_proved", worst.ends.lower_proved},
+                            {"upper_proved", worst.ends.upper_proved}};
     if (worst.zero_one_bound) result["zero_one_bound"] = number_or_null(*worst.zero_one_bound);
     result["critical_load"] = load_json(problem, problems::dead_load(problem, worst.zeta));
     if (worst.collapse) {

@@ -6,16 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "engine/budget.hpp"
-#include "engine/signals.hpp"
-#include "engine/together.hpp"
-#include "nodes/zero_one/unboundedness.hpp"
+#include "engine/campaign.hpp"
+#include "nodes/zero_one/mixed_search.hpp"
 #include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/shown_search.hpp"
+#include "run/session/supervision.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 
@@ -57,51 +55,6 @@ std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options)
   return fingerprint.value();
 }
 
-// What the search starts from, which every rank has worked out by itself.
-std::uint64_t root_fingerprint(const zero_one::ZeroOneRoot& root) {
-  support::Fingerprint fingerprint;
-  const auto& program = root.relaxation.program();
-  for (const auto& column : program.columns) {
-    fingerprint.add(column.lower);
-    fingerprint.add(column.upper);
-  }
-  for (const auto& row : program.rows) {
-    fingerprint.add(row.lower);
-    fingerprint.add(row.upper);
-  }
-  for (const auto& entry : program.entries) fingerprint.add(entry.value);
-  fingerprint.add(root.bound);
-  fingerprint.add(root.point ? root.point->objective : linear::infinity);
-  return fingerprint.value();
-}
-
-// The outcome if the work at the root was stopped: its bound and its point, and one open node.
-engine::Outcome<zero_one::ZeroOneTree> outcome_of_root(const zero_one::ZeroOneTree& tree, int ranks,
-                                                       engine::Status why) {
-  engine::Outcome<zero_one::ZeroOneTree> outcome;
-  outcome.status = why;
-  outcome.open = 1;
-  outcome.bound = tree.prepared().bound;
-  if (const auto& point = tree.prepared().point) outcome.solutions.push_back({{}, *point});
-  outcome.ranks.resize(static_cast<std::size_t>(ranks));
-  return outcome;
-}
-
-// If the relaxation has no lower bound, neither has the program, if it has a point at all: the
-// direction in which the objective falls leaves the binaries alone. So a point is all there is to
-// look for.
-bool without_bound(zero_one::ZeroOneRoot& root, const ProgramFile& program,
-                   const zero_one::ZeroOneRootOptions& options) {
-  if (root.status != linear::LinearStatus::unbounded ||
-      !zero_one::falls_for_ever(program.mixed, options.stop)) {
-    return false;
-  }
-  auto any_point = program.mixed;
-  for (auto& column : any_point.program.columns) column.cost = 0;
-  root = zero_one::prepare_root(std::move(any_point), options);
-  return true;
-}
-
 class Mip final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "mip"; }
@@ -118,14 +71,11 @@ class Mip final : public Subcommand {
 
  private:
   MipOptions options_;
-  std::optional<engine::Budget> budget_;  // from the reading of the file on
+  std::optional<engine::Campaign> campaign_;  // from the reading of the file on
   ProgramFile program_;
   std::uint64_t fingerprint_ = 0;
   engine::Options search_options_;
-  bool unbounded_ = false;
-  std::optional<zero_one::ZeroOneTree> tree_;
-  std::optional<engine::Outcome<zero_one::ZeroOneTree>> outcome_;
-  std::optional<MipReport> report_;  // on rank 0
+  std::optional<zero_one::MixedAnswer> found_;
 };
 
 void Mip::describe(OptionTable& table) {
@@ -163,19 +113,16 @@ void Mip::describe(OptionTable& table) {
 }
 
 void Mip::read(CommandRun& run) {
-  engine::heed_signals();
-  budget_.emplace(options_.limits, engine::asked_by_signal);
+  campaign_.emplace(run.session().transport(), supervision(options_.limits, run.quiet()));
   program_ = run.session().from_first_rank([&] { return linear::read_program(options_.file); });
 }
 
 void Mip::prepare(CommandRun& run) {
   fingerprint_ = program_fingerprint(program_);
-  search_options_.goal = engine::Goal::best;
   search_options_.order = options_.order;
   search_options_.checkpoint =
       run.checkpoint(options_.checkpoint, tree_fingerprint(fingerprint_, options_));
   search_options_.warn = warn;
-  search_options_.interrupt = budget_->interrupt();
   if (!run.session().speaks()) return;
   for (const auto& warning : program_.warnings) warn(warning);
 }
@@ -188,36 +135,26 @@ std::string Mip::announcement(const std::string& ranks) const {
                      program_.maximise ? "maximise" : "minimise", ranks);
 }
 
-void Mip::search(CommandRun& run) {
-  auto& session = run.session();
-  const zero_one::ZeroOneRootOptions root_options{.cuts = options_.cuts,
-                                                  .tighten = options_.tighten,
-                                                  .dive = options_.dive,
-                                                  .stop = budget_->stop()};
-  auto root = zero_one::prepare_root(program_.mixed, root_options);
-  unbounded_ = without_bound(root, program_, root_options);
-  // One rank that was stopped at the root stops all: their roots differ.
-  const auto stopped =
-      engine::meet(session.transport(), {.ranks = 1, .found = root.interrupted ? 1U : 0U});
-  if (stopped.found == 0) engine::agree(session.transport(), root_fingerprint(root));
-  tree_.emplace(std::move(root), options_.branching);
-  outcome_ = stopped.found != 0 ? outcome_of_root(*tree_, session.ranks(), budget_->why())
-                                : shown_search(session, *tree_, search_options_, budget_->left(),
-                                               run.quiet(), {program_.maximise ? -1.0 : 1.0});
+void Mip::search(CommandRun& /*run*/) {
+  found_ = zero_one::solve_mixed(
+      *campaign_, program_.mixed,
+      {.cuts = options_.cuts, .tighten = options_.tighten, .dive = options_.dive},
+      options_.branching, search_options_, {program_.maximise ? -1.0 : 1.0});
 }
 
 std::vector<Step> Mip::results(CommandRun& run) {
-  report_.emplace(MipReport{options_, program_, fingerprint_, *tree_, *outcome_, unbounded_});
-  return {run.result(report_->json()), run.answer(report_->table())};
+  const MipReport report{options_, program_, fingerprint_, *found_};
+  return {run.result(report.json()), run.answer(report.table())};
 }
 
 Verdict Mip::verdict(CommandRun& run) {
-  Verdict verdict{.remarks = {}, .code = report_->answered() ? solved : stopped_early};
-  if (outcome_->status != engine::Status::solved) {
-    verdict.remarks = run.how_to_go_on(options_.checkpoint, outcome_->status, outcome_->saved);
+  Verdict verdict{.remarks = {}, .code = found_->answered() ? solved : stopped_early};
+  const auto& outcome = found_->outcome;
+  if (outcome.status != engine::Status::solved) {
+    verdict.remarks = run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
     verdict.remarks.insert(verdict.remarks.begin(),
                            fmt::format("stopped early ({}): {} open nodes are left",
-                                       status_name(outcome_->status), outcome_->open));
+                                       status_name(outcome.status), outcome.open));
   }
   return verdict;
 }

@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "engine/campaign.hpp"
 #include "engine/checkpoint.hpp"
 #include "nodes/wedged/facets.hpp"
+#include "nodes/wedged/pattern_search.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/evidence/certificate_file.hpp"
@@ -19,7 +21,7 @@
 #include "run/output/wrong_input.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/shown_search.hpp"
+#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
@@ -44,7 +46,7 @@ class Patterns final : public Subcommand {
 
  private:
   [[nodiscard]] std::uint64_t tree_fingerprint() const;
-  [[nodiscard]] bool whole() const { return outcome_->status == engine::Status::solved; }
+  [[nodiscard]] bool whole() const { return findings_->whole(); }
   void end_certificate();
   [[nodiscard]] std::string what_became_of_the_certificate() const;
 
@@ -53,12 +55,10 @@ class Patterns final : public Subcommand {
   std::string text_;
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
-  std::optional<wedged::SignPatternTree> tree_;
-  engine::Options search_options_;
+  wedged::PatternQuestion question_;
   std::optional<CertificateFile> certificate_;
-  std::optional<engine::Outcome<wedged::SignPatternTree>> outcome_;
-  std::optional<PatternsReport> report_;  // on rank 0
-  bool goes_on_ = false;                  // whether a checkpoint is there to go on from
+  std::optional<wedged::PatternFindings> findings_;
+  bool goes_on_ = false;  // whether a checkpoint is there to go on from
 };
 
 void Patterns::describe(OptionTable& table) {
@@ -125,19 +125,19 @@ void Patterns::prepare(CommandRun& run) {
         "expected --method cones",
         options_.file));
   }
-  tree_.emplace(problem_, friction_,
-                wedged::SignPatternOptions{.tolerances = {.sign = options_.tolerance},
-                                           .branching = options_.branching,
-                                           .facets = options_.facets_in_use(),
-                                           .thorough = !options_.certificate.empty()});
+  question_.tree = {.tolerances = {.sign = options_.tolerance},
+                    .branching = options_.branching,
+                    .facets = options_.facets_in_use(),
+                    .thorough = !options_.certificate.empty()};
+  auto& search = question_.search;
   const auto fingerprint = tree_fingerprint();
-  search_options_.checkpoint = run.checkpoint(options_.checkpoint, fingerprint);
+  search.checkpoint = run.checkpoint(options_.checkpoint, fingerprint);
   certificate_.emplace(run.session(), options_.certificate, options_.file, fingerprint,
-                       !options_.checkpoint.restart.empty(), search_options_.checkpoint.file);
+                       !options_.checkpoint.restart.empty(), search.checkpoint.file);
   if (certificate_->wanted())
-    tree_->report_to([&](const auto& evidence) { certificate_->add(evidence); });
-  if (!trace_.empty()) search_options_.trace_events = trace_events_a_rank(run.session().ranks());
-  search_options_.warn = warn;
+    question_.witness = [this](const auto& evidence) { certificate_->add(evidence); };
+  if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
+  search.warn = warn;
 }
 
 std::string Patterns::announcement(const std::string& ranks) const {
@@ -146,7 +146,8 @@ std::string Patterns::announcement(const std::string& ranks) const {
 }
 
 void Patterns::search(CommandRun& run) {
-  outcome_ = shown_search(run.session(), *tree_, search_options_, options_.limits, run.quiet());
+  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  findings_ = wedged::find_patterns(campaign, problem_, friction_, question_);
   if (certificate_->wanted()) certificate_->close();
 }
 
@@ -169,23 +170,24 @@ std::string Patterns::what_became_of_the_certificate() const {
 }
 
 std::vector<Step> Patterns::results(CommandRun& run) {
-  report_.emplace(options_, problem_, *outcome_);
-  const auto& kept = search_options_.checkpoint.file;
+  const PatternsReport report(options_, problem_, *findings_);
+  const auto& kept = question_.search.checkpoint.file;
   goes_on_ = !kept.empty() && engine::checkpoint_exists(kept);
-  return {run.result(report_->json()),
-          run.file("--trace", [this](auto& out) { write_trace(out, outcome_->traces); }),
-          [this] { end_certificate(); }, run.answer(report_->table())};
+  return {run.result(report.json()),
+          run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
+          [this] { end_certificate(); }, run.answer(report.table())};
 }
 
 Verdict Patterns::verdict(CommandRun& run) {
-  const auto open = report_->open();
+  const auto open = findings_->open();
+  const auto& outcome = findings_->outcome;
   Verdict verdict{.remarks = {}, .code = whole() && open == 0 ? solved : stopped_early};
   auto& remarks = verdict.remarks;
   if (!whole()) {
     remarks.push_back(
         fmt::format("stopped early ({}): {} open nodes are left, the list is not complete",
-                    status_name(outcome_->status), outcome_->open));
-    std::ranges::move(run.how_to_go_on(options_.checkpoint, outcome_->status, outcome_->saved),
+                    status_name(outcome.status), outcome.open));
+    std::ranges::move(run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved),
                       std::back_inserter(remarks));
   }
   if (open != 0) {

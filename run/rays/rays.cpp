@@ -11,94 +11,21 @@
 
 #include <fmt/format.h>
 
-#include "nodes/wedged/ray_tree.hpp"
+#include "engine/campaign.hpp"
+#include "nodes/wedged/ray_search.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "run/command/command_run.hpp"
-#include "run/output/rank_table.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/rays/rays_report.hpp"
-#include "run/session/shown_search.hpp"
+#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {
-
-using nlohmann::ordered_json;
-
-/// Up to so many candidates double description is two to four times as fast as the tree on one
-/// rank, and takes less than a gigabyte; beyond, its memory grows threefold with each candidate,
-/// and the tree's twofold from a tenth of it (bench/README.md). By size alone: the result must not
-/// depend on the number of ranks.
-constexpr int most_for_double_description = 14;
-
-bool limited(const engine::Limits& limits) {
-  const engine::Limits none;
-  return limits.seconds != none.seconds || limits.nodes != none.nodes;
-}
-
-RayMethod chosen_method(const RaysOptions& options, int candidates) {
-  if (options.method != RayMethod::automatic) return options.method;
-  // Only the tree can stop early with something to show for it.
-  const bool small = candidates <= most_for_double_description && !limited(options.limits);
-  return small ? RayMethod::double_description : RayMethod::tree;
-}
-
-ordered_json effort_json(const rays::Effort& effort) {
-  return {{"peak_rays", effort.peak_rays}, {"pairs", effort.pairs}, {"adjacent", effort.adjacent}};
-}
-
-RaysFound by_double_description(const rays::ReactionCone& cone) {
-  const auto start = std::chrono::steady_clock::now();
-  auto enumeration = rays::complementary_rays(cone);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  RaysFound found;
-  found.rays = std::move(enumeration.rays);
-  found.health = enumeration.health;
-  found.statistics = effort_json(enumeration.effort);
-  found.statistics["seconds"] = time.count();
-  return found;
-}
-
-// What rank 0 makes of the outcome of the tree.
-RaysFound gathered(engine::Outcome<wedged::RayTree>& outcome) {
-  RaysFound found;
-  found.method = RayMethod::tree;
-  found.status = status_name(outcome.status);
-  const auto total = outcome.tally();
-  for (auto& leaf : outcome.solutions) {
-    auto& own = leaf.solution.rays;
-    found.rays.insert(found.rays.end(), own.begin(), own.end());
-    own = {};  // the memory is needed
-  }
-  found.health = total.health;
-  found.tree = counts_json(total.patterns);
-  found.tree["opened"] = outcome.opened();
-  found.tree["open"] = outcome.open;
-  found.tree["fingerprint"] = hexadecimal(outcome.fingerprint());
-  found.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {
-                         auto own = counts_json(tally.patterns);
-                         own.update(effort_json(tally.effort));
-                         return own;
-                       })}};
-  return found;
-}
-
-std::optional<RaysFound> by_tree(CommandRun& run, const engine::Limits& limits,
-                                 const problems::WedgedProblem& problem,
-                                 const std::vector<double>& friction,
-                                 const rays::ReactionCone& cone) {
-  // Rays are known by their zeros at all candidates, so the blocks stay together.
-  problems::WedgedProblem whole = problem;
-  whole.blocks.clear();
-  wedged::RayTree tree(wedged::SignPatternTree(whole, friction), cone);
-  auto outcome = shown_search(run.session(), tree, {}, limits, run.quiet());
-  if (!run.session().speaks()) return std::nullopt;
-  return gathered(outcome);
-}
 
 class Rays final : public Subcommand {
  public:
@@ -122,9 +49,9 @@ class Rays final : public Subcommand {
   std::vector<double> friction_;
   std::optional<rays::ReactionCone> cone_;
   RayMethod method_ = RayMethod::automatic;
-  std::optional<RaysFound> found_;  // on rank 0
+  std::optional<wedged::RayFindings> found_;  // on rank 0
 
-  [[nodiscard]] bool whole() const { return found_->status == "solved"; }
+  [[nodiscard]] bool whole() const { return found_->status == engine::Status::solved; }
 };
 
 void Rays::describe(OptionTable& table) {
@@ -146,7 +73,7 @@ void Rays::describe(OptionTable& table) {
 }
 
 void Rays::check() const {
-  if (options_.method == RayMethod::double_description && limited(options_.limits)) {
+  if (options_.method == RayMethod::double_description && wedged::limited(options_.limits)) {
     throw WrongInput(
         "--method double-description has nothing to show before its end; expected no "
         "limit, or --method tree");
@@ -170,7 +97,7 @@ void Rays::prepare(CommandRun& run) {
   }
   friction_ = friction_at(problem_, options_.friction, options_.file);
   cone_.emplace(problems::precise_compliance(structure), friction_);
-  method_ = chosen_method(options_, cone_->candidates());
+  method_ = wedged::chosen_method(options_.method, options_.limits, cone_->candidates());
 }
 
 std::string Rays::announcement(const std::string& ranks) const {
@@ -183,18 +110,15 @@ std::string Rays::announcement(const std::string& ranks) const {
 }
 
 void Rays::search(CommandRun& run) {
-  if (method_ == RayMethod::tree) {
-    found_ = by_tree(run, options_.limits, problem_, friction_, *cone_);
-  } else if (run.session().speaks()) {
-    found_ = by_double_description(*cone_);
-  }
+  // Double description has nothing to show before its end, so a signal ends it at once.
+  engine::Campaign campaign(run.session().transport(),
+                            method_ == RayMethod::tree ? supervision(options_.limits, run.quiet())
+                                                       : engine::Supervision{});
+  found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, method_);
 }
 
 std::vector<Step> Rays::results(CommandRun& run) {
-  auto& found = *found_;
-  std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
-  if (whole()) found.cones = rays::maximal_cones(found.rays, cone_->all());
-  const auto report = std::make_shared<RaysReport>(options_, problem_, *cone_, found);
+  const auto report = std::make_shared<RaysReport>(options_, problem_, *cone_, *found_);
   // All is written in one pass over the rays, so that their numbers are made only once.
   const auto table = std::make_shared<std::ostringstream>();
   const auto write = [&run, report, table](JsonWriter* json) {
@@ -220,7 +144,7 @@ Verdict Rays::verdict(CommandRun& /*run*/) {
   if (whole()) return {};
   return {{fmt::format("stopped early ({}): the list of rays is not complete, and no cones are "
                        "made of it",
-                       found_->status)},
+                       status_name(found_->status))},
           stopped_early};
 }
 

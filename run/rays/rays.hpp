@@ -6,16 +6,12 @@
 #include <string>
 
 #include "engine/options.hpp"
+#include "nodes/wedged/ray_search.hpp"
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
 
-/// How rays are found. Both ways find the same.
-enum class RayMethod {
-  automatic,           ///< whichever of the two is expected to be faster
-  double_description,  ///< Algorithm 4.2, on one rank
-  tree,                ///< pattern by pattern, on all ranks
-};
+using wedged::RayMethod;
 
 struct RaysOptions {
   std::string file;     ///< the problem

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -39,6 +40,32 @@ std::string cell(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + '"';
+}
+
+ordered_json effort_json(const rays::Effort& effort) {
+  return {{"peak_rays", effort.peak_rays}, {"pairs", effort.pairs}, {"adjacent", effort.adjacent}};
+}
+
+ordered_json tree_json(const wedged::RayTreeReport& report) {
+  auto tree = counts_json(report.patterns);
+  tree["opened"] = report.opened;
+  tree["open"] = report.open;
+  tree["fingerprint"] = hexadecimal(report.fingerprint);
+  return tree;
+}
+
+// What the run cost.
+ordered_json statistics_json(const wedged::RayFindings& found) {
+  if (found.tree) {
+    return {{"ranks", rank_reports(found.tree->ranks, [](const auto& tally) {
+               auto own = counts_json(tally.patterns);
+               own.update(effort_json(tally.effort));
+               return own;
+             })}};
+  }
+  auto statistics = effort_json(found.effort);
+  statistics["seconds"] = found.seconds;
+  return statistics;
 }
 
 }  // namespace
@@ -127,12 +154,12 @@ void RaysReport::begin(JsonWriter& json) const {
   json.member("version", KUSABI_VERSION);
   json.member("problem", problem_json(problem_, options_.file));
   json.member("options", {{"mu", options_.friction}, {"method", method_name(found_.method)}});
-  json.member("status", found_.status);
+  json.member("status", status_name(found_.status));
   json.key("result");
   json.begin_object();
   json.member("friction", options_.friction);
   json.member("count", found_.rays.size());
-  if (!found_.tree.is_null()) json.member("tree", found_.tree);
+  if (found_.tree) json.member("tree", tree_json(*found_.tree));
   json.key("rays");
   json.begin_list();
 }
@@ -150,7 +177,7 @@ void RaysReport::end_rays_and_all(JsonWriter& json) const {
                          {"smallest_nonzero", health.smallest_nonzero},
                          {"doubtful", health.doubtful}});
   json.end_object();
-  json.member("statistics", found_.statistics);
+  json.member("statistics", statistics_json(found_));
   json.end_object();
 }
 

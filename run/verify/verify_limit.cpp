@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 
 #include "engine/shared_work.hpp"
+#include "nodes/evidence/verified_structure.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "run/evidence/verified_structure.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "verify/limit_agreement.hpp"
@@ -57,7 +57,7 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   std::uint64_t fingerprint = 0;
   if (structure) {
     fingerprint = problems::limit_problem(*structure).fingerprint;  // or an error: it is no truss
-    auto found = verify::limit_agreement(certificate, verified_structure(*structure));
+    auto found = verify::limit_agreement(certificate, evidence::verified_structure(*structure));
     if (const auto* why = std::get_if<std::string>(&found)) {
       return {failed,
               fmt::format("{}: refused: {}: {}\n", options.certificate, options.problem, *why),

@@ -11,8 +11,8 @@
 #include <fmt/ranges.h>
 
 #include "engine/search.hpp"
+#include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/evidence/verified_structure.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/progress_line.hpp"
@@ -128,7 +128,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   const auto certificate = certificate_in(text, options.certificate);
   std::optional<verify::Agreement> agreement;
   if (structure) {
-    auto found = verify::agreement(certificate, verified_structure(*structure));
+    auto found = verify::agreement(certificate, evidence::verified_structure(*structure));
     if (const auto* why = std::get_if<std::string>(&found)) {
       return refusal_of_all(options, fmt::format("{}: {}", options.problem, *why));
     }

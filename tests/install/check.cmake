@@ -1,6 +1,7 @@
 # Installs the build, takes the installed copy of colouring/ out of the tree as a user would, builds
-# it against the installed engine alone, and runs it in one process and on two ranks. Also calls the
-# installed command. Variables: see CMakeLists.txt beside.
+# it against the installed engine alone, and runs it in one process and on two ranks. The same for
+# two programs of docs/library.md that need all libraries between them. Also calls the installed
+# command. Variables: see CMakeLists.txt beside.
 cmake_minimum_required(VERSION 3.22)
 
 # The command must succeed; what it printed is in `printed`.
@@ -35,13 +36,19 @@ run(${CMAKE_COMMAND} -S ${work}/colouring -B ${work}/build -G ${generator}
   -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_CXX_COMPILER=${compiler} -D "CMAKE_CXX_FLAGS=${flags}")
 run(${CMAKE_COMMAND} --build ${work}/build)
 
-file(GLOB_RECURSE dependencies ${work}/build/*.o.d)
-if(NOT dependencies)
+file(COPY ${work}/prefix/${documents}/examples/library DESTINATION ${work})
+run(${CMAKE_COMMAND} -S ${work}/library -B ${work}/library/build -G ${generator}
+  -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_CXX_COMPILER=${compiler} -D "CMAKE_CXX_FLAGS=${flags}")
+run(${CMAKE_COMMAND} --build ${work}/library/build --target critical limit)
+
+file(GLOB_RECURSE dependencies ${work}/build/*.o.d ${work}/library/build/*.o.d)
+list(LENGTH dependencies count)
+if(NOT count EQUAL 3)
   message(FATAL_ERROR "the compiler has not listed which headers it read")
 endif()
 foreach(list IN LISTS dependencies)
   file(READ ${list} headers)
-  if(headers MATCHES "${source}/engine/" OR NOT headers MATCHES "${work}/prefix/[^ ]*/engine/search.hpp")
+  if(headers MATCHES "${source}/(support|engine|solvers|problems|nodes|verify)/" OR NOT headers MATCHES "${work}/prefix/[^ ]*/engine/search.hpp")
     message(FATAL_ERROR "compiled with other headers than the installed ones:\n${headers}")
   endif()
 endforeach()
@@ -53,6 +60,12 @@ run(${mpiexec} ${ranks_flag} 2 ${work}/build/colouring)
 expect("120 colourings.*2 ranks.*dead ends: 48\n")
 run(${mpiexec} ${ranks_flag} 2 ${work}/build/colouring 4)
 expect("12960 colourings.*2 ranks")
+
+set(examples ${work}/prefix/${documents}/examples)
+run(${work}/library/build/critical ${examples}/two-bars.toml)  # by hand: 2
+expect("below 1\\.99999999.*, proved\nsomething does at 2\\.0000000.*, proved\n")
+run(${work}/library/build/limit ${examples}/grid-3x3.toml 40)  # tests/reference/limit.json
+expect("worst case 37\\.012004.*, proved\n")
 
 run(${work}/prefix/bin/kusabi patterns ${work}/prefix/${documents}/examples/two-bars.toml --mu 2)
 expect("sign pattern")
