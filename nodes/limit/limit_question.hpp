@@ -17,12 +17,12 @@ enum class LimitMethod {
 };
 
 struct LimitQuestion {
-  std::optional<double> alpha;  ///< half-width of the uncertain components; nothing: nominal only
+  std::optional<double> alpha{};  ///< half-width of the uncertain components; nothing: nominal only
   LimitMethod method = LimitMethod::static_cuts;
-  std::optional<double> big_m;  ///< M of (29), in the paper's units; nothing: derived
-  std::uint64_t samples = 0;    ///< random dead loads to compare with
-  std::uint64_t seed = 1;       ///< of those
-  bool curve = false;           ///< how the factor falls as the uncertainty grows
+  std::optional<double> big_m{};  ///< M of (29), in the paper's units; nothing: derived
+  std::uint64_t samples = 0;      ///< random dead loads to compare with
+  std::uint64_t seed = 1;         ///< of those
+  bool curve = false;             ///< how the factor falls as the uncertainty grows
 };
 
 /// (29) has no point: the M that was asked for is too small.

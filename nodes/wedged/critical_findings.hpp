@@ -25,7 +25,7 @@ struct CriticalQuestion {
   CriticalWay way = CriticalWay::global;
   /// No larger coefficient is of interest; mu^0 of the paper, which all but the global search need.
   /// Nothing: usual_most, or as far as can be computed with.
-  std::optional<double> most;
+  std::optional<double> most{};
   double width = 1e-8;  ///< of the brackets
 };
 
