@@ -89,11 +89,8 @@ class Simplex {
   // ---- the last solve --------------------------------------------------------------------------
 
   [[nodiscard]] LinearStatus status() const { return status_; }
-  /// Whether the duals are feasible, so that objective() is a lower bound (within the tolerances).
-  [[nodiscard]] bool dual_feasible() const;
   [[nodiscard]] double objective() const;
   [[nodiscard]] double value(int column) const;
-  [[nodiscard]] double row_value(int row) const;
   /// Per unit of the row's bound: >= 0 if it presses on the lower, <= 0 on the upper one.
   [[nodiscard]] double dual(int row) const;
   /// c - A'dual
