@@ -1,5 +1,5 @@
-// The limits of a question that takes several searches, one after another and with work between
-// them, and what somebody outside asks meanwhile.
+// The time limit and the signals of a question that takes several searches, one after another with
+// work between them.
 #pragma once
 
 #include <chrono>

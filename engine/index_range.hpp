@@ -1,4 +1,5 @@
-// A range of numbered things, as a node of a tree: it is halved until it is small.
+// A range of numbers as a node of a tree: its children are its halves, its leaves ranges of one
+// number.
 #pragma once
 
 #include <cstdint>

@@ -89,11 +89,13 @@ class CriticalFriction {
   /// Whether the pattern is proved dead at a point of the grid (x width).
   bool dead(const SignPattern& pattern, std::int64_t point);
 
-  /// A cell whose upper end is not dead, with an upper end that is alive; `most` is known to be.
+  /// Moves the cell's upper end up, by steps that double, to a grid point that is proved alive.
+  /// @pre `most` is alive
   CriticalCell alive_from(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
 
-  /// Below this the node is dead, up to a few digits: a lower bound for all nodes below it.
-  /// @param from what is known already  @param cutoff further than this nobody asks
+  /// A coefficient below which the node, and so all nodes below it, is proved dead; nearly the
+  /// largest such. @param from a bound known already @param cutoff the search for a larger bound
+  /// ends here
   double bound(const SignPattern& node, double from, double cutoff);
 
   /// What was solved last.

@@ -45,7 +45,7 @@ class CriticalTree {
 
   struct Tally : engine::Counts<Tally> {
     std::uint64_t branched = 0;
-    std::uint64_t dead = 0;      ///< below what is asked for, or below the best pattern
+    std::uint64_t dead = 0;      ///< proved dead up to where nothing is of interest any more
     std::uint64_t leaves = 0;    ///< patterns whose critical coefficient was found
     std::uint64_t doubtful = 0;  ///< leaves whose cell is wider than the width, or open above
     /// The least coefficient from which on a doubtful leaf is not known to be dead.

@@ -117,13 +117,13 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t dead = 0;        ///< pruned: no wedged configuration below
   std::uint64_t found = 0;       ///< leaves that are alive
   std::uint64_t flat = 0;        ///< nodes closed as flat cones, maximal or not
-  std::uint64_t faces = 0;       ///< ties that have nothing which another node has not
+  std::uint64_t faces = 0;       ///< ties closed: another node has all of their solutions
   std::uint64_t marginal = 0;    ///< leaves that are marginal
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
   std::uint64_t climbed = 0;     ///< nodes that took more digits than a double has
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
-  std::uint64_t candidates = 0;  ///< leaves of Algorithm 5.8 that polyhedral friction lets live
+  std::uint64_t candidates = 0;  ///< leaves to test of Algorithm 5.8
 
   static constexpr auto fields() {
     return std::tuple{field("branched", &SignPatternTally::branched),

@@ -49,7 +49,7 @@ struct ZeroOneTally : engine::Counts<ZeroOneTally> {
   /// Closed by what the simplex method says, without a proof: that no point is left, or (of a leaf)
   /// for failure to solve it. Their bounds are in `least_bound`.
   std::uint64_t unproved = 0;
-  std::uint64_t held = 0;        ///< binaries held by reduced costs or by looking ahead
+  std::uint64_t held = 0;        ///< binaries fixed by reduced costs or by look-ahead
   std::uint64_t programs = 0;    ///< linear programs
   std::uint64_t iterations = 0;  ///< of the simplex method
   /// The least bound of the nodes closed here: a lower bound of all that was not pruned unopened.

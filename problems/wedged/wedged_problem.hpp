@@ -36,7 +36,8 @@ struct WedgedProblem {
   /// all. K and F are zero between two blocks. Empty: not known, one block.
   std::vector<std::uint64_t> blocks;
   /// |F - F*|_ij <= compliance_error sqrt(F*_ii F*_jj), F* the compliance of the structure with its
-  /// numbers meant exactly. The same number serves what any subset of the candidates has of F.
+  /// numbers meant exactly. The same bound holds for the rows and columns of a subset of the
+  /// candidates.
   double compliance_error = 0;
   /// F with 104 bits, of which K and F above are the roundings; empty if the problem was made
   /// without a structure: its doubles then count as exact.

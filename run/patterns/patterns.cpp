@@ -151,7 +151,8 @@ void Patterns::search(CommandRun& run) {
   if (certificate_->wanted()) certificate_->close();
 }
 
-// Of a search that stopped early the parts stay, if anything can go on from them.
+// After an early stop the parts of the certificate are kept only if a checkpoint is there to go on
+// from.
 void Patterns::end_certificate() {
   if (!certificate_->wanted()) return;
   if (whole()) {

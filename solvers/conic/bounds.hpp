@@ -42,7 +42,7 @@ struct NodeSets {
   std::uint64_t contact = 0;          ///< U as a bit set
 };
 
-/// What t is compared with in the cone of a candidate: 1 / mu, or 1 for r_n itself without
+/// By how much r_n exceeds x_0 of the standard form for each unit of t: 1 / mu, or 1 without
 /// friction.
 inline double level_weight(double friction) {
   return friction == 0 ? 1 : 1 / friction;

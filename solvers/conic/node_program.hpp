@@ -72,8 +72,6 @@ class NodeProgram {
   const std::vector<int>& cones() const { return cones_; }
   /// The candidates not in U: the rows with a slack.
   const std::vector<int>& gap_rows() const { return gap_rows_; }
-  /// U, the rows without a slack.
-  const std::vector<int>& contact_rows() const { return contact_rows_; }
   /// All of these.
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
   /// The candidates without a row, as a bit set.
@@ -123,9 +121,9 @@ class NodeProgram {
   Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, m x Dm, both padded with zeros
   std::vector<double> friction_;       // by cone, like the next
   std::vector<int> owners_;
-  std::vector<int> cones_, gap_rows_, contact_rows_;
-  Eigen::MatrixXd matrix_;      // A, room for all cones
-  Eigen::VectorXd right_side_;  // b
+  std::vector<int> cones_, gap_rows_, contact_rows_;  // contact: U, the rows without a slack
+  Eigen::MatrixXd matrix_;                            // A, room for all cones
+  Eigen::VectorXd right_side_;                        // b
   Eigen::VectorXd slack_;
   Eigen::VectorXd gap_;   // normal displacements, then the discrepancy
   Eigen::VectorXd pull_;  // w

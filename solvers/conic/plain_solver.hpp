@@ -19,9 +19,11 @@
 
 namespace kusabi::conic {
 
-/// Who carries and who moves at a point of the relative interior of the solutions of a tie,
+/// Which candidates have a reaction, and which a gap, at a point of the relative interior of the
+/// solutions of a tie,
 ///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
-/// Nobody is loaded if and only if X is empty: t* < 0, though not by more than the tolerance.
+/// No candidate is loaded if and only if X is empty: t* < 0, though not by more than the
+/// tolerance.
 struct RelativeInterior {
   std::uint64_t loaded = 0;  ///< r_i != 0 somewhere on X
   std::uint64_t moved = 0;   ///< u_ni > 0 somewhere on X
@@ -50,10 +52,11 @@ class PlainSolver {
   Answer solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop,
                std::uint64_t ignored = 0);
 
-  /// The candidates that are loaded or moved at a point of the relative interior of X, which the
-  /// points of the iteration tend to as the bracket closes: numbers that vanish there go down with
-  /// the bracket or its root, others stay. Nothing if the two cannot be told apart, or the level of
-  /// the node is not zero up to the tolerance. reaction() is the point.
+  /// The candidates that are loaded or moved at a point of the relative interior of X. The points
+  /// of the iteration tend to such a point as the bracket closes: reactions and gaps that vanish
+  /// there fall with the width of the bracket or its root, others stay. Nothing if it cannot be
+  /// told of each whether it vanishes, or if t* is not zero up to the tolerance. reaction() is the
+  /// point.
   std::optional<RelativeInterior> relative_interior(std::uint64_t contact, std::uint64_t separated,
                                                     std::uint64_t ignored = 0);
 
@@ -86,7 +89,8 @@ class PlainSolver {
   };
   Step direction(const Vector& dy, const std::vector<Cone>& q, const Vector& q_rows) const;
   bool advance();
-  /// Which point becomes reaction(): the one with the best bound, or the one nearest the optimum.
+  /// Which point becomes reaction(): the one that proves the best bound, or that of the last
+  /// iteration.
   enum class Keep { best, latest };
   void prove_lower(Answer& answer, Keep keep);
   void prove_upper(Answer& answer);
