@@ -52,14 +52,4 @@ std::string restart_from(Session& session, const std::string& checkpoint,
   });
 }
 
-void tell_how_to_go_on(const std::string& call, const std::string& checkpoint, bool saved) {
-  if (checkpoint.empty()) return;
-  if (!saved && !engine::checkpoint_exists(checkpoint)) {
-    tell("nothing is saved: no checkpoint could be written\n");
-    return;
-  }
-  if (!saved) tell("the last checkpoint could not be written\n");
-  tell("go on{} with: {} --restart {}\n", saved ? "" : " from the one before it", call, checkpoint);
-}
-
 }  // namespace kusabi::run
