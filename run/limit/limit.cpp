@@ -14,6 +14,7 @@
 #include "problems/limit/limit_problem.hpp"
 #include "run/command/command_run.hpp"
 #include "run/limit/limit_report.hpp"
+#include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/supervision.hpp"
 #include "verify/limit_certificate.hpp"
@@ -121,6 +122,11 @@ void Limit::search(CommandRun& run) {
     throw WrongInput(
         "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
   }
+  const auto& worst = found_.answer.worst;
+  if (run.shows() && worst && worst->no_safe_m) {
+    tell(
+        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static cuts\n");
+  }
 }
 
 std::vector<Step> Limit::results(CommandRun& run) {
@@ -145,11 +151,6 @@ const char* Limit::why_no_certificate() const {
 
 Verdict Limit::verdict(CommandRun& run) {
   Verdict verdict{.remarks = {}, .code = found_.answer.whole() ? solved : stopped_early};
-  const auto& worst = found_.answer.worst;
-  if (worst && worst->no_safe_m && !run.quiet()) {
-    verdict.remarks.emplace_back(
-        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static cuts");
-  }
   if (run.wants("--certificate") && !found_.certificate && !run.quiet()) {
     verdict.remarks.push_back(
         fmt::format("no certificate ({} is as it was): {}", certificate_, why_no_certificate()));
