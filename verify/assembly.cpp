@@ -1,8 +1,7 @@
 // Bars, frames, and what belongs together; verify/plane_element.cpp has the elements.
 #include "verify/assembly.hpp"
 
-#include <numeric>
-
+#include "verify/disjoint_sets.hpp"
 #include "verify/plane_element.hpp"
 
 namespace kusabi::verify {
@@ -60,27 +59,6 @@ void add_bar(const Structure& structure, const Freedom& freedom, const Bar& bar,
   }
 }
 
-/// Sets of numbers that grow together.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t of(std::size_t number) {
-    while (parent_[number] != number) {
-      parent_[number] = parent_[parent_[number]];
-      number = parent_[number];
-    }
-    return number;
-  }
-  void join(const std::vector<std::size_t>& numbers) {
-    for (const auto number : numbers) parent_[of(number)] = of(numbers.front());
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 }  // namespace
 
 Direction direction(const Structure& structure, const Bar& bar) {
@@ -113,7 +91,10 @@ Frame frame(const ContactPoint& point, std::size_t dimension) {
 }
 
 std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freedom) {
-  Sets sets(freedom.count);
+  DisjointSets sets(freedom.count);
+  const auto join = [&](const std::vector<std::size_t>& numbers) {
+    for (const auto number : numbers) sets.join(number, numbers.front());
+  };
   const auto free_of = [&](std::size_t node) {
     std::vector<std::size_t> numbers;
     for (const auto number : freedom.number[node]) {
@@ -130,16 +111,16 @@ std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freed
         if (number != Freedom::none) straining.push_back(number);
       }
     }
-    sets.join(straining);
+    join(straining);
   }
   for (const auto& element : structure.elements) {
     std::vector<std::size_t> moving;
     for (const auto node : element.nodes) {
       for (const auto number : free_of(node)) moving.push_back(number);
     }
-    sets.join(moving);
+    join(moving);
   }
-  for (const auto& point : structure.contact) sets.join(free_of(point.node));
+  for (const auto& point : structure.contact) join(free_of(point.node));
   std::map<std::size_t, std::size_t> first;  // candidate of each set
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {

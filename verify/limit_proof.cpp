@@ -248,8 +248,8 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   Dyadic value(node.factor);
   for (const auto& [c, share] : node.shares) {
     const auto& cut = certificate.cuts[c];
-    share_of[cut.column] = share_of[cut.column] + Dyadic(share);
     const Dyadic mu(share);
+    share_of[cut.column] = share_of[cut.column] + mu;
     value = value - product(mu, std::abs(cut.factor));
     for (const auto& [i, force] : cut.forces) taken[i] = taken[i] + product(mu, std::abs(force));
     for (const auto& [e, missing] : defects_[c]) defects[e] = defects[e] + product(mu, missing);
@@ -288,7 +288,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   if (const auto* why = std::get_if<std::string>(&found)) return *why;
   const auto& against = std::get<std::vector<double>>(found);
   for (std::size_t i = 0; i < slack.size(); ++i) {
-    if (against[i] > slack[i]) {
+    if (!(against[i] <= slack[i])) {
       return "member " + std::to_string(i) + " yields for what equilibrium lacks";
     }
   }

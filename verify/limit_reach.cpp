@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "verify/disjoint_sets.hpp"
 #include "verify/gram.hpp"
 
 namespace kusabi::verify {
@@ -24,22 +24,6 @@ constexpr double tiny = 1e-140;
 // Sums and products of numbers that are not negative are off by less than this share: a rounding
 // for each of some millions of terms, 2^-53 each.
 constexpr double all_roundings = 0x1p-28;
-
-/// Which displacements are joined by members with slack.
-class Pieces {
- public:
-  explicit Pieces(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t of(std::size_t e) {
-    while (parent_[e] != e) e = parent_[e] = parent_[parent_[e]];
-    return e;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 template <class Visit>
 void each_displacement(const MemberColumns& members, std::size_t i, const Visit& visit) {
@@ -93,7 +77,7 @@ struct Part {
 std::optional<Part> part_with_defects(const MemberColumns& members,
                                       const std::vector<double>& slack,
                                       const std::vector<double>& defect) {
-  Pieces pieces(members.displacements);
+  DisjointSets pieces(members.displacements);  // joined by members with slack
   std::vector<bool> reached(members.displacements);
   for (std::size_t i = 0; i < slack.size(); ++i) {
     if (slack[i] <= tiny) continue;
@@ -206,6 +190,8 @@ std::optional<std::vector<double>> Reach::forces(const std::vector<double>& defe
   std::vector<double> forces(members_.columns.size(), 0.0);
   for (const auto i : part_.members) {
     forces[i] = (direct_[i] + 2 * rest_ * largest_[i]) * (1 + all_roundings) + tiny * tiny;
+    // A defect beyond all doubles is infinite, and times zero it is no number.
+    if (!std::isfinite(forces[i])) return {};
   }
   return forces;
 }

@@ -6,8 +6,8 @@
 //
 // A node is solved in doubles first. Where they leave its sign open, or its value to fewer than
 // three digits where that is asked for, the same program is solved again in long double precision
-// and then in 104 bits, with an F that has as many digits (docs/theory.md, section 3). All bounds
-// hold for the F of the structure, whatever they were computed with.
+// and then in 104 bits, with an F that has as many digits (docs/theory/wedged.md, "More digits").
+// All bounds hold for the F of the structure, whatever they were computed with.
 #pragma once
 
 #include <cstdint>

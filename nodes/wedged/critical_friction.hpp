@@ -3,7 +3,8 @@
 // t* of the node program (23) does not fall when friction grows, since the cones grow. What the
 // cone solver leaves behind at one coefficient says something of all others: its multipliers prove
 // the node dead below a certain coefficient, its configuration proves it alive from a certain one
-// on, and both together give the slope of t*, hence Newton's method. docs/theory.md, section 6.
+// on, and both together give the slope of t*, hence Newton's method. docs/theory/wedged.md,
+// "Critical friction".
 //
 // All coefficients here are factors of the candidates' own: mu_i = factor x phi_i.
 #pragma once

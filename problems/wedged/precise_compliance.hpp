@@ -4,7 +4,7 @@
 // Which sign patterns and extremal rays there are depends on sums of its entries that vanish
 // exactly, or only almost; where stiff bars stand beside soft ones the doubles of an F solved for
 // in doubles are wrong in the digits that decide. So F is computed from the structure itself with
-// 104 bits, and with a bound of its error that holds (docs/theory.md, section 2).
+// 104 bits, and with a bound of its error that holds (docs/theory/wedged.md, "F and its error").
 #pragma once
 
 #include <Eigen/Core>

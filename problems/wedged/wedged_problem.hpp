@@ -54,7 +54,8 @@ struct WedgedProblem {
 bool uniform_friction(const WedgedProblem& problem);
 
 /// The mean of the diagonal of F_nn, the normal block of the compliance: by it F is divided, so
-/// that reactions and displacements can be compared (docs/theory.md, section 2). Length/force.
+/// that reactions and displacements can be compared (docs/theory/wedged.md, "F and its error").
+/// Length/force.
 double mean_normal_compliance(const WedgedProblem& problem);
 
 /// The fingerprint that the wedged problem of a structure has, without computing K and F.

@@ -10,6 +10,7 @@
 
 #include "problems/limit/collapse_mode.hpp"
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -18,10 +19,6 @@ using limit::CurvePiece;
 using limit::RootStatus;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
-
-std::vector<double> numbers(const Eigen::VectorXd& vector) {
-  return {vector.begin(), vector.end()};
-}
 
 const std::string& node_name(const LimitProblem& problem, int node) {
   return problem.node_names[static_cast<std::size_t>(node)];
@@ -89,30 +86,25 @@ const char* status_text(RootStatus status) {
   return "open";
 }
 
-const char* method_name(LimitMethod method) {
+const char* method_name(limit::LimitMethod method) {
   switch (method) {
-    case LimitMethod::fixed:
+    case limit::LimitMethod::fixed:
       return "none";
-    case LimitMethod::disjunctive:
+    case limit::LimitMethod::disjunctive:
       return "disjunctive";
-    case LimitMethod::tightened:
+    case limit::LimitMethod::tightened:
       return "tighten";
-    case LimitMethod::all:
+    case limit::LimitMethod::all:
       return "all";
-    case LimitMethod::static_cuts:
+    case limit::LimitMethod::static_cuts:
       break;
   }
   return "static";
 }
 
-// Infinite numbers are null in JSON.
-ordered_json finite(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json();
-}
-
 // The factors at which the load is carried.
 ordered_json interval_json(const limit::LimitCollapse& collapse) {
-  return {collapse.least ? ordered_json(*collapse.least) : ordered_json(), collapse.factor};
+  return {number_or_null(collapse.least), collapse.factor};
 }
 
 void write_mode(std::string& text, const LimitProblem& problem,
@@ -207,7 +199,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
                  const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "\nworst case of {} uncertain components, alpha = {} {}\n",
-                 problem.uncertain_count(), *options.alpha, problem.units.force);
+                 problem.uncertain_count(), *options.question.alpha, problem.units.force);
   if (worst.status == RootStatus::not_carried) {
     fmt::format_to(out,
                    "  some admissible dead load is carried at no load factor, of either sign{}\n",
@@ -267,7 +259,7 @@ std::string LimitReport::table() const {
                    answer.samples.size(), least, greatest,
                    sum / static_cast<double>(answer.samples.size()));
   }
-  if (options.curve && answer.worst) {
+  if (options.question.curve && answer.worst) {
     write_curve(text, problem, "the critical load in proportion, beta times", answer.curve);
     write_curve(text, problem, "the worst case with beta times alpha", answer.worst_curve);
   }
@@ -298,14 +290,14 @@ ordered_json LimitReport::json() const {
     } else if (answer.rest == engine::Status::solved) {
       status = worst.proved ? status_text(worst.status) : "open";
     }
-    result["alpha"] = *options.alpha;
+    result["alpha"] = *options.question.alpha;
     result["uncertain_components"] = problem.uncertain_count();
-    result["worst_case"] = {{"lower", finite(worst.ends.lower)},
-                            {"upper", finite(worst.ends.upper)},
+    result["worst_case"] = {{"lower", number_or_null(worst.ends.lower)},
+                            {"upper", number_or_null(worst.ends.upper)},
                             {"proved", worst.proved},
                             {"lower_proved", worst.ends.lower_proved},
                             {"upper_proved", worst.ends.upper_proved}};
-    if (worst.zero_one_bound) result["zero_one_bound"] = finite(*worst.zero_one_bound);
+    if (worst.zero_one_bound) result["zero_one_bound"] = number_or_null(*worst.zero_one_bound);
     result["critical_load"] = load_json(problem, problems::dead_load(problem, worst.zeta));
     if (worst.collapse) {
       result["critical_interval"] = interval_json(*worst.collapse);
@@ -320,12 +312,12 @@ ordered_json LimitReport::json() const {
   }
   if (!answer.samples.empty()) {
     auto factors = ordered_json::array();
-    for (const double factor : answer.samples) factors.push_back(finite(factor));
-    result["samples"] = {{"seed", options.seed},
-                         {"least", finite(*std::ranges::min_element(answer.samples))},
+    for (const double factor : answer.samples) factors.push_back(number_or_null(factor));
+    result["samples"] = {{"seed", options.question.seed},
+                         {"least", number_or_null(*std::ranges::min_element(answer.samples))},
                          {"factors", std::move(factors)}};
   }
-  if (options.curve && answer.worst) {
+  if (options.question.curve && answer.worst) {
     result["curve"] = curve_json(problem, answer.curve);
     result["worst_curve"] = curve_json(problem, answer.worst_curve);
   }
@@ -335,12 +327,12 @@ ordered_json LimitReport::json() const {
     statistics["tree_programs"] = answer.worst->tree_programs;
   }
   ordered_json chosen = ordered_json::object();
-  chosen["alpha"] = options.alpha ? ordered_json(*options.alpha) : ordered_json();
-  chosen["cuts"] = method_name(options.method);
-  chosen["big_m"] = options.big_m ? ordered_json(*options.big_m) : ordered_json();
-  chosen["samples"] = options.samples;
-  chosen["seed"] = options.seed;
-  chosen["curve"] = options.curve;
+  chosen["alpha"] = number_or_null(options.question.alpha);
+  chosen["cuts"] = method_name(options.question.method);
+  chosen["big_m"] = number_or_null(options.question.big_m);
+  chosen["samples"] = options.question.samples;
+  chosen["seed"] = options.question.seed;
+  chosen["curve"] = options.question.curve;
   return {{"command", "limit"},
           {"version", KUSABI_VERSION},
           {"problem",
@@ -351,7 +343,7 @@ ordered_json LimitReport::json() const {
             {"nodes", problem.node_names.size()},
             {"members", problem.member_count()},
             {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-            {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}}},
+            {"fingerprint", hexadecimal(problem.fingerprint)}}},
           {"options", std::move(chosen)},
           {"status", status},
           {"result", std::move(result)},

@@ -1,22 +1,14 @@
 // From the file to the report, on all ranks.
 #include "run/mip/mip.hpp"
 
-#include <cstdio>
 #include <optional>
-#include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
 
-#include "engine/together.hpp"
 #include "nodes/zero_one/mixed_search.hpp"
+#include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/last_steps.hpp"
-#include "run/output/outputs.hpp"
-#include "run/output/rank_table.hpp"
-#include "run/output/result_file.hpp"
-#include "run/output/standard_output.hpp"
+#include "run/output/values.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "solvers/linear/program_file.hpp"
@@ -26,30 +18,6 @@ namespace kusabi::run {
 namespace {
 
 using linear::ProgramFile;
-
-void announce(const MipOptions& options, const ProgramFile& program, int ranks) {
-  const auto& [name, constant, columns, rows, entries] = program.mixed.program;
-  tell(
-      "kusabi {} · mip · {}\n"
-      "{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}\n",
-      KUSABI_VERSION, options.file, name.empty() ? "a program without a name" : name, rows.size(),
-      columns.size(), program.mixed.binaries.size(), entries.size(),
-      program.maximise ? "maximise" : "minimise",
-      ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
-}
-
-// Rank 0 reads; the others get what it read.
-ProgramFile read_on_first_rank(Session& session, const MipOptions& options,
-                               std::optional<ResultFile>& result_file) {
-  return session.from_first_rank([&] {
-    auto program = linear::read_program(options.file);
-    check_outputs(
-        options.file, {{"--output", options.output}},
-        {{"--checkpoint", options.checkpoint.empty() ? options.restart : options.checkpoint}});
-    result_file.emplace(options.output, options.file);
-    return program;
-  });
-}
 
 std::uint64_t program_fingerprint(const ProgramFile& file) {
   const auto& [name, constant, columns, rows, entries] = file.mixed.program;
@@ -84,60 +52,114 @@ std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options)
   return fingerprint.value();
 }
 
-void tell_what_is_left(const MipOptions& options, const std::string& checkpoint,
-                       const engine::Outcome<zero_one::ZeroOneTree>& outcome) {
-  tell("stopped early ({}): {} open nodes are left\n", status_name(outcome.status), outcome.open);
-  std::string call = fmt::format("kusabi mip {}", options.file);
-  if (options.cuts == zero_one::ZeroOneCuts::disjunctive) call += " --cuts disjunctive";
-  if (options.branching == zero_one::ZeroOneBranching::look_ahead) {
-    call += " --branching look-ahead";
+class Mip final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "mip"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "the optimum of a mixed zero-one linear program, with its bound";
   }
-  if (!options.tighten) call += " --no-tighten";
-  if (!options.dive) call += " --no-dive";
-  tell_how_to_go_on(call, checkpoint, outcome.saved);
+  void describe(OptionTable& table) override;
+  void read(CommandRun& run) override;
+  void prepare(CommandRun& run) override;
+  [[nodiscard]] std::string announcement(const std::string& ranks) const override;
+  void search(CommandRun& run) override;
+  std::vector<Step> results(CommandRun& run) override;
+  Verdict verdict(CommandRun& run) override;
+
+ private:
+  MipOptions options_;
+  std::optional<engine::Campaign> campaign_;  // from the reading of the file on
+  ProgramFile program_;
+  std::uint64_t fingerprint_ = 0;
+  engine::Options search_options_;
+  std::optional<zero_one::MixedAnswer> found_;
+};
+
+void Mip::describe(OptionTable& table) {
+  using engine::Order;
+  using zero_one::ZeroOneBranching;
+  using zero_one::ZeroOneCuts;
+  table
+      .file("file", options_.file, Role::input,
+            "the program, in MPS (.mps) or CPLEX LP (.lp) format")
+      .required();
+  table.choice("--cuts", options_.cuts,
+               {{"none", ZeroOneCuts::none}, {"disjunctive", ZeroOneCuts::disjunctive}},
+               "cuts at the root");
+  table.choice("--branching", options_.branching,
+               {{"paper", ZeroOneBranching::paper}, {"look-ahead", ZeroOneBranching::look_ahead}},
+               "split nodes by the largest tau (1 - tau) as the paper does, or by what the "
+               "children's bounds gain: the same optimum from fewer nodes that cost more");
+  table.choice("--order", options_.order,
+               {{"depth-first", Order::depth_first},
+                {"best-first", Order::best_first},
+                {"hybrid", Order::hybrid}},
+               "which node is opened next: the same optimum");
+  table.flag("--no-tighten", options_.tighten, "leave big Ms as they are", false);
+  table.flag("--no-dive", options_.dive, "do not look for points before the search", false);
+  table.output();
+  table.time_limit(options_.limits);
+  table.node_limit(options_.limits);
+  table
+      .number("--gap", &options_.limits.gap, above(0),
+              "stop when objective and bound differ by so much, relative to the objective")
+      .stops(engine::Status::gap_limit);
+  table.checkpoints(options_.checkpoint);
+  table.quiet();
+  table.serial();
+}
+
+void Mip::read(CommandRun& run) {
+  campaign_.emplace(run.session().transport(), supervision(options_.limits, run.quiet()));
+  program_ = run.session().from_first_rank([&] { return linear::read_program(options_.file); });
+}
+
+void Mip::prepare(CommandRun& run) {
+  fingerprint_ = program_fingerprint(program_);
+  search_options_.order = options_.order;
+  search_options_.checkpoint =
+      run.checkpoint(options_.checkpoint, tree_fingerprint(fingerprint_, options_));
+  search_options_.warn = warn;
+  if (!run.session().speaks()) return;
+  for (const auto& warning : program_.warnings) warn(warning);
+}
+
+std::string Mip::announcement(const std::string& ranks) const {
+  const auto& [name, constant, columns, rows, entries] = program_.mixed.program;
+  return fmt::format("{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}",
+                     name.empty() ? "a program without a name" : name, rows.size(), columns.size(),
+                     program_.mixed.binaries.size(), entries.size(),
+                     program_.maximise ? "maximise" : "minimise", ranks);
+}
+
+void Mip::search(CommandRun& /*run*/) {
+  found_.emplace(zero_one::solve_mixed(
+      *campaign_, program_.mixed,
+      {.cuts = options_.cuts, .tighten = options_.tighten, .dive = options_.dive},
+      options_.branching, search_options_, {program_.maximise ? -1.0 : 1.0}));
+}
+
+std::vector<Step> Mip::results(CommandRun& run) {
+  const MipReport report{options_, program_, fingerprint_, *found_};
+  return {run.result(report.json()), run.answer(report.table())};
+}
+
+Verdict Mip::verdict(CommandRun& run) {
+  Verdict verdict{.remarks = {}, .code = found_->answered() ? solved : stopped_early};
+  const auto& outcome = found_->outcome;
+  if (outcome.status != engine::Status::solved) {
+    verdict.remarks = run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
+    verdict.remarks.insert(verdict.remarks.begin(),
+                           fmt::format("stopped early ({}): {} open nodes are left",
+                                       status_name(outcome.status), outcome.open));
+  }
+  return verdict;
 }
 
 }  // namespace
 
-int mip(Session& session, const MipOptions& options) {
-  std::optional<ResultFile> result_file;
-  engine::Campaign campaign(session.transport(), supervision(options.limits, options.quiet));
-  const auto program = read_on_first_rank(session, options, result_file);
-  const std::uint64_t fingerprint = program_fingerprint(program);
-
-  engine::Options search_options;
-  search_options.order = options.order;
-  auto& checkpoint = search_options.checkpoint;
-  checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
-  checkpoint.interval = options.checkpoint_interval;
-  checkpoint.problem = tree_fingerprint(fingerprint, options);
-  checkpoint.resume_from =
-      restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
-  search_options.warn = warn;
-  if (session.speaks()) {
-    for (const auto& warning : program.warnings) warn(warning);
-    if (!options.quiet) announce(options, program, session.ranks());
-  }
-  const auto found = zero_one::solve_mixed(
-      campaign, program.mixed,
-      {.cuts = options.cuts, .tighten = options.tighten, .dive = options.dive}, options.branching,
-      search_options, {program.maximise ? -1.0 : 1.0});
-  const auto& outcome = found.outcome;
-
-  bool answered = false;
-  const bool whole = outcome.status == engine::Status::solved;
-  if (session.speaks()) {
-    const MipReport report{options, program, fingerprint, found};
-    answered = found.answered();
-    do_all({[&] { result_file->write(report.json()); },
-            [&] {
-              if (!options.quiet) print_answer(report.table());
-            }});
-    if (!options.quiet) tell_written({options.output});
-    if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
-  }
-  return engine::from_first_rank(session.transport(), [&] { return answered; }) ? solved
-                                                                                : stopped_early;
+std::unique_ptr<Subcommand> mip_subcommand() {
+  return std::make_unique<Mip>();
 }
 
 }  // namespace kusabi::run

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -36,24 +37,6 @@ const char* answer_name(MixedStatus answer) {
       break;
   }
   return "unknown";
-}
-
-// JSON has no infinity.
-ordered_json number(double value) {
-  if (std::isfinite(value)) return value;
-  return nullptr;
-}
-
-ordered_json tally_json(const zero_one::ZeroOneTally& tally) {
-  return {{"branched", tally.branched},
-          {"infeasible", tally.infeasible},
-          {"above", tally.above},
-          {"leaves", tally.leaves},
-          {"points", tally.points},
-          {"unproved", tally.unproved},
-          {"held", tally.held},
-          {"programs", tally.programs},
-          {"iterations", tally.iterations}};
 }
 
 }  // namespace
@@ -171,8 +154,8 @@ ordered_json MipReport::json() const {
   ordered_json result{{"answer", answer_name(found.status())}};
   if (found.status() == MixedStatus::optimal || found.status() == MixedStatus::feasible) {
     result["objective"] = objective();
-    result["bound"] = number(bound());
-    result["gap"] = number(gap());
+    result["bound"] = number_or_null(bound());
+    result["gap"] = number_or_null(gap());
     result["proved"] = found.proved();
     ordered_json columns = ordered_json::object();
     for (std::size_t j = 0; j < given.columns.size(); ++j) {
@@ -181,11 +164,11 @@ ordered_json MipReport::json() const {
     }
     result["columns"] = std::move(columns);
   } else if (found.status() == MixedStatus::unknown) {
-    result["bound"] = number(bound());
+    result["bound"] = number_or_null(bound());
   }
   result["unproved"] = found.outcome.tally().unproved;
-  result["root"] = {{"first_bound", number(in_the_files_sense(counts.first_bound))},
-                    {"last_bound", number(in_the_files_sense(counts.last_bound))},
+  result["root"] = {{"first_bound", number_or_null(in_the_files_sense(counts.first_bound))},
+                    {"last_bound", number_or_null(in_the_files_sense(counts.last_bound))},
                     {"programs", counts.programs},
                     {"cut_rounds", counts.cut_rounds},
                     {"cut_programs", counts.cut_programs},
@@ -203,7 +186,7 @@ ordered_json MipReport::json() const {
             {"columns", given.columns.size()},
             {"binaries", program.mixed.binaries.size()},
             {"entries", given.entries.size()},
-            {"fingerprint", fmt::format("{:016x}", fingerprint)}}},
+            {"fingerprint", hexadecimal(fingerprint)}}},
           {"options",
            {{"cuts", options.cuts == zero_one::ZeroOneCuts::none ? "none" : "disjunctive"},
             {"branching",
@@ -215,8 +198,9 @@ ordered_json MipReport::json() const {
           {"statistics",
            {{"opened", found.outcome.opened()},
             {"open", found.outcome.open},
-            {"ranks", rank_reports(found.outcome.ranks, tally_json)},
-            {"earlier_runs", rank_reports(found.outcome.earlier, tally_json)}}}};
+            {"ranks", rank_reports(found.outcome.ranks, counts_json<zero_one::ZeroOneTally>)},
+            {"earlier_runs",
+             rank_reports(found.outcome.earlier, counts_json<zero_one::ZeroOneTally>)}}}};
 }
 
 }  // namespace kusabi::run

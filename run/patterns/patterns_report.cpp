@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -30,7 +31,7 @@ const char* state_name(wedged::LeafState state) {
 }
 
 std::string patterns(std::uint64_t count) {
-  return fmt::format("{} sign pattern{}", count, count == 1 ? "" : "s");
+  return counted(count, "sign pattern");
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ std::string PatternsReport::verdict() const {
           "of the whole, and the list has those of each block\n";
     }
   }
-  if (options_.facets != 0) {
+  if (options_.polyhedral) {
     fmt::format_to(out, "{} candidates under polyhedral friction cones of {} facets\n",
                    findings_.outcome.tally().candidates, options_.facets);
   }
@@ -130,10 +131,10 @@ ordered_json PatternsReport::json() const {
     blocks.push_back(
         {{"candidates", candidate_names(problem_, block.candidates)}, {"count", block.cones}});
   }
-  ordered_json tree = tally_json(findings_.outcome.tally());
+  ordered_json tree = counts_json<wedged::SignPatternTally>(findings_.outcome.tally());
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
-  tree["fingerprint"] = fmt::format("{:016x}", findings_.outcome.fingerprint());
+  tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
   return {
       {"command", "patterns"},
       {"version", KUSABI_VERSION},
@@ -141,8 +142,8 @@ ordered_json PatternsReport::json() const {
       {"options",
        {{"mu", options_.friction},
         {"tolerance", options_.tolerance},
-        {"method", options_.facets == 0 ? "cones" : "polyhedral"},
-        {"facets", options_.facets},
+        {"method", options_.polyhedral ? "polyhedral" : "cones"},
+        {"facets", options_.facets_in_use()},
         {"branching", options_.branching == wedged::Branching::product ? "paper" : "relative"}}},
       {"status", status_name(findings_.outcome.status)},
       {"result",
@@ -156,8 +157,9 @@ ordered_json PatternsReport::json() const {
         {"tree", std::move(tree)},
         {"patterns", std::move(patterns)}}},
       {"statistics",
-       {{"ranks", rank_reports(findings_.outcome.ranks, tally_json)},
-        {"earlier_runs", rank_reports(findings_.outcome.earlier, tally_json)}}}};
+       {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
+        {"earlier_runs",
+         rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}}}};
 }
 
 }  // namespace kusabi::run

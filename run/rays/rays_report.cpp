@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -16,6 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using rays::Candidates;
+using wedged::RayMethod;
 
 /// A table of more rays or cones is for programs: --output and --csv have them all.
 constexpr std::size_t longest_table = 60;
@@ -34,10 +36,6 @@ State state_of(const rays::Supports& supports, int candidate) {
   return {'.', "idle"};
 }
 
-std::string plural(std::size_t count, const char* word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 // A cell of a CSV file (RFC 4180).
 std::string cell(const std::string& text) {
   std::string quoted = "\"";
@@ -50,10 +48,10 @@ ordered_json effort_json(const rays::Effort& effort) {
 }
 
 ordered_json tree_json(const wedged::RayTreeReport& report) {
-  auto tree = tally_json(report.patterns);
+  auto tree = counts_json(report.patterns);
   tree["opened"] = report.opened;
   tree["open"] = report.open;
-  tree["fingerprint"] = fmt::format("{:016x}", report.fingerprint);
+  tree["fingerprint"] = hexadecimal(report.fingerprint);
   return tree;
 }
 
@@ -61,7 +59,7 @@ ordered_json tree_json(const wedged::RayTreeReport& report) {
 ordered_json statistics_json(const wedged::RayFindings& found) {
   if (found.tree) {
     return {{"ranks", rank_reports(found.tree->ranks, [](const auto& tally) {
-               auto own = tally_json(tally.patterns);
+               auto own = counts_json(tally.patterns);
                own.update(effort_json(tally.effort));
                return own;
              })}};
@@ -69,10 +67,6 @@ ordered_json statistics_json(const wedged::RayFindings& found) {
   auto statistics = effort_json(found.effort);
   statistics["seconds"] = found.seconds;
   return statistics;
-}
-
-std::vector<double> list(const Eigen::VectorXd& vector) {
-  return {vector.begin(), vector.end()};
 }
 
 }  // namespace
@@ -144,7 +138,7 @@ std::string RaysReport::summary() const {
   }
   fmt::format_to(
       out, "\n{} in {} at friction coefficient {}{}, by {}\n",
-      plural(found_.rays.size(), "extremal ray"), plural(found_.cones.size(), "maximal cone"),
+      counted(found_.rays.size(), "extremal ray"), counted(found_.cones.size(), "maximal cone"),
       options_.friction,
       problems::uniform_friction(problem_) ? "" : " times that of each candidate",
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
@@ -193,8 +187,8 @@ ordered_json RaysReport::ray_json(std::size_t number, const rays::Ray& ray) cons
   for (int i = 0; i < cone_.candidates(); ++i) words.push_back(state_of(supports(number), i).word);
   return {{"number", number + 1},
           {"state", std::move(words)},
-          {"reaction", candidate_rows(list(ray.reaction), 2)},
-          {"displacement", candidate_rows(list(ray.displacement), 2)}};
+          {"reaction", candidate_rows(numbers(ray.reaction), 2)},
+          {"displacement", candidate_rows(numbers(ray.displacement), 2)}};
 }
 
 ordered_json RaysReport::cone_json(const rays::Cone& each) const {

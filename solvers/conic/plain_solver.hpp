@@ -68,20 +68,21 @@ class PlainSolver {
   using Cone = Point<D, Real>;
 
   void select(std::uint64_t contact, std::uint64_t separated, std::uint64_t ignored);
-  void start();
+  Answer start();
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
-  Real level(const Real& value) const { return (Real(1) - value) / weight_; }
+  Real level(const Real& value) const { return (Real(1) - value) / omega_; }
   Vector reaction_of(const std::vector<Cone>& x) const;
 
   bool refresh_dual(const Vector& y);
   bool factorise();
+  Vector solved(Vector right_side) const;                    // M^-1 right_side
   Vector products(const std::vector<Cone>& points) const;    // A x
   Cone transposed(std::size_t cone, const Vector& y) const;  // (A'y) of a cone
   std::vector<Cone> shifted(const std::vector<Cone>& x, const Vector& weights) const;
   struct Step {
     std::vector<Cone> x, z;  // scaled
     Vector v, y;             // scaled
-    Real reach_primal, reach_dual;
+    Real inverse_primal_length, inverse_dual_length;
   };
   Step direction(const Vector& dy, const std::vector<Cone>& q, const Vector& q_rows) const;
   bool advance();
@@ -97,7 +98,7 @@ class PlainSolver {
     Vector reaction;
   };
   double violation() const;
-  double reach() const;
+  double reaction_size() const;  // Q of docs/theory/wedged.md
 
   Matrix compliance_;
   Matrix normal_compliance_;  // m x Dm
@@ -113,7 +114,7 @@ class PlainSolver {
   std::vector<bool> slack_;      // of rows_: whether it has one
   std::vector<Matrix> columns_;  // of A: rows x D for each cone
   Vector right_side_;            // b
-  Real weight_ = 0;              // sigma
+  Real omega_ = 0;               // sigma
 
   // The iterate.
   std::vector<Cone> x_, z_;
@@ -121,8 +122,10 @@ class PlainSolver {
   Vector best_;   // of y
   Real best_value_ = 0;
   std::vector<Scaling<D, Real>> scaling_;
-  Vector slack_scale_, slack_point_, missing_, predictor_, correction_;
-  Matrix factor_;  // of M, lower triangle
+  Vector w_, lambda_;              // of the rows: sqrt(v / y) and sqrt(v y)
+  Vector primal_residual_;         // b - A x + v
+  Vector predictor_, correction_;  // M^-1 of b and of the residual
+  Matrix factor_;                  // of M, lower triangle
   Real complementarity_ = 0;
 };
 

@@ -4,7 +4,7 @@
 // A cone {x >= 0} of some candidates' p and q is cut by one row u_ni of A after another. Each cut
 // keeps the rays on its good side and adds, for each adjacent pair of rays on different sides, the
 // one between them. Algorithm 4.2 is corrected in two places, and the rank test of Remark 4.6 is
-// replaced by a comparison of bits; docs/theory.md, section 5, proves both.
+// replaced by a comparison of bits; docs/theory/rays.md proves both.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,62 @@
+// What may not carry a defect off: numbers beyond all doubles.
+#include "verify/limit_reach.hpp"
+
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "verify/limit_proof.hpp"
+
+namespace {
+
+using namespace kusabi::verify;
+
+// Members that reach one displacement each: `at[i]` is that of member i.
+std::vector<Sparse> upright(const std::vector<std::size_t>& at) {
+  std::vector<Sparse> columns;
+  for (const auto e : at) columns.push_back({{e, 1.0}});
+  return columns;
+}
+
+TEST(ForcesAgainstDefects, CarryOffWhatMembersHaveSlackFor) {
+  const auto columns = upright({0, 1});
+  const MemberColumns members{2, columns, {}};
+  const auto found = forces_against_defects(members, {1, 1}, {1e-9, 2e-9});
+  const auto& forces = std::get<std::vector<double>>(found);
+  EXPECT_GE(forces[0], 1e-9);
+  EXPECT_GE(forces[1], 2e-9);
+  EXPECT_LE(forces[1], 3e-9);
+}
+
+// Infinity times zero is no number, and no number is larger than a slack.
+TEST(ForcesAgainstDefects, AreNotFoundForDefectsBeyondAllDoubles) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto columns = upright({0, 1});
+  const MemberColumns members{2, columns, {}};
+  EXPECT_TRUE(std::holds_alternative<std::string>(
+      forces_against_defects(members, {1, 1}, {infinity, infinity})));
+}
+
+// Three members at each of two displacements pull with 1e308 each: what is out of equilibrium there
+// is no double any more.
+TEST(LimitProof, RefusesForcesWhoseDefectIsBeyondAllDoubles) {
+  LimitCertificate certificate;
+  certificate.displacements = 2;
+  certificate.columns = upright({0, 0, 0, 1, 1, 1});
+  certificate.tension.assign(6, 1.7e308);
+  certificate.compression.assign(6, 1.7e308);
+  certificate.dead = {0, 0};
+  certificate.reference = {1, 1};
+  certificate.motion = {1, 0};
+  LimitNode node;
+  node.factor = 1000;
+  node.forces.assign(6, 1e308);
+  certificate.nodes.push_back(node);
+  EXPECT_TRUE(
+      std::holds_alternative<std::string>(LimitProof(certificate).lower(certificate.nodes[0])));
+}
+
+}  // namespace
