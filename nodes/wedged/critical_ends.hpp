@@ -39,7 +39,7 @@ using EndRecorder = std::function<std::unique_ptr<EndRecord>(CriticalEnd end, do
 
 /// What the ends are moved by.
 struct EndsQuestion {
-  double width = 1e-8;        ///< of the bracket asked for
+  double width = 0;           ///< of the bracket asked for
   double most = 0;            ///< no end is above
   bool with_patterns = true;  ///< whether those are asked for that live at the upper end
 };

@@ -21,6 +21,9 @@ enum class CriticalWay {
 /// How far the global search looks unless told: obstacles are not rougher.
 inline constexpr double usual_most = 1000;
 
+/// Points of the grid of brackets are multiples of the width: up to so many are exact in a double.
+inline constexpr double most_multiples = 1e15;
+
 struct CriticalQuestion {
   CriticalWay way = CriticalWay::global;
   /// No larger coefficient is of interest; mu^0 of the paper, which all but the global search need.

@@ -145,7 +145,6 @@ CriticalFindings find_critical_friction(engine::Campaign& campaign,
   // No further than the roughest candidate can be computed with.
   const double most =
       question.most.value_or(std::min(usual_most, CriticalFriction::range(problem).most));
-  constexpr double most_multiples = 1e15;
   if (!(question.width < most) || most > most_multiples * question.width) {
     throw std::invalid_argument(
         "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "

@@ -48,14 +48,15 @@ class Critical final : public Subcommand {
 
 void Critical::describe(OptionTable& table) {
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
-  table.choice("--method", options_.way,
-               {{"global", CriticalWay::global},
-                {"newton", CriticalWay::newton},
-                {"bisection", CriticalWay::bisection}},
+  table.choice("--method", options_.question.way,
+               {{"global", wedged::CriticalWay::global},
+                {"newton", wedged::CriticalWay::newton},
+                {"bisection", wedged::CriticalWay::bisection}},
                "one search for the smallest, or the coefficients of all patterns that live at "
                "--mu-max");
-  table.number("--mu-max", &options_.most, above(0), "no larger coefficient is of interest");
-  table.number("--width", &options_.width, above(0), "of the brackets");
+  table.number("--mu-max", &options_.question.most, above(0),
+               "no larger coefficient is of interest");
+  table.number("--width", &options_.question.width, above(0), "of the brackets");
   table.output();
   table
       .file("--certificate", options_.certificate, Role::evidence,
@@ -68,7 +69,7 @@ void Critical::describe(OptionTable& table) {
 }
 
 void Critical::check() const {
-  if (options_.way != CriticalWay::global && !options_.most) {
+  if (options_.question.way != wedged::CriticalWay::global && !options_.question.most) {
     throw WrongInput(
         "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
         "for, or --method global");
@@ -77,7 +78,7 @@ void Critical::check() const {
   constexpr double most_multiples = 1e15;
   if (options_.width >= most || most > most_multiples * options_.width) {
     throw WrongInput(fmt::format("--width {}: expected a number below --mu-max {} and above {}",
-                                 options_.width, most, most / most_multiples));
+                                 options_.question.width, most, most / wedged::most_multiples));
   }
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "engine/options.hpp"
@@ -12,16 +11,11 @@
 
 namespace kusabi::run {
 
-using wedged::CriticalWay;
-
 struct CriticalOptions {
   std::string file;  ///< the problem
-  CriticalWay way = CriticalWay::global;
-  std::optional<double> most;  ///< no larger coefficient is of interest; mu^0 of the paper
-  double width = 1e-8;         ///< of the brackets
-  std::string certificate;     ///< evidence of both ends goes to NAME.lower and NAME.upper
-  engine::Limits limits;       ///< where to stop early
-  bool quiet = false;          ///< nothing is shown while it works
+  wedged::CriticalQuestion question;
+  std::string certificate;  ///< evidence of both ends goes to NAME.lower and NAME.upper
+  engine::Limits limits;    ///< where to stop early
 };
 
 std::unique_ptr<Subcommand> critical_subcommand();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "run/evidence/certificate_file.hpp"
 #include "run/output/standard_output.hpp"
@@ -14,13 +15,13 @@ namespace {
 
 class EndCertificate final : public wedged::EndRecord {
  public:
-  EndCertificate(Session& session, const CriticalOptions& options, const std::string& name,
+  EndCertificate(Session& session, const EndCertificates& certificates, const std::string& name,
                  std::uint64_t tree, std::string header)
       : session_(session),
-        options_(options),
+        quiet_(certificates.quiet),
         name_(name),
         header_(std::move(header)),
-        file_(session, name, options.file, tree, false) {}
+        file_(session, name, certificates.input, tree, false) {}
 
   void add(const wedged::Evidence& evidence) override { file_.add(evidence); }
 
@@ -29,7 +30,7 @@ class EndCertificate final : public wedged::EndRecord {
     if (!session_.speaks()) return;
     if (holds) {
       file_.put_in_place(header_);
-      if (!options_.quiet) tell_written({name_});
+      if (!quiet_) tell_written({name_});
     } else {
       file_.drop();
     }
@@ -37,7 +38,7 @@ class EndCertificate final : public wedged::EndRecord {
 
  private:
   Session& session_;
-  const CriticalOptions& options_;
+  bool quiet_;
   std::string name_;
   std::string header_;
   CertificateFile file_;
@@ -45,16 +46,17 @@ class EndCertificate final : public wedged::EndRecord {
 
 }  // namespace
 
-wedged::EndRecorder end_recorder(Session& session, const CriticalOptions& options,
+wedged::EndRecorder end_recorder(Session& session, EndCertificates certificates,
                                  const problems::WedgedProblem& problem) {
-  if (options.certificate.empty()) return {};
-  return [&](wedged::CriticalEnd end, double factor,
+  if (certificates.name.empty()) return {};
+  return [&session, &problem, certificates = std::move(certificates)](
+             wedged::CriticalEnd end, double factor,
              std::span<const double> friction) -> std::unique_ptr<wedged::EndRecord> {
     support::Fingerprint fingerprint;
     fingerprint.add(problem.fingerprint);
     fingerprint.add(factor);
     const char* const which = end == wedged::CriticalEnd::lower ? ".lower" : ".upper";
-    return std::make_unique<EndCertificate>(session, options, options.certificate + which,
+    return std::make_unique<EndCertificate>(session, certificates, certificates.name + which,
                                             fingerprint.value(),
                                             certificate_header(problem, friction));
   };

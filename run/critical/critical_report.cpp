@@ -14,13 +14,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* way_name(CriticalWay way) {
+const char* way_name(wedged::CriticalWay way) {
   switch (way) {
-    case CriticalWay::global:
+    case wedged::CriticalWay::global:
       return "global";
-    case CriticalWay::newton:
+    case wedged::CriticalWay::newton:
       return "newton";
-    case CriticalWay::bisection:
+    case wedged::CriticalWay::bisection:
       break;
   }
   return "bisection";
@@ -77,13 +77,13 @@ std::vector<std::string> open_sentences(const CriticalOptions& options,
       case wedged::CriticalDoubt::no_upper_end:
         sentences.push_back(fmt::format(
             "between {:.12g} and {:.12g} it could not be told whether anything can wedge",
-            findings.lower, options.most.value_or(wedged::usual_most)));
+            findings.lower, options.question.most.value_or(wedged::usual_most)));
         break;
       case wedged::CriticalDoubt::wide_bracket:
         sentences.push_back(fmt::format(
             "the bracket is {:.2g} wide, wider than asked for ({:g}): in between, what can wedge "
             "could not be told from what just cannot",
-            *findings.upper - findings.lower, options.width));
+            *findings.upper - findings.lower, options.question.width));
         break;
       case wedged::CriticalDoubt::lower_not_proved:
         sentences.push_back(fmt::format(
@@ -130,9 +130,9 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   }
   for (const auto& sentence : open_sentences(options, findings))
     fmt::format_to(out, "Open: {}.\n", sentence);
-  if (options.way != CriticalWay::global && findings.upper) {
+  if (options.question.way != wedged::CriticalWay::global && findings.upper) {
     fmt::format_to(out, "(of the {} patterns that live at {})\n", findings.patterns.size(),
-                   options.most.value_or(0));
+                   options.question.most.value_or(0));
   }
   return text + '\n' + ranks_text(findings);
 }
@@ -141,8 +141,9 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
                            const wedged::CriticalFindings& findings) {
   auto patterns = ordered_json::array();
   for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry));
-  ordered_json chosen = {{"method", way_name(options.way)}, {"width", options.width}};
-  chosen["mu_max"] = number_or_null(options.most);
+  ordered_json chosen = {{"method", way_name(options.question.way)},
+                         {"width", options.question.width}};
+  chosen["mu_max"] = number_or_null(options.question.most);
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(problem, options.file)},

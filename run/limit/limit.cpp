@@ -14,6 +14,7 @@
 #include "problems/limit/limit_problem.hpp"
 #include "run/command/command_run.hpp"
 #include "run/limit/limit_report.hpp"
+#include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/supervision.hpp"
 #include "verify/limit_certificate.hpp"
@@ -51,31 +52,31 @@ void Limit::describe(OptionTable& table) {
   constexpr double most_samples = 1e8;
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table
-      .number("--alpha", &options_.alpha, at_least(0),
+      .number("--alpha", &options_.question.alpha, at_least(0),
               "the uncertain components of the dead load are known up to +- this")
       .unit("in the file's unit of force");
   table
-      .choice("--cuts", options_.method,
-              {{"none", LimitMethod::fixed},
-               {"disjunctive", LimitMethod::disjunctive},
-               {"tighten", LimitMethod::tightened},
-               {"static", LimitMethod::static_cuts},
-               {"all", LimitMethod::all}},
+      .choice("--cuts", options_.question.method,
+              {{"none", limit::LimitMethod::fixed},
+               {"disjunctive", limit::LimitMethod::disjunctive},
+               {"tighten", limit::LimitMethod::tightened},
+               {"static", limit::LimitMethod::static_cuts},
+               {"all", limit::LimitMethod::all}},
               "how the worst case is found: by static cuts, or by the 0-1 program (29) with none, "
               "disjunctive ones (the paper's method), a tightened M, or all of these")
       .needs("--alpha");
   table
-      .number("--big-m", &options_.big_m, above(0),
+      .number("--big-m", &options_.question.big_m, above(0),
               "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
               "Without it a safe one is derived")
       .needs("--cuts");
   table
-      .number("--samples", &options_.samples, between(1, most_samples),
+      .number("--samples", &options_.question.samples, between(1, most_samples),
               "compare with so many random dead loads")
       .needs("--alpha");
-  table.number("--seed", &options_.seed, at_least(0), "of the random dead loads");
+  table.number("--seed", &options_.question.seed, at_least(0), "of the random dead loads");
   table
-      .flag("--curve", options_.curve,
+      .flag("--curve", options_.question.curve,
             "how the load factor falls as the critical load, or alpha, grows from zero")
       .needs("--alpha");
   table.time_limit(options_.limits);
@@ -121,6 +122,11 @@ void Limit::search(CommandRun& run) {
     throw WrongInput(
         "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
   }
+  const auto& worst = found_.answer.worst;
+  if (run.shows() && worst && worst->no_safe_m) {
+    tell(
+        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static cuts\n");
+  }
 }
 
 std::vector<Step> Limit::results(CommandRun& run) {
@@ -145,11 +151,6 @@ const char* Limit::why_no_certificate() const {
 
 Verdict Limit::verdict(CommandRun& run) {
   Verdict verdict{.remarks = {}, .code = found_.answer.whole() ? solved : stopped_early};
-  const auto& worst = found_.answer.worst;
-  if (worst && worst->no_safe_m && !run.quiet()) {
-    verdict.remarks.emplace_back(
-        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static cuts");
-  }
   if (run.wants("--certificate") && !found_.certificate && !run.quiet()) {
     verdict.remarks.push_back(
         fmt::format("no certificate ({} is as it was): {}", certificate_, why_no_certificate()));

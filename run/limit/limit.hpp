@@ -2,9 +2,7 @@
 // `--alpha` the least one that an uncertain dead load can bring about ((13)).
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "engine/options.hpp"
@@ -12,8 +10,6 @@
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
-
-using limit::LimitMethod;
 
 struct LimitOptions {
   std::string file;

@@ -86,17 +86,17 @@ const char* status_text(RootStatus status) {
   return "open";
 }
 
-const char* method_name(LimitMethod method) {
+const char* method_name(limit::LimitMethod method) {
   switch (method) {
-    case LimitMethod::fixed:
+    case limit::LimitMethod::fixed:
       return "none";
-    case LimitMethod::disjunctive:
+    case limit::LimitMethod::disjunctive:
       return "disjunctive";
-    case LimitMethod::tightened:
+    case limit::LimitMethod::tightened:
       return "tighten";
-    case LimitMethod::all:
+    case limit::LimitMethod::all:
       return "all";
-    case LimitMethod::static_cuts:
+    case limit::LimitMethod::static_cuts:
       break;
   }
   return "static";
@@ -199,7 +199,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
                  const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "\nworst case of {} uncertain components, alpha = {} {}\n",
-                 problem.uncertain_count(), *options.alpha, problem.units.force);
+                 problem.uncertain_count(), *options.question.alpha, problem.units.force);
   if (worst.status == RootStatus::not_carried) {
     fmt::format_to(out,
                    "  some admissible dead load is carried at no load factor, of either sign{}\n",
@@ -259,7 +259,7 @@ std::string LimitReport::table() const {
                    answer.samples.size(), least, greatest,
                    sum / static_cast<double>(answer.samples.size()));
   }
-  if (options.curve && answer.worst) {
+  if (options.question.curve && answer.worst) {
     write_curve(text, problem, "the critical load in proportion, beta times", answer.curve);
     write_curve(text, problem, "the worst case with beta times alpha", answer.worst_curve);
   }
@@ -290,7 +290,7 @@ ordered_json LimitReport::json() const {
     } else if (answer.rest == engine::Status::solved) {
       status = worst.proved ? status_text(worst.status) : "open";
     }
-    result["alpha"] = *options.alpha;
+    result["alpha"] = *options.question.alpha;
     result["uncertain_components"] = problem.uncertain_count();
     result["worst_case"] = {{"lower", number_or_null(worst.ends.lower)},
                             {"upper", number_or_null(worst.ends.upper)},
@@ -313,11 +313,11 @@ ordered_json LimitReport::json() const {
   if (!answer.samples.empty()) {
     auto factors = ordered_json::array();
     for (const double factor : answer.samples) factors.push_back(number_or_null(factor));
-    result["samples"] = {{"seed", options.seed},
+    result["samples"] = {{"seed", options.question.seed},
                          {"least", number_or_null(*std::ranges::min_element(answer.samples))},
                          {"factors", std::move(factors)}};
   }
-  if (options.curve && answer.worst) {
+  if (options.question.curve && answer.worst) {
     result["curve"] = curve_json(problem, answer.curve);
     result["worst_curve"] = curve_json(problem, answer.worst_curve);
   }
@@ -327,12 +327,12 @@ ordered_json LimitReport::json() const {
     statistics["tree_programs"] = answer.worst->tree_programs;
   }
   ordered_json chosen = ordered_json::object();
-  chosen["alpha"] = number_or_null(options.alpha);
-  chosen["cuts"] = method_name(options.method);
-  chosen["big_m"] = number_or_null(options.big_m);
-  chosen["samples"] = options.samples;
-  chosen["seed"] = options.seed;
-  chosen["curve"] = options.curve;
+  chosen["alpha"] = number_or_null(options.question.alpha);
+  chosen["cuts"] = method_name(options.question.method);
+  chosen["big_m"] = number_or_null(options.question.big_m);
+  chosen["samples"] = options.question.samples;
+  chosen["seed"] = options.question.seed;
+  chosen["curve"] = options.question.curve;
   return {{"command", "limit"},
           {"version", KUSABI_VERSION},
           {"problem",

@@ -2,7 +2,6 @@
 #include "run/mip/mip.hpp"
 
 #include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,7 +9,6 @@
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
-#include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"

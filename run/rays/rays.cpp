@@ -133,12 +133,12 @@ std::vector<Step> Rays::results(CommandRun& run) {
 }
 
 Verdict Rays::verdict(CommandRun& /*run*/) {
-  if (!found_->health.sound()) {
+  if (!found_.health.sound()) {
     return {{fmt::format(
                 "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
                 "expected a structure with less cancellation, fewer candidates, or another "
                 "friction coefficient",
-                found_->health.doubtful)},
+                found_.health.doubtful)},
             failed};
   }
   if (whole()) return {};

@@ -11,13 +11,11 @@
 
 namespace kusabi::run {
 
-using wedged::RayMethod;
-
 struct RaysOptions {
   std::string file;     ///< the problem
   double friction = 0;  ///< mu
-  RayMethod method = RayMethod::automatic;
-  engine::Limits limits;  ///< where to stop early; RayMethod::tree only
+  wedged::RayMethod method = wedged::RayMethod::automatic;
+  engine::Limits limits;  ///< where to stop early; wedged::RayMethod::tree only
 };
 
 std::unique_ptr<Subcommand> rays_subcommand();

@@ -17,6 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using rays::Candidates;
+using wedged::RayMethod;
 
 /// A table of more rays or cones is for programs: --output and --csv have them all.
 constexpr std::size_t longest_table = 60;

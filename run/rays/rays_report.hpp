@@ -20,7 +20,7 @@
 namespace kusabi::run {
 
 /// "double-description" or "tree".
-std::string method_name(RayMethod method);
+std::string method_name(wedged::RayMethod method);
 
 class RaysReport {
  public:

@@ -1,6 +1,7 @@
 // What ranks do together, as far as one rank can show it; mpi_tests/together_mpi_test.cpp has more.
 #include "engine/together.hpp"
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -8,10 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "engine/budget.hpp"
+#include "engine/campaign.hpp"
 #include "engine/contract.hpp"
 #include "engine/shared_work.hpp"
 #include "engine/transport/simulated.hpp"
 #include "engine/transport/single_process.hpp"
+#include "tests/engine/queens.hpp"
 
 namespace kusabi::engine {
 namespace {
@@ -81,6 +84,44 @@ TEST(Budget, ACheckpointAskedForBetweenSearchesIsToldToTheNextOnce) {
   const auto interrupt = budget.interrupt();
   EXPECT_EQ(interrupt(), Interrupt::checkpoint);
   EXPECT_EQ(interrupt(), Interrupt::none);
+}
+
+TEST(Campaign, ShowsASearchToItsWatcherAndThenLetsItGo) {
+  std::weak_ptr<int> watcher;
+  Supervision supervision;
+  supervision.watch = [&](Goal goal, const ShownObjective& shown) {
+    EXPECT_EQ(goal, Goal::all);
+    EXPECT_EQ(shown.unit, 3);
+    const auto calls = std::make_shared<int>(0);
+    watcher = calls;
+    return [calls](const Progress&) { ++*calls; };
+  };
+  SingleProcess alone;
+  Campaign campaign(alone, supervision);
+  examples::Queens queens(6);
+  EXPECT_EQ(campaign.search(queens, {}, {.unit = 3}).solutions.size(), 4U);
+  EXPECT_TRUE(watcher.expired());
+}
+
+TEST(Campaign, EachSearchHasTheLimitsThatAreLeft) {
+  Supervision supervision;
+  supervision.limits.nodes = 1;
+  SingleProcess alone;
+  Campaign campaign(alone, supervision);
+  examples::Queens queens(8);
+  Options options;
+  options.survey_interval = 0;
+  EXPECT_EQ(campaign.search(queens, options).status, Status::node_limit);
+}
+
+TEST(Campaign, SaysNothingUnlessSomebodyListens) {
+  SingleProcess alone;
+  Campaign(alone).say("nobody hears");
+  std::string heard;
+  Supervision supervision;
+  supervision.say = [&](const std::string& line) { heard = line; };
+  Campaign(alone, supervision).say("round 1");
+  EXPECT_EQ(heard, "round 1");
 }
 
 }  // namespace
