@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "engine/campaign.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 #include "nodes/wedged/critical_search.hpp"
 #include "problems/files/structure_file.hpp"
@@ -74,9 +73,8 @@ void Critical::check() const {
         "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
         "for, or --method global");
   }
-  const double most = options_.most.value_or(wedged::usual_most);
-  constexpr double most_multiples = 1e15;
-  if (options_.width >= most || most > most_multiples * options_.width) {
+  const double most = options_.question.most.value_or(wedged::usual_most);
+  if (options_.question.width >= most || most > wedged::most_multiples * options_.question.width) {
     throw WrongInput(fmt::format("--width {}: expected a number below --mu-max {} and above {}",
                                  options_.question.width, most, most / wedged::most_multiples));
   }
@@ -92,24 +90,22 @@ void Critical::prepare(CommandRun& run) {
   problem_ = problems::wedged_problem(*structure_);
   // No further than the roughest candidate can be computed with.
   const double most = wedged::CriticalFriction::range(problem_).most;
-  if (options_.most) friction_at(problem_, *options_.most, options_.file);
-  if (!options_.most && most < wedged::usual_most) options_.most = most;
+  if (options_.question.most) friction_at(problem_, *options_.question.most, options_.file);
+  if (!options_.question.most && most < wedged::usual_most) options_.question.most = most;
   agree(run.session(), problem_);
 }
 
 std::string Critical::announcement(const std::string& ranks) const {
   return fmt::format("{}; up to a friction coefficient of {}{}; {}", problem_line(problem_),
-                     options_.most.value_or(wedged::usual_most),
+                     options_.question.most.value_or(wedged::usual_most),
                      uniform_friction(problem_) ? "" : " times that of each candidate", ranks);
 }
 
 void Critical::search(CommandRun& run) {
-  options_.quiet = run.quiet();
   engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
   findings_ = wedged::find_critical_friction(
-      campaign, *structure_, problem_,
-      {.way = options_.way, .most = options_.most, .width = options_.width},
-      end_recorder(run.session(), options_, problem_));
+      campaign, *structure_, problem_, options_.question,
+      end_recorder(run.session(), {options_.certificate, options_.file, run.quiet()}, problem_));
 }
 
 std::vector<Step> Critical::results(CommandRun& run) {
@@ -124,9 +120,8 @@ Verdict Critical::verdict(CommandRun& /*run*/) {
         fmt::format("stopped early ({}): nothing lives below {:.10g}; more is not proved",
                     status_name(findings_.status), findings_.lower));
   }
-  for (const auto& sentence : open_sentences(options_, findings_)) {
+  for (const auto& sentence : open_sentences(options_, findings_))
     verdict.remarks.push_back("open: " + sentence);
-  }
   return verdict;
 }
 

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "engine/campaign.hpp"
 #include "engine/together.hpp"
 #include "nodes/limit/limit_loads.hpp"
 #include "problems/files/structure_file.hpp"
@@ -111,21 +110,15 @@ std::string Limit::announcement(const std::string& ranks) const {
 void Limit::search(CommandRun& run) {
   engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
   try {
-    found_ = limit::limit_loads(campaign, *truss_, *problem_,
-                                {.alpha = options_.alpha,
-                                 .method = options_.method,
-                                 .big_m = options_.big_m,
-                                 .samples = options_.samples,
-                                 .seed = options_.seed,
-                                 .curve = options_.curve});
+    found_ = limit::limit_loads(campaign, *truss_, *problem_, options_.question);
   } catch (const limit::BigMTooSmall&) {
     throw WrongInput(
         "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
   }
-  const auto& worst = found_.answer.worst;
-  if (run.shows() && worst && worst->no_safe_m) {
+  if (run.shows() && found_.answer.worst && found_.answer.worst->no_safe_m) {
     tell(
-        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static cuts\n");
+        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static "
+        "cuts\n");
   }
 }
 

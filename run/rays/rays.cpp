@@ -1,17 +1,13 @@
 // From the file to the report: which way, on which ranks.
 #include "run/rays/rays.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "engine/campaign.hpp"
 #include "nodes/wedged/ray_search.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/precise_compliance.hpp"
@@ -26,6 +22,8 @@
 
 namespace kusabi::run {
 namespace {
+
+using wedged::RayMethod;
 
 class Rays final : public Subcommand {
  public:
@@ -49,9 +47,9 @@ class Rays final : public Subcommand {
   std::vector<double> friction_;
   std::optional<rays::ReactionCone> cone_;
   RayMethod method_ = RayMethod::automatic;
-  std::optional<wedged::RayFindings> found_;  // on rank 0
+  wedged::RayFindings found_;  // on rank 0
 
-  [[nodiscard]] bool whole() const { return found_->status == engine::Status::solved; }
+  [[nodiscard]] bool whole() const { return found_.status == engine::Status::solved; }
 };
 
 void Rays::describe(OptionTable& table) {
@@ -118,7 +116,7 @@ void Rays::search(CommandRun& run) {
 }
 
 std::vector<Step> Rays::results(CommandRun& run) {
-  const auto report = std::make_shared<RaysReport>(options_, problem_, *cone_, *found_);
+  const auto report = std::make_shared<RaysReport>(options_, problem_, *cone_, found_);
   // All is written in one pass over the rays, so that their numbers are made only once.
   const auto table = std::make_shared<std::ostringstream>();
   const auto write = [&run, report, table](JsonWriter* json) {
@@ -144,7 +142,7 @@ Verdict Rays::verdict(CommandRun& /*run*/) {
   if (whole()) return {};
   return {{fmt::format("stopped early ({}): the list of rays is not complete, and no cones are "
                        "made of it",
-                       status_name(found_->status))},
+                       status_name(found_.status))},
           stopped_early};
 }
 
