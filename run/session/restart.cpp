@@ -1,4 +1,4 @@
-// Checkpoints found, refused and pointed at.
+// Checkpoints found and refused.
 #include "run/session/restart.hpp"
 
 #include <cerrno>
