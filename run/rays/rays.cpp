@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "run/wedged/whole_state_json.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -43,6 +45,7 @@ class Rays final : public Subcommand {
  private:
   RaysOptions options_;
   std::string text_;
+  problems::Structure structure_;
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
   std::optional<rays::ReactionCone> cone_;
@@ -64,6 +67,11 @@ void Rays::describe(OptionTable& table) {
   table.output();
   table.output("--csv", "write the rays to this file, a line each");
   table.output("--dot", "write the cross-complementarity graph to this file, for Graphviz");
+  table
+      .flag("--whole", options_.whole,
+            "write all displacements and support reactions of each ray, too: a result file some "
+            "times as large")
+      .needs("--output");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.quiet();
@@ -84,8 +92,8 @@ void Rays::read(CommandRun& run) {
 
 void Rays::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  const auto structure = problems::read_structure(text_, options_.file);
-  problem_ = problems::wedged_problem(structure);
+  structure_ = problems::read_structure(text_, options_.file);
+  problem_ = problems::wedged_problem(structure_);
   agree(run.session(), problem_);
   if (problem_.dimension != 2) {
     throw WrongInput(fmt::format(
@@ -94,7 +102,7 @@ void Rays::prepare(CommandRun& run) {
         options_.file));
   }
   friction_ = friction_at(problem_, options_.friction, options_.file);
-  cone_.emplace(problems::precise_compliance(structure), friction_);
+  cone_.emplace(problems::precise_compliance(structure_), friction_);
   method_ = wedged::chosen_method(options_.method, options_.limits, cone_->candidates());
 }
 
@@ -116,7 +124,10 @@ void Rays::search(CommandRun& run) {
 }
 
 std::vector<Step> Rays::results(CommandRun& run) {
-  const auto report = std::make_shared<RaysReport>(options_, problem_, *cone_, found_);
+  std::optional<WholeStateJson> whole;
+  if (options_.whole) whole.emplace(structure_, problem_);
+  const auto report =
+      std::make_shared<RaysReport>(options_, problem_, *cone_, found_, std::move(whole));
   // All is written in one pass over the rays, so that their numbers are made only once.
   const auto table = std::make_shared<std::ostringstream>();
   const auto write = [&run, report, table](JsonWriter* json) {

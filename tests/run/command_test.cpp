@@ -231,6 +231,46 @@ TEST_F(Command, AWrongFileIsReportedOnceByAllRanksTogether) {
   EXPECT_EQ(run.output.find("none.toml: the file cannot be read", first + 1), std::string::npos);
 }
 
+// W (4) and (5): what the obstacle pushes, the supports hold.
+TEST_F(Command, WritesWhatAConfigurationDoesToTheWholeStructure) {
+  const auto plane = quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
+  for (const std::string& call : {" patterns " + plane + " --mu 1", " critical " + plane,
+                                 " rays " + plane + " --mu 1 --whole"}) {
+    ASSERT_EQ(shell(command + call + " --quiet --output " + argument("all.json")).exit_code, 0);
+    const auto json = nlohmann::json::parse(content(in_folder("all.json")));
+    const auto& result = json["result"];
+    const auto& configurations = result.contains("rays") ? result["rays"] : result["patterns"];
+    ASSERT_FALSE(configurations.empty());
+    for (const auto& each : configurations) {
+      EXPECT_LE(each["imbalance"], 1e-12) << call;
+      std::array<double, 2> sum{};
+      double size = 0;
+      const auto& frames = json["problem"]["contact"];
+      for (std::size_t i = 0; i < frames.size(); ++i) {
+        const auto& frame = frames[i];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          const double n = frame["n"][axis];
+          const double t = frame["t1"][axis];
+          const double force =
+              each["reaction"][i][0].get<double>() * n + each["reaction"][i][1].get<double>() * t;
+          sum[axis] += force;
+          size += std::abs(force);
+          // The candidate's own displacement, in global axes.
+          const double u = each["displacement"][i][0].get<double>() * n +
+                           each["displacement"][i][1].get<double>() * t;
+          const double whole = each["all_displacements"][frame["node"].get<std::string>()][axis];
+          EXPECT_NEAR(u, whole, 1e-9 * (std::abs(u) + 1));
+        }
+      }
+      EXPECT_EQ(each["support_reactions"].size(), 5U);
+      for (const auto& support : each["support_reactions"]) {
+        for (std::size_t axis = 0; axis < 2; ++axis) sum[axis] += support[axis].get<double>();
+      }
+      EXPECT_LE(std::abs(sum[0]) + std::abs(sum[1]), 1e-12 * size) << call;
+    }
+  }
+}
+
 // One line each, which says what is wrong and what was expected.
 TEST_F(Command, RefusesWrongCalls) {
   const std::string good = "patterns " + truss + " --mu 0.5";
