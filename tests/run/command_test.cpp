@@ -350,7 +350,9 @@ TEST_F(Command, DoesNotOverwriteTheProblemWithTheResult) {
   fs::create_symlink("truss.toml", in_folder("link"));
   const auto call = command + " patterns " + argument("truss.toml") + " --mu 0.5 --output ";
   for (const auto* other_name : {"truss.toml", "./truss.toml", "link"}) {
-    EXPECT_EQ(shell(call + argument(other_name)).exit_code, 2) << other_name;
+    const auto run = shell(call + argument(other_name));
+    EXPECT_EQ(run.exit_code, 2) << other_name;
+    EXPECT_THAT(run.output, HasSubstr(other_name + std::string(": is the problem file itself\n")));
     EXPECT_EQ(content(in_folder("truss.toml")), content(truss_file)) << other_name;
   }
   EXPECT_EQ(files(), (std::vector<std::string>{"link", "truss.toml"}));
@@ -530,7 +532,9 @@ TEST_F(Command, StopsAtALimitAndGoesOnFromItsCheckpoint) {
   EXPECT_LT(json["result"]["count"], 251);
 
   // Started again as if new, it does not overwrite what the night has brought.
-  EXPECT_EQ(shell(call + quoted(part) + " --checkpoint " + argument("state")).exit_code, 2);
+  const auto anew = shell(call + quoted(part) + " --checkpoint " + argument("state"));
+  EXPECT_EQ(anew.exit_code, 2);
+  EXPECT_THAT(anew.output, HasSubstr("exists already; expected --restart " + in_folder("state")));
   // It is the checkpoint of another tree.
   const auto other =
       shell(command + " patterns " + truss + " --mu 0.9 --restart " + argument("state"));
@@ -781,7 +785,11 @@ TEST_F(Command, ACertificateGoesOnFromACheckpoint) {
   EXPECT_THAT(stopped.output, HasSubstr("what is proved so far is in " + in_folder("cert.part.*")));
   EXPECT_THAT(files(), testing::IsSupersetOf({"cert.part.1.0", "cert.part.1.1"}));
   // Not as if nothing had been, not under another name, and not of another tree.
-  EXPECT_EQ(shell(call + with).exit_code, 2);
+  const auto anew = shell(call + with);
+  EXPECT_EQ(anew.exit_code, 2);
+  EXPECT_THAT(anew.output, HasSubstr("is in the way, a part of a search that did not end; "
+                                     "expected --restart " +
+                                     in_folder("state")));
   const auto rest = " --restart " + argument("state");
   const auto other = shell(call + rest + " --certificate " + argument("other"));
   EXPECT_EQ(other.exit_code, 2);
@@ -1065,7 +1073,9 @@ TEST_F(Command, RefusesRaysInSpaceAndSaysWhatToUse) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.output, HasSubstr("dimension is 3; expected 2"));
   EXPECT_THAT(run.output, HasSubstr("use kusabi patterns instead\n"));
-  EXPECT_EQ(shell(ranks(2) + command + " rays " + truss + " --mu 0.65").exit_code, 2);
+  const auto on_two = shell(ranks(2) + command + " rays " + truss + " --mu 0.65");
+  EXPECT_EQ(on_two.exit_code, 2);
+  EXPECT_THAT(on_two.output, HasSubstr("dimension is 3; expected 2"));
 }
 
 TEST_F(Command, StopsTheTreeOfRaysAtALimitWithAPartialAnswer) {
@@ -1225,7 +1235,9 @@ TEST_F(Command, WritesGridsThatItReads) {
   shell(command + " example grid --bays 3 --output " + argument("grid.toml"));
   const auto run = shell(command + " limit " + argument("grid.toml") + " --alpha 20");
   EXPECT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_EQ(shell(command + " example grid --bays 1").exit_code, 2);
+  const auto wrong = shell(command + " example grid --bays 1");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("a grid of 1 bays; expected 2 to 100"));
 }
 
 }  // namespace
