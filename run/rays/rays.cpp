@@ -58,12 +58,13 @@ class Rays final : public Subcommand {
 void Rays::describe(OptionTable& table) {
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table.number("--mu", &options_.friction, above(0), "friction coefficient").required();
-  table.choice("--method", options_.method,
-               {{"auto", RayMethod::automatic},
-                {"double-description", RayMethod::double_description},
-                {"tree", RayMethod::tree}},
-               "Algorithm 4.2 on one rank, pattern by pattern on all ranks, or whichever suits the "
-               "size; both give the same rays");
+  table.choice(
+      "--method", options_.method,
+      {{"auto", RayMethod::automatic},
+       {"double-description", RayMethod::double_description},
+       {"tree", RayMethod::tree}},
+      "Algorithm 4.2 on one rank, pattern by pattern on all ranks, or the first and, if that "
+      "takes too much memory, the second: the same rays");
   table.output();
   table.output("--csv", "write the rays to this file, a line each");
   table.output("--dot", "write the cross-complementarity graph to this file, for Graphviz");
@@ -103,7 +104,7 @@ void Rays::prepare(CommandRun& run) {
   }
   friction_ = friction_at(problem_, options_.friction, options_.file);
   cone_.emplace(problems::precise_compliance(structure_), friction_);
-  method_ = wedged::chosen_method(options_.method, options_.limits, cone_->candidates());
+  method_ = wedged::first_method(options_.method, options_.limits);
 }
 
 std::string Rays::announcement(const std::string& ranks) const {
@@ -116,11 +117,8 @@ std::string Rays::announcement(const std::string& ranks) const {
 }
 
 void Rays::search(CommandRun& run) {
-  // Double description has nothing to show before its end, so a signal ends it at once.
-  engine::Campaign campaign(run.session().transport(),
-                            method_ == RayMethod::tree ? supervision(options_.limits, run.quiet())
-                                                       : engine::Supervision{});
-  found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, method_);
+  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, options_.method);
 }
 
 std::vector<Step> Rays::results(CommandRun& run) {
