@@ -14,7 +14,6 @@ namespace kusabi::run {
 namespace {
 
 using nlohmann::ordered_json;
-using rays::Candidates;
 
 /// A table of more rays or cones is for programs: --output and --csv have them all.
 constexpr std::size_t longest_table = 60;
