@@ -1,6 +1,6 @@
 // How many nodes the sign-pattern tree needs for a pattern, under one rule of branching or another:
-// those that the program has, and those that were tried and did not pay (docs/theory.md). Then
-// what polyhedral friction makes of it (Algorithm 5.8), and how well the time left is guessed.
+// those that the program has, and those that were tried and did not pay (docs/theory/wedged.md).
+// Then what polyhedral friction makes of it (Algorithm 5.8), and how well the time left is guessed.
 //
 // Nodes and cone programs are the same on any machine; CPU seconds are not.
 #include <algorithm>

@@ -10,6 +10,7 @@ configure_package_config_file(cmake/kusabiConfig.cmake.in ${PROJECT_BINARY_DIR}/
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kusabiConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/kusabiConfig.cmake ${PROJECT_BINARY_DIR}/kusabiConfigVersion.cmake
+  cmake/FindGLPK.cmake cmake/FindQD.cmake
   DESTINATION ${package})
 
 # Laid out as in the source tree, so that the links of one page to another hold.

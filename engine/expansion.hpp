@@ -12,7 +12,8 @@
 
 namespace kusabi::engine {
 
-/// How much is guessed to be below a first child of a node of `P` (Uneven in engine/problem.hpp).
+/// The work below the first child of a node of `P`, relative to that below each other child, for
+/// the progress estimate (Uneven in engine/problem.hpp).
 template <class P>
 struct WorkOf {
   static constexpr double of_first_child = [] {
@@ -64,8 +65,8 @@ class Expansion {
     return incumbent_.rules_out_more(bound, open_.place());
   }
 
-  /// Lets the rank answer its messages. For an `expand` that takes longer than about a
-  /// millisecond: call it now and then, so that others need not wait for work.
+  /// Lets the rank answer its messages. An `expand` that takes longer than about a millisecond
+  /// should call it now and then, so that other ranks need not wait for work.
   void poll() { serve_(); }
 
   /// The path of the node being expanded.

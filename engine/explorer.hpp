@@ -47,8 +47,8 @@ class Explorer {
   using Node = typename P::Node;
   using Solution = typename P::Solution;
 
-  /// All that a rank must keep to go on later. Frontiers of several ranks may meet on one when a
-  /// search goes on with fewer: each is a bundle of its own, since each has its own trail.
+  /// All that a rank must keep to go on later. When a search goes on with fewer ranks, one rank
+  /// gets the open nodes of several: a bundle for each, since each has its own trail.
   struct State {
     std::vector<Bundle<Node>> bundles;
     std::vector<Found<P>> found;
@@ -172,7 +172,7 @@ class Explorer {
   }
 
   /// Takes note of a solution that another rank has. @return true if it is better than the best
-  /// known here; the own one, if any, is then of no more use.
+  /// known here; a solution kept here is then dropped.
   bool learn(const Incumbent& news) {
     if (!news.better_than(incumbent_)) return false;
     incumbent_ = news;
@@ -189,7 +189,8 @@ class Explorer {
   [[nodiscard]] const std::vector<Found<P>>& found() const { return found_; }
   [[nodiscard]] double closed() const { return closed_; }
 
-  /// Nodes opened here, their fingerprint, solutions, nodes pruned, most open nodes.
+  /// Of this rank: nodes opened, their mark sum, solutions found, nodes pruned, most nodes that
+  /// were open at one time.
   [[nodiscard]] RankStatistics& statistics() {
     statistics_.peak_open = std::max<std::uint64_t>(statistics_.peak_open, frontier_.peak());
     return statistics_;

@@ -20,7 +20,7 @@
 
 namespace kusabi::engine {
 
-/// All children of a node are guessed to have as much below them.
+/// For the progress estimate: all children of a node have the same amount of work below them.
 struct EqualWork {
   static constexpr double of_first_child = 1;
 };
@@ -106,7 +106,7 @@ class Frontier {
     for (const auto& open : nodes_) look(open.node);
   }
 
-  /// A copy of all that is open, with the trail it hangs on.
+  /// A copy of all open nodes, with the trail above them.
   /// @pre not empty()
   [[nodiscard]] Bundle<Node> all() const {
     const auto deepest = static_cast<std::ptrdiff_t>(nodes_.back().depth);
@@ -120,7 +120,7 @@ class Frontier {
     return {{trail_.begin(), trail_.begin() + deepest}, nodes_.take_all()};
   }
 
-  /// What the node opened last adds to the fingerprint.
+  /// What the node opened last adds to the mark sum of the search.
   [[nodiscard]] std::uint64_t mark() const { return mark_; }
 
   /// How many children the node opened last has so far.
@@ -158,8 +158,8 @@ class Frontier {
   };
   [[nodiscard]] Place place() const { return Place(*this); }
 
-  /// Whether there is something to give: one node must be left.
-  /// Children that the current expansion is still adding are not up for giving.
+  /// Whether a node can be given away such that one is left here. Children that the current
+  /// expansion is still adding cannot be given yet.
   [[nodiscard]] bool can_give() const { return first_child_ >= 2; }
 
   /// Takes out every other node from the shallowest on, so half of what there is; fewer if they

@@ -48,7 +48,7 @@ class Heap {
   /// @pre not empty()
   Bundle<Node> take() { return bundle_of(remove_best()); }
 
-  /// Whether one node can go and one is left.
+  /// Whether a node can be given away such that one is left here.
   [[nodiscard]] bool can_give() const { return entries_.size() >= 2; }
 
   /// Takes out the second best, the fourth, the sixth …: at most half of what there is, and no more

@@ -26,10 +26,10 @@ struct Incumbent {
   }
 
   /// Whether nothing below a node, whose solutions have objectives of `bound` or more, can be
-  /// better. (A path that is greater without being a continuation has only greater ones below it;
-  /// so has a continuation.)
-  /// @param place what the own path compares with by <=>: the node's path, or (since it is looked
-  ///   at on ties only) something that knows it
+  /// better. (If the node's path is not smaller than that of the best solution, all paths below it
+  /// are greater.)
+  /// @param place the node's path, or anything in its place that a path can be compared with by
+  ///   <=>: it is looked at only if the objectives are equal
   /// @throws std::domain_error if the bound is not a number
   template <class Place = Path>
   [[nodiscard]] bool rules_out(double bound, const Place& place) const {

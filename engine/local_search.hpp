@@ -13,8 +13,8 @@
 
 namespace kusabi::engine {
 
-/// The nodes, the solutions and the reports of one rank. Called some times a step, never for a
-/// node.
+/// The nodes, the solutions and the reports of one rank. The protocol calls it a few times in each
+/// step, never once a node.
 class LocalSearch {
  public:
   LocalSearch() = default;
@@ -64,7 +64,7 @@ class LocalSearch {
   [[nodiscard]] virtual Bytes state() = 0;
   virtual void restore(const Bytes& state) = 0;
   /// Nodes opened in the runs that this one goes on from, as far as they are known here, and their
-  /// fingerprint.
+  /// mark sum.
   struct Before {
     std::uint64_t opened = 0;
     std::uint64_t fingerprint = 0;

@@ -17,11 +17,12 @@
 
 namespace kusabi::engine {
 
-/// One node of the trail. What follows from its children is of no meaning before all are branched.
+/// One node of the trail. `branches` and `share_of_each` are valid only after Frontier::close(),
+/// when all of its children are known.
 struct Step {
   std::uint32_t branch = 0;    ///< which child of the step above; of no meaning at the root
   std::uint32_t branches = 0;  ///< how many children this node has
-  std::uint64_t hash = 0;      ///< of the path that ends here; its children's marks need it
+  std::uint64_t hash = 0;      ///< of the path that ends here; the children's marks are made of it
   double share_of_each = 0;    ///< of its children, of the whole tree; the first has Work times it
 
   template <class Archive>
@@ -53,7 +54,7 @@ struct OpenNode {
   }
 };
 
-/// Nodes taken out of where they waited, with the part of the trail that they hang on.
+/// Nodes taken out of a frontier or heap, with the part of the trail above them.
 template <class Node>
 struct Bundle {
   std::vector<Step> trail;            ///< from the root down to the parent of the deepest node

@@ -85,12 +85,13 @@ struct Options {
   /// Nodes opened between two looks at the messages; 0: as many as take 10 to 20 microseconds.
   unsigned nodes_per_step = 0;
 
-  /// How many nodes a rank keeps in the order of their bounds (but for a few). When there are more,
-  /// it dives: it searches depth first below the best of them, which adds no more than depth x
+  /// How many nodes a rank keeps in the order of their bounds, roughly. When it has more, it
+  /// dives: it searches depth first below the best of them, which adds no more than depth x
   /// branching nodes at any time.
   std::size_t heap_nodes = 100'000;
 
-  /// Upper limit, in bytes, that the engine aims at for one message.
+  /// The size, in bytes, above which the engine splits what it sends. A single node, solution or
+  /// tally is sent whole.
   std::size_t message_bytes = std::size_t{64} * 1024;
 
   /// Share of the nodes, 0 to 1, that are opened twice to see whether `expand` depends on the node

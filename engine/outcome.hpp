@@ -71,8 +71,8 @@ struct Outcome {
     return total;
   }
 
-  /// The sum of the path marks of all opened nodes: equal for two searches of one tree if and only
-  /// if (but for a chance of 2^-64) both opened the same nodes, each once.
+  /// The mark sum: the sum of the path marks of all opened nodes. Two searches of one tree have
+  /// the same one if and only if (but for a chance of 2^-64) both opened the same nodes, each once.
   [[nodiscard]] std::uint64_t fingerprint() const {
     return sum([](const RankStatistics& rank) { return rank.fingerprint; });
   }

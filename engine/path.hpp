@@ -1,8 +1,9 @@
-// Where a node hangs in the tree: the branch numbers from the root down.
+// Where a node is in the tree: the branch numbers from the root down.
 //
 // A path serves three ends. Its lexicographic order is the order in which a depth-first search on
 // one rank meets the nodes, so sorting by it makes every answer independent of the schedule. Its
-// 64-bit mark goes into the fingerprint of a search. And it names a node in an error message.
+// 64-bit mark goes into the mark sum of a search, which shows that every node was opened once. And
+// it names a node in an error message.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ using Path = std::vector<std::uint32_t>;
 /// The mark of the root. Any odd constant would do; this is 2^64 divided by the golden ratio.
 inline constexpr std::uint64_t root_mark = 0x9E3779B97F4A7C15U;
 
-/// What branch number `branch` of a node adds to the fingerprint: the first half of a round of
+/// What branch number `branch` of a node adds to the mark sum: the first half of a round of
 /// Stafford's 64-bit mixer. Sums of marks of two different sets of nodes agree by chance only.
 constexpr std::uint64_t branch_mark(std::uint64_t parent_hash, std::uint32_t branch) {
   const std::uint64_t bits = parent_hash + (std::uint64_t{branch} + 1) * root_mark;

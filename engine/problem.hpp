@@ -51,8 +51,8 @@ struct NoTally {
   void serialize(Archive& /*archive*/, unsigned /*version*/) {}
 };
 
-/// A problem that knows how much is usually below a node's first child, if below each of the others
-/// is 1. Only what a person is told of the progress depends on it.
+/// A problem that says how much work is usually below a node's first child, in units of the work
+/// below each other child. Used only for the progress estimate.
 template <class P>
 concept Uneven = Problem<P> && requires {
   { P::work_of_first_child } -> std::convertible_to<double>;

@@ -1,4 +1,4 @@
-// What all ranks know together: the content of one survey wave.
+// The content of one survey wave: what each rank says of itself, added up over all ranks.
 //
 // From time to time every rank hands in its own survey, and a reduction adds them up for all of
 // them. The end of the search, the progress that a person sees, and whatever else concerns all

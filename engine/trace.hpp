@@ -28,7 +28,7 @@ struct TraceEvent {
     refusal_arrived,  ///< `peer` has none to spare
     gift_sent,        ///< gave `peer` a number of nodes: `value`
     gift_arrived,     ///< got as many from `peer`
-    parcel_sent,      ///< the same for a rank that once pleaded for nodes
+    parcel_sent,      ///< gave, unasked, to a rank that had left its name (lifelines.hpp)
     parcel_arrived,
     improved,  ///< found a solution better than the best known here
     survey_joined,

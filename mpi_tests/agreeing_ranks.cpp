@@ -4,6 +4,7 @@
 #include <cstring>
 #include <exception>
 
+#include "engine/together.hpp"
 #include "run/session/session.hpp"
 
 int main(int argc, char** argv) {
@@ -11,8 +12,8 @@ int main(int argc, char** argv) {
   const bool different = argc > 1 && std::strcmp(argv[1], "different") == 0;
   const bool last = session.transport().rank() == session.ranks() - 1;
   try {
-    session.agree(different && last ? 0xBAD : 0x900D);
-  } catch (const kusabi::run::Disagreement& error) {
+    kusabi::engine::agree(session.transport(), different && last ? 0xBAD : 0x900D);
+  } catch (const kusabi::engine::Disagreement& error) {
     if (session.speaks()) std::printf("%s\n", error.what());
     return 0;
   }

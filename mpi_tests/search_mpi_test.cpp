@@ -124,6 +124,7 @@ TEST(MpiSearch, EveryRankOpensAFairShareInLockStep) {
     std::optional<Message> receive() override { return wires_.receive(); }
     void join_survey(const Survey& own) override { wires_.join_survey(own); }
     std::optional<Survey> survey() override { return wires_.survey(); }
+    void broadcast(Bytes& bytes) override { wires_.broadcast(bytes); }
     void abandon(const std::string& reason) override { wires_.abandon(reason); }
 
     /// True if all ranks are done.

@@ -120,9 +120,9 @@ std::optional<std::string> BlockProof::refusal_of_dead(std::uint64_t contact,
                                                        std::span<const double> multipliers) const {
   if (separated == ~std::uint64_t{0} >> (64 - candidates())) return {};  // r = 0, nothing else
   const auto all = first_numbers(block_.stiffness.middle.size);
-  std::vector<double> lambda(all.size(), 0);
-  for (std::size_t i = 0; i < candidates(); ++i) lambda[block_.dimension * i] = multipliers[i];
-  return guess(*factor_, all, DyadicList(lambda), [&](const auto& w, const auto& nu) {
+  std::vector<double> y(all.size(), 0);
+  for (std::size_t i = 0; i < candidates(); ++i) y[block_.dimension * i] = multipliers[i];
+  return guess(*factor_, all, DyadicList(y), [&](const auto& w, const auto& nu) {
     return check_dead(contact, separated, w, nu);
   });
 }

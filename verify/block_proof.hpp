@@ -1,6 +1,6 @@
 // The proofs of one block of contact candidates: that its K is positive definite, that nothing is
 // wedged below a dead node, and that a living leaf has a configuration; for every K that an
-// enclosure holds. docs/theory.md, section 4, has the same letters.
+// enclosure holds. docs/theory/proofs.md has the same letters.
 #pragma once
 
 #include <cstddef>

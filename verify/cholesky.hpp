@@ -30,8 +30,9 @@ class Cholesky {
   std::vector<double> lower_;
 };
 
-/// A lower bound s > 0 of the least eigenvalue of a symmetric matrix, proved: docs/theory.md,
-/// section 4. @return nothing if it is not definite, or too near to it to be shown so by doubles
+/// A lower bound s > 0 of the least eigenvalue of a symmetric matrix, proved:
+/// docs/theory/proofs.md, "K is positive definite". @return nothing if it is not definite, or too
+/// near to it to be shown so by doubles
 /// @param matrix the entries of its profile
 std::optional<Dyadic> least_eigenvalue(const Profile& profile, const DyadicList& matrix);
 

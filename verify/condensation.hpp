@@ -1,6 +1,6 @@
 // K of equations (3) and (6) of the wedged paper, computed from a structure anew and enclosed: a
 // matrix of some 160 digits and a proved bound of its distance from the K that the structure has.
-// docs/theory.md, section 4, derives it.
+// docs/theory/proofs.md derives it.
 #pragma once
 
 #include <string>

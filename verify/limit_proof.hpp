@@ -1,6 +1,6 @@
-// The proofs of a certificate of a worst-case limit load, in exact arithmetic. docs/theory.md,
-// section 8, derives what is checked here, with the same letters; nothing of the solver is used,
-// and nothing that it says is believed.
+// The proofs of a certificate of a worst-case limit load, in exact arithmetic.
+// docs/theory/proofs.md derives what is checked here, with the same letters; nothing of the solver
+// is used, and nothing that it says is believed.
 #pragma once
 
 #include <cstddef>

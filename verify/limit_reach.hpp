@@ -1,5 +1,5 @@
 // What it takes to put forces right that are not quite in equilibrium: a defect of 1e-16 at a joint
-// is carried off by members that have a little slack. docs/theory.md, section 8, derives it.
+// is carried off by members that have a little slack. docs/theory/proofs.md derives it.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 """The cone program of a leaf in 80 digits: its sign, its value, and what is at rest in it.
 
-The program is (P) of docs/theory.md, section 2. Its equations are eliminated exactly (up to 80 digits), and what is left
+The program is (P) of docs/theory/wedged.md. Its equations are eliminated exactly (up to 80 digits), and what is left
 has an interior, so that a plain logarithmic barrier with Newton's method serves, in the plane and in space. It is slow
 and simple; both is wanted of what others are judged by.
 """

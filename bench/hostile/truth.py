@@ -3,7 +3,7 @@
     python3 bench/hostile/truth.py tests/cases
 
 Nothing in it is copied from an output of `kusabi`. `exit` is the exit code; in the list of a block, margins are t* in the
-unit of the block (docs/theory.md, section 2), right to four digits; a critical coefficient is a bracket of the truth. In
+unit of the block (docs/theory/wedged.md), right to four digits; a critical coefficient is a bracket of the truth. In
 `cones` of rays, `contact` is without the idle candidates.
 """
 

@@ -120,7 +120,12 @@ void MpiTransport::broadcast(Bytes& bytes) {
   auto length = static_cast<unsigned long long>(bytes.size());
   MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, messages_);
   bytes.resize(length);
-  MPI_Bcast(bytes.data(), message_length(bytes), MPI_BYTE, 0, messages_);
+  // MPI counts in int; what rank 0 has read may be longer.
+  constexpr std::size_t most = std::size_t{1} << 30U;
+  for (std::size_t from = 0; from < bytes.size(); from += most) {
+    MPI_Bcast(bytes.data() + from, static_cast<int>(std::min(most, bytes.size() - from)), MPI_BYTE,
+              0, messages_);
+  }
 }
 
 }  // namespace kusabi::engine

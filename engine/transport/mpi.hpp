@@ -50,8 +50,7 @@ class MpiTransport final : public Transport {
   /// computation could not be told in any other way.
   [[noreturn]] void abandon(const std::string& reason) override;
 
-  /// Gives every rank the bytes of rank 0. Blocks; not for use during a search.
-  void broadcast(Bytes& bytes);
+  void broadcast(Bytes& bytes) override;
 
  private:
   struct Outgoing {

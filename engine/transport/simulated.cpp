@@ -22,6 +22,9 @@ class SimulatedTransport final : public Transport {
   std::optional<Message> receive() override { return network_.receive(rank_); }
   void join_survey(const Survey& own) override { network_.join_survey(rank_, own); }
   std::optional<Survey> survey() override { return network_.survey(rank_); }
+  void broadcast(Bytes& /*bytes*/) override {
+    ensure(false, "simulated ranks do nothing but search: all of them run in one thread");
+  }
   void abandon(const std::string& /*reason*/) override {}
 
  private:

@@ -28,6 +28,8 @@ class SingleProcess final : public Transport {
   void join_survey(const Survey& own) override { wave_ = own; }
   std::optional<Survey> survey() override { return std::exchange(wave_, std::nullopt); }
 
+  void broadcast(Bytes& /*bytes*/) override {}
+
   void abandon(const std::string& /*reason*/) override {}
 
  private:

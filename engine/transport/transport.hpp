@@ -29,7 +29,7 @@ struct Message {
   Bytes body;
 };
 
-/// One rank's end of the wires. No call blocks.
+/// One rank's end of the wires. No call blocks but `broadcast`, which no search makes.
 ///
 /// Guarantees: a message that was sent arrives once; two messages of one tag between the same two
 /// ranks arrive in the order in which they were sent. Nothing is promised of any others.
@@ -58,6 +58,10 @@ class Transport {
 
   /// The merged survey, once, when the wave that this rank joined is complete.
   virtual std::optional<Survey> survey() = 0;
+
+  /// Gives every rank the bytes of rank 0; each makes the call, and waits in it. Not for use during
+  /// a search, whose messages would wait as well.
+  virtual void broadcast(Bytes& bytes) = 0;
 
   /// Called when the search cannot go on on this rank. Ends the other ranks if they run elsewhere
   /// (and then does not return); returns if the exception at hand can be thrown to the caller.

@@ -59,7 +59,8 @@ class Master {
   /// ten times that and so on, until the proof holds for the true ones with room for rounding.
   /// The bound is lower by about as much. Members that equilibrium leaves no choice (an idle cable)
   /// keep theirs.
-  /// @param for_all those as well: it is by the size of motions that they are told, which may err
+  /// @param for_all those as well: which members have no choice is guessed from the size of
+  ///        motions, and the guess may be wrong
   /// @return false if the simplex method fails
   bool make_room(double first, bool for_all = false);
 

@@ -3,9 +3,9 @@
 // For the free displacement u_e let y be member forces and k a factor with B y - k f_R = e_e. Then
 // |u_e| = |y'B'u - k f_R'u| <= |y|'z + |k| for every (u, z) of (14), and so
 //   gamma_j <= weight_j (|y|'z + |k|).
-// The best cut at z is a linear program: min sum_i z_i |y_i| + |k|. Its dual,
-// max { v_e : |B'v| <= z, |f_R'v| <= 1 }, says what the cuts leave: each gamma_j may take a motion
-// of its own within the elongations z.
+// The best cut at z is a linear program: min sum_i z_i |y_i| + |k|. Its dual is max { v_e : |B'v|
+// <= z, |f_R'v| <= 1 }: with all cuts, each gamma_j may still be the displacement of a motion of
+// its own within the elongations z.
 #pragma once
 
 #include <cstdint>

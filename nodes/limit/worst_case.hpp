@@ -96,8 +96,8 @@ inline constexpr double first_room = 1e-11;
 /// How much the point leaves |u_e| and gamma_j apart, for each column of T, times its weight.
 Eigen::VectorXd looseness(const problems::LimitModel& model, const Relaxed& point);
 
-/// z as pricing should see it: members that do not move cost a little, or their forces in the cuts
-/// would be arbitrary.
+/// The weights of the pricing programs: z plus `share` of its mean, so that the forces of members
+/// that do not move are determined in the cuts.
 Eigen::VectorXd pricing_aim(const Eigen::VectorXd& z, double share);
 
 }  // namespace kusabi::limit

@@ -12,8 +12,10 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
+#include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 
@@ -36,7 +38,7 @@ class PatternBisection {
   struct Node {
     std::uint32_t first = 0, count = 0;  ///< a range of patterns
     CriticalCell cell;                   ///< of its one pattern
-    bool claimed = true;                 ///< whether the change is known to lie within the cell
+    bool claimed = true;  ///< whether the pattern is known to begin to live within the cell
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
@@ -45,13 +47,10 @@ class PatternBisection {
   };
   using Solution = CriticalPattern;
 
-  struct Tally {
+  struct Tally : engine::Counts<Tally> {
     std::uint64_t programs = 0;  ///< cone programs solved
 
-    template <class Archive>
-    void serialize(Archive& archive, unsigned /*version*/) {
-      archive& programs;
-    }
+    static constexpr auto fields() { return std::tuple{field("programs", &Tally::programs)}; }
   };
 
   /// A leaf of a block's tree at the coefficient `start` x width.

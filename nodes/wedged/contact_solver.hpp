@@ -6,8 +6,8 @@
 //
 // A node is solved in doubles first. Where they leave its sign open, or its value to fewer than
 // three digits where that is asked for, the same program is solved again in long double precision
-// and then in 104 bits, with an F that has as many digits (docs/theory.md, section 3). All bounds
-// hold for the F of the structure, whatever they were computed with.
+// and then in 104 bits, with an F that has as many digits (docs/theory/wedged.md, "More digits").
+// All bounds hold for the F of the structure, whatever they were computed with.
 #pragma once
 
 #include <cstdint>
@@ -47,11 +47,11 @@ class ContactSolver {
   conic::Answer solve(std::uint64_t contact, std::uint64_t separated, conic::StopEarly stop,
                       std::uint64_t ignored = 0);
 
-  /// Who is loaded and who moves at a point of the relative interior of the solutions of a node
-  /// whose t* is zero up to the tolerance:
+  /// Which candidates have a reaction, and which a gap, at a point of the relative interior of the
+  /// solutions of a node whose t* is zero up to the tolerance:
   ///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
-  /// That point is then reaction() and displacement(); multipliers() are zero. Nothing if t* is not
-  /// zero, or numbers that vanish cannot be told from those that do not.
+  /// That point is then reaction() and displacement(); multipliers() are zero. Nothing if t* is
+  /// not zero, or if it cannot be told of each reaction and gap whether it vanishes.
   std::optional<conic::RelativeInterior> relative_interior(std::uint64_t contact,
                                                            std::uint64_t separated,
                                                            std::uint64_t ignored = 0);
@@ -98,7 +98,7 @@ class ContactSolver {
   template <class Real>
   void climb(Rung<Real>& rung, int number, std::uint64_t contact, std::uint64_t separated,
              std::uint64_t ignored, conic::StopEarly stop, conic::Answer& answer);
-  /// Who moves if nothing but these reactions acts.
+  /// Which candidates move if these have reactions and no others.
   [[nodiscard]] std::uint64_t moved_by(std::uint64_t loaded) const;
   [[nodiscard]] bool is_open(const conic::Answer& answer, conic::StopEarly stop) const;
 

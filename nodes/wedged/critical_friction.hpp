@@ -3,7 +3,8 @@
 // t* of the node program (23) does not fall when friction grows, since the cones grow. What the
 // cone solver leaves behind at one coefficient says something of all others: its multipliers prove
 // the node dead below a certain coefficient, its configuration proves it alive from a certain one
-// on, and both together give the slope of t*, hence Newton's method. docs/theory.md, section 6.
+// on, and both together give the slope of t*, hence Newton's method. docs/theory/wedged.md,
+// "Critical friction".
 //
 // All coefficients here are factors of the candidates' own: mu_i = factor x phi_i.
 #pragma once
@@ -88,11 +89,13 @@ class CriticalFriction {
   /// Whether the pattern is proved dead at a point of the grid (x width).
   bool dead(const SignPattern& pattern, std::int64_t point);
 
-  /// A cell whose upper end is not dead, with an upper end that is alive; `most` is known to be.
+  /// Moves the cell's upper end up, by steps that double, to a grid point that is proved alive.
+  /// @pre `most` is alive
   CriticalCell alive_from(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
 
-  /// Below this the node is dead, up to a few digits: a lower bound for all nodes below it.
-  /// @param from what is known already  @param cutoff further than this nobody asks
+  /// A coefficient below which the node, and so all nodes below it, is proved dead; nearly the
+  /// largest such. @param from a bound known already @param cutoff the search for a larger bound
+  /// ends here
   double bound(const SignPattern& node, double from, double cutoff);
 
   /// What was solved last.

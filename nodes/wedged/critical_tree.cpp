@@ -12,16 +12,6 @@ constexpr double rounding = 1e-15;
 
 }  // namespace
 
-CriticalTree::Tally& CriticalTree::Tally::operator+=(const Tally& other) {
-  branched += other.branched;
-  dead += other.dead;
-  leaves += other.leaves;
-  doubtful += other.doubtful;
-  doubt = std::min(doubt, other.doubt);
-  programs += other.programs;
-  return *this;
-}
-
 CriticalTree::Block::Block(const problems::WedgedProblem& problem, double width)
     : critical(problem, width),
       candidates(problems::all_candidates(problem)),
@@ -89,7 +79,7 @@ void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>&
   }
   if (cell.alive == CriticalCell::nowhere || cell.alive - cell.dead > 1) {
     ++tally_.doubtful;
-    tally_.doubt = std::min(tally_.doubt, critical.at(cell.dead));
+    tally_.doubt += {critical.at(cell.dead)};
   }
   if (cell.alive == CriticalCell::nowhere) return;
   ++tally_.leaves;

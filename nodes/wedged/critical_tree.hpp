@@ -11,8 +11,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
+#include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
@@ -41,20 +43,19 @@ class CriticalTree {
     }
   };
 
-  struct Tally {
+  struct Tally : engine::Counts<Tally> {
     std::uint64_t branched = 0;
-    std::uint64_t dead = 0;      ///< below what is asked for, or below the best pattern
+    std::uint64_t dead = 0;      ///< proved dead up to where nothing is of interest any more
     std::uint64_t leaves = 0;    ///< patterns whose critical coefficient was found
     std::uint64_t doubtful = 0;  ///< leaves whose cell is wider than the width, or open above
     /// The least coefficient from which on a doubtful leaf is not known to be dead.
-    double doubt = std::numeric_limits<double>::infinity();
+    engine::Least doubt;
     std::uint64_t programs = 0;  ///< cone programs solved
 
-    Tally& operator+=(const Tally& other);
-
-    template <class Archive>
-    void serialize(Archive& archive, unsigned /*version*/) {
-      archive& branched& dead& leaves& doubtful& doubt& programs;
+    static constexpr auto fields() {
+      return std::tuple{field("branched", &Tally::branched), field("dead", &Tally::dead),
+                        field("leaves", &Tally::leaves),     field("doubtful", &Tally::doubtful),
+                        field("doubt", &Tally::doubt),       field("programs", &Tally::programs)};
     }
   };
 

@@ -7,8 +7,8 @@
 //
 // A ray that neither touches with a reaction nor separates at some candidates lies in the cones of
 // several leaves. It is reported by one of them, the one whose U is where the ray has a reaction;
-// what closes a tie as a flat cone stands for all leaves below it. docs/theory.md, section 5, shows
-// that this misses none.
+// what closes a tie as a flat cone stands for all leaves below it. docs/theory/rays.md shows that
+// this misses none.
 #pragma once
 
 #include <vector>

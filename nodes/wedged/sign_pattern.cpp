@@ -28,21 +28,6 @@ SignPattern in_whole(const SignPattern& own, std::uint64_t block) {
 
 }  // namespace
 
-SignPatternTally& SignPatternTally::operator+=(const SignPatternTally& other) {
-  branched += other.branched;
-  dead += other.dead;
-  found += other.found;
-  flat += other.flat;
-  faces += other.faces;
-  marginal += other.marginal;
-  undecided += other.undecided;
-  doubtful += other.doubtful;
-  climbed += other.climbed;
-  iterations += other.iterations;
-  candidates += other.candidates;
-  return *this;
-}
-
 SignPatternTree::Block::Block(const problems::WedgedProblem& problem, std::uint64_t within_whole,
                               std::span<const double> friction, const SignPatternOptions& options)
     : candidates(within_whole),

@@ -25,11 +25,13 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
 
+#include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "nodes/wedged/branching.hpp"
 #include "nodes/wedged/contact_solver.hpp"
@@ -110,25 +112,31 @@ struct Evidence {
 using Witness = std::function<void(const Evidence&)>;
 
 /// What became of the nodes that were opened, and what it cost.
-struct SignPatternTally {
+struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t branched = 0;    ///< had both children put into the tree
   std::uint64_t dead = 0;        ///< pruned: no wedged configuration below
   std::uint64_t found = 0;       ///< leaves that are alive
   std::uint64_t flat = 0;        ///< nodes closed as flat cones, maximal or not
-  std::uint64_t faces = 0;       ///< ties that have nothing which another node has not
+  std::uint64_t faces = 0;       ///< ties closed: another node has all of their solutions
   std::uint64_t marginal = 0;    ///< leaves that are marginal
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
   std::uint64_t climbed = 0;     ///< nodes that took more digits than a double has
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
-  std::uint64_t candidates = 0;  ///< leaves of Algorithm 5.8 that polyhedral friction lets live
+  std::uint64_t candidates = 0;  ///< leaves to test of Algorithm 5.8
 
-  SignPatternTally& operator+=(const SignPatternTally& other);
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& branched& dead& found& flat& faces& marginal& undecided& doubtful& climbed;
-    archive& iterations& candidates;
+  static constexpr auto fields() {
+    return std::tuple{field("branched", &SignPatternTally::branched),
+                      field("dead", &SignPatternTally::dead),
+                      field("found", &SignPatternTally::found),
+                      field("flat_nodes", &SignPatternTally::flat),
+                      field("faces", &SignPatternTally::faces),
+                      field("marginal_leaves", &SignPatternTally::marginal),
+                      field("undecided_leaves", &SignPatternTally::undecided),
+                      field("doubtful_branched", &SignPatternTally::doubtful),
+                      field("climbed", &SignPatternTally::climbed),
+                      field("iterations", &SignPatternTally::iterations),
+                      field("candidates", &SignPatternTally::candidates)};
   }
 };
 
@@ -153,8 +161,8 @@ class SignPatternTree {
   using Solution = Configuration;
   using Tally = SignPatternTally;
 
-  /// Contact leaves less to search than separation: a quarter to a third of a subtree is below
-  /// it, weighted by size, on space trusses of 20 to 40 candidates (docs/theory.md).
+  /// Contact leaves less to search than separation: a quarter to a third of a subtree is below it,
+  /// weighted by size, on space trusses of 20 to 40 candidates (docs/theory/wedged.md).
   static constexpr double work_of_first_child = 1.0 / 3;
 
   /// @param friction mu of each contact candidate, m numbers >= 0

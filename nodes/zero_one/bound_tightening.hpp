@@ -19,8 +19,8 @@ namespace kusabi::zero_one {
 struct FormRange {
   double lower = -linear::infinity;
   double upper = linear::infinity;
-  /// Whether both ends hold in spite of rounding. If not, residuals that are zero in all but the
-  /// last of 30 digits count as zero.
+  /// Whether both ends hold in spite of rounding. If not, reduced costs that are zero but for the
+  /// last of 30 digits were counted as zero.
   bool proved = true;
 };
 
@@ -54,7 +54,7 @@ class BoundTightening {
 /// What tighten_big_m() did.
 struct Tightening {
   std::uint64_t coefficients = 0;  ///< made smaller, over all rounds
-  std::uint64_t fixed = 0;         ///< binaries that one value was found impossible of
+  std::uint64_t fixed = 0;         ///< binaries fixed because the other value is infeasible
   std::uint64_t rounds = 0;
   std::uint64_t programs = 0;
   bool nothing_left = false;  ///< no point is as good as the cutoff

@@ -31,9 +31,9 @@ std::optional<ZeroOnePoint> point_at(Relaxation& relaxation, const Fixings& fixi
 /// The fixings, and every free binary at the nearer of 0 and 1 in the last solve.
 Fixings rounded_fixings(const Relaxation& relaxation, Fixings fixings);
 
-/// From the relaxation's optimum under `fixings` (with its basis) down: holds what is at 0 or 1
-/// already and the binary nearest to it, solves again, and so on; a binary that will not go one way
-/// goes the other. Some dozens of linear programs at most.
+/// Dives from the relaxation's optimum under `fixings` (with its basis): fixes the binaries that
+/// are at 0 or 1 and the one that is nearest to it, solves again, and so on; if that is infeasible,
+/// the nearest one is fixed at its other value. Some dozens of linear programs at most.
 std::optional<ZeroOnePoint> dive(Relaxation& relaxation, const Fixings& fixings,
                                  const linear::Basis& basis);
 

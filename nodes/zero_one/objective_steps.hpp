@@ -1,6 +1,7 @@
-// How finely objectives are told apart: in steps of about 1e-9 of their own size. Else many optima
-// that are equal but for rounding would all be searched for. The step depends on the objective
-// itself and on the program, never on a point that was found: the first may cost a penalty of 1e12.
+// How finely objectives are told apart: in steps of about 1e-9 of their own size. Otherwise all
+// optima that are equal but for rounding would be searched for. The step depends on the objective
+// itself and on the program, never on a point that was found: the first one may contain a penalty
+// of 1e12.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +29,7 @@ class ObjectiveSteps {
     return std::ldexp(1.0, std::ilogb(size(objective)) - bits);
   }
 
-  /// In whole steps; of two objectives the larger is never the smaller one in steps.
+  /// The objective in whole steps; rounding keeps the order of two objectives.
   [[nodiscard]] double whole(double objective) const {
     if (!std::isfinite(objective)) return objective;
     const double step = width(objective);

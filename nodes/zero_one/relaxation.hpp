@@ -2,10 +2,10 @@
 // fixings from any basis, with a lower bound that the tree can rely on.
 //
 // Where all columns have bounds (their own, or such as follow from the rows), the bound is that of
-// Neumaier and Shcherbina: rounding cannot make it wrong. Where some have none, residuals that are
-// rounding count as zero, and proves() says so. If the bound of the simplex method's multipliers is
-// not tight, as where penalties stand beside prices, the program is solved in more digits
-// (linear/precise_simplex.hpp).
+// Neumaier and Shcherbina: rounding cannot make it wrong. Where some have none, reduced costs of
+// the size of rounding count as zero, and proves() is false. If the bound of the simplex method's
+// multipliers is not tight, as with penalties far above other costs, the program is solved in more
+// digits (linear/precise_simplex.hpp).
 #pragma once
 
 #include <cstddef>

@@ -29,7 +29,7 @@ struct ZeroOneRootOptions {
   support::Stop stop = {};
 };
 
-/// What the work at the root came to; counts are of linear programs where nothing else is said.
+/// What was done at the root.
 struct ZeroOneRootCounts {
   std::uint64_t programs = 0;      ///< all
   std::uint64_t cut_rounds = 0;    ///< times round Algorithm 5.1
@@ -37,7 +37,7 @@ struct ZeroOneRootCounts {
   std::uint64_t cut_programs = 0;  ///< cut generating programs (51)
   std::uint64_t tightened = 0;     ///< coefficients made smaller
   std::uint64_t tighten_programs = 0;
-  std::uint64_t fixed = 0;                 ///< binaries that one value was found impossible of
+  std::uint64_t fixed = 0;                 ///< binaries fixed because the other value is infeasible
   bool proved = true;                      ///< whether the tightening holds in spite of rounding
   double first_bound = -linear::infinity;  ///< of the relaxation as given
   double last_bound = -linear::infinity;   ///< of the relaxation as the tree gets it
@@ -49,7 +49,7 @@ struct ZeroOneRoot {
   linear::Basis basis = {};
   double bound = -linear::infinity;
   std::optional<ZeroOnePoint> point = {};
-  /// The work was not done to its end: bound and point hold, but are not the same on all ranks.
+  /// The work was ended early: bound and point are valid, but may differ from rank to rank.
   bool interrupted = false;
   /// All points have an objective of program().constant plus a multiple of this; 0: no such number.
   double grid = 0;
@@ -57,7 +57,7 @@ struct ZeroOneRoot {
   ZeroOneRootCounts counts = {};
 };
 
-/// The search that follows needs `interrupted` to be false on all ranks.
+/// @pre of the search that follows: `interrupted` is false on all ranks
 ZeroOneRoot prepare_root(linear::MixedProgram mixed, const ZeroOneRootOptions& options = {});
 
 }  // namespace kusabi::zero_one

@@ -26,20 +26,6 @@ constexpr double grid_slack = 1e-6;
 
 }  // namespace
 
-ZeroOneTally& ZeroOneTally::operator+=(const ZeroOneTally& other) {
-  branched += other.branched;
-  infeasible += other.infeasible;
-  above += other.above;
-  leaves += other.leaves;
-  points += other.points;
-  unproved += other.unproved;
-  held += other.held;
-  programs += other.programs;
-  iterations += other.iterations;
-  least_bound = std::min(least_bound, other.least_bound);
-  return *this;
-}
-
 // The best way to split a node, and what looking ahead found out about the children.
 struct ZeroOneTree::Split {
   std::size_t binary = 0;
@@ -67,10 +53,10 @@ ZeroOneTally ZeroOneTree::tally() const {
 
 // A node that was pruned unopened has a bound that rounds to a step not below that of the optimum.
 double ZeroOneTree::lower_bound(double outcome_bound, const Tally& total) const {
-  if (!std::isfinite(outcome_bound)) return std::min(outcome_bound, total.least_bound);
+  if (!std::isfinite(outcome_bound)) return std::min(outcome_bound, total.least_bound.value);
   constexpr double half = 0.5 * (1 + 1e-9);
   const double half_a_step = half * steps().width(outcome_bound);
-  if (in_steps(total.least_bound) < outcome_bound) return total.least_bound;
+  if (in_steps(total.least_bound.value) < outcome_bound) return total.least_bound.value;
   return raised(outcome_bound - half_a_step);
 }
 
@@ -177,7 +163,7 @@ bool ZeroOneTree::settle(Node& node, Out& out) {
 
 void ZeroOneTree::close(const Node& node, std::uint64_t& how) {
   ++how;
-  tally_.least_bound = std::min(tally_.least_bound, node.bound);
+  tally_.least_bound += {node.bound};
 }
 
 // Its bound is all that is known of it.

@@ -13,10 +13,12 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
 
+#include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "nodes/zero_one/fixings.hpp"
 #include "nodes/zero_one/incumbent_search.hpp"
@@ -38,7 +40,7 @@ struct ZeroOneNode {
 };
 
 /// What became of the nodes that were opened, and what it cost.
-struct ZeroOneTally {
+struct ZeroOneTally : engine::Counts<ZeroOneTally> {
   std::uint64_t branched = 0;
   std::uint64_t infeasible = 0;  ///< closed: no point is left
   std::uint64_t above = 0;       ///< closed: nothing better can be below
@@ -47,18 +49,23 @@ struct ZeroOneTally {
   /// Closed by what the simplex method says, without a proof: that no point is left, or (of a leaf)
   /// for failure to solve it. Their bounds are in `least_bound`.
   std::uint64_t unproved = 0;
-  std::uint64_t held = 0;        ///< binaries held by reduced costs or by looking ahead
+  std::uint64_t held = 0;        ///< binaries fixed by reduced costs or by look-ahead
   std::uint64_t programs = 0;    ///< linear programs
   std::uint64_t iterations = 0;  ///< of the simplex method
   /// The least bound of the nodes closed here: a lower bound of all that was not pruned unopened.
-  double least_bound = std::numeric_limits<double>::infinity();
+  engine::Least least_bound;
 
-  ZeroOneTally& operator+=(const ZeroOneTally& other);
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& branched& infeasible& above& leaves& points& unproved& held& programs& iterations;
-    archive& least_bound;
+  static constexpr auto fields() {
+    return std::tuple{field("branched", &ZeroOneTally::branched),
+                      field("infeasible", &ZeroOneTally::infeasible),
+                      field("above", &ZeroOneTally::above),
+                      field("leaves", &ZeroOneTally::leaves),
+                      field("points", &ZeroOneTally::points),
+                      field("unproved", &ZeroOneTally::unproved),
+                      field("held", &ZeroOneTally::held),
+                      field("programs", &ZeroOneTally::programs),
+                      field("iterations", &ZeroOneTally::iterations),
+                      field("least_bound", &ZeroOneTally::least_bound)};
   }
 };
 

@@ -14,7 +14,8 @@ inline constexpr int most_grid_bays = 100;
 /// W = 0.35 m, H = 0.50 m; node (i, j), column i, row j from below, is called "i,j" and numbered
 /// row by row. All base nodes supported, no base beams. Reference load along x at the nodes (0, j),
 /// j = 2 ... n, falling linearly from 52 kN to 28 kN; dead load -800 kN along y at the nodes (i,
-/// n), i = 2 ... n; yield force 800 kN; uncertain is what is uncertain without saying so.
+/// n), i = 2 ... n; yield force 800 kN; the uncertain components are those that a file without
+/// [[uncertainty]] has.
 /// @throws std::invalid_argument unless 2 <= bays <= most_grid_bays
 Structure grid_truss(int bays);
 

@@ -30,7 +30,7 @@ struct PlaneTrussSize {
 ///         to 80 degrees
 Structure plane_truss(const PlaneTrussSize& size);
 
-/// A truss of more bays has as many nodes as one would draw by hand no more.
+/// Most bays, far more than such a truss is ever given.
 inline constexpr int most_bays = 1000;
 
 }  // namespace kusabi::problems

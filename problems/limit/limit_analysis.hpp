@@ -71,9 +71,9 @@ Eigen::VectorXd motion_in_units(const LimitModel& model, const Eigen::VectorXd& 
 linear::LinearProgram static_program(const LimitModel& model, const Eigen::VectorXd& dead);
 
 /// (15), of the same optimum: minimise -(f_D - B (q^t - q^c) / 2)^T u + ((q^t + q^c) / 2)^T z:
-/// yield forces that are not the same either way are a common one of forces that begin elsewhere.
-/// Columns: u_1 ... u_nd, z_1 ... z_nm. Rows: f_R^T u = 1; then z_i - b_i^T u >= 0 and z_i + b_i^T
-/// u >= 0, member by member.
+/// yield forces that differ are those of q - (q^t - q^c) / 2, whose yield force is (q^t + q^c) / 2
+/// either way. Columns: u_1 ... u_nd, z_1 ... z_nm. Rows: f_R^T u = 1; then z_i - b_i^T u >= 0 and
+/// z_i + b_i^T u >= 0, member by member.
 linear::LinearProgram kinematic_program(const LimitModel& model, const Eigen::VectorXd& dead);
 
 }  // namespace kusabi::problems

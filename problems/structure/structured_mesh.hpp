@@ -48,8 +48,8 @@ struct StructuredMesh {
   }
 };
 
-/// The first of `nodes` that lies between two neighbours of `edge`, but is none of its nodes: two
-/// meshes that touch there are not joined. -1 if there is none.
+/// The first of `nodes` that lies on `edge` between two of its nodes: two meshes that touch there
+/// would gape. -1 if there is none.
 /// @param places of all nodes, 2 x n  @param edge, nodes numbers of nodes, along an edge each
 int node_between(const Eigen::Ref<const Eigen::MatrixXd>& places, const std::vector<int>& edge,
                  const std::vector<int>& nodes);

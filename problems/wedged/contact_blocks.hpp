@@ -3,7 +3,8 @@
 // A reaction at one candidate moves another only if bars and elements connect the two through
 // displacements that nothing supports. Where they do not, K and F of the wedged problem are zero
 // exactly, whatever the numbers: the problem is a product of smaller ones, and each block may be
-// searched by itself (docs/theory.md, section 2). Decided by structure, so nothing is rounded.
+// searched by itself (docs/theory/wedged.md, "Blocks"). Decided by structure, so nothing is
+// rounded.
 #pragma once
 
 #include <cstdint>

@@ -2,9 +2,9 @@
 // it can be trusted.
 //
 // Which sign patterns and extremal rays there are depends on sums of its entries that vanish
-// exactly, or only almost; where stiff bars stand beside soft ones the doubles of an F solved for
-// in doubles are wrong in the digits that decide. So F is computed from the structure itself with
-// 104 bits, and with a bound of its error that holds (docs/theory.md, section 2).
+// exactly, or only almost; where stiff bars stand beside soft ones, an F computed in doubles is
+// wrong in the digits that decide. So F is computed from the structure itself with 104 bits, and
+// with a bound of its error that holds (docs/theory/wedged.md, "F and its error").
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +20,8 @@ struct EnclosedCompliance {
   numbers::PreciseMatrix matrix;
   /// |F~_ij - F_ij| <= error sqrt(F_ii F_jj) for all i, j, where F is that of the structure with
   /// its numbers meant exactly; infinity if no bound could be proved. About 1e-26 for a condition
-  /// of 1e6. What a subset of the candidates has of F has the same bound.
+  /// of 1e6. The rows and columns of F that belong to a subset of the candidates have the same
+  /// bound.
   double error = 0;
 };
 

@@ -36,7 +36,8 @@ struct WedgedProblem {
   /// all. K and F are zero between two blocks. Empty: not known, one block.
   std::vector<std::uint64_t> blocks;
   /// |F - F*|_ij <= compliance_error sqrt(F*_ii F*_jj), F* the compliance of the structure with its
-  /// numbers meant exactly. The same number serves what any subset of the candidates has of F.
+  /// numbers meant exactly. The same bound holds for the rows and columns of a subset of the
+  /// candidates.
   double compliance_error = 0;
   /// F with 104 bits, of which K and F above are the roundings; empty if the problem was made
   /// without a structure: its doubles then count as exact.
@@ -54,7 +55,8 @@ struct WedgedProblem {
 bool uniform_friction(const WedgedProblem& problem);
 
 /// The mean of the diagonal of F_nn, the normal block of the compliance: by it F is divided, so
-/// that reactions and displacements can be compared (docs/theory.md, section 2). Length/force.
+/// that reactions and displacements can be compared (docs/theory/wedged.md, "F and its error").
+/// Length/force.
 double mean_normal_compliance(const WedgedProblem& problem);
 
 /// The fingerprint that the wedged problem of a structure has, without computing K and F.

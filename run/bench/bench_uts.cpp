@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "engine/search.hpp"
+#include "engine/together.hpp"
 #include "nodes/benchmark/standard_trees.hpp"
 #include "run/output/exit_code.hpp"
 
@@ -85,7 +86,7 @@ class TimedTree : public UnbalancedTree {
 
 // The search alone: the ranks begin it together, and the recursion is behind all of them.
 engine::Outcome<TimedTree> search(Session& session, TimedTree& tree) {
-  session.meet({});
+  engine::meet(session.transport());
   tree.start();
   return engine::search(tree, session.transport());
 }

@@ -2,98 +2,133 @@
 #include "run/critical/critical.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "nodes/wedged/critical_friction.hpp"
+#include "nodes/wedged/critical_search.hpp"
 #include "problems/files/structure_file.hpp"
-#include "run/critical/critical_ends.hpp"
+#include "run/command/command_run.hpp"
+#include "run/critical/critical_certificate.hpp"
 #include "run/critical/critical_report.hpp"
-#include "run/critical/critical_search.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/last_steps.hpp"
-#include "run/output/outputs.hpp"
-#include "run/output/result_file.hpp"
-#include "run/output/standard_output.hpp"
+#include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
+#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {
 
-void announce(const CriticalOptions& options, const problems::WedgedProblem& problem, int ranks) {
-  tell("kusabi {} · critical · {}\n{}; up to a friction coefficient of {}{}; {}\n", KUSABI_VERSION,
-       options.file, problem_line(problem), options.most.value_or(usual_most),
-       uniform_friction(problem) ? "" : " times that of each candidate",
-       ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+class Critical final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "critical"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "the smallest friction coefficient at which anything can wedge, proved";
+  }
+  void describe(OptionTable& table) override;
+  void check() const override;
+  void read(CommandRun& run) override;
+  void prepare(CommandRun& run) override;
+  [[nodiscard]] std::string announcement(const std::string& ranks) const override;
+  void search(CommandRun& run) override;
+  std::vector<Step> results(CommandRun& run) override;
+  Verdict verdict(CommandRun& run) override;
+
+ private:
+  CriticalOptions options_;
+  std::string text_;
+  std::optional<problems::Structure> structure_;
+  problems::WedgedProblem problem_;
+  wedged::CriticalFindings findings_;
+};
+
+void Critical::describe(OptionTable& table) {
+  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
+  table.choice("--method", options_.question.way,
+               {{"global", wedged::CriticalWay::global},
+                {"newton", wedged::CriticalWay::newton},
+                {"bisection", wedged::CriticalWay::bisection}},
+               "one search for the smallest, or the coefficients of all patterns that live at "
+               "--mu-max");
+  table.number("--mu-max", &options_.question.most, above(0),
+               "no larger coefficient is of interest");
+  table.number("--width", &options_.question.width, above(0), "of the brackets");
+  table.output();
+  table
+      .file("--certificate", options_.certificate, Role::evidence,
+            "write the evidence of both ends to NAME.lower and NAME.upper, for kusabi verify")
+      .ends_in({".lower", ".upper"});
+  table.time_limit(options_.limits);
+  table.node_limit(options_.limits);
+  table.quiet();
+  table.serial();
 }
 
-void check(const CriticalOptions& options) {
-  if (options.way != CriticalWay::global && !options.most) {
+void Critical::check() const {
+  if (options_.question.way != wedged::CriticalWay::global && !options_.question.most) {
     throw WrongInput(
         "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
         "for, or --method global");
   }
-  const double most = options.most.value_or(usual_most);
-  constexpr double most_multiples = 1e15;
-  if (options.width >= most || most > most_multiples * options.width) {
+  const double most = options_.question.most.value_or(wedged::usual_most);
+  if (options_.question.width >= most || most > wedged::most_multiples * options_.question.width) {
     throw WrongInput(fmt::format("--width {}: expected a number below --mu-max {} and above {}",
-                                 options.width, most, most / most_multiples));
+                                 options_.question.width, most, most / wedged::most_multiples));
   }
 }
 
-void tell_what_is_open(const CriticalFindings& findings) {
-  if (findings.status != "solved") {
-    tell("stopped early ({}): nothing lives below {:.10g}; more is not proved\n", findings.status,
-         findings.lower);
+void Critical::read(CommandRun& run) {
+  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
+}
+
+void Critical::prepare(CommandRun& run) {
+  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  structure_ = problems::read_structure(text_, options_.file);
+  problem_ = problems::wedged_problem(*structure_);
+  // No further than the roughest candidate can be computed with.
+  const double most = wedged::CriticalFriction::range(problem_).most;
+  if (options_.question.most) friction_at(problem_, *options_.question.most, options_.file);
+  if (!options_.question.most && most < wedged::usual_most) options_.question.most = most;
+  agree(run.session(), problem_);
+}
+
+std::string Critical::announcement(const std::string& ranks) const {
+  return fmt::format("{}; up to a friction coefficient of {}{}; {}", problem_line(problem_),
+                     options_.question.most.value_or(wedged::usual_most),
+                     uniform_friction(problem_) ? "" : " times that of each candidate", ranks);
+}
+
+void Critical::search(CommandRun& run) {
+  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  findings_ = wedged::find_critical_friction(
+      campaign, *structure_, problem_, options_.question,
+      end_recorder(run.session(), {options_.certificate, options_.file, run.quiet()}, problem_));
+}
+
+std::vector<Step> Critical::results(CommandRun& run) {
+  return {run.result(critical_json(options_, problem_, findings_)),
+          run.answer(critical_table(options_, problem_, findings_))};
+}
+
+Verdict Critical::verdict(CommandRun& /*run*/) {
+  Verdict verdict{.remarks = {}, .code = findings_.answered() ? solved : stopped_early};
+  if (findings_.status != engine::Status::solved) {
+    verdict.remarks.push_back(
+        fmt::format("stopped early ({}): nothing lives below {:.10g}; more is not proved",
+                    status_name(findings_.status), findings_.lower));
   }
-  for (const auto& sentence : findings.open) tell("open: {}\n", sentence);
+  for (const auto& sentence : open_sentences(options_, findings_))
+    verdict.remarks.push_back("open: " + sentence);
+  return verdict;
 }
 
 }  // namespace
 
-int critical(Session& session, const CriticalOptions& asked) {
-  CriticalOptions options = asked;
-  std::optional<ResultFile> result_file;
-  const std::string text = session.on_first_rank([&] {
-    check(options);
-    auto content = problems::file_text(options.file);
-    std::vector<NamedFile> files{{"--output", options.output}};
-    if (!options.certificate.empty()) {
-      for (const char* const end : {".lower", ".upper"})
-        files.push_back({"--certificate", options.certificate + end});
-    }
-    check_outputs(options.file, files);
-    result_file.emplace(options.output, options.file);
-    return content;
-  });
-  const auto structure = problems::read_structure(text, options.file);
-  const auto problem = problems::wedged_problem(structure);
-  // No further than the roughest candidate can be computed with.
-  const double most = wedged::CriticalFriction::range(problem).most;
-  if (options.most) friction_at(problem, *options.most, options.file);
-  if (!options.most && most < usual_most) options.most = most;
-  agree(session, problem);
-  if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  const Budget budget(options.limits);
-  auto findings = options.way == CriticalWay::global
-                      ? global_search(session, options, problem, budget)
-                      : pattern_by_pattern(session, options, problem, budget);
-  if (findings.status == "solved")
-    prove_ends(session, options, structure, problem, budget, findings);
-  int code = findings.answered() ? solved : stopped_early;
-  if (session.speaks()) {
-    do_all({[&] { result_file->write(critical_json(options, problem, findings)); },
-            [&] {
-              if (!options.quiet) print_answer(critical_table(options, problem, findings));
-            }});
-    if (!options.quiet) tell_written({options.output});
-    tell_what_is_open(findings);
-  }
-  return code;
+std::unique_ptr<Subcommand> critical_subcommand() {
+  return std::make_unique<Critical>();
 }
 
 }  // namespace kusabi::run

@@ -2,33 +2,22 @@
 // proved bracket: by one global search, or pattern by pattern (Algorithm 6.1 of the paper).
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "engine/options.hpp"
-#include "run/session/session.hpp"
+#include "nodes/wedged/critical_findings.hpp"
+#include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
 
-enum class CriticalWay {
-  global,     ///< one best-first search for the smallest
-  newton,     ///< of every pattern that lives at the largest coefficient, by Newton's method
-  bisection,  ///< the same by bisection, as the paper does it
-};
-
 struct CriticalOptions {
   std::string file;  ///< the problem
-  CriticalWay way = CriticalWay::global;
-  std::optional<double> most;  ///< no larger coefficient is of interest; mu^0 of the paper
-  double width = 1e-8;         ///< of the brackets
-  std::string output;          ///< the result file; empty: none
-  std::string certificate;     ///< evidence of both ends goes to NAME.lower and NAME.upper
-  engine::Limits limits;       ///< where to stop early
-  bool quiet = false;          ///< no progress, no table
+  wedged::CriticalQuestion question;
+  std::string certificate;  ///< evidence of both ends goes to NAME.lower and NAME.upper
+  engine::Limits limits;    ///< where to stop early
 };
 
-/// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, support::InputError on every rank alike
-int critical(Session& session, const CriticalOptions& options);
+std::unique_ptr<Subcommand> critical_subcommand();
 
 }  // namespace kusabi::run

@@ -1,12 +1,12 @@
 // The table and the JSON of `kusabi critical`.
 #include "run/critical/critical_report.hpp"
 
-#include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include <fmt/format.h>
 
+#include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -14,23 +14,20 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* way_name(CriticalWay way) {
+const char* way_name(wedged::CriticalWay way) {
   switch (way) {
-    case CriticalWay::global:
+    case wedged::CriticalWay::global:
       return "global";
-    case CriticalWay::newton:
+    case wedged::CriticalWay::newton:
       return "newton";
-    case CriticalWay::bisection:
+    case wedged::CriticalWay::bisection:
       break;
   }
   return "bisection";
 }
 
-ordered_json number_or_null(const std::optional<double>& number) {
-  return number ? ordered_json(*number) : ordered_json();
-}
-
-ordered_json entry_json(const problems::WedgedProblem& problem, const CriticalEntry& entry) {
+ordered_json entry_json(const problems::WedgedProblem& problem,
+                        const wedged::CriticalEntry& entry) {
   ordered_json json = pattern_json(problem, entry.block, entry.pattern);
   json["lower"] = entry.lower;
   json["upper"] = number_or_null(entry.upper);
@@ -40,28 +37,65 @@ ordered_json entry_json(const problems::WedgedProblem& problem, const CriticalEn
   return json;
 }
 
-double or_infinity(const std::optional<double>& number) {
-  return number.value_or(std::numeric_limits<double>::infinity());
+std::vector<std::uint64_t> columns_of(const wedged::CriticalTree::Tally& tally) {
+  return {tally.branched, tally.dead, tally.leaves, tally.programs};
+}
+
+// What the search for the bracket has cost; empty if there was none.
+std::string ranks_text(const wedged::CriticalFindings& findings) {
+  if (!findings.global_ranks.empty()) {
+    RankTable table({"branched", "pruned", "leaves", "programs"});
+    for (const auto& [statistics, tally] : findings.global_ranks) {
+      table.add(statistics, columns_of(tally));
+    }
+    return table.text();
+  }
+  if (findings.bisection_ranks.empty()) return {};
+  RankTable table({"programs"});
+  for (const auto& [statistics, tally] : findings.bisection_ranks) {
+    table.add(statistics, {tally.programs});
+  }
+  return table.text();
+}
+
+ordered_json statistics_json(const wedged::CriticalFindings& findings) {
+  const auto counts = [](const auto& tally) { return counts_json(tally); };
+  if (!findings.global_ranks.empty()) {
+    return {{"ranks", rank_reports(findings.global_ranks, counts)}};
+  }
+  if (findings.bisection_ranks.empty()) return {};
+  return {{"ranks", rank_reports(findings.bisection_ranks, counts)}};
 }
 
 }  // namespace
 
-void CriticalFindings::conclude(double dead) {
-  std::sort(patterns.begin(), patterns.end(), [](const auto& a, const auto& b) {
-    const double from_a = or_infinity(a.upper);
-    const double from_b = or_infinity(b.upper);
-    if (from_a != from_b) return from_a < from_b;
-    if (a.block != b.block) return a.block < b.block;
-    return a.pattern.contact < b.pattern.contact;
-  });
-  lower = dead;
-  if (patterns.empty()) return;
-  upper = patterns.front().upper;
-  for (const auto& entry : patterns) lower = std::min(lower, entry.lower);
+std::vector<std::string> open_sentences(const CriticalOptions& options,
+                                        const wedged::CriticalFindings& findings) {
+  std::vector<std::string> sentences;
+  for (const auto doubt : findings.open) {
+    switch (doubt) {
+      case wedged::CriticalDoubt::no_upper_end:
+        sentences.push_back(fmt::format(
+            "between {:.12g} and {:.12g} it could not be told whether anything can wedge",
+            findings.lower, options.question.most.value_or(wedged::usual_most)));
+        break;
+      case wedged::CriticalDoubt::wide_bracket:
+        sentences.push_back(fmt::format(
+            "the bracket is {:.2g} wide, wider than asked for ({:g}): in between, what can wedge "
+            "could not be told from what just cannot",
+            *findings.upper - findings.lower, options.question.width));
+        break;
+      case wedged::CriticalDoubt::lower_not_proved:
+        sentences.push_back(fmt::format(
+            "that nothing wedges at {:.12g} is not proved in exact arithmetic", findings.lower));
+        break;
+    }
+  }
+  return sentences;
 }
 
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
-                           const CriticalFindings& findings) {
+                           const wedged::CriticalFindings& findings) {
   std::string text;
   auto out = std::back_inserter(text);
   if (!findings.patterns.empty()) {
@@ -85,34 +119,36 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
                    "\ncritical friction coefficient{}: between {:.12g} and {:.12g}: nothing can "
                    "wedge below, something can above\n",
                    times, findings.lower, *findings.upper);
-  } else if (findings.status == "solved") {
+  } else if (findings.status == engine::Status::solved) {
     fmt::format_to(out, "\nnothing can wedge at a friction coefficient{} below {:.12g}\n", times,
                    findings.lower);
   }
-  if (findings.upper && findings.status == "solved" && !findings.upper_proved) {
+  if (findings.upper && findings.status == engine::Status::solved && !findings.upper_proved) {
     text +=
         "What wedges at the upper end is a tie: it holds within the rounding of the file's numbers "
         "and is not proved in exact arithmetic.\n";
   }
-  for (const auto& sentence : findings.open) fmt::format_to(out, "Open: {}.\n", sentence);
-  if (options.way != CriticalWay::global && findings.upper) {
+  for (const auto& sentence : open_sentences(options, findings))
+    fmt::format_to(out, "Open: {}.\n", sentence);
+  if (options.question.way != wedged::CriticalWay::global && findings.upper) {
     fmt::format_to(out, "(of the {} patterns that live at {})\n", findings.patterns.size(),
-                   options.most.value_or(0));
+                   options.question.most.value_or(0));
   }
-  return text + '\n' + findings.ranks;
+  return text + '\n' + ranks_text(findings);
 }
 
 ordered_json critical_json(const CriticalOptions& options, const problems::WedgedProblem& problem,
-                           const CriticalFindings& findings) {
+                           const wedged::CriticalFindings& findings) {
   auto patterns = ordered_json::array();
   for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry));
-  ordered_json chosen = {{"method", way_name(options.way)}, {"width", options.width}};
-  chosen["mu_max"] = number_or_null(options.most);
+  ordered_json chosen = {{"method", way_name(options.question.way)},
+                         {"width", options.question.width}};
+  chosen["mu_max"] = number_or_null(options.question.most);
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(problem, options.file)},
           {"options", std::move(chosen)},
-          {"status", findings.status},
+          {"status", status_name(findings.status)},
           {"result",
            {{"critical_friction",
              {{"lower", findings.lower},
@@ -120,9 +156,9 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
               {"lower_proved", findings.lower_proved},
               {"upper_proved", findings.upper_proved}}},
             {"pattern", patterns.empty() ? ordered_json() : patterns.front()},
-            {"open", findings.open},
+            {"open", open_sentences(options, findings)},
             {"patterns", std::move(patterns)}}},
-          {"statistics", findings.statistics}};
+          {"statistics", statistics_json(findings)}};
 }
 
 }  // namespace kusabi::run

@@ -18,7 +18,9 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
+#include "engine/together.hpp"
 #include "problems/wedged/problem_block.hpp"
+#include "run/output/values.hpp"
 #include "support/sha1.hpp"
 
 namespace kusabi::run {
@@ -158,9 +160,9 @@ std::string certificate_line(const wedged::Evidence& evidence) {
 CertificateFile::CertificateFile(Session& session, const std::string& name,
                                  const std::string& input, std::uint64_t tree, bool goes_on,
                                  const std::string& checkpoint)
-    : session_(session), name_(name), tree_(fmt::format("part of the tree {:016x}", tree)) {
+    : session_(session), name_(name), tree_("part of the tree " + hexadecimal(tree)) {
   if (!wanted()) return;
-  run_ = session.on_first_rank([&] { return prepare(input, goes_on); });
+  run_ = session.from_first_rank([&] { return prepare(input, goes_on); });
   const auto file = part_name(name_, run_, session.transport().rank());
   constexpr mode_t for_all = 0666;
   part_ = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, for_all);
@@ -239,14 +241,17 @@ void CertificateFile::close() {
   part_ = -1;
   engine::Survey own{.ranks = 1};
   if (failed_) own.wishes = engine::wish_failed;
-  const bool failed = (session_.meet(own).wishes & engine::wish_failed) != 0;
-  if (failed && session_.speaks()) {
-    throw std::runtime_error(
-        fmt::format("{}: a part could not be written in full; is the disk full?", name_));
-  }
+  failed_ = (engine::meet(session_.transport(), own).wishes & engine::wish_failed) != 0;
+}
+
+void CertificateFile::require_parts() const {
+  if (!failed_) return;
+  throw std::runtime_error(
+      fmt::format("{}: a part could not be written in full; is the disk full?", name_));
 }
 
 void CertificateFile::put_in_place(const std::string& header) {
+  require_parts();
   const auto parts = parts_of(name_);
   const auto own = std::count_if(parts.begin(), parts.end(), [&](const Part& part) {
     return std::to_string(part.run) == run_;

@@ -50,16 +50,19 @@ class CertificateFile {
   void add(const wedged::Evidence& evidence);
 
   /// Ends this rank's part; every rank calls it, and it returns when all have.
-  /// @throws std::runtime_error on rank 0 if a part could not be written in full: the others may
-  /// not
-  ///   end the job before it has saved the rest
   /// @pre wanted()
   void close();
 
   /// Puts the parts of this run and of those that it continues together, and removes them.
-  /// @throws std::runtime_error if a part is missing or the disk is full
+  /// @throws std::runtime_error if a part is missing or was not written in full, or the disk is
+  /// full
   /// @pre wanted(), rank 0, closed
   void put_in_place(const std::string& header);
+
+  /// What a search that goes on needs of the parts, which stay where they are.
+  /// @throws std::runtime_error if one was not written in full
+  /// @pre wanted(), rank 0, closed
+  void require_parts() const;
 
   /// Removes all parts: nothing will go on from them.
   /// @pre wanted(), rank 0, closed
@@ -74,8 +77,8 @@ class CertificateFile {
   std::string tree_;  // how the first line of each part begins
   std::optional<OutputFile> whole_;
   std::string run_;
-  int part_ = -1;  // a file descriptor
-  bool failed_ = false;
+  int part_ = -1;        // a file descriptor
+  bool failed_ = false;  // this part; after close() any
 };
 
 }  // namespace kusabi::run

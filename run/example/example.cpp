@@ -1,58 +1,133 @@
 // Writes the file, or says what is wrong with the size.
 #include "run/example/example.hpp"
 
-#include <cstdio>
+#include <ostream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "problems/families/grid_truss.hpp"
+#include "problems/families/plane_truss.hpp"
+#include "problems/families/space_truss.hpp"
 #include "problems/files/structure_writer.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/output_file.hpp"
-#include "run/output/standard_output.hpp"
+#include "run/command/command_run.hpp"
+#include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
 namespace {
 
-// Writes what `structure` makes, which throws std::invalid_argument if the size is impossible.
-template <class MakeStructure>
-int write_example(Session& session, const char* name, const std::string& output,
-                  MakeStructure structure) {
-  session.on_first_rank([&]() -> std::string {
-    std::string text;
-    try {
-      text = problems::structure_text(structure());
-    } catch (const std::invalid_argument& error) {
-      throw WrongInput(fmt::format("kusabi example {}: {}", name, error.what()));
-    }
-    OutputFile file("--output", output, {});
-    if (file.wanted()) {
-      file.stream() << text;
-      file.put_in_place();
-    } else {
-      print_answer(text);
-    }
-    return {};
-  });
-  return solved;
-}
+// What all families have alike.
+class Example : public Subcommand {
+ public:
+  void search(CommandRun& run) final {
+    text_ = run.session().from_first_rank([&] {
+      try {
+        return problems::structure_text(structure());
+      } catch (const std::invalid_argument& error) {
+        throw WrongInput(fmt::format("kusabi {}: {}", name(), error.what()));
+      }
+    });
+  }
+  std::vector<Step> results(CommandRun& run) final {
+    if (!run.wants("--output")) return {CommandRun::print(text_)};
+    return {run.file("--output", [this](std::ostream& out) { out << text_; })};
+  }
+  Verdict verdict(CommandRun& /*run*/) final { return {}; }
+
+ protected:
+  /// @throws std::invalid_argument if the size is impossible
+  [[nodiscard]] virtual problems::Structure structure() const = 0;
+
+  static void describe_output(OptionTable& table) {
+    table.output("--output", "write to this file instead of standard output");
+  }
+
+ private:
+  std::string text_;
+};
+
+class SpaceTruss final : public Example {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "example space-truss"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "a space truss against an inclined wall; the candidates are rows x depth";
+  }
+  void describe(OptionTable& table) override {
+    table.number("--rows", &size_.rows, above(0), "rows of nodes along y");
+    table.number("--depth", &size_.depth, above(0), "planes of nodes along z");
+    table.number("--bays", &size_.bays, above(0), "bays between the wall and the obstacle");
+    describe_output(table);
+  }
+
+ private:
+  [[nodiscard]] problems::Structure structure() const override {
+    return problems::space_truss(size_);
+  }
+
+  problems::SpaceTrussSize size_;
+};
+
+class PlaneTruss final : public Example {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "example plane-truss"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "a plane truss against an inclined wall; the candidates are the rows";
+  }
+  void describe(OptionTable& table) override {
+    using problems::Verticals;
+    table.number("--rows", &size_.rows, above(0), "rows of nodes along y, 1 m apart");
+    table.number("--bays", &size_.bays, above(0), "bays between the wall and the obstacle");
+    table.number("--width", &size_.width, above(0), "of the lowest row").unit("m");
+    table.number("--lean", &size_.lean, at_least(0), "of the obstacle from the vertical")
+        .unit("degrees");
+    table.choice("--brace", size_.verticals,
+                 {{"none", Verticals::none}, {"inner", Verticals::inner}, {"all", Verticals::all}},
+                 "bars from row to row besides the diagonals: none, in the inner columns, or on "
+                 "the obstacle, too");
+    describe_output(table);
+  }
+
+ private:
+  [[nodiscard]] problems::Structure structure() const override {
+    return problems::plane_truss(size_);
+  }
+
+  problems::PlaneTrussSize size_;
+};
+
+class Grid final : public Example {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "example grid"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "a plane grid truss, braced crosswise, with loads for limit analysis";
+  }
+  void describe(OptionTable& table) override {
+    table.number("--bays", &bays_, above(0), "bays along each axis").required();
+    describe_output(table);
+  }
+
+ private:
+  [[nodiscard]] problems::Structure structure() const override {
+    return problems::grid_truss(bays_);
+  }
+
+  int bays_ = 0;
+};
 
 }  // namespace
 
-int example_space_truss(Session& session, const ExampleSpaceTrussOptions& options) {
-  return write_example(session, "space-truss", options.output,
-                       [&] { return problems::space_truss(options.size); });
+std::unique_ptr<Subcommand> example_space_truss_subcommand() {
+  return std::make_unique<SpaceTruss>();
 }
 
-int example_plane_truss(Session& session, const ExamplePlaneTrussOptions& options) {
-  return write_example(session, "plane-truss", options.output,
-                       [&] { return problems::plane_truss(options.size); });
+std::unique_ptr<Subcommand> example_plane_truss_subcommand() {
+  return std::make_unique<PlaneTruss>();
 }
 
-int example_grid(Session& session, const ExampleGridOptions& options) {
-  return write_example(session, "grid", options.output,
-                       [&] { return problems::grid_truss(options.bays); });
+std::unique_ptr<Subcommand> example_grid_subcommand() {
+  return std::make_unique<Grid>();
 }
 
 }  // namespace kusabi::run

@@ -3,80 +3,158 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "engine/together.hpp"
+#include "nodes/limit/limit_loads.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
+#include "run/command/command_run.hpp"
 #include "run/limit/limit_report.hpp"
-#include "run/limit/limit_search.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/last_steps.hpp"
-#include "run/output/output_file.hpp"
-#include "run/output/outputs.hpp"
-#include "run/output/result_file.hpp"
 #include "run/output/standard_output.hpp"
+#include "run/output/wrong_input.hpp"
+#include "run/session/supervision.hpp"
 #include "verify/limit_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
 
-using problems::LimitProblem;
+class Limit final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "limit"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "the load factor at which a truss collapses, and its worst case under loads that are "
+           "not known exactly";
+  }
+  void describe(OptionTable& table) override;
+  void read(CommandRun& run) override;
+  void prepare(CommandRun& run) override;
+  [[nodiscard]] std::string announcement(const std::string& ranks) const override;
+  void search(CommandRun& run) override;
+  std::vector<Step> results(CommandRun& run) override;
+  Verdict verdict(CommandRun& run) override;
 
-void announce(const LimitOptions& options, const LimitProblem& problem, int ranks) {
-  tell(
-      "kusabi {} · limit · {}\n"
-      "{}: {}, {} nodes, {} members, {} free displacements; {}\n",
-      KUSABI_VERSION, options.file, problem.name,
-      problem.dimension == 2 ? "in the plane" : "in space", problem.node_names.size(),
-      problem.member_count(), problem.free_count(),
-      ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+ private:
+  [[nodiscard]] const char* why_no_certificate() const;
+
+  LimitOptions options_;
+  std::string certificate_;
+  std::string text_;
+  std::optional<problems::Structure> truss_;
+  std::optional<problems::LimitProblem> problem_;
+  limit::LimitFindings found_;
+};
+
+void Limit::describe(OptionTable& table) {
+  constexpr double most_samples = 1e8;
+  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
+  table
+      .number("--alpha", &options_.question.alpha, at_least(0),
+              "the uncertain components of the dead load are known up to +- this")
+      .unit("in the file's unit of force");
+  table
+      .choice("--cuts", options_.question.method,
+              {{"none", limit::LimitMethod::fixed},
+               {"disjunctive", limit::LimitMethod::disjunctive},
+               {"tighten", limit::LimitMethod::tightened},
+               {"static", limit::LimitMethod::static_cuts},
+               {"all", limit::LimitMethod::all}},
+              "how the worst case is found: by static cuts, or by the 0-1 program (29) with none, "
+              "disjunctive ones (the paper's method), a tightened M, or all of these")
+      .needs("--alpha");
+  table
+      .number("--big-m", &options_.question.big_m, above(0),
+              "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
+              "Without it a safe one is derived")
+      .needs("--cuts");
+  table
+      .number("--samples", &options_.question.samples, between(1, most_samples),
+              "compare with so many random dead loads")
+      .needs("--alpha");
+  table.number("--seed", &options_.question.seed, at_least(0), "of the random dead loads");
+  table
+      .flag("--curve", options_.question.curve,
+            "how the load factor falls as the critical load, or alpha, grows from zero")
+      .needs("--alpha");
+  table.time_limit(options_.limits);
+  table.node_limit(options_.limits);
+  table.output();
+  table
+      .file("--certificate", certificate_, Role::output,
+            "write the evidence to this file, for kusabi verify")
+      .needs("--alpha");
+  table.quiet();
+  table.serial();
+}
+
+void Limit::read(CommandRun& run) {
+  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
+}
+
+void Limit::prepare(CommandRun& run) {
+  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  truss_ = problems::read_structure(text_, options_.file);
+  problem_ = problems::limit_problem(*truss_);
+  engine::agree(run.session().transport(), problem_->fingerprint);
+}
+
+std::string Limit::announcement(const std::string& ranks) const {
+  return fmt::format("{}: {}, {} nodes, {} members, {} free displacements; {}", problem_->name,
+                     problem_->dimension == 2 ? "in the plane" : "in space",
+                     problem_->node_names.size(), problem_->member_count(), problem_->free_count(),
+                     ranks);
+}
+
+void Limit::search(CommandRun& run) {
+  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  try {
+    found_ = limit::limit_loads(campaign, *truss_, *problem_, options_.question);
+  } catch (const limit::BigMTooSmall&) {
+    throw WrongInput(
+        "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
+  }
+  if (run.shows() && found_.answer.worst && found_.answer.worst->no_safe_m) {
+    tell(
+        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static "
+        "cuts\n");
+  }
+}
+
+std::vector<Step> Limit::results(CommandRun& run) {
+  const LimitReport report{options_, *problem_, found_.answer, run.session().ranks()};
+  std::vector<Step> steps{run.result(report.json())};
+  if (found_.certificate) {
+    steps.push_back(run.file("--certificate", [this](std::ostream& out) {
+      out << limit_certificate_text(*found_.certificate);
+    }));
+  }
+  steps.push_back(run.answer(report.table()));
+  return steps;
+}
+
+const char* Limit::why_no_certificate() const {
+  const auto& worst = found_.answer.worst;
+  if (!worst) return "it would be of a worst case; expected --alpha";
+  return worst->status == limit::RootStatus::not_carried
+             ? "they hold load factors, and here a load is carried at none"
+             : "the two ends are not proved";
+}
+
+Verdict Limit::verdict(CommandRun& run) {
+  Verdict verdict{.remarks = {}, .code = found_.answer.whole() ? solved : stopped_early};
+  if (run.wants("--certificate") && !found_.certificate && !run.quiet()) {
+    verdict.remarks.push_back(
+        fmt::format("no certificate ({} is as it was): {}", certificate_, why_no_certificate()));
+  }
+  return verdict;
 }
 
 }  // namespace
 
-int limit(Session& session, const LimitOptions& options) {
-  std::optional<ResultFile> result_file;
-  std::optional<OutputFile> certificate_file;
-  const std::string text = session.on_first_rank([&] {
-    auto content = problems::file_text(options.file);
-    check_outputs(options.file,
-                  {{"--output", options.output}, {"--certificate", options.certificate}});
-    result_file.emplace(options.output, options.file);
-    certificate_file.emplace("--certificate", options.certificate, options.file);
-    return content;
-  });
-  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  const auto truss = problems::read_structure(text, options.file);
-  const auto problem = problems::limit_problem(truss);
-  session.agree(problem.fingerprint);
-  if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  const auto found = limit_search(session, options, truss, problem);
-  const auto& answer = found.answer;
-  const auto& certificate = found.certificate;
-  if (session.speaks()) {
-    const LimitReport report{options, problem, answer, session.ranks()};
-    do_all({[&] { result_file->write(report.json()); },
-            [&] {
-              if (!certificate_file->wanted() || !certificate) return;
-              certificate_file->stream() << limit_certificate_text(*certificate);
-              certificate_file->put_in_place();
-            },
-            [&] {
-              if (!options.quiet) print_answer(report.table());
-            }});
-    if (!options.quiet) {
-      tell_written({options.output, certificate ? options.certificate : std::string()});
-      if (!options.certificate.empty() && !certificate) {
-        const bool load = answer.worst && answer.worst->status == limit::RootStatus::not_carried;
-        tell("no certificate ({} is as it was): {}\n", options.certificate,
-             !answer.worst ? "it would be of a worst case; expected --alpha"
-             : load        ? "they hold load factors, and here a load is carried at none"
-                           : "the two ends are not proved");
-      }
-    }
-  }
-  return answer.whole() ? solved : stopped_early;
+std::unique_ptr<Subcommand> limit_subcommand() {
+  return std::make_unique<Limit>();
 }
 
 }  // namespace kusabi::run

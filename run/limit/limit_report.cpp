@@ -10,6 +10,7 @@
 
 #include "problems/limit/collapse_mode.hpp"
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -18,10 +19,6 @@ using limit::CurvePiece;
 using limit::RootStatus;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
-
-std::vector<double> numbers(const Eigen::VectorXd& vector) {
-  return {vector.begin(), vector.end()};
-}
 
 const std::string& node_name(const LimitProblem& problem, int node) {
   return problem.node_names[static_cast<std::size_t>(node)];
@@ -43,7 +40,7 @@ ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load)
   return list;
 }
 
-ordered_json mode_json(const LimitProblem& problem, const LimitCollapse& collapse) {
+ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& collapse) {
   const auto mode = problems::collapse_mode(problem, collapse.motion);
   auto moving = ordered_json::array();
   for (const auto& [node, velocity] : mode.moving) {
@@ -89,33 +86,29 @@ const char* status_text(RootStatus status) {
   return "open";
 }
 
-const char* method_name(LimitMethod method) {
+const char* method_name(limit::LimitMethod method) {
   switch (method) {
-    case LimitMethod::fixed:
+    case limit::LimitMethod::fixed:
       return "none";
-    case LimitMethod::disjunctive:
+    case limit::LimitMethod::disjunctive:
       return "disjunctive";
-    case LimitMethod::tightened:
+    case limit::LimitMethod::tightened:
       return "tighten";
-    case LimitMethod::all:
+    case limit::LimitMethod::all:
       return "all";
-    case LimitMethod::static_cuts:
+    case limit::LimitMethod::static_cuts:
       break;
   }
   return "static";
 }
 
-// Infinite numbers are null in JSON.
-ordered_json finite(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json();
-}
-
 // The factors at which the load is carried.
-ordered_json interval_json(const LimitCollapse& collapse) {
-  return {collapse.least ? ordered_json(*collapse.least) : ordered_json(), collapse.factor};
+ordered_json interval_json(const limit::LimitCollapse& collapse) {
+  return {number_or_null(collapse.least), collapse.factor};
 }
 
-void write_mode(std::string& text, const LimitProblem& problem, const LimitCollapse& collapse) {
+void write_mode(std::string& text, const LimitProblem& problem,
+                const limit::LimitCollapse& collapse) {
   const auto mode = problems::collapse_mode(problem, collapse.motion);
   std::vector<std::string> tension;
   std::vector<std::string> compression;
@@ -167,7 +160,7 @@ void write_curve(std::string& text, const LimitProblem& problem, const char* wha
 }
 
 // What holds at the load factor zero, where it is not what one expects.
-void write_zero(std::string& text, const char* load, const LimitCollapse& collapse) {
+void write_zero(std::string& text, const char* load, const limit::LimitCollapse& collapse) {
   if (collapse.factor < 0) {
     fmt::format_to(std::back_inserter(text), "  negative: {} alone collapses the structure\n",
                    load);
@@ -182,29 +175,31 @@ const char* without_proof(bool proved) {
   return proved ? "" : " (as the simplex method finds it: not proved)";
 }
 
-void write_ends(std::string& text, const LimitWorstCase& worst) {
+void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
   if (worst.proved) {
-    fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", worst.lower, worst.upper);
+    fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", worst.ends.lower,
+                   worst.ends.upper);
     return;
   }
-  if (std::isfinite(worst.lower)) {
-    fmt::format_to(out, "  load factor at least {:.10g}{}\n", worst.lower,
-                   without_proof(worst.lower_proved));
+  if (std::isfinite(worst.ends.lower)) {
+    fmt::format_to(out, "  load factor at least {:.10g}{}\n", worst.ends.lower,
+                   without_proof(worst.ends.lower_proved));
   } else {
     text += "  no lower bound of the load factor was found\n";
   }
-  fmt::format_to(out, "  and at most {:.10g}{}\n", worst.upper, without_proof(worst.upper_proved));
+  fmt::format_to(out, "  and at most {:.10g}{}\n", worst.ends.upper,
+                 without_proof(worst.ends.upper_proved));
   if (worst.search == engine::Status::solved) {
     text += "  open: these two ends are not shown to be one\n";
   }
 }
 
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
-                 const LimitWorstCase& worst) {
+                 const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "\nworst case of {} uncertain components, alpha = {} {}\n",
-                 problem.uncertain_count(), *options.alpha, problem.units.force);
+                 problem.uncertain_count(), *options.question.alpha, problem.units.force);
   if (worst.status == RootStatus::not_carried) {
     fmt::format_to(out,
                    "  some admissible dead load is carried at no load factor, of either sign{}\n",
@@ -234,7 +229,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
 }
 
 // Why there is no nominal factor.
-std::string no_nominal(const LimitAnswer& answer) {
+std::string no_nominal(const limit::LimitAnswer& answer) {
   if (answer.status == limit::LoadStatus::not_carried) {
     return fmt::format("the nominal dead load is carried at no load factor, of either sign{}\n",
                        answer.no_factor_proved ? ", proved" : without_proof(false));
@@ -264,7 +259,7 @@ std::string LimitReport::table() const {
                    answer.samples.size(), least, greatest,
                    sum / static_cast<double>(answer.samples.size()));
   }
-  if (options.curve && answer.worst) {
+  if (options.question.curve && answer.worst) {
     write_curve(text, problem, "the critical load in proportion, beta times", answer.curve);
     write_curve(text, problem, "the worst case with beta times alpha", answer.worst_curve);
   }
@@ -295,14 +290,14 @@ ordered_json LimitReport::json() const {
     } else if (answer.rest == engine::Status::solved) {
       status = worst.proved ? status_text(worst.status) : "open";
     }
-    result["alpha"] = *options.alpha;
+    result["alpha"] = *options.question.alpha;
     result["uncertain_components"] = problem.uncertain_count();
-    result["worst_case"] = {{"lower", finite(worst.lower)},
-                            {"upper", finite(worst.upper)},
+    result["worst_case"] = {{"lower", number_or_null(worst.ends.lower)},
+                            {"upper", number_or_null(worst.ends.upper)},
                             {"proved", worst.proved},
-                            {"lower_proved", worst.lower_proved},
-                            {"upper_proved", worst.upper_proved}};
-    if (worst.zero_one_bound) result["zero_one_bound"] = finite(*worst.zero_one_bound);
+                            {"lower_proved", worst.ends.lower_proved},
+                            {"upper_proved", worst.ends.upper_proved}};
+    if (worst.zero_one_bound) result["zero_one_bound"] = number_or_null(*worst.zero_one_bound);
     result["critical_load"] = load_json(problem, problems::dead_load(problem, worst.zeta));
     if (worst.collapse) {
       result["critical_interval"] = interval_json(*worst.collapse);
@@ -317,12 +312,12 @@ ordered_json LimitReport::json() const {
   }
   if (!answer.samples.empty()) {
     auto factors = ordered_json::array();
-    for (const double factor : answer.samples) factors.push_back(finite(factor));
-    result["samples"] = {{"seed", options.seed},
-                         {"least", finite(*std::ranges::min_element(answer.samples))},
+    for (const double factor : answer.samples) factors.push_back(number_or_null(factor));
+    result["samples"] = {{"seed", options.question.seed},
+                         {"least", number_or_null(*std::ranges::min_element(answer.samples))},
                          {"factors", std::move(factors)}};
   }
-  if (options.curve && answer.worst) {
+  if (options.question.curve && answer.worst) {
     result["curve"] = curve_json(problem, answer.curve);
     result["worst_curve"] = curve_json(problem, answer.worst_curve);
   }
@@ -332,12 +327,12 @@ ordered_json LimitReport::json() const {
     statistics["tree_programs"] = answer.worst->tree_programs;
   }
   ordered_json chosen = ordered_json::object();
-  chosen["alpha"] = options.alpha ? ordered_json(*options.alpha) : ordered_json();
-  chosen["cuts"] = method_name(options.method);
-  chosen["big_m"] = options.big_m ? ordered_json(*options.big_m) : ordered_json();
-  chosen["samples"] = options.samples;
-  chosen["seed"] = options.seed;
-  chosen["curve"] = options.curve;
+  chosen["alpha"] = number_or_null(options.question.alpha);
+  chosen["cuts"] = method_name(options.question.method);
+  chosen["big_m"] = number_or_null(options.question.big_m);
+  chosen["samples"] = options.question.samples;
+  chosen["seed"] = options.question.seed;
+  chosen["curve"] = options.question.curve;
   return {{"command", "limit"},
           {"version", KUSABI_VERSION},
           {"problem",
@@ -348,7 +343,7 @@ ordered_json LimitReport::json() const {
             {"nodes", problem.node_names.size()},
             {"members", problem.member_count()},
             {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-            {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}}},
+            {"fingerprint", hexadecimal(problem.fingerprint)}}},
           {"options", std::move(chosen)},
           {"status", status},
           {"result", std::move(result)},

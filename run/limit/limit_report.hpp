@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nodes/limit/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/limit/limit.hpp"
-#include "run/limit/limit_answer.hpp"
 
 namespace kusabi::run {
 
@@ -16,7 +16,7 @@ namespace kusabi::run {
 struct LimitReport {
   const LimitOptions& options;
   const problems::LimitProblem& problem;
-  const LimitAnswer& answer;
+  const limit::LimitAnswer& answer;
   int ranks = 1;
 
   [[nodiscard]] std::string table() const;

@@ -1,26 +1,17 @@
 // From the file to the report, on all ranks.
 #include "run/mip/mip.hpp"
 
-#include <cstdio>
 #include <optional>
-#include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
 
-#include "engine/signals.hpp"
-#include "nodes/zero_one/unboundedness.hpp"
+#include "engine/campaign.hpp"
+#include "nodes/zero_one/mixed_search.hpp"
+#include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/last_steps.hpp"
-#include "run/output/outputs.hpp"
-#include "run/output/rank_table.hpp"
-#include "run/output/result_file.hpp"
-#include "run/output/standard_output.hpp"
-#include "run/session/budget.hpp"
+#include "run/output/values.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
+#include "run/session/supervision.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 
@@ -28,30 +19,6 @@ namespace kusabi::run {
 namespace {
 
 using linear::ProgramFile;
-
-void announce(const MipOptions& options, const ProgramFile& program, int ranks) {
-  const auto& [name, constant, columns, rows, entries] = program.mixed.program;
-  tell(
-      "kusabi {} · mip · {}\n"
-      "{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}\n",
-      KUSABI_VERSION, options.file, name.empty() ? "a program without a name" : name, rows.size(),
-      columns.size(), program.mixed.binaries.size(), entries.size(),
-      program.maximise ? "maximise" : "minimise",
-      ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
-}
-
-// Rank 0 reads; the others get what it read.
-ProgramFile read_on_first_rank(Session& session, const MipOptions& options,
-                               std::optional<ResultFile>& result_file) {
-  return told_by_first_rank(session, [&] {
-    auto program = linear::read_program(options.file);
-    check_outputs(
-        options.file, {{"--output", options.output}},
-        {{"--checkpoint", options.checkpoint.empty() ? options.restart : options.checkpoint}});
-    result_file.emplace(options.output, options.file);
-    return program;
-  });
-}
 
 std::uint64_t program_fingerprint(const ProgramFile& file) {
   const auto& [name, constant, columns, rows, entries] = file.mixed.program;
@@ -86,114 +53,114 @@ std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options)
   return fingerprint.value();
 }
 
-void tell_what_is_left(const MipOptions& options, const std::string& checkpoint,
-                       const engine::Outcome<zero_one::ZeroOneTree>& outcome) {
-  tell("stopped early ({}): {} open nodes are left\n", status_name(outcome.status), outcome.open);
-  std::string call = fmt::format("kusabi mip {}", options.file);
-  if (options.cuts == zero_one::ZeroOneCuts::disjunctive) call += " --cuts disjunctive";
-  if (options.branching == zero_one::ZeroOneBranching::look_ahead) {
-    call += " --branching look-ahead";
+class Mip final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "mip"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "the optimum of a mixed zero-one linear program, with its bound";
   }
-  if (!options.tighten) call += " --no-tighten";
-  if (!options.dive) call += " --no-dive";
-  tell_how_to_go_on(call, checkpoint, outcome.saved);
+  void describe(OptionTable& table) override;
+  void read(CommandRun& run) override;
+  void prepare(CommandRun& run) override;
+  [[nodiscard]] std::string announcement(const std::string& ranks) const override;
+  void search(CommandRun& run) override;
+  std::vector<Step> results(CommandRun& run) override;
+  Verdict verdict(CommandRun& run) override;
+
+ private:
+  MipOptions options_;
+  std::optional<engine::Campaign> campaign_;  // from the reading of the file on
+  ProgramFile program_;
+  std::uint64_t fingerprint_ = 0;
+  engine::Options search_options_;
+  std::optional<zero_one::MixedAnswer> found_;
+};
+
+void Mip::describe(OptionTable& table) {
+  using engine::Order;
+  using zero_one::ZeroOneBranching;
+  using zero_one::ZeroOneCuts;
+  table
+      .file("file", options_.file, Role::input,
+            "the program, in MPS (.mps) or CPLEX LP (.lp) format")
+      .required();
+  table.choice("--cuts", options_.cuts,
+               {{"none", ZeroOneCuts::none}, {"disjunctive", ZeroOneCuts::disjunctive}},
+               "cuts at the root");
+  table.choice("--branching", options_.branching,
+               {{"paper", ZeroOneBranching::paper}, {"look-ahead", ZeroOneBranching::look_ahead}},
+               "split nodes by the largest tau (1 - tau) as the paper does, or by what the "
+               "children's bounds gain: the same optimum from fewer nodes that cost more");
+  table.choice("--order", options_.order,
+               {{"depth-first", Order::depth_first},
+                {"best-first", Order::best_first},
+                {"hybrid", Order::hybrid}},
+               "which node is opened next: the same optimum");
+  table.flag("--no-tighten", options_.tighten, "leave big Ms as they are", false);
+  table.flag("--no-dive", options_.dive, "do not look for points before the search", false);
+  table.output();
+  table.time_limit(options_.limits);
+  table.node_limit(options_.limits);
+  table
+      .number("--gap", &options_.limits.gap, above(0),
+              "stop when objective and bound differ by so much, relative to the objective")
+      .stops(engine::Status::gap_limit);
+  table.checkpoints(options_.checkpoint);
+  table.quiet();
+  table.serial();
 }
 
-// What the search starts from, which every rank has worked out by itself.
-std::uint64_t root_fingerprint(const zero_one::ZeroOneRoot& root) {
-  support::Fingerprint fingerprint;
-  const auto& program = root.relaxation.program();
-  for (const auto& column : program.columns) {
-    fingerprint.add(column.lower);
-    fingerprint.add(column.upper);
-  }
-  for (const auto& row : program.rows) {
-    fingerprint.add(row.lower);
-    fingerprint.add(row.upper);
-  }
-  for (const auto& entry : program.entries) fingerprint.add(entry.value);
-  fingerprint.add(root.bound);
-  fingerprint.add(root.point ? root.point->objective : linear::infinity);
-  return fingerprint.value();
+void Mip::read(CommandRun& run) {
+  campaign_.emplace(run.session().transport(), supervision(options_.limits, run.quiet()));
+  program_ = run.session().from_first_rank([&] { return linear::read_program(options_.file); });
 }
 
-// The outcome if the work at the root was stopped: its bound and its point, and one open node.
-engine::Outcome<zero_one::ZeroOneTree> outcome_of_root(const zero_one::ZeroOneTree& tree, int ranks,
-                                                       engine::Status why) {
-  engine::Outcome<zero_one::ZeroOneTree> outcome;
-  outcome.status = why;
-  outcome.open = 1;
-  outcome.bound = tree.prepared().bound;
-  if (const auto& point = tree.prepared().point) outcome.solutions.push_back({{}, *point});
-  outcome.ranks.resize(static_cast<std::size_t>(ranks));
-  return outcome;
+void Mip::prepare(CommandRun& run) {
+  fingerprint_ = program_fingerprint(program_);
+  search_options_.order = options_.order;
+  search_options_.checkpoint =
+      run.checkpoint(options_.checkpoint, tree_fingerprint(fingerprint_, options_));
+  search_options_.warn = warn;
+  if (!run.session().speaks()) return;
+  for (const auto& warning : program_.warnings) warn(warning);
 }
 
-// If the relaxation has no lower bound, neither has the program, if it has a point at all: the
-// direction in which the objective falls leaves the binaries alone. So a point is all there is to
-// look for.
-bool without_bound(zero_one::ZeroOneRoot& root, const ProgramFile& program,
-                   const zero_one::ZeroOneRootOptions& options) {
-  if (root.status != linear::LinearStatus::unbounded ||
-      !zero_one::falls_for_ever(program.mixed, options.stop)) {
-    return false;
+std::string Mip::announcement(const std::string& ranks) const {
+  const auto& [name, constant, columns, rows, entries] = program_.mixed.program;
+  return fmt::format("{}: {} rows, {} columns, {} of them binary, {} entries; {}; {}",
+                     name.empty() ? "a program without a name" : name, rows.size(), columns.size(),
+                     program_.mixed.binaries.size(), entries.size(),
+                     program_.maximise ? "maximise" : "minimise", ranks);
+}
+
+void Mip::search(CommandRun& /*run*/) {
+  found_ = zero_one::solve_mixed(
+      *campaign_, program_.mixed,
+      {.cuts = options_.cuts, .tighten = options_.tighten, .dive = options_.dive},
+      options_.branching, search_options_, {program_.maximise ? -1.0 : 1.0});
+}
+
+std::vector<Step> Mip::results(CommandRun& run) {
+  const MipReport report{options_, program_, fingerprint_, *found_};
+  return {run.result(report.json()), run.answer(report.table())};
+}
+
+Verdict Mip::verdict(CommandRun& run) {
+  Verdict verdict{.remarks = {}, .code = found_->answered() ? solved : stopped_early};
+  const auto& outcome = found_->outcome;
+  if (outcome.status != engine::Status::solved) {
+    verdict.remarks = run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
+    verdict.remarks.insert(verdict.remarks.begin(),
+                           fmt::format("stopped early ({}): {} open nodes are left",
+                                       status_name(outcome.status), outcome.open));
   }
-  auto any_point = program.mixed;
-  for (auto& column : any_point.program.columns) column.cost = 0;
-  root = zero_one::prepare_root(std::move(any_point), options);
-  return true;
+  return verdict;
 }
 
 }  // namespace
 
-int mip(Session& session, const MipOptions& options) {
-  std::optional<ResultFile> result_file;
-  const Budget budget(options.limits);
-  const auto program = read_on_first_rank(session, options, result_file);
-  const std::uint64_t fingerprint = program_fingerprint(program);
-
-  engine::Options search_options;
-  search_options.goal = engine::Goal::best;
-  search_options.order = options.order;
-  auto& checkpoint = search_options.checkpoint;
-  checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
-  checkpoint.interval = options.checkpoint_interval;
-  checkpoint.problem = tree_fingerprint(fingerprint, options);
-  checkpoint.resume_from =
-      restart_from(session, options.checkpoint, options.restart, checkpoint.problem);
-  search_options.warn = warn;
-  if (session.speaks()) {
-    for (const auto& warning : program.warnings) warn(warning);
-    if (!options.quiet) announce(options, program, session.ranks());
-  }
-  const zero_one::ZeroOneRootOptions root_options{.cuts = options.cuts,
-                                                  .tighten = options.tighten,
-                                                  .dive = options.dive,
-                                                  .stop = budget.stop()};
-  auto root = zero_one::prepare_root(program.mixed, root_options);
-  const bool unbounded = without_bound(root, program, root_options);
-  // One rank that was stopped at the root stops all: their roots differ.
-  const auto stopped = session.meet({.ranks = 1, .found = root.interrupted ? 1U : 0U});
-  if (stopped.found == 0) session.agree(root_fingerprint(root));
-  zero_one::ZeroOneTree tree(std::move(root), options.branching);
-  const auto outcome = stopped.found != 0
-                           ? outcome_of_root(tree, session.ranks(), budget.why())
-                           : shown_search(session, tree, search_options, budget.left(),
-                                          options.quiet, {program.maximise ? -1.0 : 1.0});
-
-  bool answered = false;
-  const bool whole = outcome.status == engine::Status::solved;
-  if (session.speaks()) {
-    const MipReport report{options, program, fingerprint, tree, outcome, unbounded};
-    answered = report.answered();
-    do_all({[&] { result_file->write(report.json()); },
-            [&] {
-              if (!options.quiet) print_answer(report.table());
-            }});
-    if (!options.quiet) tell_written({options.output});
-    if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
-  }
-  return told_by_first_rank(session, [&] { return answered; }) ? solved : stopped_early;
+std::unique_ptr<Subcommand> mip_subcommand() {
+  return std::make_unique<Mip>();
 }
 
 }  // namespace kusabi::run

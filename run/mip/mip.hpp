@@ -2,12 +2,13 @@
 // (Algorithms 4.2 and 5.1 of the limit paper).
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "engine/options.hpp"
 #include "nodes/zero_one/root.hpp"
 #include "nodes/zero_one/tree.hpp"
-#include "run/session/session.hpp"
+#include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
 
@@ -19,15 +20,9 @@ struct MipOptions {
   bool dive = true;                                  ///< for points, at the root
   engine::Order order = engine::Order::depth_first;  ///< which node is next
   engine::Limits limits;                             ///< where to stop early
-  std::string output;                                ///< the result file; empty: none
-  std::string checkpoint;                            ///< keep the state here; empty: nowhere
-  double checkpoint_interval = 600;                  ///< seconds
-  std::string restart;                               ///< go on from here; empty: start anew
-  bool quiet = false;                                ///< no progress, no table
+  CheckpointChoice checkpoint;                       ///< where the state is kept
 };
 
-/// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, support::InputError on every rank alike
-int mip(Session& session, const MipOptions& options);
+std::unique_ptr<Subcommand> mip_subcommand();
 
 }  // namespace kusabi::run

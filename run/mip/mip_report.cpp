@@ -9,11 +9,13 @@
 #include <fmt/format.h>
 
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 
 namespace kusabi::run {
 namespace {
 
 using nlohmann::ordered_json;
+using zero_one::MixedStatus;
 
 // A value that is worth less, or is itself less, is a zero that was rounded.
 bool is_zero(double value, double cost) {
@@ -21,71 +23,34 @@ bool is_zero(double value, double cost) {
   return std::abs(value) * std::max(1.0, std::abs(cost)) <= nothing;
 }
 
-const char* answer_name(MipAnswer answer) {
+const char* answer_name(MixedStatus answer) {
   switch (answer) {
-    case MipAnswer::optimal:
+    case MixedStatus::optimal:
       return "optimal";
-    case MipAnswer::feasible:
+    case MixedStatus::feasible:
       return "feasible";
-    case MipAnswer::infeasible:
+    case MixedStatus::infeasible:
       return "infeasible";
-    case MipAnswer::unbounded:
+    case MixedStatus::unbounded:
       return "unbounded";
-    case MipAnswer::unknown:
+    case MixedStatus::unknown:
       break;
   }
   return "unknown";
 }
 
-// JSON has no infinity.
-ordered_json number(double value) {
-  if (std::isfinite(value)) return value;
-  return nullptr;
-}
-
-ordered_json tally_json(const zero_one::ZeroOneTally& tally) {
-  return {{"branched", tally.branched},
-          {"infeasible", tally.infeasible},
-          {"above", tally.above},
-          {"leaves", tally.leaves},
-          {"points", tally.points},
-          {"unproved", tally.unproved},
-          {"held", tally.held},
-          {"programs", tally.programs},
-          {"iterations", tally.iterations}};
-}
-
 }  // namespace
-
-const zero_one::ZeroOnePoint* MipReport::point() const {
-  return outcome.solutions.empty() ? nullptr : &outcome.solutions.front().solution;
-}
-
-MipAnswer MipReport::answer() const {
-  if (unbounded) return point() != nullptr ? MipAnswer::unbounded : MipAnswer::infeasible;
-  const bool whole = outcome.status == engine::Status::solved;
-  if (point() == nullptr) {
-    return whole && total().unproved == 0 ? MipAnswer::infeasible : MipAnswer::unknown;
-  }
-  const double missing = std::abs(objective() - bound());
-  const double most = optimality_tolerance * tree.prepared().relaxation.steps().size(objective());
-  return whole && missing <= most ? MipAnswer::optimal : MipAnswer::feasible;
-}
-
-zero_one::ZeroOneTally MipReport::total() const {
-  return outcome.tally();
-}
 
 double MipReport::in_the_files_sense(double objective) const {
   return program.maximise ? -objective : objective;
 }
 
 double MipReport::objective() const {
-  return in_the_files_sense(point()->objective);
+  return in_the_files_sense(found.point()->objective);
 }
 
 double MipReport::bound() const {
-  return in_the_files_sense(tree.lower_bound(outcome.bound, total()));
+  return in_the_files_sense(found.bound());
 }
 
 double MipReport::gap() const {
@@ -93,52 +58,42 @@ double MipReport::gap() const {
   return objective() == 0 ? difference : difference / std::abs(objective());
 }
 
-bool MipReport::answered() const {
-  const auto found = answer();
-  return outcome.status == engine::Status::solved && found != MipAnswer::feasible &&
-         found != MipAnswer::unknown;
-}
-
-bool MipReport::proved() const {
-  return tree.proves();
-}
-
 std::string MipReport::verdict() const {
-  switch (answer()) {
-    case MipAnswer::infeasible:
+  switch (found.status()) {
+    case MixedStatus::infeasible:
       return "infeasible: no point satisfies all rows, bounds and binaries\n";
-    case MipAnswer::unbounded:
+    case MixedStatus::unbounded:
       return fmt::format("unbounded: there are points, and the objective has no {} bound\n",
                          program.maximise ? "upper" : "lower");
-    case MipAnswer::unknown:
+    case MixedStatus::unknown:
       return fmt::format(
           "no point was found, and it is not known that there is none; {} bound {}\n",
           program.maximise ? "upper" : "lower", bound());
-    case MipAnswer::optimal:
-    case MipAnswer::feasible:
+    case MixedStatus::optimal:
+    case MixedStatus::feasible:
       break;
   }
   return fmt::format("{} objective {}; {} bound {} ({}), gap {:.2g} %\n",
-                     answer() == MipAnswer::optimal ? "optimal:" : "best point so far:",
+                     found.status() == MixedStatus::optimal ? "optimal:" : "best point so far:",
                      objective(), program.maximise ? "upper" : "lower", bound(),
-                     proved() ? "safe against rounding" : "without a proof", 100 * gap());
+                     found.proved() ? "safe against rounding" : "without a proof", 100 * gap());
 }
 
 // What stands between the answer and a proof.
 std::string MipReport::doubts() const {
   std::string text;
   auto out = std::back_inserter(text);
-  const auto found = answer();
-  const bool whole = outcome.status == engine::Status::solved;
-  const auto unproved = total().unproved;
-  if (whole && !answered()) {
+  const auto status = found.status();
+  const bool whole = found.outcome.status == engine::Status::solved;
+  const auto unproved = found.outcome.tally().unproved;
+  if (whole && !found.answered()) {
     fmt::format_to(
         out,
         "not answered: the search is done, but {} nodes were closed without a proof that "
         "nothing is left in them{}\n",
         unproved,
-        found == MipAnswer::feasible && unproved == 0 ? ", and the bounds of others are too weak"
-                                                      : "");
+        status == MixedStatus::feasible && unproved == 0 ? ", and the bounds of others are too weak"
+                                                         : "");
   } else if (unproved != 0) {
     fmt::format_to(
         out,
@@ -147,7 +102,7 @@ std::string MipReport::doubts() const {
         unproved);
   }
   // That nothing satisfies the rows is shown by a contradiction of theirs, whatever the bounds.
-  if (found != MipAnswer::unbounded && found != MipAnswer::infeasible && !proved()) {
+  if (status != MixedStatus::unbounded && status != MixedStatus::infeasible && !found.proved()) {
     text +=
         "the bound is not proved: columns without bounds leave no room for rounding; it was "
         "computed "
@@ -159,10 +114,10 @@ std::string MipReport::doubts() const {
 std::string MipReport::table() const {
   std::string text;
   auto out = std::back_inserter(text);
-  if (point() != nullptr && answer() != MipAnswer::unbounded) {
+  if (found.point() != nullptr && found.status() != MixedStatus::unbounded) {
     std::size_t width = std::string_view("column").size();
     const auto& columns = program.mixed.program.columns;
-    const auto& values = point()->values;
+    const auto& values = found.point()->values;
     for (std::size_t j = 0; j < columns.size(); ++j) {
       if (!is_zero(values[j], columns[j].cost)) width = std::max(width, columns[j].name.size());
     }
@@ -173,46 +128,47 @@ std::string MipReport::table() const {
     }
   }
   text += '\n' + verdict() + doubts();
-  const auto tally = total();
-  const auto& counts = tree.prepared().counts;
+  const auto tally = found.outcome.tally();
+  const auto& counts = found.tree.prepared().counts;
   fmt::format_to(out,
                  "{} nodes; {} linear programs, {} of them at the root; {} cuts in {} rounds; {} "
                  "coefficients made smaller\n",
-                 outcome.opened(), tally.programs + counts.programs, counts.programs, counts.cuts,
-                 counts.cut_rounds, counts.tightened);
+                 found.outcome.opened(), tally.programs + counts.programs, counts.programs,
+                 counts.cuts, counts.cut_rounds, counts.tightened);
   RankTable ranks({"branched", "infeasible", "above", "leaves", "programs", "iterations"});
   const auto own = [](const zero_one::ZeroOneTally& its) {
     return std::vector<std::uint64_t>{its.branched, its.infeasible + its.unproved,
                                       its.above,    its.leaves,
                                       its.programs, its.iterations};
   };
-  for (const auto& rank : outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
-  for (const auto& rank : outcome.earlier) ranks.add_earlier(rank.statistics, own(rank.tally));
+  for (const auto& rank : found.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
+  for (const auto& rank : found.outcome.earlier)
+    ranks.add_earlier(rank.statistics, own(rank.tally));
   text += '\n' + ranks.text();
   return text;
 }
 
 ordered_json MipReport::json() const {
   const auto& given = program.mixed.program;
-  const auto& counts = tree.prepared().counts;
-  ordered_json result{{"answer", answer_name(answer())}};
-  if (answer() == MipAnswer::optimal || answer() == MipAnswer::feasible) {
+  const auto& counts = found.tree.prepared().counts;
+  ordered_json result{{"answer", answer_name(found.status())}};
+  if (found.status() == MixedStatus::optimal || found.status() == MixedStatus::feasible) {
     result["objective"] = objective();
-    result["bound"] = number(bound());
-    result["gap"] = number(gap());
-    result["proved"] = proved();
+    result["bound"] = number_or_null(bound());
+    result["gap"] = number_or_null(gap());
+    result["proved"] = found.proved();
     ordered_json columns = ordered_json::object();
     for (std::size_t j = 0; j < given.columns.size(); ++j) {
-      const double value = point()->values[j];
+      const double value = found.point()->values[j];
       if (!is_zero(value, given.columns[j].cost)) columns[given.columns[j].name] = value;
     }
     result["columns"] = std::move(columns);
-  } else if (answer() == MipAnswer::unknown) {
-    result["bound"] = number(bound());
+  } else if (found.status() == MixedStatus::unknown) {
+    result["bound"] = number_or_null(bound());
   }
-  result["unproved"] = total().unproved;
-  result["root"] = {{"first_bound", number(in_the_files_sense(counts.first_bound))},
-                    {"last_bound", number(in_the_files_sense(counts.last_bound))},
+  result["unproved"] = found.outcome.tally().unproved;
+  result["root"] = {{"first_bound", number_or_null(in_the_files_sense(counts.first_bound))},
+                    {"last_bound", number_or_null(in_the_files_sense(counts.last_bound))},
                     {"programs", counts.programs},
                     {"cut_rounds", counts.cut_rounds},
                     {"cut_programs", counts.cut_programs},
@@ -230,20 +186,21 @@ ordered_json MipReport::json() const {
             {"columns", given.columns.size()},
             {"binaries", program.mixed.binaries.size()},
             {"entries", given.entries.size()},
-            {"fingerprint", fmt::format("{:016x}", fingerprint)}}},
+            {"fingerprint", hexadecimal(fingerprint)}}},
           {"options",
            {{"cuts", options.cuts == zero_one::ZeroOneCuts::none ? "none" : "disjunctive"},
             {"branching",
              options.branching == zero_one::ZeroOneBranching::paper ? "paper" : "look-ahead"},
             {"tighten", options.tighten},
             {"dive", options.dive}}},
-          {"status", status_name(outcome.status)},
+          {"status", status_name(found.outcome.status)},
           {"result", std::move(result)},
           {"statistics",
-           {{"opened", outcome.opened()},
-            {"open", outcome.open},
-            {"ranks", rank_reports(outcome.ranks, tally_json)},
-            {"earlier_runs", rank_reports(outcome.earlier, tally_json)}}}};
+           {{"opened", found.outcome.opened()},
+            {"open", found.outcome.open},
+            {"ranks", rank_reports(found.outcome.ranks, counts_json<zero_one::ZeroOneTally>)},
+            {"earlier_runs",
+             rank_reports(found.outcome.earlier, counts_json<zero_one::ZeroOneTally>)}}}};
 }
 
 }  // namespace kusabi::run

@@ -7,7 +7,7 @@
 
 namespace kusabi::run {
 
-void do_all(std::initializer_list<std::function<void()>> steps) {
+void do_all(const std::vector<std::function<void()>>& steps) {
   std::exception_ptr first;
   for (const auto& step : steps) {
     try {

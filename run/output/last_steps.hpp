@@ -3,13 +3,13 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
+#include <vector>
 
 namespace kusabi::run {
 
 /// Does all of `steps` in their order, also after one has failed, and then throws what the first
 /// that failed has thrown; what the others say goes to standard error.
 /// @throws std::runtime_error, say
-void do_all(std::initializer_list<std::function<void()>> steps);
+void do_all(const std::vector<std::function<void()>>& steps);
 
 }  // namespace kusabi::run

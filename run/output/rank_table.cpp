@@ -135,24 +135,6 @@ std::string RankTable::text() const {
   return text;
 }
 
-const char* status_name(engine::Status status) {
-  switch (status) {
-    case engine::Status::solved:
-      return "solved";
-    case engine::Status::time_limit:
-      return "time-limit";
-    case engine::Status::node_limit:
-      return "node-limit";
-    case engine::Status::solution_limit:
-      return "solution-limit";
-    case engine::Status::gap_limit:
-      return "gap-limit";
-    case engine::Status::interrupted:
-      break;
-  }
-  return "interrupted";
-}
-
 void add_statistics(nlohmann::ordered_json& rank, const engine::RankStatistics& statistics) {
   rank["opened"] = statistics.opened;
   rank["peak_open"] = statistics.peak_open;

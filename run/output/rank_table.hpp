@@ -42,9 +42,6 @@ class RankTable {
   std::vector<Row> earlier_;
 };
 
-/// As the result file calls it: "solved", "time-limit", ...
-const char* status_name(engine::Status status);
-
 /// The engine's statistics of one rank, added to an object of the result file.
 void add_statistics(nlohmann::ordered_json& rank, const engine::RankStatistics& statistics);
 

@@ -1,29 +1,27 @@
 // From the file to the report, on all ranks.
 #include "run/patterns/patterns.hpp"
 
-#include <cstdio>
+#include <algorithm>
+#include <iterator>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "engine/campaign.hpp"
 #include "engine/checkpoint.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/facets.hpp"
+#include "nodes/wedged/pattern_search.hpp"
 #include "problems/files/structure_file.hpp"
+#include "run/command/command_run.hpp"
 #include "run/evidence/certificate_file.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/last_steps.hpp"
-#include "run/output/output_file.hpp"
-#include "run/output/outputs.hpp"
 #include "run/output/rank_table.hpp"
-#include "run/output/result_file.hpp"
-#include "run/output/standard_output.hpp"
 #include "run/output/trace_file.hpp"
+#include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/shown_search.hpp"
-#include "run/session/told.hpp"
+#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
@@ -31,149 +29,184 @@
 namespace kusabi::run {
 namespace {
 
-void announce(const PatternsOptions& options, const problems::WedgedProblem& problem, int ranks) {
-  tell(
-      "kusabi {} · patterns · {}\n"
-      "{}; friction coefficient {}{}; {}\n",
-      KUSABI_VERSION, options.file, problem_line(problem), options.friction,
-      uniform_friction(problem) ? "" : " times that of each candidate",
-      ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
+class Patterns final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "patterns"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "every sign pattern of wedged configurations (contact or separated, node by node)";
+  }
+  void describe(OptionTable& table) override;
+  void check() const override;
+  void read(CommandRun& run) override;
+  void prepare(CommandRun& run) override;
+  [[nodiscard]] std::string announcement(const std::string& ranks) const override;
+  void search(CommandRun& run) override;
+  std::vector<Step> results(CommandRun& run) override;
+  Verdict verdict(CommandRun& run) override;
+
+ private:
+  [[nodiscard]] std::uint64_t tree_fingerprint() const;
+  [[nodiscard]] bool whole() const { return findings_->whole(); }
+  void end_certificate();
+  [[nodiscard]] std::string what_became_of_the_certificate() const;
+
+  PatternsOptions options_;
+  std::string trace_;
+  std::string text_;
+  problems::WedgedProblem problem_;
+  std::vector<double> friction_;
+  wedged::PatternQuestion question_;
+  std::optional<CertificateFile> certificate_;
+  std::optional<wedged::PatternFindings> findings_;
+  bool goes_on_ = false;  // whether a checkpoint is there to go on from
+};
+
+void Patterns::describe(OptionTable& table) {
+  using wedged::Branching;
+  using wedged::FacetBound;
+  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
+  table.number("--mu", &options_.friction, above(0), "friction coefficient").required();
+  // Doubles have no more digits in a margin, and above nothing would be left to find.
+  table.number("--tolerance", &options_.tolerance, between(1e-12, 1e-3),
+               "a margin t* up to this size is a tie, neither positive nor negative");
+  table.choice("--branching", options_.branching,
+               {{"paper", Branching::product}, {"relative", Branching::relative}},
+               "split nodes by the largest u_n r_n as the paper does, or by its size relative to "
+               "the candidate's compliance: the same patterns from fewer nodes");
+  table.choice("--method", options_.polyhedral, {{"cones", false}, {"polyhedral", true}},
+               "bound nodes with the friction cones themselves, or with polyhedral ones around "
+               "them, and put each pattern that these let live to the test of the cones");
+  Range facets = between(FacetBound::fewest, FacetBound::most);
+  facets.even = true;
+  table.number("--facets", &options_.facets, facets, "of each polyhedral cone").needs("--method");
+  table.output();
+  table.time_limit(options_.limits);
+  table.node_limit(options_.limits);
+  table.number("--pattern-limit", &options_.limits.solutions, above(0), "stop at so many patterns")
+      .stops(engine::Status::solution_limit);
+  table.checkpoints(options_.checkpoint);
+  table.file("--trace", trace_, Role::output,
+             "write what each rank did when to this file, for ui.perfetto.dev");
+  table.file("--certificate", options_.certificate, Role::evidence,
+             "write the evidence to this file, for kusabi verify");
+  table.quiet();
+  table.serial();
+}
+
+void Patterns::check() const {
+  if (options_.facets != PatternsOptions{}.facets && !options_.polyhedral) {
+    throw WrongInput("--facets: of cones that are not polyhedral; expected --method polyhedral");
+  }
+}
+
+void Patterns::read(CommandRun& run) {
+  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
 }
 
 // A checkpoint belongs to a tree, and the tree depends on the friction and the tolerance as well.
-std::uint64_t tree_fingerprint(const problems::WedgedProblem& problem,
-                               const PatternsOptions& options) {
+std::uint64_t Patterns::tree_fingerprint() const {
   support::Fingerprint fingerprint;
-  fingerprint.add(problem.fingerprint);
-  fingerprint.add(options.friction);
-  fingerprint.add(options.tolerance);
-  fingerprint.add(std::uint64_t{options.branching == wedged::Branching::product});
-  fingerprint.add(static_cast<std::uint64_t>(options.facets));
+  fingerprint.add(problem_.fingerprint);
+  fingerprint.add(options_.friction);
+  fingerprint.add(options_.tolerance);
+  fingerprint.add(std::uint64_t{options_.branching == wedged::Branching::product});
+  fingerprint.add(static_cast<std::uint64_t>(options_.facets_in_use()));
   return fingerprint.value();
 }
 
-void tell_what_is_left(const PatternsOptions& options, const std::string& checkpoint,
-                       const engine::Outcome<wedged::SignPatternTree>& outcome) {
-  tell("stopped early ({}): {} open nodes are left, the list is not complete\n",
-       status_name(outcome.status), outcome.open);
-  std::string call = fmt::format("kusabi patterns {} --mu {}", options.file, options.friction);
-  const PatternsOptions usual;
-  if (options.tolerance != usual.tolerance)
-    call += fmt::format(" --tolerance {}", options.tolerance);
-  if (options.branching != usual.branching) call += " --branching paper";
-  if (options.facets != 0) call += fmt::format(" --method polyhedral --facets {}", options.facets);
-  if (!options.certificate.empty()) call += fmt::format(" --certificate {}", options.certificate);
-  tell_how_to_go_on(call, checkpoint, outcome.saved);
-}
-
-void tell_what_is_open(std::size_t leaves) {
-  tell(
-      "open: of {} sign pattern{} it could not be told whether anything wedges: the list is "
-      "complete but for {}\n",
-      leaves, leaves == 1 ? "" : "s", leaves == 1 ? "it" : "them");
-}
-
-// Of a search that stopped early the parts stay, if anything can go on from them. On all ranks.
-void end_certificate(Session& session, CertificateFile& certificate, const std::string& header,
-                     bool whole, bool goes_on) {
-  if (!certificate.wanted()) return;
-  certificate.close();
-  if (!session.speaks()) return;
-  if (whole) {
-    certificate.put_in_place(header);
-  } else if (!goes_on) {
-    certificate.drop();
+void Patterns::prepare(CommandRun& run) {
+  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  problem_ = problems::wedged_problem(problems::read_structure(text_, options_.file));
+  friction_ = friction_at(problem_, options_.friction, options_.file);
+  agree(run.session(), problem_);
+  if (options_.polyhedral && problem_.dimension == 2) {
+    throw WrongInput(fmt::format(
+        "--method polyhedral: {} is in the plane, where the friction cone is a polyhedron already; "
+        "expected --method cones",
+        options_.file));
   }
+  question_.tree = {.tolerances = {.sign = options_.tolerance},
+                    .branching = options_.branching,
+                    .facets = options_.facets_in_use(),
+                    .thorough = !options_.certificate.empty()};
+  auto& search = question_.search;
+  const auto fingerprint = tree_fingerprint();
+  search.checkpoint = run.checkpoint(options_.checkpoint, fingerprint);
+  certificate_.emplace(run.session(), options_.certificate, options_.file, fingerprint,
+                       !options_.checkpoint.restart.empty(), search.checkpoint.file);
+  if (certificate_->wanted())
+    question_.witness = [this](const auto& evidence) { certificate_->add(evidence); };
+  if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
+  search.warn = warn;
 }
 
-void tell_what_became_of_the_certificate(const PatternsOptions& options, bool whole, bool goes_on) {
-  if (options.certificate.empty()) return;
-  if (whole) {
-    if (!options.quiet) tell_written({options.certificate});
-  } else if (goes_on) {
-    tell("what is proved so far is in {}.part.*\n", options.certificate);
+std::string Patterns::announcement(const std::string& ranks) const {
+  return fmt::format("{}; friction coefficient {}{}; {}", problem_line(problem_), options_.friction,
+                     uniform_friction(problem_) ? "" : " times that of each candidate", ranks);
+}
+
+void Patterns::search(CommandRun& run) {
+  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  findings_ = wedged::find_patterns(campaign, problem_, friction_, question_);
+  if (certificate_->wanted()) certificate_->close();
+}
+
+// After an early stop the parts of the certificate are kept only if a checkpoint is there to go on
+// from.
+void Patterns::end_certificate() {
+  if (!certificate_->wanted()) return;
+  if (whole()) {
+    certificate_->put_in_place(certificate_header(problem_, friction_));
+  } else if (goes_on_) {
+    certificate_->require_parts();
   } else {
-    tell("no certificate: nothing could go on with an incomplete one\n");
+    certificate_->drop();
   }
+}
+
+std::string Patterns::what_became_of_the_certificate() const {
+  if (whole()) return "wrote " + options_.certificate;
+  if (goes_on_) return fmt::format("what is proved so far is in {}.part.*", options_.certificate);
+  return "no certificate: nothing could go on with an incomplete one";
+}
+
+std::vector<Step> Patterns::results(CommandRun& run) {
+  const PatternsReport report(options_, problem_, *findings_);
+  const auto& kept = question_.search.checkpoint.file;
+  goes_on_ = !kept.empty() && engine::checkpoint_exists(kept);
+  return {run.result(report.json()),
+          run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
+          [this] { end_certificate(); }, run.answer(report.table())};
+}
+
+Verdict Patterns::verdict(CommandRun& run) {
+  const auto open = findings_->open();
+  const auto& outcome = findings_->outcome;
+  Verdict verdict{.remarks = {}, .code = whole() && open == 0 ? solved : stopped_early};
+  auto& remarks = verdict.remarks;
+  if (!whole()) {
+    remarks.push_back(
+        fmt::format("stopped early ({}): {} open nodes are left, the list is not complete",
+                    status_name(outcome.status), outcome.open));
+    std::ranges::move(run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved),
+                      std::back_inserter(remarks));
+  }
+  if (open != 0) {
+    remarks.push_back(fmt::format(
+        "open: of {} sign pattern{} it could not be told whether anything wedges: the list is "
+        "complete but for {}",
+        open, open == 1 ? "" : "s", open == 1 ? "it" : "them"));
+  }
+  if (certificate_->wanted() && !(whole() && run.quiet())) {
+    remarks.push_back(what_became_of_the_certificate());
+  }
+  return verdict;
 }
 
 }  // namespace
 
-int patterns(Session& session, const PatternsOptions& options) {
-  std::optional<ResultFile> result_file;
-  std::optional<OutputFile> trace_file;
-  const std::string text = session.on_first_rank([&] {
-    auto content = problems::file_text(options.file);
-    check_outputs(
-        options.file,
-        {{"--output", options.output},
-         {"--trace", options.trace},
-         {"--certificate", options.certificate}},
-        {{"--checkpoint", options.checkpoint.empty() ? options.restart : options.checkpoint}});
-    result_file.emplace(options.output, options.file);
-    trace_file.emplace("--trace", options.trace, options.file);
-    return content;
-  });
-  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  const auto problem = problems::wedged_problem(problems::read_structure(text, options.file));
-  const auto friction = friction_at(problem, options.friction, options.file);
-  agree(session, problem);
-  if (options.facets != 0 && problem.dimension == 2) {
-    throw WrongInput(fmt::format(
-        "--method polyhedral: {} is in the plane, where the friction cone is a polyhedron already; "
-        "expected --method cones",
-        options.file));
-  }
-  wedged::SignPatternTree tree(problem, friction,
-                               {.tolerances = {.sign = options.tolerance},
-                                .branching = options.branching,
-                                .facets = options.facets,
-                                .thorough = !options.certificate.empty()});
-
-  engine::Options search_options;
-  auto& checkpoint = search_options.checkpoint;
-  checkpoint.file = options.checkpoint.empty() ? options.restart : options.checkpoint;
-  checkpoint.interval = options.checkpoint_interval;
-  const auto fingerprint = tree_fingerprint(problem, options);
-  checkpoint.problem = fingerprint;
-  checkpoint.resume_from = restart_from(session, options.checkpoint, options.restart, fingerprint);
-  CertificateFile certificate(session, options.certificate, options.file, fingerprint,
-                              !options.restart.empty(), checkpoint.file);
-  if (certificate.wanted())
-    tree.report_to([&](const auto& evidence) { certificate.add(evidence); });
-  if (!options.trace.empty()) search_options.trace_events = trace_events_a_rank(session.ranks());
-  search_options.warn = warn;
-  if (session.speaks() && !options.quiet) announce(options, problem, session.ranks());
-  const auto outcome = shown_search(session, tree, search_options, options.limits, options.quiet);
-
-  const bool whole = outcome.status == engine::Status::solved;
-  const bool goes_on = !checkpoint.file.empty() && engine::checkpoint_exists(checkpoint.file);
-  const auto certified = [&] {
-    end_certificate(session, certificate, certificate_header(problem, friction), whole, goes_on);
-  };
-  std::size_t open = 0;
-  if (!session.speaks()) {
-    certified();
-  } else {
-    const PatternsReport report(options, problem, outcome);
-    open = report.open();
-    do_all({[&] { result_file->write(report.json()); },
-            [&] {
-              if (!trace_file->wanted()) return;
-              write_trace(trace_file->stream(), outcome.traces);
-              trace_file->put_in_place();
-            },
-            certified,
-            [&] {
-              if (!options.quiet) print_answer(report.table());
-            }});
-    if (!options.quiet) tell_written({options.output, options.trace});
-    if (!whole) tell_what_is_left(options, checkpoint.file, outcome);
-    if (open != 0) tell_what_is_open(open);
-    tell_what_became_of_the_certificate(options, whole, goes_on);
-  }
-  const bool answered = told_by_first_rank(session, [&] { return whole && open == 0; });
-  return answered ? solved : stopped_early;
+std::unique_ptr<Subcommand> patterns_subcommand() {
+  return std::make_unique<Patterns>();
 }
 
 }  // namespace kusabi::run

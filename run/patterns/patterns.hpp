@@ -1,11 +1,12 @@
 // `kusabi patterns FILE --mu MU`: all sign patterns of wedged configurations (Algorithms 5.1, 5.8).
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "engine/options.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
-#include "run/session/session.hpp"
+#include "run/command/subcommand.hpp"
 #include "solvers/conic/node_solver.hpp"
 
 namespace kusabi::run {
@@ -15,19 +16,16 @@ struct PatternsOptions {
   double friction = 0;                                        ///< mu
   double tolerance = conic::Tolerances{}.sign;                ///< |t*| up to this is marginal
   wedged::Branching branching = wedged::Branching::relative;  ///< how nodes are split
-  int facets = 0;          ///< of the polyhedral friction cones of Algorithm 5.8; 0: Algorithm 5.1
-  std::string output;      ///< the result file; empty: none
-  engine::Limits limits;   ///< where to stop early
-  std::string checkpoint;  ///< keep the state here; empty: nowhere
-  double checkpoint_interval = 600;  ///< seconds
-  std::string restart;               ///< go on from here; empty: start anew
-  std::string trace;                 ///< the timeline goes here
-  std::string certificate;           ///< the evidence goes here; empty: nowhere
-  bool quiet = false;                ///< no progress, no table
+  bool polyhedral = false;                                    ///< Algorithm 5.8, otherwise 5.1
+  int facets = 16;              ///< of the polyhedral friction cones of Algorithm 5.8
+  engine::Limits limits;        ///< where to stop early
+  CheckpointChoice checkpoint;  ///< where the state is kept
+  std::string certificate;      ///< the evidence goes here; empty: nowhere
+
+  /// Of polyhedral cones; 0: the cones themselves.
+  [[nodiscard]] int facets_in_use() const { return polyhedral ? facets : 0; }
 };
 
-/// Runs the command on all ranks. @return the exit code
-/// @throws WrongInput, support::InputError on every rank alike
-int patterns(Session& session, const PatternsOptions& options);
+std::unique_ptr<Subcommand> patterns_subcommand();
 
 }  // namespace kusabi::run

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/wedged/problem_block.hpp"
 #include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -31,70 +31,24 @@ const char* state_name(wedged::LeafState state) {
 }
 
 std::string patterns(std::uint64_t count) {
-  return fmt::format("{} sign pattern{}", count, count == 1 ? "" : "s");
+  return counted(count, "sign pattern");
 }
 
 }  // namespace
-
-PatternsReport::PatternsReport(const PatternsOptions& options,
-                               const problems::WedgedProblem& problem,
-                               const engine::Outcome<wedged::SignPatternTree>& outcome)
-    : options_(options), problem_(problem), outcome_(outcome) {
-  std::vector<wedged::Configuration> leaves;
-  for (const auto& found : outcome.solutions) leaves.push_back(found.solution);
-  leaves_ = wedged::maximal_cones(std::move(leaves));
-  for (const auto candidates : problems::blocks_of(problem)) blocks_.push_back({candidates});
-  for (const auto& leaf : leaves_) {
-    switch (leaf.state) {
-      case wedged::LeafState::flat:
-        ++flat_;
-        [[fallthrough]];
-      case wedged::LeafState::alive:
-        ++blocks_[leaf.block].cones;
-        break;
-      case wedged::LeafState::marginal:
-        ++marginal_;
-        ++blocks_[leaf.block].open;
-        break;
-      case wedged::LeafState::undecided:
-        ++undecided_;
-        ++blocks_[leaf.block].open;
-        break;
-    }
-  }
-}
-
-wedged::SignPatternTally PatternsReport::total() const {
-  return outcome_.tally();
-}
-
-std::uint64_t PatternsReport::count() const {
-  std::vector<std::uint64_t> cones;
-  for (const auto& block : blocks_) cones.push_back(block.cones);
-  return wedged::combinations(cones);
-}
-
-// The candidates of blocks that cannot wedge: at rest whatever the others do.
-std::uint64_t PatternsReport::idle() const {
-  std::uint64_t candidates = 0;
-  if (outcome_.status != engine::Status::solved) return candidates;  // some may come
-  for (const auto& block : blocks_) candidates |= block.rests() ? block.candidates : 0;
-  return candidates;
-}
 
 std::string PatternsReport::list() const {
   std::string text;
   auto out = std::back_inserter(text);
   const auto names = [&](std::uint64_t set) { return listed(candidate_names(problem_, set)); };
   std::size_t contact_width = std::string_view("in contact (U)").size();
-  for (const auto& leaf : leaves_)
+  for (const auto& leaf : findings_.leaves)
     contact_width = std::max(contact_width, names(leaf.pattern.contact).size());
-  if (!leaves_.empty()) {
+  if (!findings_.leaves.empty()) {
     fmt::format_to(out, "\n{:>5}  {:>10}  {:<{}}  {}\n", "", "margin t*", "in contact (U)",
                    contact_width, "separated (R)");
   }
   std::size_t number = 0;
-  for (const auto& leaf : leaves_) {
+  for (const auto& leaf : findings_.leaves) {
     const auto& [contact, separated, at_rest] = leaf.pattern;
     fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}{}\n", ++number,
                    leaf.state == wedged::LeafState::alive ? fmt::format("{:.3e}", leaf.lower)
@@ -112,39 +66,39 @@ std::string PatternsReport::verdict() const {
   fmt::format_to(out,
                  "\n{} of wedged configurations at friction coefficient {}{}; {} marginal "
                  "(|t*| <= {})\n",
-                 patterns(count()), options_.friction,
+                 patterns(findings_.count()), options_.friction,
                  problems::uniform_friction(problem_) ? "" : " times that of each candidate",
-                 marginal_, options_.tolerance);
-  if (flat_ != 0) {
+                 findings_.marginal, options_.tolerance);
+  if (findings_.flat != 0) {
     fmt::format_to(out,
                    "{} of the list flat (t* = 0): in all configurations of one the candidates at "
                    "rest have neither a reaction nor a gap, or those in contact slip\n",
-                   flat_);
+                   findings_.flat);
   }
-  if (blocks_.size() > 1) {
+  if (findings_.blocks.size() > 1) {
     fmt::format_to(out,
                    "the structure comes apart into {} blocks, which wedge or rest each by "
                    "itself:\n",
-                   blocks_.size());
-    for (const auto& block : blocks_) {
+                   findings_.blocks.size());
+    for (const auto& block : findings_.blocks) {
       fmt::format_to(out, "  {}: {}\n", listed(candidate_names(problem_, block.candidates)),
                      block.rests() ? "at rest always" : patterns(block.cones));
     }
-    const auto wedging =
-        std::count_if(blocks_.begin(), blocks_.end(), [](const auto& b) { return b.cones != 0; });
+    const auto wedging = std::count_if(findings_.blocks.begin(), findings_.blocks.end(),
+                                       [](const auto& b) { return b.cones != 0; });
     if (wedging > 1) {
       text +=
           "any pattern of one goes with any of another: their product is the number of patterns "
           "of the whole, and the list has those of each block\n";
     }
   }
-  if (options_.facets != 0) {
+  if (options_.polyhedral) {
     fmt::format_to(out, "{} candidates under polyhedral friction cones of {} facets\n",
-                   total().candidates, options_.facets);
+                   findings_.outcome.tally().candidates, options_.facets);
   }
-  if (undecided_ != 0) {
+  if (findings_.undecided != 0) {
     fmt::format_to(out, "{} undecided: the bracket of t* could not be made narrow enough\n",
-                   undecided_);
+                   findings_.undecided);
   }
   return text;
 }
@@ -155,15 +109,16 @@ std::string PatternsReport::table() const {
     return std::vector<std::uint64_t>{its.branched, its.dead, its.found + its.flat,
                                       its.marginal + its.undecided + its.doubtful, its.iterations};
   };
-  for (const auto& rank : outcome_.ranks) ranks.add(rank.statistics, own(rank.tally));
-  for (const auto& rank : outcome_.earlier) ranks.add_earlier(rank.statistics, own(rank.tally));
+  for (const auto& rank : findings_.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
+  for (const auto& rank : findings_.outcome.earlier)
+    ranks.add_earlier(rank.statistics, own(rank.tally));
   return list() + verdict() + '\n' + ranks.text();
 }
 
 ordered_json PatternsReport::json() const {
   ordered_json patterns = ordered_json::array();
-  for (const auto& leaf : leaves_) {
-    auto pattern = pattern_json(problem_, leaf.block, leaf.pattern, idle());
+  for (const auto& leaf : findings_.leaves) {
+    auto pattern = pattern_json(problem_, leaf.block, leaf.pattern, findings_.idle());
     pattern["state"] = state_name(leaf.state);
     pattern["margin"] = leaf.lower;
     pattern["margin_upper"] = leaf.upper;
@@ -172,14 +127,14 @@ ordered_json PatternsReport::json() const {
     patterns.push_back(std::move(pattern));
   }
   ordered_json blocks = ordered_json::array();
-  for (const auto& block : blocks_) {
+  for (const auto& block : findings_.blocks) {
     blocks.push_back(
         {{"candidates", candidate_names(problem_, block.candidates)}, {"count", block.cones}});
   }
-  ordered_json tree = tally_json(total());
-  tree["opened"] = outcome_.opened();
-  tree["open"] = outcome_.open;
-  tree["fingerprint"] = fmt::format("{:016x}", outcome_.fingerprint());
+  ordered_json tree = counts_json(findings_.outcome.tally());
+  tree["opened"] = findings_.outcome.opened();
+  tree["open"] = findings_.outcome.open;
+  tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
   return {
       {"command", "patterns"},
       {"version", KUSABI_VERSION},
@@ -187,23 +142,24 @@ ordered_json PatternsReport::json() const {
       {"options",
        {{"mu", options_.friction},
         {"tolerance", options_.tolerance},
-        {"method", options_.facets == 0 ? "cones" : "polyhedral"},
-        {"facets", options_.facets},
+        {"method", options_.polyhedral ? "polyhedral" : "cones"},
+        {"facets", options_.facets_in_use()},
         {"branching", options_.branching == wedged::Branching::product ? "paper" : "relative"}}},
-      {"status", status_name(outcome_.status)},
+      {"status", status_name(findings_.outcome.status)},
       {"result",
        {{"friction", options_.friction},
         {"tolerance", options_.tolerance},
-        {"count", count()},
-        {"flat", flat_},
-        {"marginal", marginal_},
-        {"undecided", undecided_},
+        {"count", findings_.count()},
+        {"flat", findings_.flat},
+        {"marginal", findings_.marginal},
+        {"undecided", findings_.undecided},
         {"blocks", std::move(blocks)},
         {"tree", std::move(tree)},
         {"patterns", std::move(patterns)}}},
       {"statistics",
-       {{"ranks", rank_reports(outcome_.ranks, tally_json)},
-        {"earlier_runs", rank_reports(outcome_.earlier, tally_json)}}}};
+       {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
+        {"earlier_runs",
+         rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}}}};
 }
 
 }  // namespace kusabi::run

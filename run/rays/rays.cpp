@@ -1,217 +1,155 @@
 // From the file to the report: which way, on which ranks.
 #include "run/rays/rays.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
+#include <memory>
 #include <optional>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "nodes/wedged/ray_tree.hpp"
+#include "nodes/wedged/ray_search.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/precise_compliance.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/last_steps.hpp"
-#include "run/output/output_file.hpp"
-#include "run/output/outputs.hpp"
-#include "run/output/rank_table.hpp"
-#include "run/output/result_file.hpp"
+#include "run/command/command_run.hpp"
 #include "run/output/standard_output.hpp"
+#include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
 #include "run/rays/rays_report.hpp"
-#include "run/session/shown_search.hpp"
+#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {
 
-using nlohmann::ordered_json;
+using wedged::RayMethod;
 
-/// Up to so many candidates double description is two to four times as fast as the tree on one
-/// rank, and takes less than a gigabyte; beyond, its memory grows threefold with each candidate,
-/// and the tree's twofold from a tenth of it (bench/README.md). By size alone: the result must not
-/// depend on the number of ranks.
-constexpr int most_for_double_description = 14;
-
-bool limited(const engine::Limits& limits) {
-  const engine::Limits none;
-  return limits.seconds != none.seconds || limits.nodes != none.nodes;
-}
-
-RayMethod chosen_method(const RaysOptions& options, int candidates) {
-  if (options.method != RayMethod::automatic) return options.method;
-  // Only the tree can stop early with something to show for it.
-  const bool small = candidates <= most_for_double_description && !limited(options.limits);
-  return small ? RayMethod::double_description : RayMethod::tree;
-}
-
-ordered_json effort_json(const rays::Effort& effort) {
-  return {{"peak_rays", effort.peak_rays}, {"pairs", effort.pairs}, {"adjacent", effort.adjacent}};
-}
-
-RaysFound by_double_description(const rays::ReactionCone& cone) {
-  const auto start = std::chrono::steady_clock::now();
-  auto enumeration = rays::complementary_rays(cone);
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  RaysFound found;
-  found.rays = std::move(enumeration.rays);
-  found.health = enumeration.health;
-  found.statistics = effort_json(enumeration.effort);
-  found.statistics["seconds"] = time.count();
-  return found;
-}
-
-// What rank 0 makes of the outcome of the tree.
-RaysFound gathered(engine::Outcome<wedged::RayTree>& outcome) {
-  RaysFound found;
-  found.method = RayMethod::tree;
-  found.status = status_name(outcome.status);
-  const auto total = outcome.tally();
-  for (auto& leaf : outcome.solutions) {
-    auto& own = leaf.solution.rays;
-    found.rays.insert(found.rays.end(), own.begin(), own.end());
-    own = {};  // the memory is needed
+class Rays final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "rays"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "every extremal ray of wedged configurations in the plane, and every maximal cone";
   }
-  found.health = total.health;
-  found.tree = tally_json(total.patterns);
-  found.tree["opened"] = outcome.opened();
-  found.tree["open"] = outcome.open;
-  found.tree["fingerprint"] = fmt::format("{:016x}", outcome.fingerprint());
-  found.statistics = {{"ranks", rank_reports(outcome.ranks, [](const auto& tally) {
-                         auto own = tally_json(tally.patterns);
-                         own.update(effort_json(tally.effort));
-                         return own;
-                       })}};
-  return found;
-}
+  void describe(OptionTable& table) override;
+  void check() const override;
+  void read(CommandRun& run) override;
+  void prepare(CommandRun& run) override;
+  [[nodiscard]] std::string announcement(const std::string& ranks) const override;
+  void search(CommandRun& run) override;
+  std::vector<Step> results(CommandRun& run) override;
+  Verdict verdict(CommandRun& run) override;
 
-std::optional<RaysFound> by_tree(Session& session, const RaysOptions& options,
-                                 const problems::WedgedProblem& problem,
-                                 const std::vector<double>& friction,
-                                 const rays::ReactionCone& cone) {
-  // Rays are known by their zeros at all candidates, so the blocks stay together.
-  problems::WedgedProblem whole = problem;
-  whole.blocks.clear();
-  wedged::RayTree tree(wedged::SignPatternTree(whole, friction), cone);
-  auto outcome = shown_search(session, tree, {}, options.limits, options.quiet);
-  if (!session.speaks()) return std::nullopt;
-  return gathered(outcome);
-}
+ private:
+  RaysOptions options_;
+  std::string text_;
+  problems::WedgedProblem problem_;
+  std::vector<double> friction_;
+  std::optional<rays::ReactionCone> cone_;
+  RayMethod method_ = RayMethod::automatic;
+  wedged::RayFindings found_;  // on rank 0
 
-void announce(const RaysOptions& options, const problems::WedgedProblem& problem, RayMethod method,
-              int ranks) {
-  tell(
-      "kusabi {} · rays · {}\n"
-      "{}; friction coefficient {}{}; {}{}\n",
-      KUSABI_VERSION, options.file, problem_line(problem), options.friction,
-      uniform_friction(problem) ? "" : " times that of each candidate",
-      method == RayMethod::tree ? "the tree of sign patterns on " : "double description on one of ",
-      ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks));
-}
-
-void refuse_space(const std::string& file) {
-  throw WrongInput(fmt::format(
-      "{}: dimension is 3; expected 2: in space the friction cones are round, and there "
-      "is no finite list of extremal rays; use kusabi patterns instead",
-      file));
-}
-
-// The files that rank 0 writes.
-struct RaysFiles {
-  RaysFiles(const RaysOptions& options)
-      : result(options.output, options.file),
-        csv("--csv", options.csv, options.file),
-        dot("--dot", options.dot, options.file) {}
-  ResultFile result;
-  OutputFile csv;
-  OutputFile dot;
+  [[nodiscard]] bool whole() const { return found_.status == engine::Status::solved; }
 };
 
-// @return the exit code
-int report(const RaysOptions& options, const problems::WedgedProblem& problem,
-           const rays::ReactionCone& cone, RaysFound& found, RaysFiles& files) {
-  const bool whole = found.status == "solved";
-  std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
-  if (whole) found.cones = rays::maximal_cones(found.rays, cone.all());
-  RaysReport report(options, problem, cone, found);
-  std::ostringstream table;
-  std::ostream* const csv = files.csv.wanted() ? &files.csv.stream() : nullptr;
-  const auto write_all = [&](JsonWriter* json) {
-    report.write(options.quiet ? nullptr : &table, csv, json);
+void Rays::describe(OptionTable& table) {
+  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
+  table.number("--mu", &options_.friction, above(0), "friction coefficient").required();
+  table.choice("--method", options_.method,
+               {{"auto", RayMethod::automatic},
+                {"double-description", RayMethod::double_description},
+                {"tree", RayMethod::tree}},
+               "Algorithm 4.2 on one rank, pattern by pattern on all ranks, or whichever suits the "
+               "size; both give the same rays");
+  table.output();
+  table.output("--csv", "write the rays to this file, a line each");
+  table.output("--dot", "write the cross-complementarity graph to this file, for Graphviz");
+  table.time_limit(options_.limits);
+  table.node_limit(options_.limits);
+  table.quiet();
+  table.serial();
+}
+
+void Rays::check() const {
+  if (options_.method == RayMethod::double_description && wedged::limited(options_.limits)) {
+    throw WrongInput(
+        "--method double-description has nothing to show before its end; expected no "
+        "limit, or --method tree");
+  }
+}
+
+void Rays::read(CommandRun& run) {
+  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
+}
+
+void Rays::prepare(CommandRun& run) {
+  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  const auto structure = problems::read_structure(text_, options_.file);
+  problem_ = problems::wedged_problem(structure);
+  agree(run.session(), problem_);
+  if (problem_.dimension != 2) {
+    throw WrongInput(fmt::format(
+        "{}: dimension is 3; expected 2: in space the friction cones are round, and there "
+        "is no finite list of extremal rays; use kusabi patterns instead",
+        options_.file));
+  }
+  friction_ = friction_at(problem_, options_.friction, options_.file);
+  cone_.emplace(problems::precise_compliance(structure), friction_);
+  method_ = wedged::chosen_method(options_.method, options_.limits, cone_->candidates());
+}
+
+std::string Rays::announcement(const std::string& ranks) const {
+  return fmt::format("{}; friction coefficient {}{}; {}{}", problem_line(problem_),
+                     options_.friction,
+                     uniform_friction(problem_) ? "" : " times that of each candidate",
+                     method_ == RayMethod::tree ? "the tree of sign patterns on "
+                                                : "double description on one of ",
+                     ranks);
+}
+
+void Rays::search(CommandRun& run) {
+  // Double description has nothing to show before its end, so a signal ends it at once.
+  engine::Campaign campaign(run.session().transport(),
+                            method_ == RayMethod::tree ? supervision(options_.limits, run.quiet())
+                                                       : engine::Supervision{});
+  found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, method_);
+}
+
+std::vector<Step> Rays::results(CommandRun& run) {
+  const auto report = std::make_shared<RaysReport>(options_, problem_, *cone_, found_);
+  // All is written in one pass over the rays, so that their numbers are made only once.
+  const auto table = std::make_shared<std::ostringstream>();
+  const auto write = [&run, report, table](JsonWriter* json) {
+    report->write(run.quiet() ? nullptr : table.get(),
+                  run.wants("--csv") ? &run.stream("--csv") : nullptr, json);
   };
-  do_all({[&] {
-            if (files.result.wanted()) {
-              files.result.write([&](JsonWriter& json) { write_all(&json); });
-            } else {
-              write_all(nullptr);
-            }
-          },
-          [&] {
-            if (files.csv.wanted()) files.csv.put_in_place();
-          },
-          [&] {
-            if (!files.dot.wanted()) return;
-            report.draw(files.dot.stream());
-            files.dot.put_in_place();
-          },
-          [&] { print_answer(table.str()); }});
-  if (!options.quiet) tell_written({options.output, options.csv, options.dot});
-  if (!found.health.sound()) {
-    tell(
-        "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
-        "expected a structure with less cancellation, fewer candidates, or another friction "
-        "coefficient\n",
-        found.health.doubtful);
-    return failed;
+  return {run.wants("--output") ? run.result([write](JsonWriter& json) { write(&json); })
+                                : [write] { write(nullptr); },
+          run.file("--csv", {}),
+          run.file("--dot", [report](std::ostream& out) { report->draw(out); }),
+          [table] { print_answer(table->str()); }};
+}
+
+Verdict Rays::verdict(CommandRun& /*run*/) {
+  if (!found_.health.sound()) {
+    return {{fmt::format(
+                "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
+                "expected a structure with less cancellation, fewer candidates, or another "
+                "friction coefficient",
+                found_.health.doubtful)},
+            failed};
   }
-  if (!whole) {
-    tell(
-        "stopped early ({}): the list of rays is not complete, and no cones are made "
-        "of it\n",
-        found.status);
-  }
-  return whole ? solved : stopped_early;
+  if (whole()) return {};
+  return {{fmt::format("stopped early ({}): the list of rays is not complete, and no cones are "
+                       "made of it",
+                       status_name(found_.status))},
+          stopped_early};
 }
 
 }  // namespace
 
-int rays(Session& session, const RaysOptions& options) {
-  std::optional<RaysFiles> files;
-  const std::string text = session.on_first_rank([&] {
-    if (options.method == RayMethod::double_description && limited(options.limits)) {
-      throw WrongInput(
-          "--method double-description has nothing to show before its end; expected no "
-          "limit, or --method tree");
-    }
-    auto content = problems::file_text(options.file);
-    check_outputs(options.file,
-                  {{"--output", options.output}, {"--csv", options.csv}, {"--dot", options.dot}});
-    files.emplace(options);
-    return content;
-  });
-  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  const auto structure = problems::read_structure(text, options.file);
-  const auto problem = problems::wedged_problem(structure);
-  agree(session, problem);
-  if (problem.dimension != 2) refuse_space(options.file);
-  const auto friction = friction_at(problem, options.friction, options.file);
-  const rays::ReactionCone cone(problems::precise_compliance(structure), friction);
-  const RayMethod method = chosen_method(options, cone.candidates());
-  if (session.speaks() && !options.quiet) announce(options, problem, method, session.ranks());
-
-  std::optional<RaysFound> found;
-  if (method == RayMethod::tree) {
-    found = by_tree(session, options, problem, friction, cone);
-  } else if (session.speaks()) {
-    found = by_double_description(cone);
-  }
-  const int code = found ? report(options, problem, cone, *found, *files) : int{solved};
-  session.meet({});
-  return code;
+std::unique_ptr<Subcommand> rays_subcommand() {
+  return std::make_unique<Rays>();
 }
 
 }  // namespace kusabi::run

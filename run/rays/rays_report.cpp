@@ -8,12 +8,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/output/rank_table.hpp"
+#include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {
 
 using nlohmann::ordered_json;
+using wedged::RayMethod;
 
 /// A table of more rays or cones is for programs: --output and --csv have them all.
 constexpr std::size_t longest_table = 60;
@@ -32,10 +35,6 @@ State state_of(const rays::Supports& supports, int candidate) {
   return {'.', "idle"};
 }
 
-std::string plural(std::size_t count, const char* word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 // A cell of a CSV file (RFC 4180).
 std::string cell(const std::string& text) {
   std::string quoted = "\"";
@@ -43,8 +42,30 @@ std::string cell(const std::string& text) {
   return quoted + '"';
 }
 
-std::vector<double> list(const Eigen::VectorXd& vector) {
-  return {vector.begin(), vector.end()};
+ordered_json effort_json(const rays::Effort& effort) {
+  return {{"peak_rays", effort.peak_rays}, {"pairs", effort.pairs}, {"adjacent", effort.adjacent}};
+}
+
+ordered_json tree_json(const wedged::RayTreeReport& report) {
+  auto tree = counts_json(report.patterns);
+  tree["opened"] = report.opened;
+  tree["open"] = report.open;
+  tree["fingerprint"] = hexadecimal(report.fingerprint);
+  return tree;
+}
+
+// What the run cost.
+ordered_json statistics_json(const wedged::RayFindings& found) {
+  if (found.tree) {
+    return {{"ranks", rank_reports(found.tree->ranks, [](const auto& tally) {
+               auto own = counts_json(tally.patterns);
+               own.update(effort_json(tally.effort));
+               return own;
+             })}};
+  }
+  auto statistics = effort_json(found.effort);
+  statistics["seconds"] = found.seconds;
+  return statistics;
 }
 
 }  // namespace
@@ -116,7 +137,7 @@ std::string RaysReport::summary() const {
   }
   fmt::format_to(
       out, "\n{} in {} at friction coefficient {}{}, by {}\n",
-      plural(found_.rays.size(), "extremal ray"), plural(found_.cones.size(), "maximal cone"),
+      counted(found_.rays.size(), "extremal ray"), counted(found_.cones.size(), "maximal cone"),
       options_.friction,
       problems::uniform_friction(problem_) ? "" : " times that of each candidate",
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
@@ -133,12 +154,12 @@ void RaysReport::begin(JsonWriter& json) const {
   json.member("version", KUSABI_VERSION);
   json.member("problem", problem_json(problem_, options_.file));
   json.member("options", {{"mu", options_.friction}, {"method", method_name(found_.method)}});
-  json.member("status", found_.status);
+  json.member("status", status_name(found_.status));
   json.key("result");
   json.begin_object();
   json.member("friction", options_.friction);
   json.member("count", found_.rays.size());
-  if (!found_.tree.is_null()) json.member("tree", found_.tree);
+  if (found_.tree) json.member("tree", tree_json(*found_.tree));
   json.key("rays");
   json.begin_list();
 }
@@ -156,7 +177,7 @@ void RaysReport::end_rays_and_all(JsonWriter& json) const {
                          {"smallest_nonzero", health.smallest_nonzero},
                          {"doubtful", health.doubtful}});
   json.end_object();
-  json.member("statistics", found_.statistics);
+  json.member("statistics", statistics_json(found_));
   json.end_object();
 }
 
@@ -165,8 +186,8 @@ ordered_json RaysReport::ray_json(std::size_t number, const rays::Ray& ray) cons
   for (int i = 0; i < cone_.candidates(); ++i) words.push_back(state_of(supports(number), i).word);
   return {{"number", number + 1},
           {"state", std::move(words)},
-          {"reaction", candidate_rows(list(ray.reaction), 2)},
-          {"displacement", candidate_rows(list(ray.displacement), 2)}};
+          {"reaction", candidate_rows(numbers(ray.reaction), 2)},
+          {"displacement", candidate_rows(numbers(ray.displacement), 2)}};
 }
 
 ordered_json RaysReport::cone_json(const rays::Cone& each) const {

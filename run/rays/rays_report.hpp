@@ -10,33 +10,22 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nodes/wedged/ray_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/json_writer.hpp"
 #include "run/rays/rays.hpp"
-#include "solvers/rays/double_description.hpp"
 #include "solvers/rays/maximal_cones.hpp"
 #include "solvers/rays/reaction_cone.hpp"
 
 namespace kusabi::run {
 
-/// What has been found, and how.
-struct RaysFound {
-  std::vector<rays::ZeroSet> rays;  ///< in the order of every answer
-  std::vector<rays::Cone> cones;    ///< none if the search stopped early
-  rays::Health health;              ///< of the search; that of the numbers joins it
-  RayMethod method = RayMethod::double_description;  ///< which was taken
-  std::string status = "solved";
-  nlohmann::ordered_json tree;        ///< of RayMethod::tree
-  nlohmann::ordered_json statistics;  ///< what the run cost
-};
-
 /// "double-description" or "tree".
-std::string method_name(RayMethod method);
+std::string method_name(wedged::RayMethod method);
 
 class RaysReport {
  public:
   RaysReport(const RaysOptions& options, const problems::WedgedProblem& problem,
-             const rays::ReactionCone& cone, RaysFound& found)
+             const rays::ReactionCone& cone, wedged::RayFindings& found)
       : options_(options), problem_(problem), cone_(cone), found_(found) {}
 
   /// Makes the numbers of all rays, and writes to those of `table`, `csv` and `json` that are
@@ -64,7 +53,7 @@ class RaysReport {
   const RaysOptions& options_;
   const problems::WedgedProblem& problem_;
   const rays::ReactionCone& cone_;
-  RaysFound& found_;
+  wedged::RayFindings& found_;
 };
 
 }  // namespace kusabi::run

@@ -3,21 +3,15 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 
 #include "engine/options.hpp"
+#include "engine/shown_objective.hpp"
 
 namespace kusabi::run {
 
-/// Objective and bound as the user knows them, for a search that has its own.
-struct ShownObjective {
-  double unit = 1;  ///< one of the search's is so much; negative: the user maximises
-  /// What is known of the optimum besides the search, in its own units.
-  double above = std::numeric_limits<double>::infinity();
-  double below = -std::numeric_limits<double>::infinity();
-};
+using engine::ShownObjective;
 
 /// What one line says.
 struct ProgressState {

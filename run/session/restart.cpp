@@ -1,4 +1,4 @@
-// Checkpoints found, refused and pointed at.
+// Checkpoints found and refused.
 #include "run/session/restart.hpp"
 
 #include <cerrno>
@@ -31,7 +31,7 @@ void warn(const std::string& line) {
 
 std::string restart_from(Session& session, const std::string& checkpoint,
                          const std::string& restart, std::optional<std::uint64_t> tree) {
-  return session.on_first_rank([&]() -> std::string {
+  return session.from_first_rank([&]() -> std::string {
     if (!checkpoint.empty()) require_writable_folder(checkpoint);
     // The engine refuses to overwrite one as well; here the call can be said that goes on.
     if (!checkpoint.empty() && restart != checkpoint && engine::checkpoint_exists(checkpoint)) {
@@ -50,16 +50,6 @@ std::string restart_from(Session& session, const std::string& checkpoint,
       throw WrongInput(fmt::format("--restart {}", error.what()));
     }
   });
-}
-
-void tell_how_to_go_on(const std::string& call, const std::string& checkpoint, bool saved) {
-  if (checkpoint.empty()) return;
-  if (!saved && !engine::checkpoint_exists(checkpoint)) {
-    tell("nothing is saved: no checkpoint could be written\n");
-    return;
-  }
-  if (!saved) tell("the last checkpoint could not be written\n");
-  tell("go on{} with: {} --restart {}\n", saved ? "" : " from the one before it", call, checkpoint);
 }
 
 }  // namespace kusabi::run

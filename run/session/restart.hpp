@@ -20,8 +20,4 @@ void warn(const std::string& line);
 std::string restart_from(Session& session, const std::string& checkpoint,
                          const std::string& restart, std::optional<std::uint64_t> tree);
 
-/// After a search that stopped early: how to go on, on standard error. @param call the command
-/// without --restart @param saved whether the last state is in the checkpoint
-void tell_how_to_go_on(const std::string& call, const std::string& checkpoint, bool saved);
-
 }  // namespace kusabi::run

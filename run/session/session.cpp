@@ -1,15 +1,15 @@
-// The choice between MPI and a single process, and the one broadcast that the command needs.
+// The choice between MPI and a single process, and what is wrong, told to all ranks.
 #include "run/session/session.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <span>
 #include <string_view>
-#include <thread>
 
-#include <fmt/format.h>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 
+#include "engine/together.hpp"
 #include "engine/transport/mpi.hpp"
 #include "engine/transport/single_process.hpp"
 #include "run/session/launch.hpp"
@@ -24,6 +24,17 @@ bool serial_wanted(int argc, char** argv) {
     return std::string_view(argument).starts_with("--serial");
   });
 }
+
+// What rank 0 has to say.
+struct Told {
+  engine::Bytes bytes;
+  std::string wrong;  // what is wrong with the call or its input; empty: nothing
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& bytes& wrong;
+  }
+};
 
 }  // namespace
 
@@ -55,46 +66,20 @@ std::optional<std::string> Session::fault_of_launch(bool serial) {
   return fault;
 }
 
-std::string Session::on_first_rank(const std::function<std::string()>& prepare) {
-  constexpr char good = '+';
-  constexpr char wrong = '-';
-  engine::Bytes message;
-  const auto tell = [&](char verdict, std::string_view text) {
-    message.assign(1, verdict);
-    message.insert(message.end(), text.begin(), text.end());
-  };
-  if (speaks()) {
+engine::Bytes Session::told(const std::function<engine::Bytes()>& prepare) {
+  auto told = engine::from_first_rank(transport(), [&] {
+    Told own;
     try {
-      tell(good, prepare());
+      own.bytes = prepare();
     } catch (const WrongInput& error) {
-      tell(wrong, error.what());
+      own.wrong = error.what();
     } catch (const support::InputError& error) {
-      tell(wrong, error.what());
+      own.wrong = error.what();
     }
-  }
-  if (mpi_) mpi_->transport.broadcast(message);
-  std::string text(message.begin() + 1, message.end());
-  if (message.front() == wrong) throw WrongInput(text);
-  return text;
-}
-
-void Session::agree(std::uint64_t fingerprint) {
-  const std::string first = on_first_rank([&] { return std::to_string(fingerprint); });
-  // A survey counts, and here it counts the ranks that have something else.
-  const auto all = meet({.ranks = 1, .found = first == std::to_string(fingerprint) ? 0U : 1U});
-  if (all.found == 0) return;
-  throw Disagreement(fmt::format(
-      "{} of {} ranks have worked out another problem from the same file than rank 0: expected "
-      "machines of one kind and the same build of kusabi on each",
-      all.found, all.ranks));
-}
-
-engine::Survey Session::meet(const engine::Survey& own) {
-  transport().join_survey(own);
-  for (;;) {
-    if (const auto all = transport().survey()) return *all;
-    std::this_thread::sleep_for(std::chrono::microseconds(100));
-  }
+    return own;
+  });
+  if (!told.wrong.empty()) throw WrongInput(told.wrong);
+  return std::move(told.bytes);
 }
 
 }  // namespace kusabi::run

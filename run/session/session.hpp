@@ -1,23 +1,21 @@
 // One run of the command on one or many ranks: MPI or not, who speaks, who reads files.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
+#include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
+
+#include <boost/serialization/string.hpp>
 
 #include "engine/transport/transport.hpp"
+#include "engine/wire.hpp"
 #include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
-
-/// The ranks have not come to the same; thrown on every rank.
-class Disagreement : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Whether the command runs alone or as one rank of an MPI job.
 ///
@@ -42,24 +40,39 @@ class Session {
   /// Rank 0 is the one that reads files, prints and writes.
   [[nodiscard]] bool speaks() { return transport().rank() == 0; }
 
-  /// Calls `prepare` on rank 0 and gives its result to all ranks, so that they agree on what was
-  /// read even if their file systems do not. If it throws a WrongInput or a support::InputError,
-  /// every rank throws a WrongInput that says the same.
-  std::string on_first_rank(const std::function<std::string()>& prepare);
-
-  /// Throws a Disagreement on every rank unless all bring the same number, say the fingerprint of
-  /// the problem that each has worked out by itself: machines of different kinds, or another build
-  /// on one of them, would search different trees. Not for use during a search.
-  void agree(std::uint64_t fingerprint);
-
-  /// Returns when all ranks have come here, with what they brought, merged. Not for use during a
-  /// search.
-  engine::Survey meet(const engine::Survey& own);
+  /// Calls `prepare` on rank 0 and gives its result, if any, to all ranks, so that they agree on
+  /// what was read even if their file systems do not. If it throws a WrongInput or a
+  /// support::InputError, every rank throws a WrongInput that says the same.
+  /// @tparam Prepare its result is Boost-serialisable, or void
+  template <class Prepare>
+  std::invoke_result_t<Prepare> from_first_rank(Prepare prepare);
 
  private:
+  /// What `prepare` returns on rank 0, on every rank, or its WrongInput.
+  engine::Bytes told(const std::function<engine::Bytes()>& prepare);
+
   struct Mpi;  // keeps mpi.h out of the command
   std::unique_ptr<Mpi> mpi_;
   std::unique_ptr<engine::Transport> alone_;
 };
+
+template <class Prepare>
+std::invoke_result_t<Prepare> Session::from_first_rank(Prepare prepare) {
+  using Value = std::invoke_result_t<Prepare>;
+  if constexpr (std::is_void_v<Value>) {
+    told([&] {
+      prepare();
+      return engine::Bytes();
+    });
+  } else {
+    std::optional<Value> own;
+    const auto bytes = told([&] {
+      own.emplace(prepare());
+      return ranks() == 1 ? engine::Bytes() : engine::pack(*own);
+    });
+    if (own) return *std::move(own);
+    return engine::unpack<Value>(std::span<const char>(bytes.data(), bytes.size()));
+  }
+}
 
 }  // namespace kusabi::run

@@ -5,13 +5,6 @@
 
 namespace kusabi::run {
 
-Verification::Tally& Verification::Tally::operator+=(const Tally& other) {
-  dead += other.dead;
-  alive += other.alive;
-  marginal += other.marginal;
-  return *this;
-}
-
 void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
   constexpr std::uint64_t few = 16;
   if (node.size() > few) {

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <string>
+#include <tuple>
 
+#include "engine/counts.hpp"
 #include "engine/expansion.hpp"
-#include "run/session/index_range.hpp"
+#include "engine/index_range.hpp"
 #include "verify/certificate.hpp"
 #include "verify/proof.hpp"
 
@@ -15,7 +17,7 @@ namespace kusabi::run {
 /// The problem type that engine::search searches.
 class Verification {
  public:
-  using Node = IndexRange;  ///< of records
+  using Node = engine::IndexRange;  ///< of records
 
   /// A record that does not prove what it claims.
   struct Solution {
@@ -29,16 +31,14 @@ class Verification {
   };
 
   /// How many nodes were proved to be what they claim to be.
-  struct Tally {
+  struct Tally : engine::Counts<Tally> {
     std::uint64_t dead = 0;
     std::uint64_t alive = 0;
     std::uint64_t marginal = 0;  ///< nothing is claimed of them
 
-    Tally& operator+=(const Tally& other);
-
-    template <class Archive>
-    void serialize(Archive& archive, unsigned /*version*/) {
-      archive& dead& alive& marginal;
+    static constexpr auto fields() {
+      return std::tuple{field("dead", &Tally::dead), field("alive", &Tally::alive),
+                        field("marginal", &Tally::marginal)};
     }
   };
 

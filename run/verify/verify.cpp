@@ -1,35 +1,22 @@
 // From the file to the verdict, on all ranks.
 #include "run/verify/verify.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <system_error>
-#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "engine/search.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/wedged/wedged_problem.hpp"
-#include "run/evidence/verified_structure.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/standard_output.hpp"
-#include "run/session/progress_line.hpp"
-#include "run/verify/verification.hpp"
+#include "run/command/command_run.hpp"
+#include "run/output/wrong_input.hpp"
 #include "run/verify/verify_limit.hpp"
-#include "verify/agreement.hpp"
-#include "verify/certificate.hpp"
-#include "verify/cover.hpp"
+#include "run/verify/verify_patterns.hpp"
 #include "verify/limit_certificate.hpp"
-#include "verify/proof.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -52,155 +39,64 @@ std::string content(const std::string& file) {
   return text;
 }
 
-verify::Certificate certificate_in(const std::string& text, const std::string& file) {
-  try {
-    return verify::read_certificate(text, file);
-  } catch (const verify::CertificateError& error) {
-    throw WrongInput(error.what());
+class Verify final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "verify"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "proves a list of patterns, or a worst-case load factor, from its certificate, exactly";
   }
+  void describe(OptionTable& table) override;
+  void read(CommandRun& run) override;
+  void search(CommandRun& run) override;
+  std::vector<Step> results(CommandRun& run) override;
+  Verdict verdict(CommandRun& run) override;
+
+ private:
+  VerifyOptions options_;
+  std::string text_;
+  std::optional<problems::Structure> structure_;
+  VerifyFindings findings_;
+};
+
+void Verify::describe(OptionTable& table) {
+  table
+      .file("certificate", options_.certificate, Role::input,
+            "what patterns, critical or limit --certificate has written")
+      .required();
+  table.file("--problem", options_.problem, Role::input,
+             "prove it of the structure in this problem file, whose stiffness is computed anew "
+             "with bounds for every rounding; without it, of the numbers in the certificate");
+  table.quiet("print errors and what is refused only");
+  table.serial();
 }
 
-// Of `count` things.
-std::string counted(std::uint64_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+void Verify::read(CommandRun& run) {
+  text_ = run.session().from_first_rank([&] { return content(options_.certificate); });
+  if (options_.problem.empty()) return;
+  const auto problem =
+      run.session().from_first_rank([&] { return problems::file_text(options_.problem); });
+  structure_ = problems::read_structure(problem, options_.problem);
 }
 
-std::string all_patterns(std::size_t candidates) {
-  constexpr std::size_t easily_read = 20;
-  if (candidates > easily_read) return fmt::format("2^{}", candidates);
-  return std::to_string(std::uint64_t{1} << candidates);
+// The first line says what it is a certificate of.
+void Verify::search(CommandRun& run) {
+  findings_ = text_.starts_with(verify::limit_first_line)
+                  ? verify_limit(run, options_, structure_, text_)
+                  : verify_patterns(run, options_, structure_, text_);
 }
 
-void print_refusal(const VerifyOptions& options, const verify::Certificate& certificate,
-                   const Verification::Solution& refusal) {
-  const auto& record = certificate.records[refusal.record];
-  fmt::print("{}:{}: refused: {} contact {} separated {}: {}\n", options.certificate, record.line,
-             verify::claim_name(record.claim), certificate.names_of(record.contact),
-             certificate.names_of(record.separated), refusal.reason);
+std::vector<Step> Verify::results(CommandRun& run) {
+  return {CommandRun::print(findings_.refusals + (run.quiet() ? "" : findings_.summary))};
 }
 
-// What is proved, and of what.
-void print_subject(const VerifyOptions& options, const verify::Certificate& certificate,
-                   const std::optional<problems::Structure>& structure,
-                   const std::optional<verify::Agreement>& agreement) {
-  fmt::print("contact candidates: {}\n", fmt::join(certificate.names, " "));
-  if (!structure) {
-    fmt::print(
-        "K and the friction are the certificate's own; --problem FILE proves it of a "
-        "structure\n");
-    return;
-  }
-  fmt::print("problem: {}, from {}, fingerprint {:016x}\n", structure->name, options.problem,
-             problems::wedged_fingerprint(*structure));
-  fmt::print("friction coefficient: {}{}\n", agreement->friction,
-             std::ranges::all_of(structure->contact, [](const auto& c) { return c.friction == 1; })
-                 ? ""
-                 : " times that of each candidate");
-  fmt::print("K was computed anew from the structure, up to {:.1e}\n",
-             agreement->stiffness.radius.nearest());
-}
-
-// What was proved, in the order in which the proof needs it.
-void print_summary(const verify::Certificate& certificate, const verify::Proof& proof, bool covered,
-                   const Verification::Tally& proved) {
-  fmt::print("K is positive definite: its eigenvalues are above {:.3g}\n",
-             proof.least_eigenvalue()->nearest());
-  if (covered) {
-    for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
-      const auto block = certificate.blocks[b];
-      const auto nodes = std::ranges::count(certificate.records, b, &verify::Record::block);
-      fmt::print("{}{} cover all {} sign patterns{}, each once\n",
-                 certificate.blocks.size() > 1 ? fmt::format("block {}: ", b + 1) : "",
-                 counted(static_cast<std::uint64_t>(nodes), "node"),
-                 all_patterns(static_cast<std::size_t>(std::popcount(block))),
-                 certificate.blocks.size() > 1 ? " of " + certificate.names_of(block) : "");
-    }
-  }
-  fmt::print("dead: {} proved\nalive: {} proved\n", proved.dead, proved.alive);
-  if (proved.marginal > 0) fmt::print("marginal: {} not proved\n", proved.marginal);
-}
-
-void print_verdict(bool refused, const Verification::Tally& proved) {
-  if (refused) {
-    fmt::print("NOT PROVED\n");
-  } else if (proved.marginal > 0 && proved.dead + proved.alive == 0) {
-    fmt::print("NOTHING PROVED: all nodes are marginal, and nothing is claimed of these\n");
-  } else if (proved.marginal > 0) {
-    fmt::print("PROVED but for {}: the list of {} is complete but for these\n",
-               counted(proved.marginal, "marginal node"), counted(proved.alive, "pattern"));
-  } else {
-    fmt::print("PROVED: the list of {} is complete\n", counted(proved.alive, "pattern"));
-  }
-}
-
-int refuse_all(Session& session, const VerifyOptions& options, const std::string& why) {
-  if (session.speaks()) {
-    fmt::print("{}: refused: {}\n", options.certificate, why);
-    if (!options.quiet) print_verdict(true, {});
-    flush_standard_output();
-  }
-  return failed;
-}
-
-std::optional<problems::Structure> structure_in(Session& session, const VerifyOptions& options) {
-  if (options.problem.empty()) return {};
-  const auto text = session.on_first_rank([&] { return problems::file_text(options.problem); });
-  return problems::read_structure(text, options.problem);
+Verdict Verify::verdict(CommandRun& /*run*/) {
+  return {{}, findings_.code};
 }
 
 }  // namespace
 
-int verify(Session& session, const VerifyOptions& options) {
-  const auto text = session.on_first_rank([&] { return content(options.certificate); });
-  const auto structure = structure_in(session, options);
-  // The first line says what it is a certificate of.
-  if (text.starts_with(verify::limit_first_line)) {
-    return verify_limit(session, options, structure, text);
-  }
-  // Every rank reads it, and proves for itself what the proof of each node rests on.
-  const auto certificate = certificate_in(text, options.certificate);
-  std::optional<verify::Agreement> agreement;
-  if (structure) {
-    auto found = verify::agreement(certificate, verified_structure(*structure));
-    if (const auto* why = std::get_if<std::string>(&found)) {
-      return refuse_all(session, options, fmt::format("{}: {}", options.problem, *why));
-    }
-    agreement = std::move(std::get<verify::Agreement>(found));
-  }
-  const verify::Proof proof(
-      certificate, agreement ? agreement->stiffness : verify::recorded_stiffness(certificate));
-  if (!proof.least_eigenvalue()) {
-    return refuse_all(session, options, "K was not shown to be positive definite");
-  }
-
-  Verification verification(certificate, proof);
-  engine::Options search_options;
-  std::optional<ProgressLine> progress;
-  if (session.speaks() && !options.quiet) {
-    progress.emplace(search_options.goal);
-    search_options.progress = [&](const auto& state) { progress->show(state); };
-  }
-  const auto outcome = engine::search(verification, session.transport(), search_options);
-  progress.reset();
-
-  // Every rank knows whether the nodes cover all patterns and what is left open, but rank 0 alone
-  // what was refused; the exit code of the job is that of a rank that has not 0.
-  const auto flaw = verify::flaw_of_cover(certificate);
-  const bool refused = flaw.has_value() || !outcome.solutions.empty();
-  const bool open =
-      std::ranges::count(certificate.records, verify::Claim::marginal, &verify::Record::claim) > 0;
-  const int exit_code = refused ? failed : open ? stopped_early : solved;
-  if (!session.speaks()) return refused ? failed : solved;
-  for (const auto& found : outcome.solutions) print_refusal(options, certificate, found.solution);
-  if (flaw) fmt::print("{}: refused: {}\n", options.certificate, *flaw);
-  if (!options.quiet) {
-    const auto proved = outcome.tally();
-    print_subject(options, certificate, structure, agreement);
-    print_summary(certificate, proof, !flaw, proved);
-    print_verdict(refused, proved);
-  }
-  flush_standard_output();
-  return exit_code;
+std::unique_ptr<Subcommand> verify_subcommand() {
+  return std::make_unique<Verify>();
 }
 
 }  // namespace kusabi::run

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
+#include <iterator>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -15,11 +14,11 @@
 #include <boost/serialization/string.hpp>
 #include <fmt/format.h>
 
+#include "engine/shared_work.hpp"
+#include "nodes/evidence/verified_structure.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "run/evidence/verified_structure.hpp"
-#include "run/output/exit_code.hpp"
-#include "run/output/standard_output.hpp"
-#include "run/session/shared_work.hpp"
+#include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/limit_proof.hpp"
@@ -50,21 +49,19 @@ verify::LimitCertificate certificate_in(const std::string& text, const std::stri
 
 }  // namespace
 
-int verify_limit(Session& session, const VerifyOptions& options,
-                 const std::optional<problems::Structure>& structure, const std::string& text) {
+VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
+                            const std::optional<problems::Structure>& structure,
+                            const std::string& text) {
   const auto certificate = certificate_in(text, options.certificate);
   auto truss = verify::recorded_truss(certificate);
   std::uint64_t fingerprint = 0;
   if (structure) {
     fingerprint = problems::limit_problem(*structure).fingerprint;  // or an error: it is no truss
-    auto found = verify::limit_agreement(certificate, verified_structure(*structure));
+    auto found = verify::limit_agreement(certificate, evidence::verified_structure(*structure));
     if (const auto* why = std::get_if<std::string>(&found)) {
-      if (session.speaks()) {
-        fmt::print("{}: refused: {}: {}\n", options.certificate, options.problem, *why);
-        if (!options.quiet) fmt::print("NOT PROVED\n");
-        flush_standard_output();
-      }
-      return failed;
+      return {failed,
+              fmt::format("{}: refused: {}: {}\n", options.certificate, options.problem, *why),
+              "NOT PROVED\n"};
     }
     truss = std::move(std::get<verify::LimitTruss>(found));
   }
@@ -89,7 +86,8 @@ int verify_limit(Session& session, const VerifyOptions& options,
       }
       return found;
     };
-    const auto verdicts = share_work<NodeVerdict>(session, certificate.nodes.size(), verdict);
+    const auto verdicts = engine::share_work<NodeVerdict>(run.session().transport(),
+                                                          certificate.nodes.size(), verdict);
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
       lower = std::min(lower, verdicts[i].lower);
       if (!verdicts[i].refusal.empty()) {
@@ -98,29 +96,32 @@ int verify_limit(Session& session, const VerifyOptions& options,
       }
     }
   }
-  if (!session.speaks()) return refusals.empty() ? solved : failed;
-  for (const auto& refusal : refusals)
-    fmt::print("{}: refused: {}\n", options.certificate, refusal);
-  if (!options.quiet && refusals.empty()) {
-    const double above = verify::rounded_up(std::get<mpq_class>(upper));
-    if (structure) {
-      fmt::print(
-          "problem: {}, from {}, fingerprint {:016x}\n"
-          "direction cosines were computed anew from the truss, yield forces and loads "
-          "compared\n",
-          structure->name, options.problem, fingerprint);
-    } else {
-      fmt::print("the truss is the certificate's own; --problem FILE proves it of a file\n");
-    }
-    fmt::print("{} cuts, {} nodes cover all loads\n", certificate.cuts.size(),
-               certificate.nodes.size());
-    fmt::print("PROVED: the least load factor for alpha = {} is between {:.17g} and {:.17g}\n",
-               certificate.alpha, std::min(lower, above), above);
-  } else if (!options.quiet) {
-    fmt::print("NOT PROVED\n");
+  VerifyFindings findings{.code = refusals.empty() ? solved : failed};
+  for (const auto& refusal : refusals) {
+    findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, refusal);
   }
-  flush_standard_output();
-  return refusals.empty() ? solved : failed;
+  auto& summary = findings.summary;
+  if (!refusals.empty()) {
+    summary = "NOT PROVED\n";
+    return findings;
+  }
+  const double above = verify::rounded_up(std::get<mpq_class>(upper));
+  const auto out = std::back_inserter(summary);
+  if (structure) {
+    fmt::format_to(out,
+                   "problem: {}, from {}, fingerprint {}\n"
+                   "direction cosines were computed anew from the truss, yield forces and loads "
+                   "compared\n",
+                   structure->name, options.problem, hexadecimal(fingerprint));
+  } else {
+    summary += "the truss is the certificate's own; --problem FILE proves it of a file\n";
+  }
+  fmt::format_to(out, "{} cuts, {} nodes cover all loads\n", certificate.cuts.size(),
+                 certificate.nodes.size());
+  fmt::format_to(out,
+                 "PROVED: the least load factor for alpha = {} is between {:.17g} and {:.17g}\n",
+                 certificate.alpha, std::min(lower, above), above);
+  return findings;
 }
 
 }  // namespace kusabi::run

@@ -5,18 +5,18 @@
 #include <string>
 
 #include "problems/structure/structure.hpp"
-#include "run/session/session.hpp"
+#include "run/command/command_run.hpp"
 #include "run/verify/verify.hpp"
 
 namespace kusabi::run {
 
-/// Proves both ends on all ranks, a node a piece of work, and prints the verdict.
+/// Proves both ends on all ranks, a node a piece of work.
 /// @param structure of the problem file that it is to be proved of, if any
 /// @param text of the file, the same on all ranks
-/// @return the exit code
 /// @throws WrongInput on every rank alike; support::InputError if the structure is none that limit
 ///         analysis is for
-int verify_limit(Session& session, const VerifyOptions& options,
-                 const std::optional<problems::Structure>& structure, const std::string& text);
+VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
+                            const std::optional<problems::Structure>& structure,
+                            const std::string& text);
 
 }  // namespace kusabi::run

@@ -1,6 +1,7 @@
 // A hash of what was read and of what was computed.
 #include "run/wedged/agreement.hpp"
 
+#include "engine/together.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
@@ -11,7 +12,7 @@ void agree(Session& session, const problems::WedgedProblem& problem) {
   for (const auto* matrix : {&problem.stiffness, &problem.compliance}) {
     for (const double number : matrix->reshaped()) computed.add(number);
   }
-  session.agree(computed.value());
+  engine::agree(session.transport(), computed.value());
 }
 
 }  // namespace kusabi::run

@@ -8,7 +8,8 @@
 
 namespace kusabi::run {
 
-/// @throws Disagreement on every rank unless stiffness, compliance and all else of the problem are
+/// @throws engine::Disagreement on every rank unless stiffness, compliance and all else of the
+/// problem are
 ///   the same on all of them
 void agree(Session& session, const problems::WedgedProblem& problem);
 

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/wedged/problem_block.hpp"
+#include "run/output/values.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {
@@ -55,7 +56,7 @@ ordered_json problem_json(const problems::WedgedProblem& problem, const std::str
           {"elements", problem.elements},
           {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
           {"contact", contact_frames(problem)},
-          {"fingerprint", fmt::format("{:016x}", problem.fingerprint)}};
+          {"fingerprint", hexadecimal(problem.fingerprint)}};
 }
 
 std::vector<double> friction_at(const problems::WedgedProblem& problem, double coefficient,
@@ -119,20 +120,6 @@ ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t bl
     next += problem.dimension;
   }
   return candidate_rows(whole, problem.dimension);
-}
-
-ordered_json tally_json(const wedged::SignPatternTally& tally) {
-  return {{"branched", tally.branched},
-          {"dead", tally.dead},
-          {"found", tally.found},
-          {"flat_nodes", tally.flat},
-          {"faces", tally.faces},
-          {"marginal_leaves", tally.marginal},
-          {"undecided_leaves", tally.undecided},
-          {"doubtful_branched", tally.doubtful},
-          {"climbed", tally.climbed},
-          {"iterations", tally.iterations},
-          {"candidates", tally.candidates}};
 }
 
 }  // namespace kusabi::run

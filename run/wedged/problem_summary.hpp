@@ -45,7 +45,4 @@ nlohmann::ordered_json candidate_rows(std::span<const double> values, int dimens
 nlohmann::ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
                                   std::span<const double> values);
 
-/// What became of the nodes of a tree of sign patterns.
-nlohmann::ordered_json tally_json(const wedged::SignPatternTally& tally);
-
 }  // namespace kusabi::run

@@ -2,8 +2,8 @@
 //
 // The iterations hand over points that satisfy their equations up to a residual, computed from an F
 // that is right up to an error e: |F~_ij - F_ij| <= e sqrt(F_ii F_jj). Here is what such a point
-// proves of the program with the true F (docs/theory.md, section 3). With n terms in a sum and the
-// unit roundoff u of its numbers let eps = e + (n + 4) u and R_i = sqrt(F_ii).
+// proves of the program with the true F (docs/theory/wedged.md, "Two proofs"). With n terms in a
+// sum and the unit roundoff u of its numbers let eps = e + (n + 4) u and R_i = sqrt(F_ii).
 //
 // From above: for multipliers y with y_j >= 0 off U, w = sum_i y_i (row (n, i) of F) and any
 // tau >= w_nk + mu_k |w_tk| on C,
@@ -42,7 +42,7 @@ struct NodeSets {
   std::uint64_t contact = 0;          ///< U as a bit set
 };
 
-/// What t is compared with in the cone of a candidate: 1 / mu, or 1 for r_n itself without
+/// By how much r_n exceeds x_0 of the standard form for each unit of t: 1 / mu, or 1 without
 /// friction.
 inline double level_weight(double friction) {
   return friction == 0 ? 1 : 1 / friction;
@@ -157,7 +157,7 @@ class Bounds {
     const double noise = safety * (error_ + rounding_) * size;
     const double unit = 4 * numbers::unit_roundoff<Real>;
     double tau = -infinity;
-    double sigma = 0;
+    double omega = 0;
     for (const int k : sets.cones) {
       const auto mu = friction[static_cast<std::size_t>(k)];
       Real tangential = 0;
@@ -174,9 +174,9 @@ class Bounds {
                                    std::abs(numbers::rounded(tangential))) +
                            double_rounding * std::abs(reach);
       tau = std::max(tau, reach + wrong * safety);
-      sigma += level_weight(mu);
+      omega += level_weight(mu);
     }
-    // N between two numbers; t = (1 - sum x_0) / sigma is never above 1 / sigma.
+    // N between two numbers; t = (1 - sum x_0) / omega is never above 1 / omega.
     double scale = numbers::rounded(pushes);
     double wrong = double_rounding * std::abs(scale) + rounding_ * std::abs(scale);
     for (const int k : sets.cones) {
@@ -187,7 +187,7 @@ class Bounds {
     }
     wrong = safety *
             (wrong + double_rounding * static_cast<double>(sets.cones.size()) * std::abs(scale));
-    const double trivial = (1 + 8 * double_rounding) / sigma;
+    const double trivial = (1 + 8 * double_rounding) / omega;
     if (tau < 0) return tau / (scale + wrong) * (1 - 2 * double_rounding);
     if (!(scale - wrong > 0)) return trivial;
     return std::min(trivial, tau / (scale - wrong) * (1 + 2 * double_rounding));

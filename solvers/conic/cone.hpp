@@ -66,8 +66,9 @@ KUSABI_INLINE std::array<Real, D> jordan_product(const std::array<Real, D>& x,
 
 /// The Nesterov-Todd scaling of an interior pair (x, z): the symmetric W with
 /// W z = W^-1 x = lambda, and what the iteration does in the scaled space.
-/// With the determinants taken out, w = (x + J z) / |x + J z| and W = sqrt(det x / det z)^(1/2)
-/// V(w) where V(w) = [w_0, w_1'; w_1, I + w_1 w_1' / (1 + w_0)].
+/// With x and z divided by the roots of their determinants, J z = (z_0, -z_1) and
+/// gamma = sqrt((1 + x'z) / 2), the scaling point is w = (x + J z) / (2 gamma), and W = eta V(w)
+/// where eta = (det x / det z)^(1/4) and V(w) = [w_0, w_1'; w_1, I + w_1 w_1' / (1 + w_0)].
 template <int D, class Real = double>
 class Scaling {
   static constexpr std::size_t size = D;
@@ -88,29 +89,29 @@ class Scaling {
       x_unit[i] = x[i] * inverse_x;
       z_unit[i] = z[i] * inverse_z;
     }
-    const Real half = root((1.0 + dot(x_unit, z_unit)) * 0.5);
-    const Real stretch = root(root_x * inverse_z);
-    const Real normaliser = 0.5 / half;
+    const Real gamma = root((1.0 + dot(x_unit, z_unit)) * 0.5);
+    const Real eta = root(root_x * inverse_z);
+    const Real normaliser = 0.5 / gamma;
     const Real w_head = (x_unit[0] + z_unit[0]) * normaliser;
-    const Real tail_share = stretch / (1.0 + w_head);
+    const Real tail_share = eta / (1.0 + w_head);
     std::array<Real, size> w;
     for (std::size_t i = 1; i < size; ++i) w[i] = (x_unit[i] - z_unit[i]) * normaliser;
-    matrix_[0][0] = stretch * w_head;
+    matrix_[0][0] = eta * w_head;
     for (std::size_t i = 1; i < size; ++i) {
-      matrix_[i][0] = matrix_[0][i] = stretch * w[i];
+      matrix_[i][0] = matrix_[0][i] = eta * w[i];
       for (std::size_t j = 1; j <= i; ++j) matrix_[i][j] = matrix_[j][i] = tail_share * w[i] * w[j];
-      matrix_[i][i] += stretch;
+      matrix_[i][i] += eta;
     }
 
     // lambda in closed form: W z would cancel near the boundary.
-    root_ = root_z * stretch;
-    inverse_root_ = 1.0 / root_;
-    unit_[0] = half;
-    const Real share = 1.0 / (x_unit[0] + z_unit[0] + 2.0 * half);
+    lambda_root_ = root_z * eta;
+    inverse_lambda_root_ = 1.0 / lambda_root_;
+    lambda_unit_[0] = gamma;
+    const Real share = 1.0 / (x_unit[0] + z_unit[0] + 2.0 * gamma);
     for (std::size_t i = 1; i < size; ++i)
-      unit_[i] = ((half + z_unit[0]) * x_unit[i] + (half + x_unit[0]) * z_unit[i]) * share;
+      lambda_unit_[i] = ((gamma + z_unit[0]) * x_unit[i] + (gamma + x_unit[0]) * z_unit[i]) * share;
     inverse_head_ = 2.0 * normaliser;
-    inverse_shift_ = 1.0 / (1.0 + half);
+    inverse_shift_ = 1.0 / (1.0 + gamma);
   }
 
   /// W_ij; W is symmetric positive definite.
@@ -124,41 +125,42 @@ class Scaling {
   }
 
   /// The scaled point lambda = W z = W^-1 x.
-  KUSABI_INLINE Vector point() const {
-    Vector lambda;
-    for (std::size_t i = 0; i < size; ++i) lambda[i] = root_ * unit_[i];
-    return lambda;
+  KUSABI_INLINE Vector lambda() const {
+    Vector point;
+    for (std::size_t i = 0; i < size; ++i) point[i] = lambda_root_ * lambda_unit_[i];
+    return point;
   }
 
   /// The solution q of lambda o q = right_side.
   KUSABI_INLINE Vector jordan_divide(const Vector& right_side) const {
-    const Real head = unit_[0] * right_side[0] - tail_dot(unit_, right_side);
+    const Real head = lambda_unit_[0] * right_side[0] - tail_dot(lambda_unit_, right_side);
     Vector quotient;
-    quotient[0] = head * inverse_root_;
-    const Real share = inverse_head_ * inverse_root_;
-    for (std::size_t i = 1; i < size; ++i) quotient[i] = (right_side[i] - head * unit_[i]) * share;
+    quotient[0] = head * inverse_lambda_root_;
+    const Real share = inverse_head_ * inverse_lambda_root_;
+    for (std::size_t i = 1; i < size; ++i)
+      quotient[i] = (right_side[i] - head * lambda_unit_[i]) * share;
     return quotient;
   }
 
-  /// The reciprocal of the largest step a with lambda + a direction in the cone; not positive when
-  /// no step leaves it. The reciprocals of several cones combine by their maximum.
-  /// Turns lambda into the identity e first, where the reciprocal is ||d_1|| - d_0.
-  KUSABI_INLINE Real inverse_step(const Vector& direction) const {
-    const Real head = unit_[0] * direction[0] - tail_dot(unit_, direction);
+  /// The reciprocal of the largest step length alpha with lambda + alpha direction in the cone; not
+  /// positive when every length stays inside. The reciprocals of several cones combine by their
+  /// maximum. Turns lambda into the identity e first, where the reciprocal is ||d_1|| - d_0.
+  KUSABI_INLINE Real inverse_step_length(const Vector& direction) const {
+    const Real head = lambda_unit_[0] * direction[0] - tail_dot(lambda_unit_, direction);
     const Real share = (head + direction[0]) * inverse_shift_;
     Vector turned;
     turned[0] = head;
-    for (std::size_t i = 1; i < size; ++i) turned[i] = direction[i] - share * unit_[i];
-    return -margin(turned) * inverse_root_;
+    for (std::size_t i = 1; i < size; ++i) turned[i] = direction[i] - share * lambda_unit_[i];
+    return -margin(turned) * inverse_lambda_root_;
   }
 
  private:
   std::array<Vector, size> matrix_;  // W
-  Vector unit_;                      // lambda / sqrt(det lambda)
-  Real root_;                        // sqrt(det lambda)
-  Real inverse_root_;
-  Real inverse_head_;   // 1 / unit_[0]
-  Real inverse_shift_;  // 1 / (unit_[0] + 1)
+  Vector lambda_unit_;               // lambda / sqrt(det lambda)
+  Real lambda_root_;                 // sqrt(det lambda)
+  Real inverse_lambda_root_;
+  Real inverse_head_;   // 1 / lambda_unit_[0]
+  Real inverse_shift_;  // 1 / (lambda_unit_[0] + 1)
 };
 
 }  // namespace kusabi::conic

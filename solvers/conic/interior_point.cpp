@@ -5,37 +5,17 @@
 #include <bit>
 #include <cmath>
 
+#include "solvers/conic/iteration_rules.hpp"
+
 namespace kusabi::conic {
 
 namespace {
-
-// The dual start leaves each z_i at least this share of its distance from the boundary at y = 0.
-constexpr double start_share = 0.5;
-
-// No multiplier starts above this: where the rows with a slack push z into the cone, nothing else
-// bounds them.
-constexpr double start_limit = 1;
-
-// The primal start, times the size 1 / |C| of a reaction that sums to one. The better start of
-// those we measured: the sign is proved half an iteration earlier than from the identity.
-constexpr double start_point = 1;
-constexpr double start_slack = 0.5;
-
-// A step goes this share of the way to the boundary; the rest keeps the next scaling computable.
-constexpr double boundary_share = 0.99;
-
-// Shorter steps than this no longer change the bracket.
-constexpr double shortest_step = 1e-6;
 
 // Added to the diagonal of A W^2 A', relative to the size of each row before cancellation (A has b
 // in it): of the order of its rounding. A candidate in contact whose normal and tangents are
 // decoupled makes a row of A vanish, and then u_n = 0 has no solution; the shift lets y run along
 // that row, which proves the node dead.
 constexpr double diagonal_shift = 1e-15;
-
-// A rounding-level step may put the new z on the wrong side of the boundary; halving this often
-// goes back far enough, or the digits are used up.
-constexpr int most_halvings = 8;
 
 // The columns of one cone of B = A W: the cone of this lane.
 template <int D>
@@ -60,8 +40,8 @@ InteriorPoint<D>::InteriorPoint(int candidates, int most_cones) : normal_equatio
   const Eigen::Index cones = padded(most_cones);
   for (Points<D>* points : {&x_, &z_, &projected_, &step_x_, &step_z_, &products_})
     points->setZero(cones, D);
-  for (Eigen::VectorXd* numbers : {&v_, &y_, &slack_scale_, &slack_point_, &predictor_,
-                                   &correction_, &dy_, &trial_, &step_v_, &step_y_})
+  for (Eigen::VectorXd* numbers :
+       {&v_, &y_, &w_, &lambda_, &predictor_, &correction_, &dy_, &trial_, &step_v_, &step_y_})
     numbers->setZero(rows);
   present_.setZero(cones);
   scaling_.resize(static_cast<std::size_t>(cones / lanes));
@@ -129,7 +109,7 @@ double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
   for (int c = 0; c < matrix.count; c += lanes) {
     const Scaling<D, Pack> scaling(load_cones(x_, c), load_cones(z_, c));
     scaling_[static_cast<std::size_t>(c / lanes)] = scaling;
-    const Cones lambda = scaling.point();
+    const Cones lambda = scaling.lambda();
     const Pack present = load(present_.data() + c);
     widest = larger(widest, scaling.entry(0, 0) * present);
     product_sum += dot(lambda, lambda) * present;
@@ -145,8 +125,8 @@ double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
     const double* slack = program.slack().data() + i;
     const Pack point = where(slack, root(v * y), 1.0);
     product_sum += where(slack, v * y, 0.0);
-    store(slack_scale_.data() + i, where(slack, root(v / y), 0.0));
-    store(slack_point_.data() + i, point);
+    store(w_.data() + i, where(slack, root(v / y), 0.0));
+    store(lambda_.data() + i, point);
     const Pack b = load(program.right_side().data() + i);
     store(predictor_.data() + i, b);
     store(correction_.data() + i, b + v - load(trial_.data() + i));
@@ -166,7 +146,7 @@ bool InteriorPoint<D>::factorise(const NodeProgram<D>& program) {
   for (int i = 0; i < m; ++i) {
     const double b = program.right_side()[i];
     const double size = normal_equations_.diagonal(i) + widest * widest * b * b;
-    normal_equations_.add_to_diagonal(i, diagonal_shift * size + slack_scale_[i] * slack_scale_[i]);
+    normal_equations_.add_to_diagonal(i, diagonal_shift * size + w_[i] * w_[i]);
   }
   // A row that is ignored has no entries: like those that fill up the last four.
   for (auto rest = program.ignored(); rest != 0; rest &= rest - 1)
@@ -204,13 +184,13 @@ void InteriorPoint<D>::shift_projected(const NodeProgram<D>& program,
 
 template <int D>
 auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::VectorXd& dy)
-    -> Reach {
+    -> InverseStepLengths {
   const Columns matrix = program.matrix();
   transposed_product(matrix, dy.data(), products_.data());
   Pack dual = {}, primal = {};
   for (int c = 0; c < matrix.count; c += lanes) {
     const Scaling<D, Pack>& scaling = this->scaling(c);
-    const Cones lambda = scaling.point();
+    const Cones lambda = scaling.lambda();
     const Pack present = load(present_.data() + c);
     Cones dz = scaling.times(load_cones(products_, c));
     Cones dx = load_cones(step_x_, c);
@@ -220,14 +200,14 @@ auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::Ve
     }
     store_cones(step_z_, c, dz);
     store_cones(step_x_, c, dx);
-    dual = larger(dual, scaling.inverse_step(dz));
-    primal = larger(primal, scaling.inverse_step(dx));
+    dual = larger(dual, scaling.inverse_step_length(dz));
+    primal = larger(primal, scaling.inverse_step_length(dx));
   }
   for (int i = 0; i < matrix.rows; i += lanes) {
     const double* slack = program.slack().data() + i;
     const Pack change = load(dy.data() + i);
-    const Pack point = load(slack_point_.data() + i);
-    const Pack step_y = load(slack_scale_.data() + i) * change;
+    const Pack point = load(lambda_.data() + i);
+    const Pack step_y = load(w_.data() + i) * change;
     const Pack step_v = where(slack, load(step_v_.data() + i) - point - step_y, 0.0);
     store(step_y_.data() + i, step_y);
     store(step_v_.data() + i, step_v);
@@ -238,22 +218,24 @@ auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::Ve
 }
 
 template <int D>
-void InteriorPoint<D>::correct(const NodeProgram<D>& program, double target, double share) {
+void InteriorPoint<D>::correct(const NodeProgram<D>& program, double sigma_mu,
+                               double affine_length) {
   const Columns matrix = program.matrix();
   for (int c = 0; c < matrix.count; c += lanes) {
     Cones right_side = jordan_product(load_cones(step_x_, c), load_cones(step_z_, c));
-    for (Pack& component : right_side) component *= -share;
-    right_side[0] += target;
+    for (Pack& component : right_side) component *= -affine_length;
+    right_side[0] += sigma_mu;
     const Cones q = scaling(c).jordan_divide(right_side);
     store_cones(step_x_, c, q);
     store_cones(products_, c, scaling(c).times(q));
   }
   product(matrix, products_.data(), trial_.data());
   for (int i = 0; i < matrix.rows; i += lanes) {
-    const Pack q = (target - share * load(step_v_.data() + i) * load(step_y_.data() + i)) /
-                   load(slack_point_.data() + i);
+    const Pack q =
+        (sigma_mu - affine_length * load(step_v_.data() + i) * load(step_y_.data() + i)) /
+        load(lambda_.data() + i);
     store(step_v_.data() + i, q);
-    store(trial_.data() + i, load(trial_.data() + i) - load(slack_scale_.data() + i) * q);
+    store(trial_.data() + i, load(trial_.data() + i) - load(w_.data() + i) * q);
   }
 }
 
@@ -262,39 +244,39 @@ bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
   // Predictor: W^-1 dx + W dz = -lambda and A dx = b - A x reduce to M dy = b.
   step_x_.setZero();
   step_v_.setZero();
-  const Reach predicted = directions(program, predictor_);
-  const double reach = 1 / std::max({1.0, predicted.dual, predicted.primal});
+  const InverseStepLengths predicted = directions(program, predictor_);
+  const double affine_length = 1 / std::max({1.0, predicted.dual, predicted.primal});
 
-  // Corrector: W^-1 dx + W dz = -lambda + q with lambda o q = target e - reach dx~ o dz~, and
-  // A dx = (1 - centring) (b - A x), hence M dy = b - centring (b - A x) - B q. Mehrotra's method
-  // has the second-order term in full; where the predictor gets nowhere it is out of proportion,
-  // and the iteration can cycle.
+  // Corrector: W^-1 dx + W dz = -lambda + q with lambda o q = sigma mu e - alpha dx~ o dz~, alpha
+  // the length of the predictor's step, and A dx = (1 - sigma) (b - A x), hence
+  // M dy = b - sigma (b - A x) - B q. Mehrotra's method has the second-order term in full; where
+  // the predictor's step is short it is out of proportion, and the iteration can cycle.
   const auto degree = static_cast<double>(program.cones().size() + program.gap_rows().size());
-  const double centring = (1 - reach) * (1 - reach) * (1 - reach);
-  correct(program, centring * complementarity_ / degree, reach);
+  const double sigma = (1 - affine_length) * (1 - affine_length) * (1 - affine_length);
+  correct(program, sigma * complementarity_ / degree, affine_length);
   normal_equations_.solve(trial_.data());
-  dy_ = predictor_ - trial_ - centring * correction_;
-  const Reach corrected = directions(program, dy_);
-  const double dual_step = boundary_share / std::max(boundary_share, corrected.dual);
-  const double primal_step = boundary_share / std::max(boundary_share, corrected.primal);
-  return std::max(primal_step, dual_step) > shortest_step && move_primal(program, primal_step) &&
-         move_dual(program, dual_step);
+  dy_ = predictor_ - trial_ - sigma * correction_;
+  const InverseStepLengths corrected = directions(program, dy_);
+  const double dual_length = boundary_fraction / std::max(boundary_fraction, corrected.dual);
+  const double primal_length = boundary_fraction / std::max(boundary_fraction, corrected.primal);
+  return std::max(primal_length, dual_length) > least_step_length &&
+         move_primal(program, primal_length) && move_dual(program, dual_length);
 }
 
 template <int D>
-bool InteriorPoint<D>::move_primal(const NodeProgram<D>& program, double step) {
+bool InteriorPoint<D>::move_primal(const NodeProgram<D>& program, double step_length) {
   const Columns matrix = program.matrix();
   Answers inside = Pack(1.0) > 0.0;
   for (int c = 0; c < matrix.count; c += lanes) {
     const Cones change = scaling(c).times(load_cones(step_x_, c));
     Cones x = load_cones(x_, c);
-    for (std::size_t d = 0; d < x.size(); ++d) x[d] += step * change[d];
+    for (std::size_t d = 0; d < x.size(); ++d) x[d] += step_length * change[d];
     store_cones(x_, c, x);
     inside &= margin(x) > 0.0;
   }
   for (int i = 0; i < matrix.rows; i += lanes) {
-    const Pack change = load(slack_scale_.data() + i) * load(step_v_.data() + i);
-    const Pack v = load(v_.data() + i) + step * change;
+    const Pack change = load(w_.data() + i) * load(step_v_.data() + i);
+    const Pack v = load(v_.data() + i) + step_length * change;
     store(v_.data() + i, v);
     inside &= where(program.slack().data() + i, v, 1.0) > 0.0;
   }
@@ -302,9 +284,9 @@ bool InteriorPoint<D>::move_primal(const NodeProgram<D>& program, double step) {
 }
 
 template <int D>
-bool InteriorPoint<D>::move_dual(const NodeProgram<D>& program, double step) {
-  for (int halving = 0; halving <= most_halvings; ++halving, step /= 2) {
-    trial_ = y_ + step * dy_;
+bool InteriorPoint<D>::move_dual(const NodeProgram<D>& program, double step_length) {
+  for (int halving = 0; halving <= most_halvings; ++halving, step_length /= 2) {
+    trial_ = y_ + step_length * dy_;
     if (refresh_dual(program, trial_)) {
       y_.swap(trial_);
       return true;

@@ -4,9 +4,12 @@
 //                                                            y_j >= 0 for the rows with a slack.
 //
 // Nesterov-Todd scaling, Mehrotra's predictor and corrector, normal equations M = A W^2 A' of size
-// m x m by Cholesky. The primal start is infeasible; the dual start is feasible by construction and
-// z is computed afresh from y each time, so b'y bounds the optimal value from below throughout, up
-// to the rounding of one product. The node solver turns the two sides into a bracket of t*.
+// m x m by Cholesky. The names are those of the literature on such methods: W, w, eta and lambda
+// the scaling, its point, its factor and the scaled iterate; mu = (x'z + v'y) / degree the
+// complementarity of an average pair; sigma the centring parameter; alpha the step lengths. The
+// primal start is infeasible; the dual start is feasible by construction and z is computed afresh
+// from y each time, so b'y bounds the optimal value from below throughout, up to the rounding of
+// one product. The node solver turns the two sides into a bracket of t*.
 #pragma once
 
 #include <vector>
@@ -57,8 +60,8 @@ class InteriorPoint {
  private:
   using Cones = Point<D, Pack>;  // a point of four cones
 
-  // Reciprocals of the largest steps that stay inside, or zero when all do.
-  struct Reach {
+  // Reciprocals of the largest step lengths that stay inside, or zero where every length does.
+  struct InverseStepLengths {
     double dual, primal;
   };
 
@@ -78,19 +81,22 @@ class InteriorPoint {
   KUSABI_ALSO_FOR_AVX2 double scale(const NodeProgram<D>& program);
   // W dz = -W A' dy and W^-1 dx = q - lambda - W dz in both kinds of cone, where step_x_ and
   // step_v_ hold q.
-  KUSABI_ALSO_FOR_AVX2 Reach directions(const NodeProgram<D>& program, const Eigen::VectorXd& dy);
-  // The q of the corrector, into step_x_ and step_v_, and the right side A W q into trial_.
-  KUSABI_ALSO_FOR_AVX2 void correct(const NodeProgram<D>& program, double target, double share);
-  KUSABI_ALSO_FOR_AVX2 bool move_primal(const NodeProgram<D>& program, double step);
-  bool move_dual(const NodeProgram<D>& program, double step);
+  KUSABI_ALSO_FOR_AVX2 InverseStepLengths directions(const NodeProgram<D>& program,
+                                                     const Eigen::VectorXd& dy);
+  // The q of the corrector, with which lambda o q = sigma mu e - alpha dx~ o dz~ (alpha the length
+  // of the predictor's step), into step_x_ and step_v_, and the right side A W q into trial_.
+  KUSABI_ALSO_FOR_AVX2 void correct(const NodeProgram<D>& program, double sigma_mu,
+                                    double affine_length);
+  KUSABI_ALSO_FOR_AVX2 bool move_primal(const NodeProgram<D>& program, double step_length);
+  bool move_dual(const NodeProgram<D>& program, double step_length);
 
   Points<D> x_, z_, projected_;
-  Eigen::VectorXd v_, y_;                      // by row; v is used on the rows with a slack only
-  std::vector<Scaling<D, Pack>> scaling_;      // of the cones
-  Eigen::VectorXd present_;                    // one for each cone, zero for the padding
-  Eigen::VectorXd slack_scale_, slack_point_;  // w = sqrt(v / y) and lambda = sqrt(v y), by row
-  Eigen::MatrixXd scaled_matrix_;              // B = A W
-  NormalEquations normal_equations_;           // M = B B' + diag(w^2)
+  Eigen::VectorXd v_, y_;                  // by row; v is used on the rows with a slack only
+  std::vector<Scaling<D, Pack>> scaling_;  // of the cones
+  Eigen::VectorXd present_;                // one for each cone, zero for the padding
+  Eigen::VectorXd w_, lambda_;             // of the rows: sqrt(v / y) and sqrt(v y)
+  Eigen::MatrixXd scaled_matrix_;          // B = A W
+  NormalEquations normal_equations_;       // M = B B' + diag(w^2)
   Eigen::VectorXd predictor_, correction_, dy_, trial_;  // m
   Points<D> step_x_, step_z_;                            // scaled: W^-1 dx, W dz
   Points<D> products_;                                   // A' dy, W q and the like

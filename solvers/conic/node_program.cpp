@@ -125,11 +125,11 @@ void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated, std:
   contact_rows_.clear();
   contact_ = contact;
   ignored_ = ignored;
-  weight_ = 0;
+  omega_ = 0;
   for (std::size_t k = 0; k < friction_.size(); ++k) {
     if (((separated | ignored) >> static_cast<unsigned>(owners_[k]) & 1) != 0) continue;
     cones_.push_back(static_cast<int>(k));
-    weight_ += level_weight(friction_[k]);
+    omega_ += level_weight(friction_[k]);
   }
   for (std::size_t i = 0; i < m; ++i) {
     if ((ignored >> i & 1) != 0) continue;
@@ -139,14 +139,14 @@ void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated, std:
 
   // Row i of the node program, with r_n = x_0 + t / mu and r_t = mu x_1, and t eliminated:
   //   sum_C [F_nn, mu F_nt] x + g t - v = 0,  g = sum_C F_nn / mu - [i not in U],
-  //   t = (1 - sum x_0) / sigma.
+  //   t = (1 - sum x_0) / omega.
   right_side_.setZero();
   for (const int k : cones_)
     right_side_ +=
         level_weight(friction_[static_cast<std::size_t>(k)]) * normal_compliance_.col(D * k);
   slack_.setZero();
   for (const int j : gap_rows_) slack_[j] = 1;
-  right_side_ = (right_side_ - slack_) / -weight_;
+  right_side_ = (right_side_ - slack_) / -omega_;
   for (auto rest = ignored; rest != 0; rest &= rest - 1) right_side_[std::countr_zero(rest)] = 0;
   const Eigen::Index stride = padded(most_cones());
   Eigen::Index c = 0;

@@ -8,7 +8,7 @@
 //
 // with C the complement of R. The substitution x_i = (r_{n,i} - t / mu_i, r_{t,i} / mu_i) makes the
 // friction cone of a candidate the second-order cone itself, and the sum gives
-// t = (1 - sum_i x_i0) / sigma with sigma = sum_C 1 / mu_i. Without friction r_t = 0, t <= r_{n,i}
+// t = (1 - sum_i x_i0) / omega with omega = sum_C 1 / mu_i. Without friction r_t = 0, t <= r_{n,i}
 // and 1 stands in the place of 1 / mu_i. With a slack v_j for each gap row:
 //
 //   min c'x  s.t.  A x - v = b (v_j only for j not in U),  x_i in Q_d,  v >= 0,  c = e in each
@@ -18,7 +18,7 @@
 //
 // A candidate may have several cones, whose reactions add up to its own and which share its row: so
 // polyhedral friction cones are solved, as sums of plane ones (nodes/wedged/facets.hpp).
-// docs/theory.md, section 3, has the derivation.
+// docs/theory/wedged.md, "Standard form with m rows", derives it.
 #pragma once
 
 #include <cstdint>
@@ -72,8 +72,6 @@ class NodeProgram {
   const std::vector<int>& cones() const { return cones_; }
   /// The candidates not in U: the rows with a slack.
   const std::vector<int>& gap_rows() const { return gap_rows_; }
-  /// U, the rows without a slack.
-  const std::vector<int>& contact_rows() const { return contact_rows_; }
   /// All of these.
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
   /// The candidates without a row, as a bit set.
@@ -94,9 +92,9 @@ class NodeProgram {
   /// One for each row with a slack, zero for the others and the padding.
   const Eigen::VectorXd& slack() const { return slack_; }
 
-  /// t = (1 - value) / sigma: what a value of the objective c'x, or of the dual objective b'y, is
+  /// t = (1 - value) / omega: what a value of the objective c'x, or of the dual objective b'y, is
   /// worth in the node program.
-  double level(double value) const { return (1 - value) / weight_; }
+  double level(double value) const { return (1 - value) / omega_; }
 
   /// The reaction r (Dm, zero on R) of a point x of the cones.
   void reaction(const Points<D>& x, Eigen::VectorXd& r) const;
@@ -123,14 +121,14 @@ class NodeProgram {
   Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, m x Dm, both padded with zeros
   std::vector<double> friction_;       // by cone, like the next
   std::vector<int> owners_;
-  std::vector<int> cones_, gap_rows_, contact_rows_;
-  Eigen::MatrixXd matrix_;      // A, room for all cones
-  Eigen::VectorXd right_side_;  // b
+  std::vector<int> cones_, gap_rows_, contact_rows_;  // contact: U, the rows without a slack
+  Eigen::MatrixXd matrix_;                            // A, room for all cones
+  Eigen::VectorXd right_side_;                        // b
   Eigen::VectorXd slack_;
   Eigen::VectorXd gap_;   // normal displacements, then the discrepancy
   Eigen::VectorXd pull_;  // w
   std::uint64_t contact_ = 0, ignored_ = 0;
-  double weight_ = 0;  // sigma
+  double omega_ = 0;  // sum_C 1 / mu
 };
 
 extern template class NodeProgram<2>;

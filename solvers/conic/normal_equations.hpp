@@ -8,13 +8,11 @@
 
 namespace kusabi::conic {
 
-/// M and its factor, on storage that is allocated once. All vectors have padded_rows() entries.
+/// M and its factor, on storage that is allocated once. All vectors have an entry for each row of M
+/// and for those that fill it up to a multiple of four, where M is the identity.
 class NormalEquations {
  public:
   explicit NormalEquations(int rows);
-
-  /// The rows of M with those that fill it up to a multiple of four, where M is the identity.
-  int padded_rows() const { return padded_rows_; }
 
   /// M = B B'.
   void assemble(const Columns& b);

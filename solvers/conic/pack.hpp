@@ -1,5 +1,6 @@
-// Four numbers that are computed with at once. The cones of a node are taken four at a time, the
-// rows of its matrices too: a node program is too small for anything but registers to matter.
+// Four numbers that are computed with at once. The cones of a node are computed four at a time,
+// and so are the rows of its matrices: a node program is so small that its time is that of
+// operations in registers.
 //
 // Each lane rounds as a number by itself does, and sums have one order, whatever the machine: where
 // it has AVX2 an operation is one instruction, elsewhere two. Multiplications and additions are

@@ -1,5 +1,4 @@
-// The interior-point iteration of interior_point.cpp in plain words; see there for the reasons of
-// its constants.
+// The interior-point iteration of interior_point.cpp without its packs and padding.
 #include "solvers/conic/plain_solver.hpp"
 
 #include <algorithm>
@@ -9,17 +8,13 @@
 
 #include <Eigen/Cholesky>
 
+#include "solvers/conic/iteration_rules.hpp"
+
 namespace kusabi::conic {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr double start_share = 0.5;
-constexpr double start_point = 1;
-constexpr double start_slack = 0.5;
-constexpr double boundary_share = 0.99;
-constexpr double shortest_step = 1e-6;
-constexpr int most_halvings = 8;
 constexpr int most_projections = 3;
 
 // More digits take more iterations.
@@ -62,7 +57,7 @@ void PlainSolver<D, Real>::select(std::uint64_t contact, std::uint64_t separated
   contact_rows_.clear();
   rows_.clear();
   slack_.clear();
-  weight_ = Real(0);
+  omega_ = Real(0);
   for (std::size_t i = 0; i < friction_.size(); ++i) {
     if ((ignored >> i & 1) != 0) continue;
     const bool touches = (contact >> i & 1) != 0;
@@ -71,7 +66,7 @@ void PlainSolver<D, Real>::select(std::uint64_t contact, std::uint64_t separated
     slack_.push_back(!touches);
     if ((separated >> i & 1) != 0) continue;
     cones_.push_back(static_cast<int>(i));
-    weight_ += friction_[i] == 0 ? Real(1) : Real(1) / Real(friction_[i]);
+    omega_ += friction_[i] == 0 ? Real(1) : Real(1) / Real(friction_[i]);
   }
   const auto rows = static_cast<Eigen::Index>(rows_.size());
   right_side_ = Vector::Zero(rows);
@@ -83,7 +78,7 @@ void PlainSolver<D, Real>::select(std::uint64_t contact, std::uint64_t separated
       right_side_[i] += mu == 0 ? entry : Real(entry / Real(mu));
     }
     if (slack_[static_cast<std::size_t>(i)]) right_side_[i] -= Real(1);
-    right_side_[i] /= -weight_;
+    right_side_[i] /= -omega_;
   }
   columns_.resize(cones_.size());
   for (std::size_t c = 0; c < cones_.size(); ++c) {
@@ -144,7 +139,7 @@ bool PlainSolver<D, Real>::refresh_dual(const Vector& y) {
 }
 
 template <int D, class Real>
-void PlainSolver<D, Real>::start() {
+Answer PlainSolver<D, Real>::start() {
   const auto rows = static_cast<Eigen::Index>(rows_.size());
   const auto count = static_cast<double>(cones_.size());
   y_ = Vector::Zero(rows);
@@ -154,7 +149,7 @@ void PlainSolver<D, Real>::start() {
     y_[i] = Real(1);
     v_[i] = Real(start_slack / count);
   }
-  double size = 1;
+  double size = start_limit;
   for (std::size_t c = 0; c < cones_.size(); ++c) {
     const Cone push = transposed(c, y_);
     const double outward = numbers::rounded(Real(push[0] + radius(push)));
@@ -170,6 +165,12 @@ void PlainSolver<D, Real>::start() {
   best_ = y_;
   best_value_ = Real(infinity);
   refresh_dual(y_);
+  reaction_.setZero();
+  multipliers_.setZero();
+  Answer answer;
+  answer.lower = -infinity;
+  answer.upper = infinity;
+  return answer;
 }
 
 template <int D, class Real>
@@ -180,7 +181,7 @@ bool PlainSolver<D, Real>::factorise() {
   complementarity_ = Real(0);
   for (std::size_t c = 0; c < cones_.size(); ++c) {
     scaling_[c] = Scaling<D, Real>(x_[c], z_[c]);
-    const Cone lambda = scaling_[c].point();
+    const Cone lambda = scaling_[c].lambda();
     complementarity_ += dot(lambda, lambda);
     if (scaling_[c].entry(0, 0) > widest) widest = scaling_[c].entry(0, 0);
     for (Eigen::Index i = 0; i < rows; ++i) {
@@ -192,31 +193,33 @@ bool PlainSolver<D, Real>::factorise() {
     }
   }
   Matrix normal = scaled * scaled.transpose();
-  slack_scale_ = Vector::Zero(rows);
-  slack_point_ = Vector::Ones(rows);
+  w_ = Vector::Zero(rows);
+  lambda_ = Vector::Ones(rows);
   const Real shift = Real(4 * numbers::unit_roundoff<Real>);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const Real b = right_side_[i];
     normal(i, i) += shift * (normal(i, i) + widest * widest * b * b);
     if (!slack_[static_cast<std::size_t>(i)]) continue;
-    slack_scale_[i] = root(Real(v_[i] / y_[i]));
-    slack_point_[i] = root(Real(v_[i] * y_[i]));
+    w_[i] = root(Real(v_[i] / y_[i]));
+    lambda_[i] = root(Real(v_[i] * y_[i]));
     complementarity_ += v_[i] * y_[i];
     normal(i, i) += v_[i] / y_[i];
   }
   const Eigen::LLT<Matrix> factor(normal);
   if (factor.info() != Eigen::Success) return false;
   factor_ = factor.matrixL();
-  missing_ = right_side_ + v_ - products(x_);
-  const auto solve = [&](Vector right) {
-    factor_.template triangularView<Eigen::Lower>().solveInPlace(right);
-    factor_.transpose().template triangularView<Eigen::Upper>().solveInPlace(right);
-    return right;
-  };
-  predictor_ = solve(right_side_);
-  correction_ = solve(missing_);
-  const Real check = predictor_.dot(right_side_) + correction_.dot(missing_);
+  primal_residual_ = right_side_ + v_ - products(x_);
+  predictor_ = solved(right_side_);
+  correction_ = solved(primal_residual_);
+  const Real check = predictor_.dot(right_side_) + correction_.dot(primal_residual_);
   return std::isfinite(numbers::rounded(check));
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::solved(Vector right_side) const -> Vector {
+  factor_.template triangularView<Eigen::Lower>().solveInPlace(right_side);
+  factor_.transpose().template triangularView<Eigen::Upper>().solveInPlace(right_side);
+  return right_side;
 }
 
 template <int D, class Real>
@@ -234,25 +237,25 @@ template <int D, class Real>
 auto PlainSolver<D, Real>::direction(const Vector& dy, const std::vector<Cone>& q,
                                      const Vector& q_rows) const -> Step {
   Step step{q, q, q_rows, Vector::Zero(dy.size()), Real(0), Real(0)};
-  const auto widen = [](Real& reach, const Real& candidate) {
-    if (candidate > reach) reach = candidate;
+  const auto widen = [](Real& inverse, const Real& candidate) {
+    if (candidate > inverse) inverse = candidate;
   };
   for (std::size_t c = 0; c < cones_.size(); ++c) {
-    const Cone lambda = scaling_[c].point();
+    const Cone lambda = scaling_[c].lambda();
     step.z[c] = scaling_[c].times(transposed(c, dy));
     for (std::size_t d = 0; d < D; ++d) {
       step.z[c][d] = -step.z[c][d];
       step.x[c][d] = q[c][d] - lambda[d] - step.z[c][d];
     }
-    widen(step.reach_dual, scaling_[c].inverse_step(step.z[c]));
-    widen(step.reach_primal, scaling_[c].inverse_step(step.x[c]));
+    widen(step.inverse_dual_length, scaling_[c].inverse_step_length(step.z[c]));
+    widen(step.inverse_primal_length, scaling_[c].inverse_step_length(step.x[c]));
   }
   for (Eigen::Index i = 0; i < dy.size(); ++i) {
     if (!slack_[static_cast<std::size_t>(i)]) continue;
-    step.y[i] = slack_scale_[i] * dy[i];
-    step.v[i] = q_rows[i] - slack_point_[i] - step.y[i];
-    widen(step.reach_dual, -step.y[i] / slack_point_[i]);
-    widen(step.reach_primal, -step.v[i] / slack_point_[i]);
+    step.y[i] = w_[i] * dy[i];
+    step.v[i] = q_rows[i] - lambda_[i] - step.y[i];
+    widen(step.inverse_dual_length, -step.y[i] / lambda_[i]);
+    widen(step.inverse_primal_length, -step.v[i] / lambda_[i]);
   }
   return step;
 }
@@ -265,20 +268,20 @@ bool PlainSolver<D, Real>::advance() {
   const Step predicted =
       direction(predictor_, std::vector<Cone>(cones_.size(), nothing), Vector::Zero(rows));
   Real most(1);
-  if (predicted.reach_dual > most) most = predicted.reach_dual;
-  if (predicted.reach_primal > most) most = predicted.reach_primal;
-  const Real reach = Real(1) / most;
-  const Real rest = Real(1) - reach;
-  const Real centring = rest * rest * rest;
+  if (predicted.inverse_dual_length > most) most = predicted.inverse_dual_length;
+  if (predicted.inverse_primal_length > most) most = predicted.inverse_primal_length;
+  const Real affine_length = Real(1) / most;
+  const Real rest = Real(1) - affine_length;
+  const Real sigma = rest * rest * rest;
   const auto degree = static_cast<double>(cones_.size() + gap_rows_.size());
-  const Real target = centring * complementarity_ / Real(degree);
+  const Real sigma_mu = sigma * complementarity_ / Real(degree);
 
   std::vector<Cone> q(cones_.size());
   std::vector<Cone> scaled(cones_.size());
   for (std::size_t c = 0; c < cones_.size(); ++c) {
     Cone right_side = jordan_product(predicted.x[c], predicted.z[c]);
-    for (Real& component : right_side) component *= -reach;
-    right_side[0] += target;
+    for (Real& component : right_side) component *= -affine_length;
+    right_side[0] += sigma_mu;
     q[c] = scaling_[c].jordan_divide(right_side);
     scaled[c] = scaling_[c].times(q[c]);
   }
@@ -286,33 +289,33 @@ bool PlainSolver<D, Real>::advance() {
   Vector q_rows = Vector::Zero(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     if (!slack_[static_cast<std::size_t>(i)]) continue;
-    q_rows[i] = (target - reach * predicted.v[i] * predicted.y[i]) / slack_point_[i];
-    right[i] -= slack_scale_[i] * q_rows[i];
+    q_rows[i] = (sigma_mu - affine_length * predicted.v[i] * predicted.y[i]) / lambda_[i];
+    right[i] -= w_[i] * q_rows[i];
   }
-  factor_.template triangularView<Eigen::Lower>().solveInPlace(right);
-  factor_.transpose().template triangularView<Eigen::Upper>().solveInPlace(right);
-  const Vector dy = predictor_ - right - centring * correction_;
+  const Vector dy = predictor_ - solved(right) - sigma * correction_;
   const Step corrected = direction(dy, q, q_rows);
-  const Real share(boundary_share);
+  const Real share(boundary_fraction);
   const auto length = [&](const Real& edge) { return edge > share ? share / edge : Real(1); };
-  const Real primal = length(corrected.reach_primal);
-  Real dual = length(corrected.reach_dual);
-  if (!(std::max(numbers::rounded(primal), numbers::rounded(dual)) > shortest_step)) return false;
+  const Real primal_length = length(corrected.inverse_primal_length);
+  Real dual_length = length(corrected.inverse_dual_length);
+  if (!(std::max(numbers::rounded(primal_length), numbers::rounded(dual_length)) >
+        least_step_length))
+    return false;
 
   bool inside = true;
   for (std::size_t c = 0; c < cones_.size(); ++c) {
     const Cone change = scaling_[c].times(corrected.x[c]);
-    for (std::size_t d = 0; d < D; ++d) x_[c][d] += primal * change[d];
+    for (std::size_t d = 0; d < D; ++d) x_[c][d] += primal_length * change[d];
     inside = inside && margin(x_[c]) > Real(0);
   }
   for (Eigen::Index i = 0; i < rows; ++i) {
     if (!slack_[static_cast<std::size_t>(i)]) continue;
-    v_[i] += primal * slack_scale_[i] * corrected.v[i];
+    v_[i] += primal_length * w_[i] * corrected.v[i];
     inside = inside && v_[i] > Real(0);
   }
   if (!inside) return false;
-  for (int halving = 0; halving <= most_halvings; ++halving, dual *= Real(0.5)) {
-    const Vector trial = y_ + dual * dy;
+  for (int halving = 0; halving <= most_halvings; ++halving, dual_length *= Real(0.5)) {
+    const Vector trial = y_ + dual_length * dy;
     if (!refresh_dual(trial)) continue;
     y_ = trial;
     return true;
@@ -354,9 +357,7 @@ void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
     Vector right = Vector::Zero(right_side_.size());
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (!slack_[i]) right[static_cast<Eigen::Index>(i)] = -normal[rows_[i]];
-    factor_.template triangularView<Eigen::Lower>().solveInPlace(right);
-    factor_.transpose().template triangularView<Eigen::Upper>().solveInPlace(right);
-    x = shifted(x, right);
+    x = shifted(x, solved(right));
   }
 }
 
@@ -364,12 +365,7 @@ template <int D, class Real>
 Answer PlainSolver<D, Real>::solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop,
                                    std::uint64_t ignored) {
   select(contact, separated, ignored);
-  start();
-  reaction_.setZero();
-  multipliers_.setZero();
-  Answer answer;
-  answer.lower = -infinity;
-  answer.upper = infinity;
+  Answer answer = start();
   for (;;) {
     prove_upper(answer);
     if (is_settled(answer, stop, tolerances_) || answer.iterations == most_iterations) break;
@@ -388,7 +384,7 @@ Answer PlainSolver<D, Real>::solve(std::uint64_t contact, std::uint64_t separate
 // small beside. (F_jk itself is no measure: of a candidate that a rod alone holds it is that
 // rounding.)
 template <int D, class Real>
-double PlainSolver<D, Real>::reach() const {
+double PlainSolver<D, Real>::reaction_size() const {
   double sum = 0;
   for (Eigen::Index i = 0; i < compliance_.rows(); ++i)
     sum +=
@@ -402,7 +398,7 @@ template <int D, class Real>
 void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
   const auto m = normal_compliance_.rows();
   sizes.assign(static_cast<std::size_t>(2 * m), 0.0);
-  const double whole = reach();
+  const double whole = reaction_size();
   for (const int k : cones_) {
     const double root = std::sqrt(numbers::rounded(normal_compliance_(k, D * k)));
     sizes[static_cast<std::size_t>(k)] =
@@ -443,12 +439,7 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
                                                                         std::uint64_t ignored) {
   select(contact, separated, ignored);
   if (cones_.empty()) return std::nullopt;
-  start();
-  reaction_.setZero();
-  multipliers_.setZero();
-  Answer answer;
-  answer.lower = -infinity;
-  answer.upper = infinity;
+  Answer answer = start();
   std::vector<Snapshot> path;
   for (;;) {
     prove_upper(answer);
@@ -457,7 +448,7 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
     if (!factorise()) break;
     prove_lower(answer, Keep::latest);
     // The bracket of the iteration itself, without what rounding adds to the bounds.
-    path.push_back({numbers::rounded(Real(complementarity_ / weight_)), {}, reaction_});
+    path.push_back({numbers::rounded(Real(complementarity_ / omega_)), {}, reaction_});
     take_sizes(path.back().sizes);
     if (path.back().width <= deep.closes || !advance()) break;
   }
@@ -510,7 +501,7 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
 template <int D, class Real>
 double PlainSolver<D, Real>::violation() const {
   double most = 0;
-  const double whole = reach();
+  const double whole = reaction_size();
   for (const int j : gap_rows_) {
     const double root = std::sqrt(numbers::rounded(normal_compliance_(j, D * j)));
     const Real gap = normal_compliance_.row(j).dot(reaction_);

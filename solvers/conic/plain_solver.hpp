@@ -19,9 +19,11 @@
 
 namespace kusabi::conic {
 
-/// Who carries and who moves at a point of the relative interior of the solutions of a tie,
+/// Which candidates have a reaction, and which a gap, at a point of the relative interior of the
+/// solutions of a tie,
 ///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
-/// Nobody is loaded if and only if X is empty: t* < 0, though not by more than the tolerance.
+/// No candidate is loaded if and only if X is empty: t* < 0, though not by more than the
+/// tolerance.
 struct RelativeInterior {
   std::uint64_t loaded = 0;  ///< r_i != 0 somewhere on X
   std::uint64_t moved = 0;   ///< u_ni > 0 somewhere on X
@@ -50,10 +52,11 @@ class PlainSolver {
   Answer solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop,
                std::uint64_t ignored = 0);
 
-  /// The candidates that are loaded or moved at a point of the relative interior of X, which the
-  /// points of the iteration tend to as the bracket closes: numbers that vanish there go down with
-  /// the bracket or its root, others stay. Nothing if the two cannot be told apart, or the level of
-  /// the node is not zero up to the tolerance. reaction() is the point.
+  /// The candidates that are loaded or moved at a point of the relative interior of X. The points
+  /// of the iteration tend to such a point as the bracket closes: reactions and gaps that vanish
+  /// there fall with the width of the bracket or its root, others stay. Nothing if it cannot be
+  /// told of each whether it vanishes, or if t* is not zero up to the tolerance. reaction() is the
+  /// point.
   std::optional<RelativeInterior> relative_interior(std::uint64_t contact, std::uint64_t separated,
                                                     std::uint64_t ignored = 0);
 
@@ -68,24 +71,26 @@ class PlainSolver {
   using Cone = Point<D, Real>;
 
   void select(std::uint64_t contact, std::uint64_t separated, std::uint64_t ignored);
-  void start();
+  Answer start();
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
-  Real level(const Real& value) const { return (Real(1) - value) / weight_; }
+  Real level(const Real& value) const { return (Real(1) - value) / omega_; }
   Vector reaction_of(const std::vector<Cone>& x) const;
 
   bool refresh_dual(const Vector& y);
   bool factorise();
+  Vector solved(Vector right_side) const;                    // M^-1 right_side
   Vector products(const std::vector<Cone>& points) const;    // A x
   Cone transposed(std::size_t cone, const Vector& y) const;  // (A'y) of a cone
   std::vector<Cone> shifted(const std::vector<Cone>& x, const Vector& weights) const;
   struct Step {
     std::vector<Cone> x, z;  // scaled
     Vector v, y;             // scaled
-    Real reach_primal, reach_dual;
+    Real inverse_primal_length, inverse_dual_length;
   };
   Step direction(const Vector& dy, const std::vector<Cone>& q, const Vector& q_rows) const;
   bool advance();
-  /// Which point becomes reaction(): the one with the best bound, or the one nearest the optimum.
+  /// Which point becomes reaction(): the one that proves the best bound, or that of the last
+  /// iteration.
   enum class Keep { best, latest };
   void prove_lower(Answer& answer, Keep keep);
   void prove_upper(Answer& answer);
@@ -97,7 +102,7 @@ class PlainSolver {
     Vector reaction;
   };
   double violation() const;
-  double reach() const;
+  double reaction_size() const;  // Q of docs/theory/wedged.md
 
   Matrix compliance_;
   Matrix normal_compliance_;  // m x Dm
@@ -113,7 +118,7 @@ class PlainSolver {
   std::vector<bool> slack_;      // of rows_: whether it has one
   std::vector<Matrix> columns_;  // of A: rows x D for each cone
   Vector right_side_;            // b
-  Real weight_ = 0;              // sigma
+  Real omega_ = 0;               // sigma
 
   // The iterate.
   std::vector<Cone> x_, z_;
@@ -121,8 +126,10 @@ class PlainSolver {
   Vector best_;   // of y
   Real best_value_ = 0;
   std::vector<Scaling<D, Real>> scaling_;
-  Vector slack_scale_, slack_point_, missing_, predictor_, correction_;
-  Matrix factor_;  // of M, lower triangle
+  Vector w_, lambda_;              // of the rows: sqrt(v / y) and sqrt(v y)
+  Vector primal_residual_;         // b - A x + v
+  Vector predictor_, correction_;  // M^-1 of b and of the residual
+  Matrix factor_;                  // of M, lower triangle
   Real complementarity_ = 0;
 };
 

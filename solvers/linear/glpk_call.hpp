@@ -1,8 +1,8 @@
 // Calls of GLPK that do not print and do not end the process. GLPK answers an argument out of range
 // or a failed allocation by printing and abort(); its manual allows a hook to leave by longjmp,
 // after which nothing of its environment may be used again. So such a failure becomes an exception
-// here, the environment is thrown away, and whoever still owns something in it can see that it is
-// gone.
+// here, the environment is thrown away, and an object that still holds something of it sees by the
+// count below that it is gone.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
-// The safe bound (safe_bound.hpp) of multipliers with 104 bits. Where costs differ by twelve
-// decades, a penalty beside a price, the residuals c - A'y of the best doubles y are rounding, and
-// what that costs is more than the objective may be wrong by.
+// The safe bound (safe_bound.hpp) of multipliers y with 104 bits. Where costs differ by twelve
+// decades, as a penalty does from a price, the reduced costs c - A'y of the best y in doubles are
+// nothing but rounding, and the bound would be wrong by more than the objective may be.
 #pragma once
 
 #include <span>
@@ -12,7 +12,8 @@
 
 namespace kusabi::linear {
 
-/// What to do about a residual that should be zero, of a column without the bound in question.
+/// How a reduced cost counts that should be zero but is not quite, of a column without the bound
+/// on the side where its cost presses.
 enum class Residuals {
   proved,    ///< the bound is minus infinity then: it holds in spite of rounding
   forgiven,  ///< zero if it is rounding, a part of 2^-80 of its terms: no proof, but all digits

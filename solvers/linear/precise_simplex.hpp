@@ -30,8 +30,8 @@ struct PreciseSolution {
   Basis basis;
 };
 
-/// From `start`, a basis of GLPK's for the program or one near to it; empty: from slacks. It hangs
-/// on its arguments alone.
+/// Solves the program from `start`, a basis of GLPK's for it or for one near to it; empty: from
+/// slacks. The result depends on the arguments alone.
 PreciseSolution solve_precisely(const LinearProgram& program, const Basis& start,
                                 const support::Stop& stop = {});
 

@@ -4,8 +4,8 @@
 // For any multipliers y of the rows and any point x of the program
 //   c'x = y'(Ax) + (c - A'y)'x >= sum_i min(y_i L_i, y_i U_i) + sum_j min over [l_j, u_j] of r_j
 //   x_j,
-// with r = c - A'y. Nothing is asked of y; the better it is the better the bound. Every operation
-// is rounded towards the safe side.
+// with r = c - A'y. This holds for any y; the bound is best if y is optimal. Every operation is
+// rounded downwards.
 #pragma once
 
 #include <span>
@@ -16,9 +16,9 @@
 
 namespace kusabi::linear {
 
-/// A number that no point of the program has an objective below. Multipliers that press on a bound
-/// which a row does not have count as zero. Minus infinity if a column without the bound in
-/// question is left with a residual r_j other than zero: give columns bounds to have one.
+/// No point of the program has an objective below this. Multipliers that press on a bound which a
+/// row does not have count as zero. Minus infinity if a column with r_j > 0 has no lower bound, or
+/// one with r_j < 0 no upper bound: all columns should have bounds.
 /// @param duals a number for each row
 double safe_dual_bound(const LinearProgram& program, std::span<const double> duals);
 

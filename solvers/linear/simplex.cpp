@@ -370,20 +370,12 @@ void Simplex::refactorise() {
 
 // ---- the last solve ----------------------------------------------------------------------------
 
-bool Simplex::dual_feasible() const {
-  return glp_get_dual_stat(problem_->lp) == GLP_FEAS;
-}
-
 double Simplex::objective() const {
   return glp_get_obj_val(problem_->lp);
 }
 
 double Simplex::value(int column) const {
   return glp_get_col_prim(problem_->lp, problem_->column(column));
-}
-
-double Simplex::row_value(int row) const {
-  return glp_get_row_prim(problem_->lp, problem_->row(row));
 }
 
 double Simplex::dual(int row) const {

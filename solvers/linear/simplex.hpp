@@ -35,8 +35,9 @@ enum class LinearStatus {
 struct SolveLimits {
   double cutoff = std::numeric_limits<double>::infinity();  ///< of the objective
   int iterations = std::numeric_limits<int>::max();
-  /// Asked between pieces of a long solve, each of them a fraction of a second. Where it is given,
-  /// the solve is in pieces whatever it says, so that its result does not depend on the answers.
+  /// Asked between pieces of a long solve, each a fraction of a second. Where it is given, the
+  /// solve goes in pieces even if it never says stop, so that the result of a completed solve does
+  /// not depend on it.
   support::Stop stop = {};
 };
 
@@ -88,11 +89,8 @@ class Simplex {
   // ---- the last solve --------------------------------------------------------------------------
 
   [[nodiscard]] LinearStatus status() const { return status_; }
-  /// Whether the duals are feasible, so that objective() is a lower bound (within the tolerances).
-  [[nodiscard]] bool dual_feasible() const;
   [[nodiscard]] double objective() const;
   [[nodiscard]] double value(int column) const;
-  [[nodiscard]] double row_value(int row) const;
   /// Per unit of the row's bound: >= 0 if it presses on the lower, <= 0 on the upper one.
   [[nodiscard]] double dual(int row) const;
   /// c - A'dual

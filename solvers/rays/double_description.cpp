@@ -24,7 +24,8 @@ constexpr Eigen::Index block_size = 256;
 
 /// A ray between two is a sum weighted by their displacements, with as many digits as these have.
 /// If one is smaller than this, relative to what cancels in it, the ray is computed from its zero
-/// set instead: errors would add up from cut to cut, and eat the gap between zero and not zero.
+/// set instead: errors would add up from step to step, and fill the gap between what is zero and
+/// what is not.
 constexpr double exact_enough = 1e-2;
 
 class DoubleDescription {

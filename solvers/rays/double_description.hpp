@@ -1,10 +1,10 @@
 // The double description method for cones of reactions: the paper's Algorithm 4.2, which keeps the
 // complementary rays only, and the plain method in the cone D(Y) of one sign pattern.
 //
-// A cone {x >= 0} of some candidates' p and q is cut by one row u_ni of A after another. Each cut
-// keeps the rays on its good side and adds, for each adjacent pair of rays on different sides, the
-// one between them. Algorithm 4.2 is corrected in two places, and the rank test of Remark 4.6 is
-// replaced by a comparison of bits; docs/theory.md, section 5, proves both.
+// The cone {x >= 0} of some candidates' p and q is intersected with one half-space u_ni >= 0 after
+// another. Each such step keeps the rays with u_ni >= 0 and adds, for each adjacent pair of rays on
+// different sides, the one between them. Algorithm 4.2 is corrected in two places, and the rank
+// test of Remark 4.6 is replaced by a comparison of bits; docs/theory/rays.md proves both.
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,10 @@
 // How far apart the numbers taken for zero and those taken for something else were.
 //
 // Whether a normal displacement u_n = sum_k a_k x_k (x >= 0) vanishes decides which rays there are.
-// What is looked at is u_n divided by sum_k |a_k| x_k, a number from 0 to 1 that no unit and no
-// scale changes: how much of the sum is left after cancellation. On sound data zeros are at 1e-15
-// or so and everything else is far above. The gap between is what the answer rests on; it is
-// reported, and where it closes the answer is marked.
+// The quantity that is compared is |u_n| / sum_k |a_k| x_k, the share of the sum that cancellation
+// leaves: a number from 0 to 1 that units and scale do not change. On sound data zeros are at 1e-15
+// or so and everything else is far above. The answer is right only if there is such a gap; it is
+// reported, and where it is too small the answer is marked.
 #pragma once
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // The maximal families of cross-complementary rays: the paper's section 4.3 and equation (11).
 //
 // Two rays are cross-complementary if at no candidate one has a reaction and the other a gap. The
-// paper looks for the maximal cliques of that graph. They can be read off the supports: a clique
-// leaves at each candidate either no reaction or no gap, so it lies within a sign pattern, and a
-// walk over the candidates finds them all without the graph (docs/theory.md, section 5).
+// paper looks for the maximal cliques of that graph. A clique leaves to each candidate either no
+// reaction or no gap, so it lies within a sign pattern: going through the candidates one by one
+// finds all cliques without the graph (docs/theory/rays.md).
 #pragma once
 
 #include <span>

@@ -48,9 +48,9 @@ class ReactionCone {
   /// x of the ray with this zero set, 2m, with sum 1: the null vector of its equalities.
   PreciseVector coordinates(const ZeroSet& zero) const;
 
-  /// The ray with this zero set, made of its `coordinates`: by one routine for whoever found it, so
-  /// that equal sets give equal bits. `health` learns how small what should vanish is and how large
-  /// what should not; a ray that its numbers contradict counts as doubtful.
+  /// The ray with this zero set, made of its `coordinates`. All methods call this, so that equal
+  /// zero sets give equal bits. `health` is told the largest displacement that should vanish and
+  /// the smallest that should not; a ray whose numbers contradict its zero set counts as doubtful.
   Ray ray(const ZeroSet& zero, Health& health) const;
 
  private:

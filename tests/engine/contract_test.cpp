@@ -64,6 +64,7 @@ class Babbling final : public Transport {
   std::optional<Message> receive() override { return Message{1, tag_, {}}; }
   void join_survey(const Survey& /*own*/) override {}
   std::optional<Survey> survey() override { return std::nullopt; }
+  void broadcast(Bytes& /*bytes*/) override {}
   void abandon(const std::string& reason) override { abandoned = reason; }
 
   std::string abandoned;

@@ -1,6 +1,7 @@
 # Installs the build, takes the installed copy of colouring/ out of the tree as a user would, builds
-# it against the installed engine alone, and runs it in one process and on two ranks. Also calls the
-# installed command. Variables: see CMakeLists.txt beside.
+# it against the installed engine alone, and runs it in one process and on two ranks. The same for
+# two programs of docs/library.md that need all libraries between them. Also calls the installed
+# command. Variables: see CMakeLists.txt beside.
 cmake_minimum_required(VERSION 3.22)
 
 # The command must succeed; what it printed is in `printed`.
@@ -35,10 +36,20 @@ run(${CMAKE_COMMAND} -S ${work}/colouring -B ${work}/build -G "${generator}"
   -D MPI_C_COMPILER=${mpi_compiler}
   -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_CXX_COMPILER=${compiler} -D "CMAKE_CXX_FLAGS=${flags}")
 run(${CMAKE_COMMAND} --build ${work}/build)
+set(read "${printed}")
 
-# The compiler has said which headers it read (-H).
-if(printed MATCHES "${source}/engine/" OR NOT printed MATCHES "${work}/prefix/[^ \n]*/engine/search.hpp")
-  message(FATAL_ERROR "compiled with other headers than the installed ones")
+file(COPY ${work}/prefix/${documents}/examples/library DESTINATION ${work})
+run(${CMAKE_COMMAND} -S ${work}/library -B ${work}/library/build -G "${generator}"
+  -D MPI_C_COMPILER=${mpi_compiler}
+  -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_CXX_COMPILER=${compiler} -D "CMAKE_CXX_FLAGS=${flags}")
+run(${CMAKE_COMMAND} --build ${work}/library/build --target critical limit)
+string(APPEND read "${printed}")
+
+# The compiler has said of each of three programs which headers it read (-H).
+string(REGEX MATCHALL "\n\\.+ ${work}/prefix/[^ \n]*/engine/search.hpp" installed "${read}")
+list(LENGTH installed count)
+if(NOT count EQUAL 3 OR read MATCHES "${source}/(support|engine|solvers|problems|nodes|verify)/")
+  message(FATAL_ERROR "compiled ${count} times, expected 3, with the installed headers alone")
 endif()
 
 # The values of the Petersen graph's chromatic polynomial at 3 and 4.
@@ -48,6 +59,12 @@ run(${mpiexec} ${ranks_flag} 2 ${work}/build/colouring)
 expect("120 colourings.*2 ranks.*dead ends: 48\n")
 run(${mpiexec} ${ranks_flag} 2 ${work}/build/colouring 4)
 expect("12960 colourings.*2 ranks")
+
+set(examples ${work}/prefix/${documents}/examples)
+run(${work}/library/build/critical ${examples}/two-bars.toml)  # by hand: 2
+expect("below 1\\.99999999.*, proved\nsomething does at 2\\.0000000.*, proved\n")
+run(${work}/library/build/limit ${examples}/grid-3x3.toml 40)  # tests/reference/limit.json
+expect("worst case 37\\.012004.*, proved\n")
 
 run(${work}/prefix/bin/kusabi patterns ${work}/prefix/${documents}/examples/two-bars.toml --mu 2)
 expect("sign pattern")

@@ -102,14 +102,37 @@ TEST_F(Command, GoesOnWithAZeroOneProgramWhereItStopped) {
   const auto stopped =
       shell(call + argument("part.json") + " --node-limit 20 --checkpoint " + argument("state"));
   EXPECT_EQ(stopped.exit_code, 3);
-  EXPECT_THAT(stopped.output, HasSubstr("--branching look-ahead --no-dive --restart"));
   const auto part = nlohmann::json::parse(content(in_folder("part.json")));
   EXPECT_EQ(part["status"], "node-limit");
-  ASSERT_EQ(shell(call + argument("on.json") + " --restart " + argument("state")).exit_code, 0);
-  EXPECT_EQ(without_statistics(in_folder("on.json")), without_statistics(in_folder("whole.json")));
+  ASSERT_EQ(shell(as_typed(call_to_go_on(stopped.output))).exit_code, 0);
+  EXPECT_EQ(without_statistics(in_folder("part.json")),
+            without_statistics(in_folder("whole.json")));
   // No point is better than the bound of the part, nor worse than its point.
   const auto whole = nlohmann::json::parse(content(in_folder("whole.json")));
   EXPECT_GE(part["result"]["bound"], whole["result"]["objective"]);
+}
+
+// Whatever was in the call, and on as many ranks: names that a shell would split, and options that
+// change the tree.
+TEST_F(Command, TellsACallThatGoesOnAsItIs) {
+  fs::copy(truss_file, in_folder("a truss.toml"));
+  const std::string call = fmt::format(
+      " patterns {} --mu 1 --branching paper --tolerance 1e-9 --certificate {} --output {}",
+      argument("a truss.toml"), argument("c.cert"), argument("all.json"));
+  ASSERT_EQ(shell(command + call + " --quiet").exit_code, 0);
+  const auto whole = without_statistics(in_folder("all.json"));
+  const auto certificate = content(in_folder("c.cert"));
+  fs::remove(in_folder("c.cert"));
+  const auto stopped = shell(ranks(2) + command + call + " --node-limit 12 --checkpoint " +
+                             argument("it's a state"));
+  EXPECT_EQ(stopped.exit_code, 3);
+  const auto on = call_to_go_on(stopped.output);
+  EXPECT_TRUE(on.starts_with("mpirun -np 2 kusabi patterns ")) << on;
+  EXPECT_THAT(on, testing::Not(HasSubstr("--node-limit")));
+  const auto gone_on = shell(as_typed(on));
+  ASSERT_EQ(gone_on.exit_code, 0) << gone_on.output;
+  EXPECT_EQ(without_statistics(in_folder("all.json")), whole);
+  EXPECT_EQ(fs::file_size(in_folder("c.cert")), certificate.size());
 }
 
 TEST_F(Command, SaysWhenAZeroOneProgramHasNoOptimum) {
@@ -208,45 +231,76 @@ TEST_F(Command, AWrongFileIsReportedOnceByAllRanksTogether) {
   EXPECT_EQ(run.output.find("none.toml: the file cannot be read", first + 1), std::string::npos);
 }
 
+// One line each, which says what is wrong and what was expected.
 TEST_F(Command, RefusesWrongCalls) {
   const std::string good = "patterns " + truss + " --mu 0.5";
-  const std::vector<std::string> wrong{
-      "",
-      "patterns",
-      "patterns x.toml",
-      "patterns " + truss,
-      "patterns " + truss + " --mu 0",
-      "patterns " + truss + " --mu -1",
-      "patterns " + truss + " --mu nan",
-      "patterns " + truss + " --mu inf",
-      "patterns " + truss + " --mu 1,5",
-      "patterns " + quoted(folder_.string()) + " --mu 0.5",
-      "paterns " + truss + " --mu 0.5",
-      good + " --nonsense",
-      good + " --tolerance 0",
-      good + " --output /nowhere/at/all.json",
-      good + " --trace /nowhere/at/all.json",
-      good + " --output " + quoted(folder_.string()),
-      good + " --serial=false",
-      good + " --node-limit 0",
-      good + " --method simplex",
-      "critical " + truss + " --method newton",
-      "critical " + truss + " --mu-max 0",
-      "critical " + truss + " --width 0",
-      "critical " + truss + " --width 1e-20",
-      "critical " + truss + " --method guess",
-      good + " --facets 8",
-      good + " --method polyhedral --facets 7",
-      "patterns " + quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml") +
-          " --mu 0.5 --method polyhedral",
-      good + " --time-limit -1",
-      good + " --checkpoint /nowhere/at/all",
-      good + " --restart " + argument("none"),
-      good + " --restart " + truss,
+  const std::string above_0 = "expected a number above 0";
+  const std::string all = "expected one of patterns, rays, critical, limit, mip, verify";
+  const auto plane = quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
+  struct Wrong {
+    std::string call;
+    std::string message;
   };
-  for (const auto& call : wrong) {
+  const std::vector<Wrong> wrong{
+      {"", "a subcommand is missing; " + all},
+      {"paterns " + truss + " --mu 0.5", "no such subcommand; " + all},
+      {"bench", "subcommand is required"},
+      {"patterns", "file is required"},
+      {"patterns x.toml", "--mu is required"},
+      {"patterns " + truss, "--mu is required"},
+      {"patterns " + truss + " --mu 0", "--mu: '0', " + above_0},
+      {"patterns " + truss + " --mu -1", "--mu: '-1', " + above_0},
+      {"patterns " + truss + " --mu nan", "--mu: 'nan', " + above_0},
+      {"patterns " + truss + " --mu inf", "--mu: 'inf', " + above_0},
+      {"patterns " + truss + " --mu 1,5", "--mu: '1,5', " + above_0},
+      {"patterns " + truss + " --mu ''", "--mu: '', " + above_0},
+      {"patterns none.toml --mu 0.5", "none.toml: the file cannot be read"},
+      {"patterns " + quoted(folder_.string()) + " --mu 0.5", "cannot be read"},
+      {good + " --nonsense", "--nonsense"},
+      {good + " --tolerance 0", "--tolerance: '0', expected a number from 1e-12 to 0.001"},
+      {good + " --tolerance 0.1", "--tolerance: '0.1', expected a number from 1e-12 to 0.001"},
+      {good + " --output /nowhere/at/all.json", "--output /nowhere/at/all.json: cannot be written"},
+      {good + " --trace /nowhere/at/all.json", "--trace /nowhere/at/all.json: cannot be written"},
+      {good + " --output " + quoted(folder_.string()), "--output " + folder_.string() + ": "},
+      {good + " --serial=false", "serial was given a disallowed"},
+      {good + " --node-limit 0", "--node-limit: '0', expected a whole number above 0"},
+      {good + " --node-limit 1.5", "--node-limit: '1.5', expected a whole number above 0"},
+      {good + " --node-limit 99999999999999999999",
+       "--node-limit: '99999999999999999999', expected"},
+      {good + " --method simplex", "--method: 'simplex', expected one of cones, polyhedral"},
+      {good + " --facets 8", "--facets requires --method"},
+      {good + " --facets 8 --method cones", "expected --method polyhedral"},
+      {good + " --method polyhedral --facets 7",
+       "--facets: '7', expected an even number from 4 to 64"},
+      {"patterns " + plane + " --mu 0.5 --method polyhedral", "expected --method cones"},
+      {good + " --time-limit -1", "--time-limit: '-1', " + above_0},
+      {good + " --checkpoint /nowhere/at/all", "--checkpoint /nowhere/at/all: cannot be written"},
+      {good + " --restart " + argument("none"), "--restart " + in_folder("none")},
+      {good + " --restart " + truss, "--restart " + truss_file + ": is the problem file itself"},
+      {"critical " + truss + " --method newton", "--mu-max is missing; expected"},
+      {"critical " + truss + " --mu-max 0", "--mu-max: '0', " + above_0},
+      {"critical " + truss + " --width 0", "--width: '0', " + above_0},
+      {"critical " + truss + " --width 1e-20", "--width 1e-20: expected a number below --mu-max"},
+      {"critical " + truss + " --method guess",
+       "--method: 'guess', expected one of global, newton, bisection"},
+      {"rays " + plane + " --mu 1 --method double-description --node-limit 9", "expected no limit"},
+      {"rays " + truss + " --mu 1", "dimension is 3; expected 2"},
+      {"limit " + truss + " --cuts static", "--cuts requires --alpha"},
+      {"limit " + truss + " --alpha 1 --cuts some",
+       "--cuts: 'some', expected one of none, disjunctive, tighten, static, all"},
+      {"limit " + truss + " --alpha 1 --samples 0",
+       "--samples: '0', expected a whole number from 1 to 100000000"},
+      {"mip none.lp --gap 0", "--gap: '0', " + above_0},
+      {"verify", "certificate is required"},
+      {"verify none.cert", "none.cert: the file cannot be read; expected a certificate"},
+      {"example grid", "--bays is required"},
+      {"example grid --bays two", "--bays: 'two', expected a whole number above 0"},
+      {"bench uts --tree T9", "--tree: 'T9', expected one of T1-4, "},
+  };
+  for (const auto& [call, message] : wrong) {
     const auto run = shell(command + " " + call);
     EXPECT_EQ(run.exit_code, 2) << call;
+    EXPECT_THAT(run.output, HasSubstr(message)) << call;
     EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
   }
 }
@@ -801,6 +855,11 @@ TEST_F(Command, HelpsAndTellsItsVersion) {
   EXPECT_THAT(help.output, HasSubstr("--mu"));
   EXPECT_EQ(shell(command + " --help").exit_code, 0);
   EXPECT_THAT(shell(command + " --version").output, HasSubstr("kusabi "));
+  // The manual has what help has.
+  const auto manual = shell(command + " --manual");
+  EXPECT_EQ(manual.exit_code, 0);
+  EXPECT_TRUE(manual.output.starts_with(".TH KUSABI 1")) << manual.output;
+  EXPECT_THAT(manual.output, HasSubstr("\\fB\\-\\-checkpoint\\-interval\\fR"));
 }
 
 TEST_F(Command, TheProtocolHoldsUnderThousandsOfSchedules) {

@@ -42,14 +42,31 @@ inline Run shell(const std::string& line) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
 }
 
+// The settings of cmake/KusabiTest.cmake: root, more ranks than cores, no pinning.
+inline const std::string any_machine =
+    "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+    "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
+    "OMPI_MCA_mpi_yield_when_idle=0 OMPI_MCA_btl_vader_single_copy_mechanism=none "
+    "ASAN_OPTIONS=detect_leaks=0 ";
+
 inline std::string ranks(int count) {
-  // The settings of cmake/KusabiTest.cmake: root, more ranks than cores, no pinning.
-  return fmt::format(
-      "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-      "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
-      "OMPI_MCA_mpi_yield_when_idle=0 OMPI_MCA_btl_vader_single_copy_mechanism=none "
-      "ASAN_OPTIONS=detect_leaks=0 {} {} ",
-      KUSABI_MPIEXEC, count);
+  return fmt::format("{}{} {} ", any_machine, KUSABI_MPIEXEC, count);
+}
+
+// The line for a shell in which `kusabi` is installed.
+inline std::string as_typed(const std::string& line) {
+  const auto folder = fs::path(KUSABI_COMMAND).parent_path().string();
+  return fmt::format("{}PATH={}:\"$PATH\" sh -c {}", any_machine, quoted(folder), quoted(line));
+}
+
+// The call that goes on with a search, as a person copies it from what it printed when it stopped.
+inline std::string call_to_go_on(const std::string& output) {
+  const std::string before = "go on with: ";
+  const auto at = output.find(before);
+  EXPECT_NE(at, std::string::npos) << output;
+  if (at == std::string::npos) return "false";
+  const auto from = at + before.size();
+  return output.substr(from, output.find('\n', from) - from);
 }
 
 class Command : public InFolder {

@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "nodes/evidence/verified_structure.hpp"
 #include "problems/files/structure_file.hpp"
-#include "run/evidence/verified_structure.hpp"
 #include "searched.hpp"
 
 namespace kusabi::verify {
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 Structure structure_of(const std::string& name) {
-  return run::verified_structure(example_structure(name));
+  return evidence::verified_structure(example_structure(name));
 }
 
 TEST(Agreement, GenuineCertificatesAreProvedOfTheirStructures) {
@@ -164,7 +164,7 @@ nodes = ["tip"]
 normal = [0.99, -0.1]
 )",
                                              "contrast.toml");
-  const auto structure = run::verified_structure(file);
+  const auto structure = evidence::verified_structure(file);
   const auto problem = problems::wedged_problem(file);
   for (const double mu : {100.0, 107.0, 108.5, 120.0}) {
     const auto said = verdict(searched(problem, mu).text(), &structure);

@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/evidence/verified_structure.hpp"
 #include "searched.hpp"
 
 namespace kusabi::verify {
@@ -65,7 +65,7 @@ Structure chain(double near, double far, double upright) {
 }
 
 TEST(Condensation, HoldsTheClosedFormOfTheTwoBars) {
-  const auto structure = run::verified_structure(example_structure("two-bars.toml"));
+  const auto structure = evidence::verified_structure(example_structure("two-bars.toml"));
   expect_holds(condensed(structure), {2, 1, 1, 2});
 }
 
@@ -125,7 +125,7 @@ TEST(Condensation, HoldsTheClosedFormOfASquareElement) {
 TEST(Condensation, IsNearWhatTheSolverComputes) {
   for (const auto* name : {"space-truss.toml", "plane-truss.toml", "elastic-body.toml"}) {
     const auto problem = example(name);
-    const auto matrix = condensed(run::verified_structure(example_structure(name)));
+    const auto matrix = condensed(evidence::verified_structure(example_structure(name)));
     const double size = problem.stiffness.norm();
     ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.stiffness.rows()));
     for (Eigen::Index i = 0; i < problem.stiffness.rows(); ++i) {

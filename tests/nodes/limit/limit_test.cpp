@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/search.hpp"
+#include "nodes/limit/limit_evidence.hpp"
 #include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
 #include "problems/families/grid_truss.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/collapse_mode.hpp"
-#include "run/evidence/limit_evidence.hpp"
 #include "verify/limit_proof.hpp"
 
 namespace kusabi::limit {
@@ -85,8 +85,8 @@ struct Solved {
 
 /// The exact bracket of a solved worst case.
 void expect_proved(const Solved& solved, double alpha) {
-  const auto certificate = run::limit_certificate(
-      solved.problem, solved.model, alpha, *solved.root.worst, solved.root.cuts, solved.closed);
+  const auto certificate = limit_certificate(solved.problem, solved.model, alpha,
+                                             *solved.root.worst, solved.root.cuts, solved.closed);
   const verify::LimitProof proof(certificate);
   EXPECT_FALSE(verify::flaw_of_sign_cover(certificate));
   const auto upper = proof.upper();

@@ -97,7 +97,7 @@ CriticalCell least(const problems::WedgedProblem& problem, double most, double d
   options.goal = engine::Goal::best;
   options.order = engine::Order::best_first;
   const auto outcome = engine::search(tree, options);
-  EXPECT_EQ(tree.tally().doubt, doubt);
+  EXPECT_EQ(tree.tally().doubt.value, doubt);
   return outcome.solutions.empty() ? CriticalCell{} : outcome.solutions[0].solution.cell;
 }
 

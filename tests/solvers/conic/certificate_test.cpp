@@ -49,14 +49,14 @@ void expect_proved_from_below(const ContactProblem& problem, Masks masks, const 
 
 // No (r, t) with t > upper meets the node program. With w = sum_i y_i (row (n, i) of F):
 //   w'r >= t Y,  Y = sum of y over the rows not in U, all of these y >= 0;
-//   w'r <= tau (1 - sigma t) + t sum_C w_n / mu  for any tau >= w_n + mu ||w_t|| on C, since
-//   r_n = x + t / mu and ||r_t|| <= mu x with x >= 0 and sum x = 1 - sigma t.
-// Together t (Y + sigma tau - sum_C w_n / mu) <= tau.
+//   w'r <= tau (1 - omega t) + t sum_C w_n / mu  for any tau >= w_n + mu ||w_t|| on C, since
+//   r_n = x + t / mu and ||r_t|| <= mu x with x >= 0 and sum x = 1 - omega t.
+// Together t (Y + omega tau - sum_C w_n / mu) <= tau.
 void expect_proved_from_above(const ContactProblem& problem, Masks masks, const Eigen::VectorXd& y,
                               double upper) {
   const int d = problem.d, m = problem.candidates();
   Eigen::VectorXd w = Eigen::VectorXd::Zero(d * m);
-  double total = 0, sigma = 0, scale = 1, tau = -std::numeric_limits<double>::infinity();
+  double total = 0, omega = 0, scale = 1, tau = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < m; ++i) {
     w += y[i] * problem.compliance.row(d * i).transpose();
     scale += std::abs(y[i]);
@@ -64,7 +64,7 @@ void expect_proved_from_above(const ContactProblem& problem, Masks masks, const 
       EXPECT_GE(y[i], 0);
       total += y[i];
     }
-    if (!contains(masks.second, i)) sigma += 1 / problem.friction[static_cast<std::size_t>(i)];
+    if (!contains(masks.second, i)) omega += 1 / problem.friction[static_cast<std::size_t>(i)];
   }
   double weighted = 0;
   for (int i = 0; i < m; ++i) {
@@ -73,9 +73,9 @@ void expect_proved_from_above(const ContactProblem& problem, Masks masks, const 
     weighted += w[d * i] / mu;
     tau = std::max(tau, w[d * i] + mu * w.segment(d * i + 1, d - 1).norm());
   }
-  // Without multipliers, y = 0, the cones alone allow no more than t = 1 / sigma.
-  if (upper * sigma >= 1 - rounding) return;
-  EXPECT_LE(tau, upper * (total + sigma * tau - weighted) + rounding * scale * m * m);
+  // Without multipliers, y = 0, the cones alone allow no more than t = 1 / omega.
+  if (upper * omega >= 1 - rounding) return;
+  EXPECT_LE(tau, upper * (total + omega * tau - weighted) + rounding * scale * m * m);
 }
 
 template <int D>

@@ -82,13 +82,13 @@ TYPED_TEST(Cone, ScalingTakesBothPointsToTheSamePoint) {
         const Scaling<D> scaling(point<D>(x), point<D>(z));
         // The determinants of x and z carry a relative error of rounding / depth each.
         const double tolerance = rounding * (1 / deep_x + 1 / deep_z);
-        const Vector<D> lambda = vector(scaling.point());
+        const Vector<D> lambda = vector(scaling.lambda());
         EXPECT_LE((matrix(scaling) * lambda - x).norm(), tolerance * x.norm());
         EXPECT_LE((matrix(scaling).inverse() * lambda - z).norm(), tolerance * z.norm() / deep_x);
         EXPECT_LE((vector(scaling.times(point<D>(z))) - matrix(scaling) * z).norm(),
                   rounding * matrix(scaling).norm() * z.norm());
         EXPECT_NEAR(lambda.squaredNorm(), x.dot(z), tolerance * x.norm() * z.norm());
-        EXPECT_NEAR(determinant(scaling.point()) /
+        EXPECT_NEAR(determinant(scaling.lambda()) /
                         std::sqrt(determinant(point<D>(x)) * determinant(point<D>(z))),
                     1, tolerance / std::min(deep_x, deep_z));
         EXPECT_TRUE(inside<D>(lambda));
@@ -122,7 +122,7 @@ TYPED_TEST(Cone, JordanDivisionUndoesTheProduct) {
     const Scaling<D> scaling(point<D>(this->interior(depth)), point<D>(this->interior(depth)));
     const Vector<D> right_side = this->anywhere();
     const Vector<D> quotient = vector(scaling.jordan_divide(point<D>(right_side)));
-    const Vector<D> lambda = vector(scaling.point());
+    const Vector<D> lambda = vector(scaling.lambda());
     EXPECT_LE((jordan<D>(lambda, quotient) - right_side).norm(),
               rounding * (right_side.norm() + lambda.norm() * quotient.norm()) / depth);
   }
@@ -134,9 +134,9 @@ TYPED_TEST(Cone, StepEndsOnTheBoundary) {
   for (const double depth : depths)
     for (int repetition = 0; repetition < 50; ++repetition) {
       const Scaling<D> scaling(point<D>(this->interior(depth)), point<D>(this->interior(depth)));
-      const Vector<D> lambda = vector(scaling.point());
+      const Vector<D> lambda = vector(scaling.lambda());
       const Vector<D> direction = this->anywhere();
-      const double inverse = scaling.inverse_step(point<D>(direction));
+      const double inverse = scaling.inverse_step_length(point<D>(direction));
       if (inverse <= 0) {
         EXPECT_TRUE(inside<D>(lambda + 1e6 * direction));
         continue;
@@ -151,8 +151,8 @@ TYPED_TEST(Cone, StepEndsOnTheBoundary) {
 TYPED_TEST(Cone, StepAlongTheConeIsUnbounded) {
   constexpr int D = TestFixture::dimension;
   const Scaling<D> scaling(point<D>(this->interior(0.3)), point<D>(this->interior(0.01)));
-  EXPECT_LE(scaling.inverse_step(point<D>(this->interior(0.5))), 0);
-  EXPECT_GT(scaling.inverse_step(point<D>(-this->interior(0.5))), 0);
+  EXPECT_LE(scaling.inverse_step_length(point<D>(this->interior(0.5))), 0);
+  EXPECT_GT(scaling.inverse_step_length(point<D>(-this->interior(0.5))), 0);
 }
 
 TYPED_TEST(Cone, FourAtOnceHaveTheBitsOfEach) {
@@ -171,9 +171,9 @@ TYPED_TEST(Cone, FourAtOnceHaveTheBitsOfEach) {
   for (int lane = 0; lane < lanes; ++lane) {
     const auto at = static_cast<std::size_t>(lane);
     const Scaling<D> alone(each_x[at], each_z[at]);
-    EXPECT_EQ(scaling.inverse_step(z)[lane], alone.inverse_step(each_z[at]));
+    EXPECT_EQ(scaling.inverse_step_length(z)[lane], alone.inverse_step_length(each_z[at]));
     for (std::size_t i = 0; i < x.size(); ++i) {
-      EXPECT_EQ(scaling.point()[i][lane], alone.point()[i]);
+      EXPECT_EQ(scaling.lambda()[i][lane], alone.lambda()[i]);
       EXPECT_EQ(scaling.times(x)[i][lane], alone.times(each_x[at])[i]);
       EXPECT_EQ(scaling.jordan_divide(x)[i][lane], alone.jordan_divide(each_x[at])[i]);
     }

@@ -1,0 +1,20 @@
+# kusabi_installed(NAME): the library kusabi_NAME of this folder is installed with its headers, as the
+# target kusabi::NAME of the CMake package. Headers are included as here: "problems/files/…".
+include(GNUInstallDirs)
+function(kusabi_installed name)
+  set(target kusabi_${name})
+  get_target_property(type ${target} TYPE)
+  set(scope PUBLIC)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope}
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/kusabi>)
+  target_compile_features(${target} ${scope} cxx_std_20)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  add_library(kusabi::${name} ALIAS ${target})
+  install(TARGETS ${target} EXPORT kusabi)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  install(DIRECTORY . DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kusabi/${folder}
+    FILES_MATCHING PATTERN "*.hpp")
+endfunction()

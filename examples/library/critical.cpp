@@ -1,0 +1,36 @@
+// The smallest friction coefficient at which anything can wedge, proved; a minute at most, and
+// Ctrl-C ends it with what is known by then:
+//   critical two-bars.toml
+#include <cstdio>
+
+#include "engine/signals.hpp"
+#include "engine/transport/single_process.hpp"
+#include "nodes/wedged/critical_search.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+
+using namespace kusabi;
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const auto structure = problems::read_structure(problems::file_text(argv[1]), argv[1]);
+  const auto problem = problems::wedged_problem(structure);
+
+  engine::heed_signals();
+  engine::Supervision supervision;
+  supervision.limits.seconds = 60;
+  supervision.interrupt = engine::asked_by_signal;
+  supervision.watch = [](engine::Goal, const engine::ShownObjective&) {
+    return [](const engine::Progress& state) {
+      std::fprintf(stderr, "%llu nodes\n", static_cast<unsigned long long>(state.opened));
+    };
+  };
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone, supervision);
+  const auto found = wedged::find_critical_friction(campaign, structure, problem, {.width = 1e-9});
+  std::printf("nothing wedges below %.10f%s\n", found.lower, found.lower_proved ? ", proved" : "");
+  if (found.upper) {
+    std::printf("something does at %.10f%s\n", *found.upper, found.upper_proved ? ", proved" : "");
+  }
+  return found.answered() ? 0 : 3;
+}

@@ -1,0 +1,31 @@
+// A mixed 0-1 program: three things of value 60, 100 and 120 that weigh 10, 20 and 30, of which 55
+// can be carried; what room is left is worth 1 a unit. The last two and 5 units: 225.
+#include <cstdio>
+
+#include "engine/transport/single_process.hpp"
+#include "nodes/zero_one/mixed_search.hpp"
+#include "solvers/linear/linear_program.hpp"
+
+using namespace kusabi;
+
+int main() {
+  linear::MixedProgram mixed;
+  auto& program = mixed.program;  // minimised
+  for (const double value : {60, 100, 120}) {
+    mixed.binaries.push_back(static_cast<int>(program.columns.size()));
+    program.columns.push_back({.cost = -value, .lower = 0, .upper = 1});
+  }
+  program.columns.push_back({.cost = -1, .lower = 0, .upper = 55});
+  const linear::LinearTerm weights[] = {{0, 10}, {1, 20}, {2, 30}, {3, 1}};
+  program.add_row({.upper = 55}, weights);
+
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone);
+  const auto found = zero_one::solve_mixed(campaign, mixed);
+  if (found.status() != zero_one::MixedStatus::optimal) return 1;
+  std::printf("value %.6f, at most %.6f%s:", -found.point()->objective, -found.bound(),
+              found.proved() ? ", proved" : "");
+  for (const double value : found.point()->values) std::printf(" %.3f", value);
+  std::printf("\n");
+  return 0;
+}

@@ -1,0 +1,51 @@
+// All sign patterns of wedged configurations, in one process or on all ranks of an MPI job:
+//   patterns plane-truss.toml 0.8
+#include <cstdio>
+#include <cstdlib>
+
+#include <boost/serialization/string.hpp>
+
+#include "engine/together.hpp"
+#include "engine/transport/mpi.hpp"
+#include "engine/transport/single_process.hpp"
+#include "nodes/wedged/candidate_friction.hpp"
+#include "nodes/wedged/pattern_search.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+
+using namespace kusabi;
+
+int answer(engine::Transport& transport, const char* file, double coefficient) {
+  // One rank reads; each works the problem out by itself, and all must have come to the same.
+  const auto text = engine::from_first_rank(transport, [&] { return problems::file_text(file); });
+  const auto problem = problems::wedged_problem(problems::read_structure(text, file));
+  engine::agree(transport, problem.fingerprint);
+
+  engine::Campaign campaign(transport);
+  const auto friction = wedged::candidate_friction(problem, coefficient);
+  const auto found = wedged::find_patterns(campaign, problem, friction);
+  if (!campaign.is_first()) return 0;
+  for (const auto& leaf : found.leaves) {
+    std::printf("t* = %.3e, in contact:", leaf.lower);
+    for (std::size_t i = 0; i < problem.contact_names.size(); ++i) {
+      if ((leaf.pattern.contact >> i & 1) != 0)
+        std::printf(" %s", problem.contact_names[i].c_str());
+    }
+    std::printf("\n");
+  }
+  std::printf("%llu sign patterns, %zu open, on %zu ranks\n",
+              static_cast<unsigned long long>(found.count()), found.open(),
+              found.outcome.ranks.size());
+  return found.whole() && found.open() == 0 ? 0 : 3;
+}
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  if (!engine::MpiEnvironment::launched()) {
+    engine::SingleProcess alone;
+    return answer(alone, argv[1], std::atof(argv[2]));
+  }
+  engine::MpiEnvironment mpi(argc, argv);
+  engine::MpiTransport transport;
+  return answer(transport, argv[1], std::atof(argv[2]));
+}

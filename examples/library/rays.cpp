@@ -1,0 +1,34 @@
+// All extremal rays and maximal cones of wedged configurations in the plane:
+//   rays plane-truss.toml 0.8
+#include <cstdio>
+#include <cstdlib>
+
+#include "engine/transport/single_process.hpp"
+#include "nodes/wedged/candidate_friction.hpp"
+#include "nodes/wedged/ray_search.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/wedged/precise_compliance.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+
+using namespace kusabi;
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  const auto structure = problems::read_structure(problems::file_text(argv[1]), argv[1]);
+  const auto problem = problems::wedged_problem(structure);
+  const auto friction = wedged::candidate_friction(problem, std::atof(argv[2]));
+  const rays::ReactionCone cone(problems::precise_compliance(structure), friction);
+
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone);
+  const auto method = wedged::chosen_method(wedged::RayMethod::automatic, {}, cone.candidates());
+  auto found = wedged::find_rays(campaign, problem, friction, cone, method);
+  for (const auto& zero_set : found.rays) {
+    const auto ray = cone.ray(zero_set, found.health);
+    std::printf("r_n:");
+    for (int i = 0; i < cone.candidates(); ++i) std::printf(" %.4g", ray.reaction(2 * i));
+    std::printf("\n");
+  }
+  std::printf("%zu extremal rays in %zu maximal cones\n", found.rays.size(), found.cones.size());
+  return found.health.sound() ? 0 : 1;
+}

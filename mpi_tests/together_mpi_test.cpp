@@ -1,0 +1,53 @@
+// What all ranks do together besides searching.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+#include <gtest/gtest.h>
+
+#include "engine/shared_work.hpp"
+#include "engine/together.hpp"
+#include "engine/transport/mpi.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+TEST(MpiTogether, AllAreToldWhatTheFirstRankKnows) {
+  MpiTransport transport;
+  const auto told = from_first_rank(transport, [&] {
+    EXPECT_EQ(transport.rank(), 0);
+    return std::vector<std::string>{"one", "", "three"};
+  });
+  EXPECT_EQ(told, (std::vector<std::string>{"one", "", "three"}));
+}
+
+TEST(MpiTogether, AMeetingAddsUpWhatAllBring) {
+  MpiTransport transport;
+  const auto ranks = static_cast<std::uint64_t>(transport.size());
+  const auto own = static_cast<std::uint64_t>(transport.rank());
+  const auto all = meet(transport, {.ranks = 1, .found = own});
+  EXPECT_EQ(all.ranks, ranks);
+  EXPECT_EQ(all.found, ranks * (ranks - 1) / 2);
+}
+
+TEST(MpiTogether, EveryRankLearnsThatOneDisagrees) {
+  MpiTransport transport;
+  EXPECT_NO_THROW(agree(transport, 7));
+  const bool last = transport.rank() == transport.size() - 1;
+  if (transport.size() == 1) return;
+  EXPECT_THROW(agree(transport, last ? 8 : 7), Disagreement);
+}
+
+TEST(MpiTogether, EveryRankGetsAllResultsInOrder) {
+  MpiTransport transport;
+  constexpr std::uint64_t pieces = 1000;
+  const auto results = share_work<std::uint64_t>(
+      transport, pieces, [](std::uint64_t number) { return number * number; });
+  ASSERT_EQ(results.size(), pieces);
+  for (std::uint64_t i = 0; i < pieces; ++i) ASSERT_EQ(results[i], i * i);
+}
+
+}  // namespace
+}  // namespace kusabi::engine

@@ -1,0 +1,75 @@
+// What has been found out of the load factor of a truss and of its worst case: numbers alone, in
+// the units of the problem.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "engine/outcome.hpp"
+#include "nodes/limit/load_curve.hpp"
+#include "nodes/limit/worst_case.hpp"
+
+namespace kusabi::limit {
+
+/// A collapse.
+struct LimitCollapse {
+  double factor = 0;
+  /// The least factor at which the same load is carried; nothing: the simplex method failed.
+  std::optional<double> least;
+  Eigen::VectorXd forces;  ///< q, n^m
+  Eigen::VectorXd motion;  ///< u, n^d, f_R^T u = 1
+};
+
+/// Between what the worst case is known to be, and whether exact arithmetic shows it.
+struct LimitEnds {
+  /// Minus infinity: none is known.
+  double lower = -std::numeric_limits<double>::infinity();
+  /// Minus infinity: a load is carried at no factor.
+  double upper = -std::numeric_limits<double>::infinity();
+  bool lower_proved = false;
+  bool upper_proved = false;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& lower& upper& lower_proved& upper_proved;
+  }
+};
+
+/// What is known of the worst case.
+struct LimitWorstCase {
+  RootStatus status = RootStatus::failed;
+  LimitEnds ends;
+  bool proved = false;  ///< whether both ends are, and are near to each other
+  /// What the 0-1 tree of (29) has come to by itself, if it was asked for: not proved.
+  std::optional<double> zero_one_bound;
+  bool no_safe_m = false;  ///< (29) was asked for, but not tried: no safe M was found
+  Eigen::VectorXd zeta;
+  std::optional<LimitCollapse> collapse;
+  std::uint64_t cuts = 0;
+  std::uint64_t nodes = 1;          ///< of the tree of signs, and
+  std::uint64_t tree_programs = 0;  ///< its linear programs: they depend on the number of ranks
+  WorstCaseCounts counts;
+  engine::Status search = engine::Status::solved;  ///< why it ended before it was done
+};
+
+struct LimitAnswer {
+  LoadStatus status = LoadStatus::undetermined;
+  std::optional<LimitCollapse> nominal;  ///< of `collapses`
+  bool no_factor_proved = false;         ///< whether exact arithmetic shows `not_carried`
+  std::optional<LimitWorstCase> worst;
+  std::vector<double> samples;  ///< factors; minus infinity: not carried
+  /// lambda*(f_D + beta T zeta) over beta, zeta the critical one; and lambda_min(beta alpha).
+  std::vector<CurvePiece> curve;
+  std::vector<CurvePiece> worst_curve;
+  /// Why what else was asked for (the nominal factor, samples, curves) was not done to the end.
+  engine::Status rest = engine::Status::solved;
+
+  /// Whether the question is answered, and the answer proved.
+  [[nodiscard]] bool whole() const;
+};
+
+}  // namespace kusabi::limit

@@ -1,0 +1,78 @@
+// The nominal load first, in units that make it sure; then whatever else is asked for.
+#include "nodes/limit/limit_loads.hpp"
+
+#include <utility>
+
+#include "nodes/evidence/verified_structure.hpp"
+#include "nodes/limit/balanced_model.hpp"
+#include "nodes/limit/compared_loads.hpp"
+#include "nodes/limit/proved_ends.hpp"
+#include "nodes/limit/root_search.hpp"
+#include "nodes/limit/worst_case_search.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+// The nominal load factor, in units that make it sure.
+void find_nominal(RootSearch& search, const verify::Structure& truss, LimitAnswer& answer) {
+  const auto& problem = search.problem();
+  const auto shown = [&] {
+    return shows_no_factor(truss, problem, search.model(),
+                           Eigen::VectorXd::Zero(search.model().uncertain_count()),
+                           search.load_factor().overpowering_motion());
+  };
+  answer.status = search.set_up(problems::limit_model(problem));
+  if (search.ended()) return;
+  if (answer.status == LoadStatus::collapses) {
+    const double size = dissipation(problem, search.model(), search.nominal().motion);
+    if (!is_out_of_balance(size)) return;
+  } else if (answer.status == LoadStatus::not_carried && shown()) {
+    answer.no_factor_proved = true;
+    return;
+  }
+  answer.status = search.set_up(balanced_model(problem, 0));
+  answer.no_factor_proved = answer.status == LoadStatus::not_carried && shown();
+}
+
+}  // namespace
+
+LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure& structure,
+                          const problems::LimitProblem& problem, const LimitQuestion& question) {
+  const auto truss = evidence::verified_structure(structure);
+  RootSearch search(campaign, problem);
+  LimitFindings findings;
+  auto& answer = findings.answer;
+  find_nominal(search, truss, answer);
+  if (answer.status != LoadStatus::collapses) {
+    if (answer.status == LoadStatus::undetermined && search.ended()) {
+      answer.rest = campaign.budget().why();
+    }
+    return findings;
+  }
+  answer.nominal = search.in_units(search.nominal(), search.model().dead);
+  if (!question.alpha) return findings;
+  search.settle_for(*question.alpha);
+  WorstCaseSearch worst_case(search, question, truss);
+  answer.worst = worst_case.solve();
+  findings.certificate = std::move(worst_case.certificate());
+  if (question.samples > 0) {
+    if (!search.ended()) answer.samples = sampled_factors(search, question);
+    if (search.ended()) answer.rest = campaign.budget().why();
+  }
+  if (question.curve && answer.worst->collapse) {
+    if (!search.ended()) {
+      answer.curve = factor_curve(search, answer.worst->zeta);
+      answer.worst_curve = worst_factor_curve(search, *question.alpha);
+    }
+    if (search.ended()) answer.rest = campaign.budget().why();
+  }
+  return findings;
+}
+
+bool LimitAnswer::whole() const {
+  if (status == LoadStatus::undetermined || rest != engine::Status::solved) return false;
+  if (status == LoadStatus::not_carried) return no_factor_proved;
+  return !worst || (worst->proved && worst->search == engine::Status::solved);
+}
+
+}  // namespace kusabi::limit

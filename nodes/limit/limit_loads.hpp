@@ -1,0 +1,29 @@
+// The load factor at which a truss collapses, (5) of the limit paper, and the least one that an
+// uncertain dead load can bring about, (13), proved: the question that `kusabi limit` asks.
+#pragma once
+
+#include <optional>
+
+#include "engine/campaign.hpp"
+#include "nodes/limit/limit_answer.hpp"
+#include "nodes/limit/limit_question.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "problems/structure/structure.hpp"
+#include "verify/limit_certificate.hpp"
+
+namespace kusabi::limit {
+
+struct LimitFindings {
+  LimitAnswer answer;  ///< on every rank, but for what only rank 0 is told: counts
+  /// The evidence of both ends, if both are proved; on rank 0.
+  std::optional<verify::LimitCertificate> certificate;
+};
+
+/// Every rank makes the same call.
+/// @param truss what the ends are proved of
+/// @param problem of `truss`
+/// @throws BigMTooSmall on every rank alike
+LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure& truss,
+                          const problems::LimitProblem& problem, const LimitQuestion& question);
+
+}  // namespace kusabi::limit

@@ -1,0 +1,35 @@
+// What can be asked of a truss: its load factor, and how low uncertain loads can bring it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+
+namespace kusabi::limit {
+
+/// How the worst case is found.
+enum class LimitMethod {
+  fixed,        ///< the 0-1 program (29) by Algorithm 4.2, as it is
+  disjunctive,  ///< with the cuts of Algorithm 5.1: the paper's method
+  tightened,    ///< with M made as small as can be by optimisation
+  static_cuts,  ///< static cuts and the tree of signs: neither (29) nor M
+  all,          ///< (29) with static cuts as rows, tightened M, and disjunctive cuts
+};
+
+struct LimitQuestion {
+  std::optional<double> alpha{};  ///< half-width of the uncertain components; nothing: nominal only
+  LimitMethod method = LimitMethod::static_cuts;
+  std::optional<double> big_m{};  ///< M of (29), in the paper's units; nothing: derived
+  std::uint64_t samples = 0;      ///< random dead loads to compare with
+  std::uint64_t seed = 1;         ///< of those
+  bool curve = false;             ///< how the factor falls as the uncertainty grows
+};
+
+/// (29) has no point: the M that was asked for is too small.
+class BigMTooSmall : public std::invalid_argument {
+ public:
+  BigMTooSmall()
+      : std::invalid_argument("(29) has no point, its M is too small; expected a larger one") {}
+};
+
+}  // namespace kusabi::limit

@@ -1,0 +1,123 @@
+// Rounds in lockstep, cuts priced in blocks.
+#include "nodes/limit/root_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/shared_work.hpp"
+#include "engine/together.hpp"
+#include "nodes/limit/balanced_model.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+/// How often a worst case that collapses in another order of forces than the nominal load is
+/// searched for again, in that one.
+constexpr int most_balances = 3;
+
+}  // namespace
+
+// Every rank must make this call, and all get the same answer.
+bool RootSearch::ended() {
+  if (!ended_) ended_ = engine::from_first_rank(campaign_.transport(), campaign_.budget().stop());
+  return ended_;
+}
+
+support::Stop RootSearch::lockstep_stop() {
+  return [this] { return sharing_ ? campaign_.budget().spent() : ended(); };
+}
+
+// What a long root is doing, every other second.
+void RootSearch::say(const std::string& what) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - said_ < std::chrono::seconds(2)) return;
+  said_ = now;
+  campaign_.say("at the root: " + what);
+}
+
+LoadStatus RootSearch::set_up(problems::LimitModel model) {
+  solvers_ = std::make_unique<Solvers>(std::move(model), lockstep_stop());
+  const auto status = solvers_->load_factor.solve(solvers_->model.dead);
+  if (status == LoadStatus::collapses) solvers_->nominal = solvers_->load_factor.collapse();
+  return status;
+}
+
+void RootSearch::settle_for(double alpha) {
+  double load = 0;
+  for (const auto& [degree, weight] : problem_.uncertain) load = std::max(load, alpha * weight);
+  const double before = model().force_unit;
+  constexpr double far = 0x1p6;
+  if (load <= far * before) return;
+  if (set_up(problems::limit_model(problem_, load)) != LoadStatus::collapses) {
+    set_up(problems::limit_model(problem_, before));
+  }
+}
+
+LimitCollapse RootSearch::in_units(const Collapse& collapse, const Eigen::VectorXd& dead) {
+  auto least = load_factor().least_factor(dead);
+  if (least) {
+    // Zero, which is carried where there is no load, to the last bit.
+    if (std::abs(*least) <= closed_gap) *least = 0;
+    *least *= model().factor_unit;
+  }
+  return {collapse.factor * model().factor_unit, least,
+          problems::forces_in_units(model(), collapse.forces),
+          problems::motion_in_units(model(), collapse.motion)};
+}
+
+// The cuts do not depend on who makes them: see pricing_block.
+std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<const int> columns) {
+  auto& pricing = solvers_->pricing;
+  say(fmt::format("{} of {} uncertain components are looked at for cuts", columns.size(),
+                  model().uncertain_count()));
+  if (campaign_.transport().size() == 1 || columns.size() <= pricing_block) {
+    return price_alone(pricing, z, columns);
+  }
+  pricing.aim(z, columns.front());
+  const auto blocks = (columns.size() + pricing_block - 1) / pricing_block;
+  const auto block = [&](std::uint64_t number) {
+    const auto first = number * pricing_block;
+    return price_block(pricing,
+                       columns.subspan(first, std::min(pricing_block, columns.size() - first)));
+  };
+  sharing_ = true;
+  auto shared = engine::share_work<std::vector<StaticCut>>(campaign_.transport(), blocks, block);
+  sharing_ = false;
+  std::vector<StaticCut> cuts;
+  for (auto& some : shared) std::move(some.begin(), some.end(), std::back_inserter(cuts));
+  return cuts;
+}
+
+RootResult RootSearch::solve(double alpha) {
+  load_factor().restart();
+  const double unit = model().factor_unit;
+  return solve_root(
+      model(), alpha, nominal(), load_factor(),
+      [this](const Eigen::VectorXd& z, std::span<const int> columns) { return price(z, columns); },
+      {.stop = lockstep_stop(), .watcher = [&](std::uint64_t round, double lower, double upper) {
+         say(fmt::format("round {}, load factor {:.6g} ... {:.6g}", round, lower * unit,
+                         upper * unit));
+       }});
+}
+
+RootResult RootSearch::solve_balanced(double alpha) {
+  RootResult result = solve(scaled(alpha));
+  for (int time = 0; time < most_balances; ++time) {
+    const bool doubtful = result.status == RootStatus::open ||
+                          result.status == RootStatus::unbounded ||
+                          result.status == RootStatus::failed;
+    if (!doubtful || !result.worst) break;
+    const double size = dissipation(problem_, model(), result.worst->collapse.motion);
+    if (!is_out_of_balance(size)) break;
+    if (set_up(rebalanced(problem_, model(), size, alpha)) != LoadStatus::collapses) break;
+    result = solve(scaled(alpha));
+  }
+  return result;
+}
+
+}  // namespace kusabi::limit

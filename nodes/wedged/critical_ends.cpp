@@ -1,0 +1,214 @@
+// One tree of sign patterns an end, or several if an end has to give way.
+#include "nodes/wedged/critical_ends.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/together.hpp"
+#include "nodes/wedged/candidate_friction.hpp"
+#include "nodes/wedged/critical_friction.hpp"
+#include "nodes/wedged/evidence_check.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// An end moves outwards by the width first, and eight times as far each time.
+constexpr int most_moves = 7;
+constexpr double growth = 8;
+
+/// A bracket counts as wider than asked for from this many widths on: a coefficient that is itself
+/// a multiple of the width has a neighbour on either side.
+constexpr double wide = 2.5;
+
+/// What lives at one coefficient.
+struct Decided {
+  engine::Status status = engine::Status::solved;
+  std::vector<Configuration> leaves;  ///< maximal cones and open leaves
+  std::uint64_t alive = 0;            ///< leaves that live by the verifier's test
+  std::uint64_t unproved = 0;  ///< nodes whose evidence it refuses, or of which nothing is claimed
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& status& leaves& alive& unproved;
+  }
+
+  [[nodiscard]] bool solved() const { return status == engine::Status::solved; }
+  [[nodiscard]] std::uint64_t count(LeafState state) const {
+    return static_cast<std::uint64_t>(std::count_if(
+        leaves.begin(), leaves.end(), [&](const auto& leaf) { return leaf.state == state; }));
+  }
+  [[nodiscard]] bool lives() const { return count(LeafState::alive) + count(LeafState::flat) != 0; }
+};
+
+// What one rank saw proved, and what not.
+struct Proved {
+  std::uint64_t alive = 0, unproved = 0;
+};
+
+class Ends {
+ public:
+  Ends(engine::Campaign& campaign, const problems::Structure& structure,
+       const problems::WedgedProblem& problem, const EndsQuestion& question,
+       const EndRecorder& recorder)
+      : campaign_(campaign),
+        problem_(problem),
+        question_(question),
+        recorder_(recorder),
+        stiffness_(enclosed_stiffness(structure)) {}
+
+  void prove_lower(CriticalFindings& findings);
+  void prove_upper(CriticalFindings& findings);
+  void note_what_is_open(CriticalFindings& findings) const;
+
+ private:
+  /// All sign patterns at one coefficient.
+  /// @param wanted whether what was found is worth a record
+  template <class Wanted>
+  Decided decide(CriticalEnd end, double factor, Wanted wanted);
+
+  engine::Campaign& campaign_;
+  const problems::WedgedProblem& problem_;
+  const EndsQuestion& question_;
+  const EndRecorder& recorder_;
+  /// Or why the ends cannot be put to the verifier's test.
+  std::variant<verify::EnclosedMatrix, std::string> stiffness_;
+};
+
+template <class Wanted>
+Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted) {
+  const auto friction = candidate_friction(problem_, factor);
+  SignPatternTree tree(problem_, friction,
+                       {.tolerances = CriticalFriction::tolerances, .thorough = true});
+  const auto record = recorder_ ? recorder_(end, factor, friction) : nullptr;
+  std::optional<EvidenceCheck> check;
+  if (const auto* const stiffness = std::get_if<verify::EnclosedMatrix>(&stiffness_)) {
+    check.emplace(problem_, *stiffness, friction);
+  }
+  Proved own;
+  tree.report_to([&](const auto& evidence) {
+    const bool holds = !check || check->holds(evidence);
+    if (!holds || evidence.kind == Evidence::Kind::marginal) ++own.unproved;
+    if (holds && evidence.kind == Evidence::Kind::alive) ++own.alive;
+    if (record) record->add(evidence);
+  });
+  auto outcome = campaign_.search(tree, {});
+  auto decided = engine::from_first_rank(campaign_.transport(), [&] {
+    std::vector<Configuration> leaves;
+    for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
+    return Decided{.status = outcome.status, .leaves = maximal_cones(std::move(leaves))};
+  });
+  const auto all =
+      engine::meet(campaign_.transport(), {.ranks = 1, .open = own.unproved, .found = own.alive});
+  decided.alive = all.found;
+  decided.unproved = all.open;
+  if (record) record->end(decided.solved() && wanted(decided));
+  return decided;
+}
+
+// Down to where everything is dead, and the verifier says so. Without friction nothing wedges, K
+// being definite, and for less than the least nothing is computed.
+void Ends::prove_lower(CriticalFindings& findings) {
+  const double least = CriticalFriction::range(problem_).least;
+  const auto all_dead = [](const Decided& decided) { return decided.leaves.empty(); };
+  std::optional<double> dead;  // by the solver's own bounds
+  double factor = findings.lower;
+  double step = question_.width;
+  for (int move = 0; move < most_moves && factor >= least; ++move, step *= growth) {
+    const auto decided = decide(CriticalEnd::lower, factor, all_dead);
+    findings.status = decided.status;
+    if (!decided.solved()) return;
+    if (all_dead(decided) && !dead) dead = factor;
+    if (all_dead(decided) && decided.unproved == 0) {
+      findings.lower = factor;
+      findings.lower_proved = true;
+      return;
+    }
+    factor -= step;
+  }
+  findings.lower = dead.value_or(0);
+  findings.lower_proved = findings.lower == 0;
+}
+
+CriticalEntry entry_of(const Configuration& leaf, const CriticalFindings& findings) {
+  return {.block = leaf.block,
+          .pattern = leaf.pattern,
+          .lower = findings.lower,
+          .upper = findings.upper,
+          .reaction = leaf.reaction,
+          .displacement = leaf.displacement};
+}
+
+// Up to where something lives, and the verifier says so of a solid cone. Where there are flat ones
+// only, they are ties, and nothing above proves them better.
+void Ends::prove_upper(CriticalFindings& findings) {
+  const auto lives = [](const Decided& decided) { return decided.lives(); };
+  const auto solid = [](const Decided& decided) { return decided.count(LeafState::alive) != 0; };
+  std::optional<Decided> living;  // the first where something lives
+  double factor = findings.upper.value_or(question_.most);
+  double step = question_.width;
+  for (int move = 0; move < most_moves && factor <= question_.most; ++move, step *= growth) {
+    auto decided = decide(CriticalEnd::upper, factor, lives);
+    findings.status = decided.status;
+    if (!decided.solved()) return;
+    if (lives(decided) && !living) {
+      living = decided;
+      findings.upper = factor;
+    }
+    findings.upper_proved = decided.alive != 0;
+    if (findings.upper_proved) {
+      living = std::move(decided);
+      findings.upper = factor;
+    }
+    if (findings.upper_proved || (living && !solid(*living))) break;
+    factor += step;
+  }
+  if (!living) {
+    findings.upper.reset();
+    return;
+  }
+  if (!question_.with_patterns) return;
+  for (const auto& leaf : living->leaves) {
+    const bool cone = leaf.state == LeafState::alive || leaf.state == LeafState::flat;
+    if (cone) findings.patterns.push_back(entry_of(leaf, findings));
+  }
+}
+
+void Ends::note_what_is_open(CriticalFindings& findings) const {
+  if (findings.status != engine::Status::solved) return;
+  if (!findings.upper && findings.lower < question_.most) {
+    findings.open.push_back(CriticalDoubt::no_upper_end);
+  }
+  if (findings.upper && *findings.upper - findings.lower > wide * question_.width) {
+    findings.open.push_back(CriticalDoubt::wide_bracket);
+  }
+  if (!findings.lower_proved) findings.open.push_back(CriticalDoubt::lower_not_proved);
+}
+
+}  // namespace
+
+void prove_ends(engine::Campaign& campaign, const problems::Structure& structure,
+                const problems::WedgedProblem& problem, const EndsQuestion& question,
+                const EndRecorder& recorder, CriticalFindings& findings) {
+  // All ranks move the ends alike.
+  const auto bracket = engine::from_first_rank(campaign.transport(), [&] {
+    std::vector<double> known{findings.lower};
+    if (findings.upper) known.push_back(*findings.upper);
+    return known;
+  });
+  findings.lower = bracket[0];
+  if (bracket.size() > 1) findings.upper = bracket[1];
+  Ends ends(campaign, structure, problem, question, recorder);
+  ends.prove_lower(findings);
+  if (findings.status == engine::Status::solved && findings.upper) ends.prove_upper(findings);
+  ends.note_what_is_open(findings);
+}
+
+}  // namespace kusabi::wedged

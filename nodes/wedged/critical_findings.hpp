@@ -1,0 +1,73 @@
+// The critical friction coefficient of a structure: what is asked, and what is found.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/outcome.hpp"
+#include "nodes/wedged/bisection.hpp"
+#include "nodes/wedged/critical_tree.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
+
+namespace kusabi::wedged {
+
+enum class CriticalWay {
+  global,     ///< one best-first search for the smallest
+  newton,     ///< of every pattern that lives at the largest coefficient, by Newton's method
+  bisection,  ///< the same by bisection, as the paper does it
+};
+
+/// How far the global search looks unless told: obstacles are not rougher.
+inline constexpr double usual_most = 1000;
+
+/// Points of the grid of brackets are multiples of the width: up to so many are exact in a double.
+inline constexpr double most_multiples = 1e15;
+
+struct CriticalQuestion {
+  CriticalWay way = CriticalWay::global;
+  /// No larger coefficient is of interest; mu^0 of the paper, which all but the global search need.
+  /// Nothing: usual_most, or as far as can be computed with.
+  std::optional<double> most{};
+  double width = 1e-8;  ///< of the brackets
+};
+
+/// A pattern that begins to live within a bracket of the friction coefficient.
+struct CriticalEntry {
+  std::uint32_t block = 0;
+  SignPattern pattern;
+  double lower = 0;                  ///< dead here
+  std::optional<double> upper;       ///< alive here; nothing: not known to be anywhere
+  std::vector<double> reaction;      ///< of the block at `upper`; empty if it was not asked for
+  std::vector<double> displacement;  ///< likewise
+};
+
+/// What a bracket leaves open.
+enum class CriticalDoubt {
+  no_upper_end,      ///< above the lower end it could not be told whether anything can wedge
+  wide_bracket,      ///< within it, what can wedge could not be told from what just cannot
+  lower_not_proved,  ///< that nothing wedges at the lower end is not proved in exact arithmetic
+};
+
+/// What was found, on rank 0.
+struct CriticalFindings {
+  engine::Status status = engine::Status::solved;  ///< of the searches
+  std::vector<CriticalEntry> patterns;  ///< smallest first; of the global search those that live at
+                                        ///< the upper end
+  double lower = 0;                     ///< nothing lives here, nor below
+  std::optional<double> upper;          ///< something does; nothing: not up to the largest
+  bool lower_proved = false;            ///< every sign pattern was proved dead at `lower`
+  bool upper_proved = false;            ///< a solid cone was proved to live at `upper`
+  std::vector<CriticalDoubt> open;
+  /// What the search for the bracket has cost: of the global one, or of that of each pattern.
+  std::vector<engine::RankReport<CriticalTree>> global_ranks;
+  std::vector<engine::RankReport<PatternBisection>> bisection_ranks;
+
+  /// Sorts the patterns and reads the bracket from them and from what is known beside.
+  /// @param dead nothing lives below, but for the patterns
+  void conclude(double dead);
+
+  [[nodiscard]] bool answered() const { return status == engine::Status::solved && open.empty(); }
+};
+
+}  // namespace kusabi::wedged

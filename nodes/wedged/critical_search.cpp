@@ -1,0 +1,165 @@
+// Two ways to the bracket.
+#include "nodes/wedged/critical_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/together.hpp"
+#include "nodes/wedged/candidate_friction.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+std::int64_t multiples(double most, double width) {
+  return static_cast<std::int64_t>(std::llround(most / width));
+}
+
+double or_infinity(const std::optional<double>& number) {
+  return number.value_or(std::numeric_limits<double>::infinity());
+}
+
+// What lives or may live at the largest coefficient: maximal cones and open leaves.
+struct Living {
+  engine::Status status = engine::Status::solved;
+  std::vector<Configuration> leaves;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& status& leaves;
+  }
+};
+
+Living living_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                       double most) {
+  SignPatternTree tree(problem, candidate_friction(problem, most));
+  auto outcome = campaign.search(tree, {});
+  return engine::from_first_rank(campaign.transport(), [&] {
+    std::vector<Configuration> leaves;
+    for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
+    return Living{outcome.status, maximal_cones(std::move(leaves))};
+  });
+}
+
+// A leaf of the block's tree whose cone it is: candidates at rest may be called separated.
+PatternBisection::Pattern pattern_of(const Configuration& leaf,
+                                     const std::vector<std::uint64_t>& blocks) {
+  const auto block = blocks[leaf.block];
+  const auto contact = leaf.pattern.contact;
+  return {.leaf = {.block = leaf.block,
+                   .pattern = {.contact = problems::in_block(contact, block),
+                               .separated = problems::in_block(block & ~contact, block)}},
+          .lives = leaf.state == LeafState::alive || leaf.state == LeafState::flat};
+}
+
+CriticalFindings global_search(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                               double width, double most) {
+  CriticalTree tree(problem, width, multiples(most, width));
+  engine::Options options;
+  options.goal = engine::Goal::best;
+  options.order = engine::Order::best_first;
+  auto outcome = campaign.search(tree, options);
+  CriticalFindings findings;
+  findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
+  if (!campaign.is_first()) return findings;
+  const bool whole = outcome.status == engine::Status::solved;
+  findings.lower = whole ? most : std::min(most, std::max(0.0, outcome.bound));
+  for (const auto& found : outcome.solutions) {
+    const auto& cell = found.solution.cell;
+    findings.lower = std::min(findings.lower, width * static_cast<double>(cell.dead));
+    findings.upper = width * static_cast<double>(cell.alive);
+  }
+  // A leaf that is doubtful from further down on is opened on any schedule.
+  findings.lower = std::min(findings.lower, outcome.tally().doubt.value);
+  findings.global_ranks = std::move(outcome.ranks);
+  return findings;
+}
+
+CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
+                                    const problems::WedgedProblem& problem, CriticalMethod method,
+                                    double width, double most) {
+  CriticalFindings findings;
+  const auto living = living_patterns(campaign, problem, most);
+  findings.status = living.status;
+  // A part of them would say nothing.
+  if (findings.status != engine::Status::solved) return findings;
+  const auto blocks = problems::blocks_of(problem);
+  std::vector<PatternBisection::Pattern> patterns;
+  for (const auto& leaf : living.leaves) patterns.push_back(pattern_of(leaf, blocks));
+  const auto count = static_cast<std::int64_t>(patterns.size());
+  const auto sections = count == 0 ? 1 : campaign.transport().size() / count;
+  PatternBisection tree(problem, width, patterns, multiples(most, width), method, sections);
+  auto outcome = campaign.search(tree, {});
+  findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
+  if (!campaign.is_first()) return findings;
+  for (const auto& found : outcome.solutions) {
+    const auto& [number, cell] = found.solution;
+    const auto& leaf = living.leaves[number];
+    CriticalEntry entry{.block = leaf.block,
+                        .pattern = leaf.pattern,
+                        .lower = width * static_cast<double>(cell.dead),
+                        .upper = {},
+                        .reaction = {},
+                        .displacement = {}};
+    if (cell.alive != CriticalCell::nowhere) entry.upper = width * static_cast<double>(cell.alive);
+    findings.patterns.push_back(std::move(entry));
+  }
+  findings.bisection_ranks = std::move(outcome.ranks);
+  findings.conclude(findings.status == engine::Status::solved ? most : 0);
+  return findings;
+}
+
+}  // namespace
+
+void CriticalFindings::conclude(double dead) {
+  std::sort(patterns.begin(), patterns.end(), [](const auto& a, const auto& b) {
+    const double from_a = or_infinity(a.upper);
+    const double from_b = or_infinity(b.upper);
+    if (from_a != from_b) return from_a < from_b;
+    if (a.block != b.block) return a.block < b.block;
+    return a.pattern.contact < b.pattern.contact;
+  });
+  lower = dead;
+  if (patterns.empty()) return;
+  upper = patterns.front().upper;
+  for (const auto& entry : patterns) lower = std::min(lower, entry.lower);
+}
+
+CriticalFindings find_critical_friction(engine::Campaign& campaign,
+                                        const problems::Structure& structure,
+                                        const problems::WedgedProblem& problem,
+                                        const CriticalQuestion& question,
+                                        const EndRecorder& recorder) {
+  const bool global = question.way == CriticalWay::global;
+  if (!global && !question.most) {
+    throw std::invalid_argument(
+        "the patterns are looked for at the largest friction coefficient of interest, which must "
+        "be given");
+  }
+  // No further than the roughest candidate can be computed with.
+  const double most =
+      question.most.value_or(std::min(usual_most, CriticalFriction::range(problem).most));
+  if (!(question.width < most) || most > most_multiples * question.width) {
+    throw std::invalid_argument(
+        "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
+        "of it");
+  }
+  auto findings =
+      global ? global_search(campaign, problem, question.width, most)
+             : pattern_by_pattern(campaign, problem,
+                                  question.way == CriticalWay::newton ? CriticalMethod::newton
+                                                                      : CriticalMethod::bisection,
+                                  question.width, most);
+  if (findings.status == engine::Status::solved) {
+    prove_ends(campaign, structure, problem, {question.width, most, global}, recorder, findings);
+  }
+  return findings;
+}
+
+}  // namespace kusabi::wedged

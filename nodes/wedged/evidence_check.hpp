@@ -1,0 +1,44 @@
+// The verifier's own test of evidence, as a search meets it: what `kusabi verify --problem` would
+// say of a certificate with these nodes.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "nodes/wedged/sign_pattern.hpp"
+#include "problems/structure/structure.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "verify/certificate.hpp"
+#include "verify/exact.hpp"
+#include "verify/proof.hpp"
+
+namespace kusabi::wedged {
+
+/// Most displacements, supported ones included, of a structure whose K is enclosed unasked: a
+/// second.
+inline constexpr int most_enclosed_displacements = 2000;
+
+/// K of the structure with a proved bound, computed by the verifier; or why not, a sentence.
+std::variant<verify::EnclosedMatrix, std::string> enclosed_stiffness(
+    const problems::Structure& structure);
+
+class EvidenceCheck {
+ public:
+  /// Begins with the proof that K is positive definite.
+  /// @param friction of each candidate
+  EvidenceCheck(const problems::WedgedProblem& problem, const verify::EnclosedMatrix& stiffness,
+                std::span<const double> friction);
+  EvidenceCheck(const EvidenceCheck&) = delete;
+  EvidenceCheck& operator=(const EvidenceCheck&) = delete;
+
+  /// Whether the evidence proves what it claims. What claims nothing is not proved.
+  [[nodiscard]] bool holds(const Evidence& evidence) const;
+
+ private:
+  verify::Certificate certificate_;
+  std::optional<verify::Proof> proof_;
+};
+
+}  // namespace kusabi::wedged

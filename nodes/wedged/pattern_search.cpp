@@ -1,0 +1,57 @@
+// The leaves sorted into blocks and counted.
+#include "nodes/wedged/pattern_search.hpp"
+
+#include <utility>
+
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+
+PatternFindings find_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                              std::span<const double> friction, const PatternQuestion& question) {
+  SignPatternTree tree(problem, friction, question.tree);
+  if (question.witness) tree.report_to(question.witness);
+  PatternFindings findings;
+  findings.outcome = campaign.search(tree, question.search);
+  std::vector<Configuration> leaves;
+  for (const auto& found : findings.outcome.solutions) leaves.push_back(found.solution);
+  findings.leaves = maximal_cones(std::move(leaves));
+  for (const auto candidates : problems::blocks_of(problem)) {
+    findings.blocks.push_back({.candidates = candidates});
+  }
+  for (const auto& leaf : findings.leaves) {
+    auto& block = findings.blocks[leaf.block];
+    switch (leaf.state) {
+      case LeafState::flat:
+        ++findings.flat;
+        [[fallthrough]];
+      case LeafState::alive:
+        ++block.cones;
+        break;
+      case LeafState::marginal:
+        ++findings.marginal;
+        ++block.open;
+        break;
+      case LeafState::undecided:
+        ++findings.undecided;
+        ++block.open;
+        break;
+    }
+  }
+  return findings;
+}
+
+std::uint64_t PatternFindings::count() const {
+  std::vector<std::uint64_t> cones;
+  for (const auto& block : blocks) cones.push_back(block.cones);
+  return combinations(cones);
+}
+
+std::uint64_t PatternFindings::idle() const {
+  std::uint64_t candidates = 0;
+  if (!whole()) return candidates;
+  for (const auto& block : blocks) candidates |= block.rests() ? block.candidates : 0;
+  return candidates;
+}
+
+}  // namespace kusabi::wedged

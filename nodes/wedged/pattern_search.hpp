@@ -1,0 +1,60 @@
+// All sign patterns of wedged configurations (Algorithms 5.1 and 5.8 of the wedged paper), and what
+// the leaves of the tree say of the structure: the question that `kusabi patterns` asks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/campaign.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+
+namespace kusabi::wedged {
+
+/// The candidates of a block, and how many maximal cones it has.
+struct PatternBlock {
+  std::uint64_t candidates = 0;
+  std::uint64_t cones = 0;
+  std::uint64_t open = 0;  ///< leaves of which it could not be told whether they are patterns
+
+  [[nodiscard]] bool rests() const { return cones == 0 && open == 0; }
+};
+
+/// The answer, of rank 0.
+struct PatternFindings {
+  engine::Outcome<SignPatternTree> outcome;
+  std::vector<Configuration> leaves;  ///< the maximal cones, then the open leaves
+  std::vector<PatternBlock> blocks;
+  std::size_t flat = 0, marginal = 0, undecided = 0;  ///< of the leaves
+
+  [[nodiscard]] bool whole() const { return outcome.status == engine::Status::solved; }
+
+  /// Leaves of which it could not be told whether they are patterns.
+  [[nodiscard]] std::size_t open() const { return marginal + undecided; }
+
+  /// The sign patterns of the whole structure: any of one block goes with any of another.
+  [[nodiscard]] std::uint64_t count() const;
+
+  /// The candidates of blocks that cannot wedge: at rest whatever the others do. None if the
+  /// search stopped early, since some may come.
+  [[nodiscard]] std::uint64_t idle() const;
+};
+
+/// What can be chosen beside the problem.
+struct PatternQuestion {
+  SignPatternOptions tree;
+  engine::Options search;  ///< checkpoints, traces, whom to warn
+  Witness witness;         ///< told, on each rank, why nodes are closed there; empty: nobody
+};
+
+/// Every rank makes the same call. The findings are whole on rank 0; elsewhere the status counts.
+/// @param friction mu of each contact candidate
+/// @throws std::invalid_argument if the sizes do not fit or a number is out of range
+PatternFindings find_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                              std::span<const double> friction,
+                              const PatternQuestion& question = {});
+
+}  // namespace kusabi::wedged

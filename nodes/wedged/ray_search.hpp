@@ -1,0 +1,62 @@
+// All extremal rays and maximal cones of wedged configurations in the plane, by whichever way is
+// faster (Algorithms 4.1 to 4.3 of the wedged paper): the question that `kusabi rays` asks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/campaign.hpp"
+#include "nodes/wedged/ray_tree.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "solvers/rays/double_description.hpp"
+#include "solvers/rays/maximal_cones.hpp"
+#include "solvers/rays/reaction_cone.hpp"
+
+namespace kusabi::wedged {
+
+/// How rays are found. Both ways find the same.
+enum class RayMethod {
+  automatic,           ///< whichever of the two is expected to be faster
+  double_description,  ///< Algorithm 4.2, on one rank
+  tree,                ///< pattern by pattern, on all ranks
+};
+
+/// The method that is taken. By size alone: the result must not depend on the number of ranks.
+/// @param limits if there is one, the tree: only that can stop early with something to show for it
+RayMethod chosen_method(RayMethod asked, const engine::Limits& limits, int candidates);
+
+/// Whether a search by these limits may stop early.
+bool limited(const engine::Limits& limits);
+
+/// What the tree was like.
+struct RayTreeReport {
+  SignPatternTally patterns;
+  std::uint64_t opened = 0;
+  std::uint64_t open = 0;
+  std::uint64_t fingerprint = 0;
+  std::vector<engine::RankReport<RayTree>> ranks;
+};
+
+/// What has been found, and how; on rank 0.
+struct RayFindings {
+  engine::Status status = engine::Status::solved;
+  std::vector<rays::ZeroSet> rays;                   ///< in the order of every answer
+  std::vector<rays::Cone> cones;                     ///< maximal; none if the search stopped early
+  rays::Health health;                               ///< of the search
+  RayMethod method = RayMethod::double_description;  ///< which was taken
+  std::optional<RayTreeReport> tree;                 ///< of RayMethod::tree
+  rays::Effort effort;                               ///< of the other, and
+  double seconds = 0;                                ///< its time
+};
+
+/// Every rank makes the same call.
+/// @param problem in the plane  @param friction of each candidate
+/// @param cone of the same problem and friction, which makes rays of zero sets
+/// @param method one of the two; double description heeds no limits
+RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                      std::span<const double> friction, const rays::ReactionCone& cone,
+                      RayMethod method);
+
+}  // namespace kusabi::wedged

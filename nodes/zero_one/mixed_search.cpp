@@ -1,0 +1,116 @@
+// The root on every rank alike, the tree shared, and what both say.
+#include "nodes/zero_one/mixed_search.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "engine/together.hpp"
+#include "nodes/zero_one/unboundedness.hpp"
+#include "support/fingerprint.hpp"
+
+namespace kusabi::zero_one {
+namespace {
+
+// What the search starts from, which every rank has worked out by itself.
+std::uint64_t fingerprint_of(const ZeroOneRoot& root) {
+  support::Fingerprint fingerprint;
+  const auto& program = root.relaxation.program();
+  for (const auto& column : program.columns) {
+    fingerprint.add(column.lower);
+    fingerprint.add(column.upper);
+  }
+  for (const auto& row : program.rows) {
+    fingerprint.add(row.lower);
+    fingerprint.add(row.upper);
+  }
+  for (const auto& entry : program.entries) fingerprint.add(entry.value);
+  fingerprint.add(root.bound);
+  fingerprint.add(root.point ? root.point->objective : linear::infinity);
+  return fingerprint.value();
+}
+
+// The outcome if the work at the root was stopped: its bound and its point, and one open node.
+engine::Outcome<ZeroOneTree> outcome_of_root(const ZeroOneTree& tree, int ranks,
+                                             engine::Status why) {
+  engine::Outcome<ZeroOneTree> outcome;
+  outcome.status = why;
+  outcome.open = 1;
+  outcome.bound = tree.prepared().bound;
+  if (const auto& point = tree.prepared().point) outcome.solutions.push_back({{}, *point});
+  outcome.ranks.resize(static_cast<std::size_t>(ranks));
+  return outcome;
+}
+
+// If the relaxation has no lower bound, neither has the program, if it has a point at all: the
+// direction in which the objective falls leaves the binaries alone. So a point is all there is to
+// look for.
+bool without_bound(ZeroOneRoot& root, const linear::MixedProgram& mixed,
+                   const ZeroOneRootOptions& options) {
+  if (root.status != linear::LinearStatus::unbounded || !falls_for_ever(mixed, options.stop)) {
+    return false;
+  }
+  auto any_point = mixed;
+  for (auto& column : any_point.program.columns) column.cost = 0;
+  root = prepare_root(std::move(any_point), options);
+  return true;
+}
+
+}  // namespace
+
+MixedRoot mixed_root(engine::Campaign& campaign, const linear::MixedProgram& mixed,
+                     ZeroOneRootOptions options) {
+  options.stop = campaign.budget().stop();
+  MixedRoot result{.root = prepare_root(mixed, options)};
+  result.unbounded = without_bound(result.root, mixed, options);
+  // One rank that was stopped at the root stops all: their roots differ.
+  const std::uint64_t interrupted = result.root.interrupted ? 1 : 0;
+  const auto all = engine::meet(campaign.transport(), {.ranks = 1, .found = interrupted});
+  result.stopped = all.found != 0;
+  if (!result.stopped) engine::agree(campaign.transport(), fingerprint_of(result.root));
+  return result;
+}
+
+MixedAnswer search_tree(engine::Campaign& campaign, MixedRoot root, ZeroOneBranching branching,
+                        engine::Options options, const engine::ShownObjective& shown) {
+  MixedAnswer answer{ZeroOneTree(std::move(root.root), branching), {}, root.unbounded};
+  options.goal = engine::Goal::best;
+  answer.outcome = root.stopped ? outcome_of_root(answer.tree, campaign.transport().size(),
+                                                  campaign.budget().why())
+                                : campaign.search(answer.tree, std::move(options), shown);
+  return answer;
+}
+
+MixedAnswer solve_mixed(engine::Campaign& campaign, const linear::MixedProgram& mixed,
+                        const ZeroOneRootOptions& root_options, ZeroOneBranching branching,
+                        const engine::Options& options, const engine::ShownObjective& shown) {
+  return search_tree(campaign, mixed_root(campaign, mixed, root_options), branching, options,
+                     shown);
+}
+
+MixedStatus MixedAnswer::status() const {
+  if (unbounded) return point() != nullptr ? MixedStatus::unbounded : MixedStatus::infeasible;
+  const bool whole = outcome.status == engine::Status::solved;
+  if (point() == nullptr) {
+    return whole && outcome.tally().unproved == 0 ? MixedStatus::infeasible : MixedStatus::unknown;
+  }
+  const double objective = point()->objective;
+  const double missing = std::abs(objective - bound());
+  const double most = optimality_tolerance * tree.prepared().relaxation.steps().size(objective);
+  return whole && missing <= most ? MixedStatus::optimal : MixedStatus::feasible;
+}
+
+const ZeroOnePoint* MixedAnswer::point() const {
+  return outcome.solutions.empty() ? nullptr : &outcome.solutions.front().solution;
+}
+
+double MixedAnswer::bound() const {
+  return tree.lower_bound(outcome.bound, outcome.tally());
+}
+
+bool MixedAnswer::answered() const {
+  const auto found = status();
+  return outcome.status == engine::Status::solved && found != MixedStatus::feasible &&
+         found != MixedStatus::unknown;
+}
+
+}  // namespace kusabi::zero_one

@@ -1,0 +1,121 @@
+// The options of the measurements; what they do is in a file each.
+#include "run/bench/bench.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/together.hpp"
+#include "nodes/benchmark/standard_trees.hpp"
+#include "run/bench/bench_scaling.hpp"
+#include "run/bench/bench_schedules.hpp"
+#include "run/bench/bench_uts.hpp"
+#include "run/command/command_run.hpp"
+#include "run/output/standard_output.hpp"
+
+namespace kusabi::run {
+namespace {
+
+// A measurement reads nothing, and prints as it goes.
+class Bench : public Subcommand {
+ public:
+  void search(CommandRun& run) final {
+    const bool good = measure(run.session()) == solved;
+    // A survey counts, and here it counts the ranks on which something was wrong.
+    const auto all = engine::meet(run.session().transport(), {.ranks = 1, .found = good ? 0U : 1U});
+    code_ = all.found == 0 ? solved : failed;
+  }
+  std::vector<Step> results(CommandRun& /*run*/) final { return {flush_standard_output}; }
+  Verdict verdict(CommandRun& /*run*/) final { return {{}, code_}; }
+
+ protected:
+  /// @return the exit code, of this rank
+  virtual int measure(Session& session) = 0;
+
+ private:
+  ExitCode code_ = solved;
+};
+
+class Scaling final : public Bench {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "bench scaling"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "how far the search scales, by simulation of up to 65536 ranks in virtual time";
+  }
+  void describe(OptionTable& table) override {
+    table.number("--nodes", &options_.nodes, above(0), "of the tree");
+    table.number("--node-us", &options_.node_microseconds, above(0), "to open a node").unit("us");
+    table.number("--latency-us", &options_.latency_microseconds, above(0), "that a message travels")
+        .unit("us");
+    table
+        .number("--handling-us", &options_.handling_microseconds, above(0),
+                "that a message costs its sender, and its receiver")
+        .unit("us");
+    table.number("--bandwidth", &options_.gigabytes_a_second, above(0), "of the wires")
+        .unit("GB/s");
+    table.number("--least-ranks", &options_.least_ranks, above(0), "the first row");
+    table.number("--most-ranks", &options_.most_ranks, above(0),
+                 "where to stop; each row has four times as many");
+    table.number("--seed", &options_.seed, above(0), "of the tree and of the schedule");
+  }
+
+ private:
+  int measure(Session& session) override { return bench_scaling(session, options_); }
+  BenchScalingOptions options_;
+};
+
+class Schedules final : public Bench {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "bench schedules"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "simulates searches under random schedules: does each find what one rank finds?";
+  }
+  void describe(OptionTable& table) override {
+    table.number("--seeds", &options_.seeds, above(0), "how many schedules");
+    table.number("--first-seed", &options_.first_seed, at_least(0), "of the first schedule");
+  }
+
+ private:
+  int measure(Session& session) override { return bench_schedules(session, options_); }
+  BenchSchedulesOptions options_;
+};
+
+class Uts final : public Bench {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "bench uts"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "the Unbalanced Tree Search benchmark: are the published counts found, how fast";
+  }
+  void describe(OptionTable& table) override {
+    constexpr double about_a_second = 1e7;
+    constexpr double most_rounds = 1000;
+    std::vector<std::pair<std::string, std::string>> trees;
+    for (const auto& tree : benchmark::standard_trees()) trees.emplace_back(tree.name, tree.name);
+    table.choice("--tree", options_.tree, trees, "a standard tree");
+    table.number("--work", &options_.work, between(1, about_a_second),
+                 "hashes a node, some 0.1 microseconds each");
+    table.number("--rounds", &options_.rounds, between(1, most_rounds),
+                 "searches, of which the fastest counts");
+    table.serial();
+  }
+
+ private:
+  int measure(Session& session) override { return bench_uts(session, options_); }
+  BenchUtsOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> bench_scaling_subcommand() {
+  return std::make_unique<Scaling>();
+}
+
+std::unique_ptr<Subcommand> bench_schedules_subcommand() {
+  return std::make_unique<Schedules>();
+}
+
+std::unique_ptr<Subcommand> bench_uts_subcommand() {
+  return std::make_unique<Uts>();
+}
+
+}  // namespace kusabi::run

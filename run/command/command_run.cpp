@@ -1,0 +1,150 @@
+// The stages, and what all subcommands do alike between them.
+#include "run/command/command_run.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/checkpoint.hpp"
+#include "engine/together.hpp"
+#include "run/output/last_steps.hpp"
+#include "run/output/outputs.hpp"
+#include "run/output/standard_output.hpp"
+#include "run/output/values.hpp"
+#include "run/session/restart.hpp"
+
+namespace kusabi::run {
+
+CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable& table)
+    : session_(session), command_(command), table_(table) {
+  const auto* const quiet = table.find("--quiet");
+  quiet_ = quiet != nullptr && quiet->given;
+}
+
+int CommandRun::execute() {
+  command_.check();
+  command_.read(*this);
+  open_outputs();
+  command_.prepare(*this);
+  if (shows()) announce();
+  command_.search(*this);
+  int code = solved;
+  if (session_.speaks()) {
+    do_all(command_.results(*this));
+    if (!quiet_) {
+      for (const auto& name : written_) tell("wrote {}\n", name);
+    }
+    const auto verdict = command_.verdict(*this);
+    for (const auto& remark : verdict.remarks) tell("{}\n", remark);
+    code = verdict.code;
+  }
+  return engine::from_first_rank(session_.transport(), [&] { return code; });
+}
+
+// The first file that is read: what messages are about.
+std::string CommandRun::input() const {
+  for (const auto& row : table_.rows()) {
+    if (row.role == Role::input && row.given) return *row.given;
+  }
+  return {};
+}
+
+void CommandRun::open_outputs() {
+  std::vector<NamedFile> outputs;
+  std::vector<NamedFile> others;
+  for (const auto& row : table_.rows()) {
+    if (!row.given || row.given->empty()) continue;
+    if (row.role == Role::output || row.role == Role::evidence) {
+      for (const auto& ending : row.endings) outputs.push_back({row.name, *row.given + ending});
+    } else if (row.role == Role::checkpoint || row.role == Role::restart) {
+      // A search that goes on keeps its state where it was, or elsewhere if told so.
+      if (others.empty()) others.push_back({row.name, *row.given});
+    }
+  }
+  session_.from_first_rank([&] {
+    check_outputs(input(), outputs, others);
+    for (const auto& row : table_.rows()) {
+      if (row.role != Role::output) continue;
+      outputs_.try_emplace(row.name, row.name, row.given.value_or(std::string{}), input());
+    }
+  });
+}
+
+void CommandRun::announce() {
+  const auto line =
+      command_.announcement(counted(static_cast<std::uint64_t>(session_.ranks()), "rank"));
+  if (line.empty()) return;
+  tell("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, command_.name(), input(), line);
+}
+
+engine::CheckpointOptions CommandRun::checkpoint(const CheckpointChoice& choice,
+                                                 std::uint64_t tree) {
+  return {.file = choice.kept_in(),
+          .interval = choice.interval,
+          .resume_from = restart_from(session_, choice.file, choice.restart, tree),
+          .problem = tree};
+}
+
+std::vector<std::string> CommandRun::how_to_go_on(const CheckpointChoice& choice,
+                                                  engine::Status why, bool saved) {
+  const auto& checkpoint = choice.kept_in();
+  if (checkpoint.empty()) return {};
+  if (!saved && !engine::checkpoint_exists(checkpoint)) {
+    return {"nothing is saved: no checkpoint could be written"};
+  }
+  std::vector<std::string> lines;
+  if (!saved) lines.emplace_back("the last checkpoint could not be written");
+  const auto options = table_.call(
+      [&](const OptionRow& row) { return row.role == Role::restart || row.stops == why; });
+  const int ranks = session_.ranks();
+  lines.push_back(fmt::format("go on{} with: {}kusabi {}{} --restart {}",
+                              saved ? "" : " from the one before it",
+                              ranks == 1 ? "" : fmt::format("mpirun -np {} ", ranks),
+                              command_.name(), options, quoted(checkpoint)));
+  return lines;
+}
+
+bool CommandRun::wants(const std::string& option) const {
+  const auto found = outputs_.find(option);
+  return found != outputs_.end() && found->second.wanted();
+}
+
+std::ostream& CommandRun::stream(const std::string& option) {
+  return outputs_.at(option).stream();
+}
+
+void CommandRun::put_in_place(const std::string& option) {
+  outputs_.at(option).put_in_place();
+  written_.push_back(*table_.find(option)->given);
+}
+
+Step CommandRun::result(nlohmann::ordered_json json) {
+  return result([json = std::move(json)](JsonWriter& writer) { writer.value(json); });
+}
+
+Step CommandRun::result(std::function<void(JsonWriter&)> write) {
+  return file("--output", [write = std::move(write)](std::ostream& out) {
+    JsonWriter json(out);
+    write(json);
+    out << '\n';
+  });
+}
+
+Step CommandRun::file(const std::string& option, std::function<void(std::ostream&)> write) {
+  return [this, option, write = std::move(write)] {
+    if (!wants(option)) return;
+    if (write) write(stream(option));
+    put_in_place(option);
+  };
+}
+
+Step CommandRun::answer(std::string text) {
+  return [this, text = std::move(text)] {
+    if (!quiet_) print_answer(text);
+  };
+}
+
+Step CommandRun::print(std::string text) {
+  return [text = std::move(text)] { print_answer(text); };
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,80 @@
+// One run of a subcommand, from its options to the exit code, the same for all of them: read on
+// rank 0, open the outputs, prepare, announce, search, write, say what is left.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/options.hpp"
+#include "engine/outcome.hpp"
+#include "run/command/option_table.hpp"
+#include "run/command/subcommand.hpp"
+#include "run/output/json_writer.hpp"
+#include "run/output/output_file.hpp"
+#include "run/session/session.hpp"
+
+namespace kusabi::run {
+
+class CommandRun {
+ public:
+  /// All must outlive it.
+  CommandRun(Session& session, Subcommand& command, const OptionTable& table);
+
+  /// Goes through all stages. @return the exit code, the same on every rank
+  /// @throws WrongInput, support::InputError, engine::Disagreement on every rank alike; whatever
+  /// else goes
+  ///   wrong on one
+  int execute();
+
+  [[nodiscard]] Session& session() { return session_; }
+  /// Whether this rank shows what happens: rank 0, unless told to be quiet.
+  [[nodiscard]] bool shows() { return session_.speaks() && !quiet_; }
+  [[nodiscard]] bool quiet() const { return quiet_; }
+
+  /// What the engine is to keep and to go on from.
+  /// @param tree fingerprint of the tree
+  /// @throws WrongInput if there is no such checkpoint, or one is in the way
+  engine::CheckpointOptions checkpoint(const CheckpointChoice& choice, std::uint64_t tree);
+
+  /// How a search that stopped early is gone on with, in lines for Verdict::remarks. @param saved
+  /// whether its last state is in the checkpoint
+  [[nodiscard]] std::vector<std::string> how_to_go_on(const CheckpointChoice& choice,
+                                                      engine::Status why, bool saved);
+
+  // On rank 0: whether an output is wanted, and what Subcommand::results is made of.
+
+  [[nodiscard]] bool wants(const std::string& option) const;
+  /// @pre wants(option)
+  [[nodiscard]] std::ostream& stream(const std::string& option);
+
+  /// Writes the file of --output, if it is wanted.
+  Step result(nlohmann::ordered_json json);
+  Step result(std::function<void(JsonWriter&)> write);
+  /// Writes another output, if it is wanted. @param write may be empty: `stream` has had it all
+  Step file(const std::string& option, std::function<void(std::ostream&)> write);
+  /// Prints the answer, unless quiet.
+  Step answer(std::string text);
+  /// Prints even if quiet.
+  static Step print(std::string text);
+
+ private:
+  void open_outputs();
+  void announce();
+  void put_in_place(const std::string& option);
+  [[nodiscard]] std::string input() const;
+
+  Session& session_;
+  Subcommand& command_;
+  const OptionTable& table_;
+  bool quiet_ = false;
+  std::map<std::string, OutputFile> outputs_;  // by option; on rank 0
+  std::vector<std::string> written_;
+};
+
+}  // namespace kusabi::run

@@ -1,0 +1,187 @@
+// What each kind of option takes, and what is said if it is given something else.
+#include "run/command/option_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace kusabi::run {
+namespace {
+
+template <class Number>
+constexpr bool whole = std::is_integral_v<Number>;
+
+// "a number above 0", "a whole number from 1 to 1000".
+template <class Number>
+std::string expected(const Range& range) {
+  const auto* const kind = range.even      ? "an even number"
+                           : whole<Number> ? "a whole number"
+                                           : "a number";
+  const bool below = std::isfinite(range.most);
+  if (range.least_is_out) return fmt::format("{} above {:g}", kind, range.least);
+  if (!std::isfinite(range.least)) return kind;
+  if (!below) return fmt::format("{} of {:g} or more", kind, range.least);
+  return fmt::format("{} from {:g} to {:.10g}", kind, range.least, range.most);
+}
+
+std::string as_help_shows_it(const Range& range) {
+  if (range.least_is_out) return fmt::format("> {:g}", range.least);
+  if (!std::isfinite(range.least)) return {};
+  if (!std::isfinite(range.most)) return fmt::format(">= {:g}", range.least);
+  return fmt::format("{:g} - {:.10g}{}", range.least, range.most, range.even ? ", even" : "");
+}
+
+template <class Number>
+bool is_in(const Range& range, Number number) {
+  const auto value = static_cast<double>(number);
+  if (!std::isfinite(value) || value < range.least || value > range.most) return false;
+  if (range.least_is_out && value == range.least) return false;
+  return !range.even || std::fmod(value, 2) == 0;
+}
+
+template <class Number, class Variable>
+std::string take_number(const std::string& text, const Range& range, Variable& variable) {
+  Number number{};
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  if (error == std::errc{} && end == last && is_in(range, number)) {
+    variable = number;
+    return {};
+  }
+  return fmt::format("'{}', expected {}", text, expected<Number>(range));
+}
+
+std::string usual_of(const Range& /*range*/, const std::optional<double>& /*empty*/) {
+  return {};
+}
+
+// A value that could not be given stands for none.
+template <class Number>
+std::string usual_of(const Range& range, const Number& variable) {
+  if (!is_in(range, variable) || variable == std::numeric_limits<Number>::max()) return {};
+  return fmt::format("{}", variable);
+}
+
+}  // namespace
+
+std::string quoted(const std::string& word) {
+  constexpr std::string_view plain = "%+,-./:=@_";
+  const auto is_plain = [&](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           plain.find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + '\'';
+}
+
+RowBuilder OptionTable::add(OptionRow row) {
+  return RowBuilder(rows_.emplace_back(std::move(row)));
+}
+
+RowBuilder OptionTable::number(std::string name, NumberOption variable, Range range,
+                               std::string help) {
+  return std::visit(
+      [&](auto* its) {
+        using Variable = std::remove_pointer_t<decltype(its)>;
+        using Number =
+            std::conditional_t<std::is_same_v<Variable, std::optional<double>>, double, Variable>;
+        return add({.name = std::move(name),
+                    .value = whole<Number> ? "COUNT" : "NUMBER",
+                    .range = as_help_shows_it(range),
+                    .usual = usual_of(range, *its),
+                    .help = std::move(help),
+                    .take = [its, range](const std::string& text) {
+                      return take_number<Number>(text, range, *its);
+                    }});
+      },
+      variable);
+}
+
+RowBuilder OptionTable::word(std::string name, std::vector<std::string> words, std::string usual,
+                             std::function<void(std::size_t)> take, std::string help) {
+  auto row_value = fmt::format("{}", fmt::join(words, "|"));
+  return add({.name = std::move(name),
+              .value = std::move(row_value),
+              .usual = std::move(usual),
+              .help = std::move(help),
+              .take = [words = std::move(words), take = std::move(take)](const std::string& text) {
+                const auto at = std::ranges::find(words, text);
+                if (at == words.end()) {
+                  return fmt::format("'{}', expected one of {}", text, fmt::join(words, ", "));
+                }
+                take(static_cast<std::size_t>(at - words.begin()));
+                return std::string{};
+              }});
+}
+
+RowBuilder OptionTable::flag(std::string name, bool& variable, std::string help, bool on) {
+  return add({.name = std::move(name),
+              .help = std::move(help),
+              .take = [&variable, on](const std::string& /*nothing*/) {
+                variable = on;
+                return std::string{};
+              }});
+}
+
+RowBuilder OptionTable::file(std::string name, std::string& variable, Role role, std::string help) {
+  return add({.name = std::move(name),
+              .value = "FILE",
+              .help = std::move(help),
+              .role = role,
+              .take = [&variable](const std::string& text) {
+                variable = text;
+                return std::string{};
+              }});
+}
+
+void OptionTable::output(std::string name, std::string help) {
+  file(std::move(name), named_, Role::output, std::move(help));
+}
+
+void OptionTable::quiet(std::string help) {
+  flag("--quiet", switched_, std::move(help));
+}
+
+void OptionTable::serial() {
+  flag("--serial", switched_, "run in this process alone, without MPI");
+}
+
+void OptionTable::time_limit(engine::Limits& limits) {
+  number("--time-limit", &limits.seconds, above(0), "stop after so long").unit("s");
+}
+
+void OptionTable::node_limit(engine::Limits& limits) {
+  number("--node-limit", &limits.nodes, above(0), "stop when so many nodes have been opened")
+      .stops(engine::Status::node_limit);
+}
+
+void OptionTable::checkpoints(CheckpointChoice& choice) {
+  file("--checkpoint", choice.file, Role::checkpoint,
+       "keep the state of the search in this file and others beside it");
+  number("--checkpoint-interval", &choice.interval, above(0), "between two checkpoints").unit("s");
+  file("--restart", choice.restart, Role::restart,
+       "go on from this checkpoint, on any number of ranks");
+}
+
+const OptionRow* OptionTable::find(std::string_view name) const {
+  const auto found = std::ranges::find(rows_, name, &OptionRow::name);
+  return found == rows_.end() ? nullptr : &*found;
+}
+
+std::string OptionTable::call(const std::function<bool(const OptionRow&)>& leave_out) const {
+  std::string text;
+  for (const auto& row : rows_) {
+    if (!row.given || leave_out(row)) continue;
+    if (row.named()) text += ' ' + row.name;
+    if (!row.value.empty()) text += ' ' + quoted(*row.given);
+  }
+  return text;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,65 @@
+// A certificate file an end; that of an end that has to move is dropped.
+#include "run/critical/critical_certificate.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "run/evidence/certificate_file.hpp"
+#include "run/output/standard_output.hpp"
+#include "support/fingerprint.hpp"
+
+namespace kusabi::run {
+namespace {
+
+class EndCertificate final : public wedged::EndRecord {
+ public:
+  EndCertificate(Session& session, const EndCertificates& certificates, const std::string& name,
+                 std::uint64_t tree, std::string header)
+      : session_(session),
+        quiet_(certificates.quiet),
+        name_(name),
+        header_(std::move(header)),
+        file_(session, name, certificates.input, tree, false) {}
+
+  void add(const wedged::Evidence& evidence) override { file_.add(evidence); }
+
+  void end(bool holds) override {
+    file_.close();
+    if (!session_.speaks()) return;
+    if (holds) {
+      file_.put_in_place(header_);
+      if (!quiet_) tell_written({name_});
+    } else {
+      file_.drop();
+    }
+  }
+
+ private:
+  Session& session_;
+  bool quiet_;
+  std::string name_;
+  std::string header_;
+  CertificateFile file_;
+};
+
+}  // namespace
+
+wedged::EndRecorder end_recorder(Session& session, EndCertificates certificates,
+                                 const problems::WedgedProblem& problem) {
+  if (certificates.name.empty()) return {};
+  return [&session, &problem, certificates = std::move(certificates)](
+             wedged::CriticalEnd end, double factor,
+             std::span<const double> friction) -> std::unique_ptr<wedged::EndRecord> {
+    support::Fingerprint fingerprint;
+    fingerprint.add(problem.fingerprint);
+    fingerprint.add(factor);
+    const char* const which = end == wedged::CriticalEnd::lower ? ".lower" : ".upper";
+    return std::make_unique<EndCertificate>(session, certificates, certificates.name + which,
+                                            fingerprint.value(),
+                                            certificate_header(problem, friction));
+  };
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,41 @@
+// The few words that all results share.
+#include "run/output/values.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace kusabi::run {
+
+const char* status_name(engine::Status status) {
+  switch (status) {
+    case engine::Status::solved:
+      return "solved";
+    case engine::Status::time_limit:
+      return "time-limit";
+    case engine::Status::node_limit:
+      return "node-limit";
+    case engine::Status::solution_limit:
+      return "solution-limit";
+    case engine::Status::gap_limit:
+      return "gap-limit";
+    case engine::Status::interrupted:
+      break;
+  }
+  return "interrupted";
+}
+
+nlohmann::ordered_json number_or_null(std::optional<double> value) {
+  if (value && std::isfinite(*value)) return *value;
+  return nullptr;
+}
+
+std::string hexadecimal(std::uint64_t fingerprint) {
+  return fmt::format("{:016x}", fingerprint);
+}
+
+std::string counted(std::uint64_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+}  // namespace kusabi::run

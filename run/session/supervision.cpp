@@ -1,0 +1,27 @@
+// A progress line a search, a line of text for what is between them.
+#include "run/session/supervision.hpp"
+
+#include <memory>
+#include <string>
+
+#include "engine/signals.hpp"
+#include "run/output/standard_output.hpp"
+#include "run/session/progress_line.hpp"
+
+namespace kusabi::run {
+
+engine::Supervision supervision(const engine::Limits& limits, bool quiet) {
+  engine::heed_signals();
+  engine::Supervision result;
+  result.limits = limits;
+  result.interrupt = engine::asked_by_signal;
+  if (quiet) return result;
+  result.watch = [](engine::Goal goal, const engine::ShownObjective& shown) {
+    const auto line = std::make_shared<ProgressLine>(goal, shown);
+    return [line](const engine::Progress& progress) { line->show(progress); };
+  };
+  result.say = [](const std::string& text) { tell("{}\n", text); };
+  return result;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,36 @@
+// A line for each; what it is called and does is in its folder.
+#include "run/subcommands.hpp"
+
+#include <utility>
+
+#include "run/bench/bench.hpp"
+#include "run/critical/critical.hpp"
+#include "run/example/example.hpp"
+#include "run/limit/limit.hpp"
+#include "run/mip/mip.hpp"
+#include "run/patterns/patterns.hpp"
+#include "run/rays/rays.hpp"
+#include "run/verify/verify.hpp"
+
+namespace kusabi::run {
+
+CommandLine command_line() {
+  std::vector<std::unique_ptr<Subcommand>> all;
+  all.push_back(patterns_subcommand());
+  all.push_back(rays_subcommand());
+  all.push_back(critical_subcommand());
+  all.push_back(limit_subcommand());
+  all.push_back(mip_subcommand());
+  all.push_back(verify_subcommand());
+  all.push_back(example_space_truss_subcommand());
+  all.push_back(example_plane_truss_subcommand());
+  all.push_back(example_grid_subcommand());
+  all.push_back(bench_scaling_subcommand());
+  all.push_back(bench_schedules_subcommand());
+  all.push_back(bench_uts_subcommand());
+  return {std::move(all),
+          {{"example", "writes a problem file of a family of structures"},
+           {"bench", "measures and tries the search engine"}}};
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,170 @@
+// The proofs of verify/proof, shared among the ranks, and what is said of them.
+#include "run/verify/verify_patterns.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <iterator>
+#include <variant>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "engine/search.hpp"
+#include "nodes/evidence/verified_structure.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
+#include "run/session/progress_line.hpp"
+#include "run/verify/verification.hpp"
+#include "verify/agreement.hpp"
+#include "verify/certificate.hpp"
+#include "verify/cover.hpp"
+#include "verify/proof.hpp"
+
+namespace kusabi::run {
+namespace {
+
+verify::Certificate certificate_in(const std::string& text, const std::string& file) {
+  try {
+    return verify::read_certificate(text, file);
+  } catch (const verify::CertificateError& error) {
+    throw WrongInput(error.what());
+  }
+}
+
+std::string all_patterns(std::size_t candidates) {
+  constexpr std::size_t easily_read = 20;
+  if (candidates > easily_read) return fmt::format("2^{}", candidates);
+  return std::to_string(std::uint64_t{1} << candidates);
+}
+
+void write_refusal(std::string& text, const VerifyOptions& options,
+                   const verify::Certificate& certificate, const Verification::Solution& refusal) {
+  const auto& record = certificate.records[refusal.record];
+  fmt::format_to(std::back_inserter(text), "{}:{}: refused: {} contact {} separated {}: {}\n",
+                 options.certificate, record.line, verify::claim_name(record.claim),
+                 certificate.names_of(record.contact), certificate.names_of(record.separated),
+                 refusal.reason);
+}
+
+// What is proved, and of what.
+void write_subject(std::string& text, const VerifyOptions& options,
+                   const verify::Certificate& certificate,
+                   const std::optional<problems::Structure>& structure,
+                   const std::optional<verify::Agreement>& agreement) {
+  fmt::format_to(std::back_inserter(text), "contact candidates: {}\n",
+                 fmt::join(certificate.names, " "));
+  if (!structure) {
+    fmt::format_to(std::back_inserter(text),
+                   "K and the friction are the certificate's own; --problem FILE proves it of a "
+                   "structure\n");
+    return;
+  }
+  fmt::format_to(std::back_inserter(text), "problem: {}, from {}, fingerprint {}\n",
+                 structure->name, options.problem,
+                 hexadecimal(problems::wedged_fingerprint(*structure)));
+  fmt::format_to(
+      std::back_inserter(text), "friction coefficient: {}{}\n", agreement->friction,
+      std::ranges::all_of(structure->contact, [](const auto& c) { return c.friction == 1; })
+          ? ""
+          : " times that of each candidate");
+  fmt::format_to(std::back_inserter(text), "K was computed anew from the structure, up to {:.1e}\n",
+                 agreement->stiffness.radius.nearest());
+}
+
+// What was proved, in the order in which the proof needs it.
+void write_summary(std::string& text, const verify::Certificate& certificate,
+                   const verify::Proof& proof, bool covered, const Verification::Tally& proved) {
+  fmt::format_to(std::back_inserter(text),
+                 "K is positive definite: its eigenvalues are above {:.3g}\n",
+                 proof.least_eigenvalue()->nearest());
+  if (covered) {
+    for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
+      const auto block = certificate.blocks[b];
+      const auto nodes = std::ranges::count(certificate.records, b, &verify::Record::block);
+      fmt::format_to(std::back_inserter(text), "{}{} cover all {} sign patterns{}, each once\n",
+                     certificate.blocks.size() > 1 ? fmt::format("block {}: ", b + 1) : "",
+                     counted(static_cast<std::uint64_t>(nodes), "node"),
+                     all_patterns(static_cast<std::size_t>(std::popcount(block))),
+                     certificate.blocks.size() > 1 ? " of " + certificate.names_of(block) : "");
+    }
+  }
+  fmt::format_to(std::back_inserter(text), "dead: {} proved\nalive: {} proved\n", proved.dead,
+                 proved.alive);
+  if (proved.marginal > 0)
+    fmt::format_to(std::back_inserter(text), "marginal: {} not proved\n", proved.marginal);
+}
+
+void write_verdict(std::string& text, bool refused, const Verification::Tally& proved) {
+  if (refused) {
+    fmt::format_to(std::back_inserter(text), "NOT PROVED\n");
+  } else if (proved.marginal > 0 && proved.dead + proved.alive == 0) {
+    fmt::format_to(std::back_inserter(text),
+                   "NOTHING PROVED: all nodes are marginal, and nothing is claimed of these\n");
+  } else if (proved.marginal > 0) {
+    fmt::format_to(std::back_inserter(text),
+                   "PROVED but for {}: the list of {} is complete but for these\n",
+                   counted(proved.marginal, "marginal node"), counted(proved.alive, "pattern"));
+  } else {
+    fmt::format_to(std::back_inserter(text), "PROVED: the list of {} is complete\n",
+                   counted(proved.alive, "pattern"));
+  }
+}
+
+VerifyFindings refusal_of_all(const VerifyOptions& options, const std::string& why) {
+  VerifyFindings findings{.code = failed};
+  findings.refusals = fmt::format("{}: refused: {}\n", options.certificate, why);
+  write_verdict(findings.summary, true, {});
+  return findings;
+}
+
+}  // namespace
+
+VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
+                               const std::optional<problems::Structure>& structure,
+                               const std::string& text) {
+  // Every rank reads it, and proves for itself what the proof of each node rests on.
+  const auto certificate = certificate_in(text, options.certificate);
+  std::optional<verify::Agreement> agreement;
+  if (structure) {
+    auto found = verify::agreement(certificate, evidence::verified_structure(*structure));
+    if (const auto* why = std::get_if<std::string>(&found)) {
+      return refusal_of_all(options, fmt::format("{}: {}", options.problem, *why));
+    }
+    agreement = std::move(std::get<verify::Agreement>(found));
+  }
+  const verify::Proof proof(
+      certificate, agreement ? agreement->stiffness : verify::recorded_stiffness(certificate));
+  if (!proof.least_eigenvalue()) {
+    return refusal_of_all(options, "K was not shown to be positive definite");
+  }
+
+  Verification verification(certificate, proof);
+  engine::Options search_options;
+  std::optional<ProgressLine> progress;
+  if (run.shows()) {
+    progress.emplace(search_options.goal);
+    search_options.progress = [&](const auto& state) { progress->show(state); };
+  }
+  const auto outcome = engine::search(verification, run.session().transport(), search_options);
+  progress.reset();
+
+  const auto flaw = verify::flaw_of_cover(certificate);
+  const bool refused = flaw.has_value() || !outcome.solutions.empty();
+  const bool open =
+      std::ranges::count(certificate.records, verify::Claim::marginal, &verify::Record::claim) > 0;
+  VerifyFindings findings{.code = refused ? failed : open ? stopped_early : solved};
+  if (!run.session().speaks()) return findings;  // what was refused is known to rank 0 alone
+  for (const auto& found : outcome.solutions) {
+    write_refusal(findings.refusals, options, certificate, found.solution);
+  }
+  if (flaw) findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, *flaw);
+  const auto proved = outcome.tally();
+  write_subject(findings.summary, options, certificate, structure, agreement);
+  write_summary(findings.summary, certificate, proof, !flaw, proved);
+  write_verdict(findings.summary, refused, proved);
+  return findings;
+}
+
+}  // namespace kusabi::run

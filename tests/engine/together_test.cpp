@@ -1,0 +1,128 @@
+// What ranks do together, as far as one rank can show it; mpi_tests/together_mpi_test.cpp has more.
+#include "engine/together.hpp"
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/budget.hpp"
+#include "engine/campaign.hpp"
+#include "engine/contract.hpp"
+#include "engine/shared_work.hpp"
+#include "engine/transport/simulated.hpp"
+#include "engine/transport/single_process.hpp"
+#include "tests/engine/queens.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+TEST(Together, AProcessThatIsAloneTellsItself) {
+  SingleProcess alone;
+  EXPECT_EQ(from_first_rank(alone, [] { return std::string("said"); }), "said");
+  EXPECT_EQ(meet(alone, {.ranks = 1, .found = 7}).found, 7U);
+  EXPECT_NO_THROW(agree(alone, 0xBAD));
+}
+
+TEST(Together, AnExceptionOfAProcessThatIsAloneReachesTheCaller) {
+  SingleProcess alone;
+  EXPECT_THROW(from_first_rank(alone, []() -> int { throw std::runtime_error("no file"); }),
+               std::runtime_error);
+}
+
+TEST(Together, SimulatedRanksMayNotWaitForEachOther) {
+  SimulatedNetwork network(2, 1, {});
+  EXPECT_THROW(from_first_rank(network.transport(0), [] { return 1; }), ContractBroken);
+}
+
+TEST(SharedWork, GivesTheResultsInTheOrderOfThePieces) {
+  SingleProcess alone;
+  const auto squares =
+      share_work<std::uint64_t>(alone, 5, [](std::uint64_t number) { return number * number; });
+  EXPECT_EQ(squares, (std::vector<std::uint64_t>{0, 1, 4, 9, 16}));
+}
+
+TEST(Budget, LeavesTheOtherLimitsAndLessTime) {
+  Limits limits;
+  limits.seconds = 1000;
+  limits.nodes = 17;
+  const Budget budget(limits);
+  const auto left = budget.left();
+  EXPECT_EQ(left.nodes, 17U);
+  EXPECT_LE(left.seconds, 1000);
+  EXPECT_GT(left.seconds, 0);
+  EXPECT_FALSE(budget.spent());
+  EXPECT_FALSE(budget.interrupt());
+}
+
+TEST(Budget, IsSpentWhenTheTimeIsUp) {
+  Limits limits;
+  limits.seconds = 0;
+  const Budget budget(limits);
+  EXPECT_TRUE(budget.spent());
+  EXPECT_TRUE(budget.stop()());
+  EXPECT_EQ(budget.why(), Status::time_limit);
+}
+
+TEST(Budget, KnowsASignalFromTheTime) {
+  Interrupt asked = Interrupt::none;
+  const Budget budget({}, [&] { return asked; });
+  EXPECT_FALSE(budget.spent());
+  asked = Interrupt::stop;
+  EXPECT_TRUE(budget.spent());
+  EXPECT_EQ(budget.why(), Status::interrupted);
+  EXPECT_EQ(budget.interrupt()(), Interrupt::stop);
+}
+
+TEST(Budget, ACheckpointAskedForBetweenSearchesIsToldToTheNextOnce) {
+  Interrupt asked = Interrupt::checkpoint;
+  const Budget budget({}, [&] { return std::exchange(asked, Interrupt::none); });
+  EXPECT_FALSE(budget.spent());
+  EXPECT_FALSE(budget.spent());
+  const auto interrupt = budget.interrupt();
+  EXPECT_EQ(interrupt(), Interrupt::checkpoint);
+  EXPECT_EQ(interrupt(), Interrupt::none);
+}
+
+TEST(Campaign, ShowsASearchToItsWatcherAndThenLetsItGo) {
+  std::weak_ptr<int> watcher;
+  Supervision supervision;
+  supervision.watch = [&](Goal goal, const ShownObjective& shown) {
+    EXPECT_EQ(goal, Goal::all);
+    EXPECT_EQ(shown.unit, 3);
+    const auto calls = std::make_shared<int>(0);
+    watcher = calls;
+    return [calls](const Progress&) { ++*calls; };
+  };
+  SingleProcess alone;
+  Campaign campaign(alone, supervision);
+  examples::Queens queens(6);
+  EXPECT_EQ(campaign.search(queens, {}, {.unit = 3}).solutions.size(), 4U);
+  EXPECT_TRUE(watcher.expired());
+}
+
+TEST(Campaign, EachSearchHasTheLimitsThatAreLeft) {
+  Supervision supervision;
+  supervision.limits.nodes = 1;
+  SingleProcess alone;
+  Campaign campaign(alone, supervision);
+  examples::Queens queens(8);
+  Options options;
+  options.survey_interval = 0;
+  EXPECT_EQ(campaign.search(queens, options).status, Status::node_limit);
+}
+
+TEST(Campaign, SaysNothingUnlessSomebodyListens) {
+  SingleProcess alone;
+  Campaign(alone).say("nobody hears");
+  std::string heard;
+  Supervision supervision;
+  supervision.say = [&](const std::string& line) { heard = line; };
+  Campaign(alone, supervision).say("round 1");
+  EXPECT_EQ(heard, "round 1");
+}
+
+}  // namespace
+}  // namespace kusabi::engine

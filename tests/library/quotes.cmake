@@ -1,0 +1,28 @@
+# Are the programs in docs/library.md those that are compiled and run? Each block of it fenced as
+# ```cpp is the text of one file of examples/library/ from its first line on, and each of those
+# files is there. Variables: source, the root of the sources.
+cmake_minimum_required(VERSION 3.22)
+
+file(READ ${source}/docs/library.md page)
+file(GLOB programs ${source}/examples/library/*.cpp ${source}/examples/library/CMakeLists.txt)
+list(LENGTH programs count)
+if(NOT count EQUAL 6)
+  message(FATAL_ERROR "expected five programs and their CMakeLists.txt, found: ${programs}")
+endif()
+foreach(program IN LISTS programs)
+  file(READ ${program} text)
+  get_filename_component(name ${program} NAME)
+  set(language cpp)
+  if(name STREQUAL "CMakeLists.txt")
+    set(language cmake)
+  endif()
+  string(FIND "${page}" "```${language}\n${text}```\n" at)
+  if(at EQUAL -1)
+    message(SEND_ERROR "docs/library.md does not quote examples/library/${name} as it is")
+  endif()
+endforeach()
+string(REGEX MATCHALL "\n```(cpp|cmake)\n" blocks "${page}")
+list(LENGTH blocks quoted)
+if(NOT quoted EQUAL count)
+  message(SEND_ERROR "docs/library.md has ${quoted} blocks of code; expected ${count}, one a file")
+endif()

@@ -1,0 +1,120 @@
+#!/usr/bin/python3
+"""Computes the numbers of space-truss.json anew, and compares: prints what differs, exit code 1 if anything does.
+
+    python3 space-truss.py      about a minute
+
+Independent of the project: numpy for F of the nodes and members in the file, and for each of the 1023 leaves the
+margin t* by linear programs (HiGHS as scipy has it): the friction cones are replaced by half-spaces around them,
+and one more is added where the optimum violates a cone, until the optimum itself, which is a bound from above, or
+its own margin with the true cones, which is one from below, tells the sign.
+"""
+import itertools
+import json
+import math
+import pathlib
+import sys
+
+import numpy as np
+from scipy.optimize import linprog
+
+HERE = pathlib.Path(__file__).parent
+ZERO = 1e-9  # a margin that is neither proved above nor below this is reported
+NEAR = 1e-6  # the critical frictions have six digits
+FIRST = [(math.cos(a), math.sin(a)) for a in 2 * math.pi * np.arange(16) / 16]
+
+
+def compliance(data):
+    nodes = np.array(data["nodes"])
+    free = {node: 3 * place for place, node in enumerate(n for n in range(len(nodes)) if n not in data["supported"])}
+    stiffness = np.zeros((3 * len(free), 3 * len(free)))
+    for p, q in data["members"]:
+        way = nodes[q] - nodes[p]
+        length = np.linalg.norm(way)
+        vector = np.zeros(3 * len(free))
+        for node, sign in ((p, -1), (q, 1)):
+            if node in free:
+                vector[free[node]:free[node] + 3] = sign * way / length
+        stiffness += np.outer(vector, vector) / length
+    frame = np.array([data["frame"][axis] for axis in ("n", "t1", "t2")])
+    loads = np.zeros((3 * len(free), 3 * len(data["contact"])))
+    for i, node in enumerate(data["contact"]):
+        loads[free[node]:free[node] + 3, 3 * i:3 * i + 3] = frame.T
+    f = loads.T @ np.linalg.solve(stiffness, loads)
+    return f / np.mean(np.diag(f)[::3])
+
+
+class Leaf:
+    """t* of a leaf, from above and from below, for any friction; half-spaces are kept from one to the next."""
+
+    def __init__(self, f, contact):
+        self.contact = list(contact)
+        self.held = [3 * i + a for i in self.contact for a in range(3)]
+        self.normal = f[::3, self.held]
+        self.others = [j for j in range(len(f) // 3) if j not in self.contact]
+        self.sides = [list(FIRST) for _ in self.contact]
+
+    def sign(self, mu):
+        """1: alive, -1: dead, 0: within the tolerance."""
+        size = len(self.held)
+        sums = np.zeros(size + 1)
+        sums[:-1:3] = 1
+        equal = np.vstack([np.c_[self.normal[self.contact], np.zeros(len(self.contact))], sums])
+        gaps = np.c_[-self.normal[self.others], np.ones(len(self.others))]
+        while True:
+            rows = [gaps]
+            for c, sides in enumerate(self.sides):
+                block = np.zeros((len(sides), size + 1))
+                block[:, 3 * c], block[:, 3 * c + 1:3 * c + 3], block[:, -1] = -mu, sides, 1
+                rows.append(block)
+            rows = np.vstack(rows)
+            found = linprog(np.r_[np.zeros(size), -1], A_ub=rows, b_ub=np.zeros(len(rows)), A_eq=equal,
+                            b_eq=np.r_[np.zeros(len(self.contact)), 1], bounds=[(None, None)] * (size + 1), method="highs")
+            if found.status != 0 or -found.fun < -ZERO:
+                return -1
+            r, above = found.x[:-1], found.x[-1]
+            slides = np.hypot(r[1::3], r[2::3])
+            below = min([*(mu * r[::3] - slides), *(self.normal[self.others] @ r)])
+            if below > ZERO:
+                return 1
+            if above < ZERO and below > -ZERO:
+                return 0
+            for c, sides in enumerate(self.sides):
+                if slides[c] + above > mu * r[3 * c] + 1e-12 and slides[c] > 0:
+                    sides.append((r[3 * c + 1] / slides[c], r[3 * c + 2] / slides[c]))
+
+
+def main():
+    told = json.loads((HERE / "space-truss.json").read_text())
+    f = compliance(told)
+    m = len(told["contact"])
+    count = faults = 0
+
+    def compare(what, right):
+        nonlocal count, faults
+        count += 1
+        if not right:
+            faults += 1
+            print(f"{what}: differs from the file")
+
+    leaves = [Leaf(f, contact) for size in range(1, m + 1) for contact in itertools.combinations(range(m), size)]
+    # The largest first: what is dead there is dead with less friction.
+    for mu, number in sorted(told["counts"].items(), key=lambda each: -float(each[0])):
+        signs = [leaf.sign(float(mu)) for leaf in leaves]
+        compare(f"mu = {mu}: leaves within the tolerance", 0 not in signs)
+        leaves = [leaf for leaf, sign in zip(leaves, signs) if sign > 0]
+        alive = sorted(leaf.contact for leaf in leaves)
+        compare(f"mu = {mu}: {len(alive)} patterns", len(alive) == number)
+        if mu in told["patterns"]:
+            compare(f"mu = {mu}: the patterns", alive == sorted(told["patterns"][mu]))
+    largest = max(told["counts"], key=float)
+    known = sorted(contact for _, contact in told["critical"])
+    compare(f"the patterns at {largest} have a critical friction", known == sorted(told["patterns"][largest]))
+    for value, contact in told["critical"]:
+        leaf = Leaf(f, contact)
+        compare(f"critical friction of {contact}", leaf.sign(value - NEAR) < 0 < leaf.sign(value + NEAR))
+    print(f"{count} comparisons with space-truss.json, {faults} differ")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,107 @@
+// What the options of a subcommand take, and the call that is made of them again.
+#include "run/command/option_table.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace kusabi::run;
+
+std::string taken(OptionTable& table, const std::string& name, const std::string& text) {
+  for (auto& row : table.rows()) {
+    if (row.name != name) continue;
+    auto wrong = row.take(text);
+    if (wrong.empty()) row.given = text;
+    return wrong;
+  }
+  return "no such row";
+}
+
+TEST(OptionTable, TakesNumbersInTheirRangeOnly) {
+  double positive = 0;
+  int even = 0;
+  std::uint64_t count = 7;
+  std::optional<double> perhaps;
+  OptionTable table;
+  table.number("--positive", &positive, above(0), "");
+  Range range = between(4, 64);
+  range.even = true;
+  table.number("--even", &even, range, "");
+  table.number("--count", &count, at_least(0), "");
+  table.number("--perhaps", &perhaps, at_least(0), "");
+  EXPECT_EQ(taken(table, "--positive", "1e-300"), "");
+  EXPECT_EQ(positive, 1e-300);
+  EXPECT_EQ(taken(table, "--positive", "0"), "'0', expected a number above 0");
+  EXPECT_EQ(taken(table, "--positive", "1e999"), "'1e999', expected a number above 0");
+  EXPECT_EQ(taken(table, "--positive", "3 "), "'3 ', expected a number above 0");
+  EXPECT_EQ(positive, 1e-300);
+  EXPECT_EQ(taken(table, "--even", "64"), "");
+  EXPECT_EQ(taken(table, "--even", "5"), "'5', expected an even number from 4 to 64");
+  EXPECT_EQ(taken(table, "--even", "66"), "'66', expected an even number from 4 to 64");
+  EXPECT_EQ(taken(table, "--count", "18446744073709551615"), "");
+  EXPECT_EQ(count, std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(taken(table, "--count", "-1"), "'-1', expected a whole number of 0 or more");
+  EXPECT_EQ(taken(table, "--count", "2.5"), "'2.5', expected a whole number of 0 or more");
+  EXPECT_EQ(taken(table, "--perhaps", "0"), "");
+  EXPECT_EQ(perhaps, 0.0);
+}
+
+TEST(OptionTable, KnowsWhatAnOptionIsUnlessGiven) {
+  double no_limit = std::numeric_limits<double>::infinity();
+  double required = 0;
+  double usual = 1e-8;
+  std::optional<double> none;
+  OptionTable table;
+  table.number("--no-limit", &no_limit, above(0), "");
+  table.number("--required", &required, above(0), "").required();
+  table.number("--usual", &usual, above(0), "").unit("m");
+  table.number("--none", &none, above(0), "");
+  EXPECT_EQ(table.find("--no-limit")->usual, "");
+  EXPECT_EQ(table.find("--required")->usual, "");
+  EXPECT_EQ(table.find("--usual")->usual, "1e-08");
+  EXPECT_EQ(table.find("--usual")->range, "> 0");
+  EXPECT_EQ(table.find("--none")->usual, "");
+  EXPECT_EQ(table.find("--nothing"), nullptr);
+}
+
+TEST(OptionTable, ChoosesByWord) {
+  enum class Way { here, there };
+  Way way = Way::there;
+  OptionTable table;
+  table.choice("--way", way, {{"here", Way::here}, {"there", Way::there}}, "");
+  EXPECT_EQ(table.find("--way")->usual, "there");
+  EXPECT_EQ(table.find("--way")->value, "here|there");
+  EXPECT_EQ(taken(table, "--way", "her"), "'her', expected one of here, there");
+  EXPECT_EQ(way, Way::there);
+  EXPECT_EQ(taken(table, "--way", "here"), "");
+  EXPECT_EQ(way, Way::here);
+}
+
+TEST(OptionTable, MakesTheCallAgainOfWhatWasGiven) {
+  std::string file;
+  double mu = 0;
+  bool tighten = true;
+  kusabi::engine::Limits limits;
+  OptionTable table;
+  table.file("file", file, Role::input, "");
+  table.number("--mu", &mu, above(0), "");
+  table.flag("--no-tighten", tighten, "", false);
+  table.node_limit(limits);
+  table.quiet();
+  EXPECT_EQ(taken(table, "file", "it's a truss.toml"), "");
+  EXPECT_EQ(taken(table, "--mu", "0.50"), "");
+  EXPECT_EQ(taken(table, "--no-tighten", ""), "");
+  EXPECT_EQ(taken(table, "--node-limit", "9"), "");
+  EXPECT_FALSE(tighten);
+  const auto at_nodes = [](const OptionRow& row) {
+    return row.stops == kusabi::engine::Status::node_limit;
+  };
+  EXPECT_EQ(table.call(at_nodes), R"( 'it'\''s a truss.toml' --mu 0.50 --no-tighten)");
+}
+
+}  // namespace

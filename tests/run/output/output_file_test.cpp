@@ -1,0 +1,119 @@
+// What an output file is opened at, what it refuses, and what it says when the disk is full.
+// files_test.cpp has what becomes of the files of several processes.
+#include "run/output/output_file.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "run/output/wrong_input.hpp"
+
+namespace kusabi::run {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+class OutputFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "kusabi test-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string in_folder(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+  [[nodiscard]] static std::string content(const std::string& name) {
+    std::ifstream file(name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  static auto opened(const std::string& name, const std::string& input = "") {
+    return [=] { OutputFile("--output", name, input); };
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(OutputFiles, WithoutANameAreNotWanted) {
+  EXPECT_FALSE(OutputFile("--output", "", "").wanted());
+  EXPECT_TRUE(OutputFile("--output", in_folder("result"), "").wanted());
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(OutputFiles, AreRefusedWithTheirOptionAndTheReason) {
+  fs::create_directory(in_folder("folder"));
+  EXPECT_THAT(opened(in_folder("folder")),
+              ThrowsMessage<WrongInput>("--output " + in_folder("folder") +
+                                        ": is a folder, expected a file name"));
+  EXPECT_THAT(opened(in_folder("none/result")),
+              ThrowsMessage<WrongInput>("--output " + in_folder("none/result") +
+                                        ": cannot be written: No such file or directory"));
+  const auto problem = in_folder("problem.toml");
+  std::ofstream(problem) << "name = \"x\"\n";
+  fs::create_hard_link(problem, in_folder("twin.toml"));
+  for (const auto& same : {problem, in_folder("folder/../problem.toml"), in_folder("twin.toml")}) {
+    EXPECT_THAT(opened(same, problem), ThrowsMessage<WrongInput>(fmt::format(
+                                           "--output {}: is the problem file itself", same)));
+  }
+  EXPECT_EQ(content(problem), "name = \"x\"\n");
+}
+
+TEST_F(OutputFiles, FollowALinkAndKeepIt) {
+  std::ofstream(in_folder("old")) << "old";
+  fs::create_symlink("old", in_folder("link"));
+  OutputFile file("--output", in_folder("link"), "");
+  file.stream() << "new";
+  file.put_in_place();
+  EXPECT_TRUE(fs::is_symlink(in_folder("link")));
+  EXPECT_EQ(content(in_folder("old")), "new");
+}
+
+TEST_F(OutputFiles, ThatArePipesAreWrittenToDirectly) {
+  const auto pipe = in_folder("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::string received;
+  std::thread reader([&] { received = content(pipe); });
+  {
+    OutputFile file("--output", pipe, "");
+    file.stream() << "through";
+    file.put_in_place();
+  }
+  reader.join();
+  EXPECT_EQ(received, "through");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(OutputFiles, SayThatTheDiskIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no device that is always full";
+  OutputFile file("--output", "/dev/full", "");
+  file.stream() << "text";
+  EXPECT_THAT([&] { file.put_in_place(); },
+              ThrowsMessage<std::runtime_error>(
+                  "/dev/full: could not be written in full; is the disk full?"));
+}
+
+TEST_F(OutputFiles, SayThatTheirFolderIsGone) {
+  fs::create_directory(in_folder("folder"));
+  OutputFile file("--output", in_folder("folder/result"), "");
+  file.stream() << "text";
+  fs::remove_all(in_folder("folder"));
+  EXPECT_THAT(
+      [&] { file.put_in_place(); },
+      ThrowsMessage<std::runtime_error>(HasSubstr("folder/result: cannot be put in place")));
+}
+
+}  // namespace
+}  // namespace kusabi::run

@@ -1,0 +1,74 @@
+// A session of one process: no MPI, rank 0 speaks, and what is wrong with the input stays the same
+// error. mpi_tests has sessions of several.
+#include "run/session/session.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/input_error.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using testing::ThrowsMessage;
+
+// The call `kusabi patterns x.toml --serial`, which is alone whoever has started this test.
+class SessionOfOne : public testing::Test {
+ private:
+  std::vector<std::string> words_{"kusabi", "patterns", "x.toml", "--serial"};
+  std::vector<char*> pointers_ = [this] {
+    std::vector<char*> all;
+    for (auto& word : words_) all.push_back(word.data());
+    return all;
+  }();
+  int count_ = static_cast<int>(pointers_.size());
+  char** arguments_ = pointers_.data();
+
+ protected:
+  Session session_{count_, arguments_};
+  [[nodiscard]] int count() const { return count_; }
+};
+
+TEST_F(SessionOfOne, IsRankZeroAndSpeaks) {
+  EXPECT_EQ(session_.ranks(), 1);
+  EXPECT_EQ(session_.transport().rank(), 0);
+  EXPECT_TRUE(session_.speaks());
+  EXPECT_EQ(count(), 4);  // --serial is for the command to read as well
+}
+
+TEST_F(SessionOfOne, TellsItselfWhatItPrepares) {
+  int calls = 0;
+  EXPECT_EQ(session_.from_first_rank([&] { return ++calls; }), 1);
+  session_.from_first_rank([&] { ++calls; });
+  EXPECT_EQ(calls, 2);
+}
+
+// A value that can be moved only once reaches the caller as it is.
+TEST_F(SessionOfOne, DoesNotCopyWhatItPrepares) {
+  const std::string text(100, 'x');
+  std::string own = text;
+  const char* const place = own.data();
+  const auto got = session_.from_first_rank([&] { return std::move(own); });
+  EXPECT_EQ(got, text);
+  EXPECT_EQ(got.data(), place);
+}
+
+TEST_F(SessionOfOne, ThrowsWhatIsWrongWithTheInputAsOneKindOfError) {
+  EXPECT_THAT([&] { session_.from_first_rank([] { throw WrongInput("--mu: missing"); }); },
+              ThrowsMessage<WrongInput>("--mu: missing"));
+  const support::InputError error("x.toml", {.line = 3, .column = 7}, "EA is -3; expected more");
+  EXPECT_THAT([&] { session_.from_first_rank([&]() -> int { throw error; }); },
+              ThrowsMessage<WrongInput>("x.toml:3:7: EA is -3; expected more"));
+}
+
+TEST_F(SessionOfOne, LeavesOtherErrorsAsTheyAre) {
+  EXPECT_THAT([&] { session_.from_first_rank([] { throw std::logic_error("a defect"); }); },
+              ThrowsMessage<std::logic_error>("a defect"));
+}
+
+}  // namespace
+}  // namespace kusabi::run
