@@ -7,7 +7,7 @@ say() { printf '\n== %s\n' "$*"; }
 give_up() { printf 'kusabi: %s\n' "$*" >&2; exit 1; }
 
 # What the program itself needs, by the names of Debian 12.
-build_packages=(g++ cmake make libopenmpi-dev openmpi-bin libboost-serialization-dev libeigen3-dev
+build_packages=(g++ cmake make ninja-build libopenmpi-dev openmpi-bin libboost-serialization-dev libeigen3-dev
   libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libgmp-dev libmpfr-dev libglpk-dev
   libqd-dev zlib1g-dev)
 # What the tests need besides.
@@ -43,17 +43,26 @@ install_missing() {
     give_up "apt-get could not install: ${missing[*]}"
 }
 
-# build TARGET CMAKE_OPTION...: configures build/ and builds one target there.
+# build TARGET CMAKE_OPTION...: configures build/ and builds one target there. A build/ that is there
+# already stays of the kind it is; a new one is made for building everything once: sources joined, and
+# with Ninja, which does not wait for one library to be whole before it compiles the next.
 build() {
   local target=$1
   shift
   say "building (Release, into build/)"
   mkdir -p build && [[ -w build ]] || give_up "build/ cannot be written to; was it made by another user?"
+  local new=()
+  if [[ ! -e build/CMakeCache.txt ]]; then
+    new=(-DKUSABI_JOINED=ON)
+    if command -v ninja >/dev/null; then new+=(-G Ninja); fi
+  fi
   local log
-  log=$(cmake -S . -B build -DCMAKE_BUILD_TYPE=Release "$@" 2>&1) ||
+  log=$(cmake -S . -B build "${new[@]}" -DCMAKE_BUILD_TYPE=Release "$@" 2>&1) ||
     { printf '%s\n' "$log" >&2; give_up "cmake could not configure the build"; }
+  local begin=$SECONDS
   cmake --build build --target "$target" --parallel "$(nproc)" ||
     give_up "the build failed; the first error is above"
+  say "built in $((SECONDS - begin)) s"
 }
 
 # Open MPI refuses to run as root, or more ranks than cores, unless told; and what pays on a cluster

@@ -16,7 +16,6 @@ namespace kusabi::run {
 namespace {
 
 using nlohmann::ordered_json;
-using rays::Candidates;
 using wedged::RayMethod;
 
 /// A table of more rays or cones is for programs: --output and --csv have them all.

@@ -109,6 +109,7 @@ bool DoubleDescription::cut_by(Candidates rows, Keep keep, std::uint64_t most_ra
     const int row = cheapest(left);
     left.erase(std::find(left.begin(), left.end(), row));
     cut(row, keep);
+    stopped_ = stopped_ || (stop_ && stop_());
     if (stopped_ || zeros_.size() > most_rays) return false;
   }
   return true;

@@ -2,24 +2,18 @@
 // gone afterwards.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-namespace kusabi::test {
+#include "tests/run/folder.hpp"
 
-namespace fs = std::filesystem;
+namespace kusabi::test {
 
 // One word for the shell, whatever it holds.
 inline std::string quoted(const std::string& text) {
@@ -75,38 +69,12 @@ inline std::string call_to_go_on(const std::string& output) {
   return output.substr(from, output.find('\n', from) - from);
 }
 
-// A folder of its own for each test, gone afterwards.
-class Command : public testing::Test {
+class Command : public InFolder {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "kusabi test-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string in_folder(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-  // The same for the shell.
+  // A place in the folder, for the shell.
   [[nodiscard]] std::string argument(const std::string& name) const {
     return quoted(in_folder(name));
   }
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_))
-      names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
-  fs::path folder_;
 };
-
-inline std::string content(const std::string& name) {
-  std::ifstream file(name);
-  EXPECT_TRUE(file) << name;
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 }  // namespace kusabi::test

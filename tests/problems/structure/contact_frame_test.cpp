@@ -12,7 +12,7 @@ namespace kusabi::problems {
 namespace {
 
 /// A few roundings of numbers of the order of one.
-constexpr double rounding = 1e-14;
+constexpr double frame_rounding = 1e-14;
 
 ContactCandidate candidate(const Eigen::VectorXd& normal,
                            std::optional<Eigen::VectorXd> tangent = std::nullopt) {
@@ -20,7 +20,7 @@ ContactCandidate candidate(const Eigen::VectorXd& normal,
 }
 
 void expect_orthonormal(const Eigen::MatrixXd& frame) {
-  EXPECT_TRUE((frame.transpose() * frame).isIdentity(rounding)) << frame;
+  EXPECT_TRUE((frame.transpose() * frame).isIdentity(frame_rounding)) << frame;
 }
 
 TEST(ContactFrame, IsOrthonormalAndRightHandedInSpaceForAnyNormal) {
@@ -32,7 +32,7 @@ TEST(ContactFrame, IsOrthonormalAndRightHandedInSpaceForAnyNormal) {
     for (const Eigen::MatrixXd& frame : {contact_frame(chosen), contact_frame(wished)}) {
       expect_orthonormal(frame);
       EXPECT_EQ(Eigen::Vector3d(frame.col(0)), Eigen::Vector3d(chosen.normal));
-      EXPECT_NEAR(frame.determinant(), 1.0, rounding);
+      EXPECT_NEAR(frame.determinant(), 1.0, frame_rounding);
     }
   }
 }
@@ -47,34 +47,34 @@ TEST(ContactFrame, OfAnAxisIsMadeOfAxes) {
 
 TEST(ContactFrame, TangentInThePlaneIsTheNormalTurnedClockwise) {
   const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector2d(3, 4)));
-  EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector2d(0.8, -0.6), rounding));
+  EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector2d(0.8, -0.6), frame_rounding));
 }
 
 TEST(ContactFrame, FollowsTheWishedTangentInThePlane) {
   const Eigen::VectorXd wish = Eigen::Vector2d(-1, 5);
   const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector2d(3, 4), wish));
-  EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector2d(-0.8, 0.6), rounding));
+  EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector2d(-0.8, 0.6), frame_rounding));
 }
 
 TEST(ContactFrame, FirstTangentLiesBetweenTheWishAndTheSurface) {
   const Eigen::VectorXd wish = Eigen::Vector3d(0, 1e-3, 7);  // almost along the normal
   const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector3d::UnitZ(), wish));
-  EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector3d::UnitY(), rounding));
-  EXPECT_TRUE(frame.col(2).isApprox(-Eigen::Vector3d::UnitX(), rounding));
+  EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector3d::UnitY(), frame_rounding));
+  EXPECT_TRUE(frame.col(2).isApprox(-Eigen::Vector3d::UnitX(), frame_rounding));
 }
 
 TEST(ContactFrame, LengthOfTheWishedTangentDoesNotMatter) {
   for (const double length : {1e-40, 1.0, 1e40}) {
     const Eigen::VectorXd wish = length * Eigen::Vector3d(1, 1, 0);
     const Eigen::MatrixXd frame = contact_frame(candidate(Eigen::Vector3d::UnitX(), wish));
-    EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector3d::UnitY(), rounding)) << length;
+    EXPECT_TRUE(frame.col(1).isApprox(Eigen::Vector3d::UnitY(), frame_rounding)) << length;
   }
 }
 
 TEST(ContactFrame, TangentSineIsThatOfTheAngle) {
   const Eigen::VectorXd normal = Eigen::Vector2d::UnitX();
-  EXPECT_NEAR(tangent_sine(normal, Eigen::Vector2d(4, 3)), 0.6, rounding);
-  EXPECT_NEAR(tangent_sine(normal, Eigen::Vector2d(-2, 0)), 0.0, rounding);
+  EXPECT_NEAR(tangent_sine(normal, Eigen::Vector2d(4, 3)), 0.6, frame_rounding);
+  EXPECT_NEAR(tangent_sine(normal, Eigen::Vector2d(-2, 0)), 0.0, frame_rounding);
   EXPECT_TRUE(std::isnan(tangent_sine(normal, Eigen::Vector2d(0, 0))));
 }
 

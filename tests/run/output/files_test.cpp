@@ -23,6 +23,7 @@
 #include "run/output/outputs.hpp"
 #include "run/session/launch.hpp"
 #include "run/session/session.hpp"
+#include "tests/run/folder.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -31,35 +32,15 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::ThrowsMessage;
 using testing::UnorderedElementsAre;
 
-class Files : public testing::Test {
+class Files : public test::InFolder {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "kusabi test-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string in_folder(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-  [[nodiscard]] std::vector<std::string> names() const {
-    std::vector<std::string> all;
-    for (const auto& entry : fs::directory_iterator(folder_))
-      all.push_back(entry.path().filename().string());
-    return all;
-  }
   void make(const std::string& name) const { std::ofstream(in_folder(name)) << "old"; }
   [[nodiscard]] std::string content(const std::string& name) const {
-    std::ifstream file(in_folder(name));
-    return {std::istreambuf_iterator<char>(file), {}};
+    return test::content(in_folder(name));
   }
-
-  fs::path folder_;
 };
 
 TEST_F(Files, AreInTheirPlaceInFullOrNotAtAll) {
@@ -75,7 +56,7 @@ TEST_F(Files, AreInTheirPlaceInFullOrNotAtAll) {
     file.put_in_place();
   }
   EXPECT_EQ(content("result"), "whole");
-  EXPECT_THAT(names(), ElementsAre("result"));
+  EXPECT_THAT(files(), ElementsAre("result"));
 }
 
 TEST_F(Files, OfTwoProcessesAtOnceDoNotMix) {
@@ -104,18 +85,18 @@ pid_t killed_while_it_writes(const std::string& name) {
 
 TEST_F(Files, LeftByAKilledProcessGoWithTheNext) {
   killed_while_it_writes(in_folder("result"));
-  ASSERT_EQ(names().size(), 1U);  // or this test shows nothing
+  ASSERT_EQ(files().size(), 1U);  // or this test shows nothing
   {
     OutputFile file("--output", in_folder("result"), "");
-    EXPECT_EQ(names().size(), 1U);
+    EXPECT_EQ(files().size(), 1U);
     file.put_in_place();
   }
-  EXPECT_THAT(names(), ElementsAre("result"));
+  EXPECT_THAT(files(), ElementsAre("result"));
 }
 
 TEST_F(Files, ThatALivingProcessOrAUserHasAreLeftAlone) {
   const pid_t child = killed_while_it_writes(in_folder("result"));
-  const auto beside = names().front();
+  const auto beside = files().front();
   // Of a process of another machine that has the same name and number: it is locked, and lives.
   std::ofstream locked(in_folder(beside));
   const int descriptor = open(in_folder(beside).c_str(), O_WRONLY);
@@ -123,7 +104,7 @@ TEST_F(Files, ThatALivingProcessOrAUserHasAreLeftAlone) {
   make("result.5.tmp");
   make(fmt::format("other.{}.tmp", child));
   OutputFile("--output", in_folder("result"), "");
-  EXPECT_THAT(names(),
+  EXPECT_THAT(files(),
               UnorderedElementsAre(beside, "result.5.tmp", fmt::format("other.{}.tmp", child)));
   close(descriptor);
 }
@@ -132,12 +113,12 @@ TEST_F(Files, OfTheSameNumberDoNotStandInTheWay) {
   std::string beside;
   {
     OutputFile file("--output", in_folder("result"), "");
-    beside = names().front();
+    beside = files().front();
   }
   make(beside);  // of this very process number, as in a container that was started anew
   OutputFile file("--output", in_folder("result"), "");
   file.put_in_place();
-  EXPECT_THAT(names(), UnorderedElementsAre(beside, "result"));
+  EXPECT_THAT(files(), UnorderedElementsAre(beside, "result"));
 }
 
 TEST_F(Files, OfOneCallAreAllDifferent) {
@@ -173,7 +154,7 @@ TEST_F(Files, OfOneCallAreAllDifferent) {
                              {{"--checkpoint", in_folder("state")}}),
                WrongInput);
   EXPECT_EQ(content("old"), "old");
-  EXPECT_THAT(names(), UnorderedElementsAre("folder", "way", "problem", "old", "link", "twin"));
+  EXPECT_THAT(files(), UnorderedElementsAre("folder", "way", "problem", "old", "link", "twin"));
 }
 
 TEST(JsonWriter, WritesWhatItIsGivenWhateverItHolds) {

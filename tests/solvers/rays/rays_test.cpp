@@ -22,7 +22,6 @@ namespace kusabi::rays {
 namespace {
 
 using problems::plane_truss;
-using problems::PlaneTrussSize;
 
 nlohmann::json reference(const std::string& name) {
   std::ifstream stream(problems::test::source_path("tests/reference/" + name));
