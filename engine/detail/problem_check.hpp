@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "engine/expansion.hpp"
-#include "engine/member_names.hpp"
+#include "engine/detail/member_names.hpp"
 #include "engine/problem.hpp"
-#include "engine/serializable.hpp"
+#include "engine/detail/serializable.hpp"
 
 namespace kusabi::engine {
 
