@@ -24,13 +24,13 @@
 #include <thread>
 #include <utility>
 
+#include "engine/detail/problem_check.hpp"
+#include "engine/detail/worker.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
-#include "engine/detail/problem_check.hpp"
 #include "engine/transport/single_process.hpp"
 #include "engine/transport/transport.hpp"
-#include "engine/detail/worker.hpp"
 
 namespace kusabi::engine {
 

@@ -8,10 +8,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "engine/expansion.hpp"
 #include "engine/detail/member_names.hpp"
-#include "engine/problem.hpp"
 #include "engine/detail/serializable.hpp"
+#include "engine/expansion.hpp"
+#include "engine/problem.hpp"
 
 namespace kusabi::engine {
 

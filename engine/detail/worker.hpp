@@ -13,10 +13,10 @@
 
 #include "engine/detail/explorer.hpp"
 #include "engine/detail/local_search.hpp"
+#include "engine/detail/rank.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
-#include "engine/detail/rank.hpp"
 #include "engine/transport/transport.hpp"
 #include "engine/wire.hpp"
 

@@ -235,7 +235,7 @@ TEST_F(Command, AWrongFileIsReportedOnceByAllRanksTogether) {
 TEST_F(Command, WritesWhatAConfigurationDoesToTheWholeStructure) {
   const auto plane = quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
   for (const std::string& call : {" patterns " + plane + " --mu 1", " critical " + plane,
-                                 " rays " + plane + " --mu 1 --whole"}) {
+                                  " rays " + plane + " --mu 1 --whole"}) {
     ASSERT_EQ(shell(command + call + " --quiet --output " + argument("all.json")).exit_code, 0);
     const auto json = nlohmann::json::parse(content(in_folder("all.json")));
     const auto& result = json["result"];
