@@ -17,8 +17,8 @@ namespace kusabi::wedged {
 namespace {
 
 /// Memory that `automatic` lets double description take on rank 0. Where it fits into this it has
-/// always been faster than the tree on one rank, two to twenty times; where it does not, its rays
-/// grow threefold with each candidate, and the tree's twofold from a tenth of them
+/// been as fast as the tree on one rank, and up to twelve times as fast; where it does not, its
+/// rays grow threefold with each candidate, and the tree's twofold from a tenth of them
 /// (bench/README.md). By the number of rays met, so that the method does not depend on ranks or
 /// clocks.
 constexpr std::uint64_t memory_for_double_description = std::uint64_t{2} << 30U;
