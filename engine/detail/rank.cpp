@@ -55,7 +55,9 @@ Pace Rank::step() {
     case Phase::done:
       break;
   }
-  if (phase_ == Phase::searching && local_.has_nodes()) {
+  // At the limit by itself, it waits for the survey that ends the search: a rank that is late to
+  // join would let it come to the end of the tree.
+  if (phase_ == Phase::searching && local_.has_nodes() && !at_node_limit()) {
     local_.open_nodes(stride_);
     worked_ = true;
   }

@@ -143,6 +143,7 @@ class Rank {
 
   void attend_survey();
   void join();
+  [[nodiscard]] bool at_node_limit() const;  // by what this rank alone has opened
 
   // What this rank wants all to do. The clock of rank 0 counts.
   std::uint64_t wishes();

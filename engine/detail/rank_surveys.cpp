@@ -22,9 +22,12 @@ void Rank::attend_survey() {
     if (phase_ == Phase::closing) return;
   }
   // A resting rank joins at once: the wave then ends as soon as the last busy rank joins it.
-  const bool due = now_ - last_survey_ >= options_.survey_interval ||
-                   local_.statistics().opened >= options_.limits.nodes;
+  const bool due = now_ - last_survey_ >= options_.survey_interval || at_node_limit();
   if (resting() || due) join();
+}
+
+bool Rank::at_node_limit() const {
+  return local_.statistics().opened >= options_.limits.nodes;
 }
 
 void Rank::join() {
