@@ -8,7 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "engine/heap.hpp"
+#include "engine/detail/heap.hpp"
 #include "engine/search.hpp"
 #include "engine/transport/mpi.hpp"
 

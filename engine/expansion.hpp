@@ -6,8 +6,8 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/frontier.hpp"
-#include "engine/incumbent.hpp"
+#include "engine/detail/frontier.hpp"
+#include "engine/detail/incumbent.hpp"
 #include "engine/path.hpp"
 
 namespace kusabi::engine {

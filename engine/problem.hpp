@@ -1,5 +1,5 @@
 // What a problem type must offer to be searched. (Something offered under one of these names but in
-// another shape is an error: engine/problem_check.hpp.)
+// another shape is an error: engine/detail/problem_check.hpp.)
 #pragma once
 
 #include <concepts>

@@ -15,7 +15,7 @@
 //   auto outcome = engine::search(queens, transport);    // the same outcome, on rank 0
 //
 // tests/engine/queens.hpp is this example in full, tests/install/colouring a project of its own.
-// How the ranks share the tree is told in engine/rank.hpp and docs/engine.md.
+// How the ranks share the tree is told in engine/detail/rank.hpp and docs/engine.md.
 #pragma once
 
 #include <chrono>
@@ -24,13 +24,13 @@
 #include <thread>
 #include <utility>
 
+#include "engine/detail/problem_check.hpp"
+#include "engine/detail/worker.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
-#include "engine/problem_check.hpp"
 #include "engine/transport/single_process.hpp"
 #include "engine/transport/transport.hpp"
-#include "engine/worker.hpp"
 
 namespace kusabi::engine {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "engine/contract.hpp"
+#include "engine/detail/contract.hpp"
 
 namespace kusabi::engine {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/contract.hpp"
+#include "engine/detail/contract.hpp"
 
 namespace kusabi::engine {
 

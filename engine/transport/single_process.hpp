@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-#include "engine/contract.hpp"
+#include "engine/detail/contract.hpp"
 #include "engine/transport/transport.hpp"
 
 namespace kusabi::engine {

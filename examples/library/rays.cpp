@@ -21,8 +21,7 @@ int main(int argc, char** argv) {
 
   engine::SingleProcess alone;
   engine::Campaign campaign(alone);
-  const auto method = wedged::chosen_method(wedged::RayMethod::automatic, {}, cone.candidates());
-  auto found = wedged::find_rays(campaign, problem, friction, cone, method);
+  auto found = wedged::find_rays(campaign, problem, friction, cone, wedged::RayMethod::automatic);
   for (const auto& zero_set : found.rays) {
     const auto ray = cone.ray(zero_set, found.health);
     std::printf("r_n:");

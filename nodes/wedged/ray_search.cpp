@@ -3,24 +3,38 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/together.hpp"
 
 namespace kusabi::wedged {
 namespace {
 
-/// Up to so many candidates double description is two to four times as fast as the tree on one
-/// rank, and takes less than a gigabyte; beyond, its memory grows threefold with each candidate,
-/// and the tree's twofold from a tenth of it (bench/README.md).
-constexpr int most_for_double_description = 14;
+/// Memory that `automatic` lets double description take on rank 0. Where it fits into this it has
+/// been as fast as the tree on one rank, and up to twelve times as fast; where it does not, its
+/// rays grow threefold with each candidate, and the tree's twofold from a tenth of them
+/// (bench/README.md). By the number of rays met, so that the method does not depend on ranks or
+/// clocks.
+constexpr std::uint64_t memory_for_double_description = std::uint64_t{2} << 30U;
 
-RayFindings by_double_description(const rays::ReactionCone& cone) {
+// Nothing if it was stopped, or there are too many rays at one time.
+std::optional<RayFindings> by_double_description(const rays::ReactionCone& cone,
+                                                 std::uint64_t most_rays,
+                                                 const std::function<bool()>& stop) {
   const auto start = std::chrono::steady_clock::now();
-  auto enumeration = rays::complementary_rays(cone);
+  auto enumeration = rays::complementary_rays(cone, most_rays, stop);
+  if (!enumeration) return std::nullopt;
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   RayFindings found;
-  found.rays = std::move(enumeration.rays);
-  found.health = enumeration.health;
-  found.effort = enumeration.effort;
+  found.rays = std::move(enumeration->rays);
+  found.health = enumeration->health;
+  found.effort = enumeration->effort;
   found.seconds = time.count();
   return found;
 }
@@ -63,21 +77,33 @@ bool limited(const engine::Limits& limits) {
   return limits.seconds != none.seconds || limits.nodes != none.nodes;
 }
 
-RayMethod chosen_method(RayMethod asked, const engine::Limits& limits, int candidates) {
+RayMethod first_method(RayMethod asked, const engine::Limits& limits) {
   if (asked != RayMethod::automatic) return asked;
-  const bool small = candidates <= most_for_double_description && !limited(limits);
-  return small ? RayMethod::double_description : RayMethod::tree;
+  return limited(limits) ? RayMethod::tree : RayMethod::double_description;
 }
 
 RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                       std::span<const double> friction, const rays::ReactionCone& cone,
                       RayMethod method) {
   RayFindings found;
-  if (method == RayMethod::tree) {
-    found = by_tree(campaign, problem, friction, cone);
-  } else if (campaign.is_first()) {
-    found = by_double_description(cone);
+  const auto& budget = campaign.budget();
+  bool by_all = first_method(method, budget.left()) == RayMethod::tree;
+  if (!by_all) {
+    const auto most = method == RayMethod::automatic
+                          ? rays::rays_that_fit(memory_for_double_description, cone.candidates())
+                          : std::numeric_limits<std::uint64_t>::max();
+    by_all = engine::from_first_rank(campaign.transport(), [&] {
+      auto all = by_double_description(cone, most, budget.stop());
+      if (all) found = *std::move(all);
+      if (!all && budget.spent()) found.status = budget.why();
+      return !all && found.status == engine::Status::solved;
+    });
+    if (by_all) {
+      campaign.say(
+          fmt::format("more than {} rays at one time: by the tree of sign patterns", most));
+    }
   }
+  if (by_all) found = by_tree(campaign, problem, friction, cone);
   if (!campaign.is_first()) return found;
   std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
   if (found.status == engine::Status::solved) {

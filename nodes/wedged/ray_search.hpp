@@ -18,14 +18,14 @@ namespace kusabi::wedged {
 
 /// How rays are found. Both ways find the same.
 enum class RayMethod {
-  automatic,           ///< whichever of the two is expected to be faster
+  automatic,           ///< double description; if that takes too much memory, the tree
   double_description,  ///< Algorithm 4.2, on one rank
   tree,                ///< pattern by pattern, on all ranks
 };
 
-/// The method that is taken. By size alone: the result must not depend on the number of ranks.
-/// @param limits if there is one, the tree: only that can stop early with something to show for it
-RayMethod chosen_method(RayMethod asked, const engine::Limits& limits, int candidates);
+/// The method that is taken first: double description, unless there are limits, since only the tree
+/// can stop early with something to show for it.
+RayMethod first_method(RayMethod asked, const engine::Limits& limits);
 
 /// Whether a search by these limits may stop early.
 bool limited(const engine::Limits& limits);
@@ -54,7 +54,7 @@ struct RayFindings {
 /// Every rank makes the same call.
 /// @param problem in the plane  @param friction of each candidate
 /// @param cone of the same problem and friction, which makes rays of zero sets
-/// @param method one of the two; double description heeds no limits
+/// @param method double description heeds no limits
 RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                       std::span<const double> friction, const rays::ReactionCone& cone,
                       RayMethod method);

@@ -87,4 +87,19 @@ Structure plane_truss(const PlaneTrussSize& size) {
   return truss;
 }
 
+Structure paper_plane_truss(int rows) {
+  auto truss = plane_truss({.rows = rows, .bays = 1, .verticals = Verticals::all});
+  truss.name = fmt::format("plane truss of METR 2009-28, 7.2, N = {}", rows);
+  for (Member& bar : truss.members) {
+    bar.axial_stiffness =
+        (truss.coordinates.col(bar.first) - truss.coordinates.col(bar.second)).norm();
+  }
+  const double lean = PlaneTrussSize{}.lean * std::numbers::pi / 180;
+  for (ContactCandidate& candidate : truss.contact) {
+    candidate.normal = Eigen::Vector2d(-std::cos(lean), -std::sin(lean));
+    candidate.tangent.reset();
+  }
+  return truss;
+}
+
 }  // namespace kusabi::problems

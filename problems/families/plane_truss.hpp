@@ -1,5 +1,6 @@
-// A family of plane trusses of the wedged paper's kind (its section 7.2), of any size: what the
-// enumeration of rays is measured on. examples/plane-truss.toml is the member with the sizes below.
+// Plane trusses that lean against an obstacle, of any size: what the enumeration of rays is
+// measured on. A family with sizes of one's own, of which examples/plane-truss.toml is one, and the
+// trusses of the wedged paper's section 7.2.
 #pragma once
 
 #include "problems/structure/structure.hpp"
@@ -29,6 +30,13 @@ struct PlaneTrussSize {
 ///         more than `most_bays` bays, a width that is not positive, or a lean that is not from 0
 ///         to 80 degrees
 Structure plane_truss(const PlaneTrussSize& size);
+
+/// The truss of the wedged paper's section 7.2 with that many rows, N, as its computations have it,
+/// by whose numbers it is known: one bay of 5 m at the lowest row, a face that leans by 30 degrees,
+/// both diagonals and bars along the face. In two things they differ from the text: all bars have
+/// the same EA/L = 1 kN/m, not the same EA; and the normal is that of the mirrored face.
+/// @throws std::invalid_argument if there are fewer than 2 rows or more than 64
+Structure paper_plane_truss(int rows);
 
 /// Most bays, far more than such a truss is ever given.
 inline constexpr int most_bays = 1000;

@@ -1,4 +1,4 @@
-// A family of space trusses of the wedged paper's kind (its section 7.3), of any size: what the
+// A family of space trusses like that of the wedged paper's section 7.3, of any size: what the
 // searches are measured on. examples/space-truss.toml is the member of it with the sizes below.
 #pragma once
 

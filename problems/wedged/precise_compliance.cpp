@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -320,10 +321,10 @@ EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degre
                             const ScaledStiffness& stiffness) {
   Factor<Real> factor(stiffness.matrix);
   const double least = factor.least_eigenvalue() - stiffness.error;
-  if (!(least > 0)) return {{}, infinity};
+  if (!(least > 0)) return {{}, infinity, {}};
   const Loads loads = unit_loads(structure, degrees, stiffness.scale);
   const Solution solution = solve(stiffness, factor, loads);
-  if (solution.displacements.size() == 0) return {{}, infinity};
+  if (solution.displacements.size() == 0) return {{}, infinity, {}};
   const Eigen::Index size = loads.matrix.cols();
   numbers::PreciseMatrix product = numbers::PreciseMatrix::Zero(size, size);
   for (Eigen::Index i = 0; i < size; ++i) {
@@ -334,7 +335,9 @@ EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degre
     }
   }
   const numbers::PreciseMatrix matrix = (product + product.transpose()) * Precise(0.5);
-  return {matrix, compliance_error(matrix, loads, solution, least)};
+  numbers::PreciseMatrix response = solution.displacements;
+  for (Eigen::Index i = 0; i < response.rows(); ++i) response.row(i) *= Precise(stiffness.scale(i));
+  return {matrix, compliance_error(matrix, loads, solution, least), std::move(response)};
 }
 
 /// Beyond this many displacements a factor in 104 bits would take too long.

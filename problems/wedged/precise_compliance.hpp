@@ -23,6 +23,9 @@ struct EnclosedCompliance {
   /// of 1e6. The rows and columns of F that belong to a subset of the candidates have the same
   /// bound.
   double error = 0;
+  /// The displacements of the whole structure under a unit reaction in each direction of each
+  /// candidate: free displacements x dm, length/force. F~ is what the candidates see of it.
+  numbers::PreciseMatrix response{};
 };
 
 /// F of a structure. The stiffness is scaled to a unit diagonal and factorised in long double

@@ -46,7 +46,7 @@ void add(support::Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {
 
 /// K and F, each the rounding of its precise value.
 void set_compliance(WedgedProblem& problem, const Structure& structure) {
-  auto [precise, error] = enclosed_compliance(structure);
+  auto [precise, error, response] = enclosed_compliance(structure);
   if (!(error <= largest_compliance_error)) refuse_condition(structure);
   problem.stiffness = stiffness_of(precise).cast<double>();
   problem.compliance = precise.cast<double>();
@@ -54,6 +54,7 @@ void set_compliance(WedgedProblem& problem, const Structure& structure) {
     refuse_condition(structure);
   problem.precise_compliance = std::move(precise);
   problem.precise_error = error;
+  problem.response = std::move(response);
   // |F_ij| <= sqrt(F_ii F_jj), so half a unit in the last place of an entry is no more of that.
   problem.compliance_error = error + 1.01 * numbers::unit_roundoff<double>;
 }

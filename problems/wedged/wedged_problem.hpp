@@ -43,9 +43,12 @@ struct WedgedProblem {
   /// without a structure: its doubles then count as exact.
   numbers::PreciseMatrix precise_compliance;
   double precise_error = 0;  ///< the like of compliance_error for precise_compliance
-  int nodes = 0;             ///< of the structure, supported ones included
-  int members = 0;           ///< of the structure
-  int elements = 0;          ///< of the structure
+  /// All free displacements under unit reactions, f x dm (EnclosedCompliance::response); empty if
+  /// the problem was made without a structure.
+  numbers::PreciseMatrix response;
+  int nodes = 0;     ///< of the structure, supported ones included
+  int members = 0;   ///< of the structure
+  int elements = 0;  ///< of the structure
   /// Hash of dimension, units, coordinates, members, EA, elements, supports, contact, friction and
   /// frames, in the order of the file. Names are not in it.
   std::uint64_t fingerprint = 0;

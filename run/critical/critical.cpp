@@ -18,6 +18,7 @@
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "run/wedged/whole_state_json.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -109,7 +110,8 @@ void Critical::search(CommandRun& run) {
 }
 
 std::vector<Step> Critical::results(CommandRun& run) {
-  return {run.result(critical_json(options_, problem_, findings_)),
+  return {run.result(
+              critical_json(options_, problem_, findings_, WholeStateJson(*structure_, problem_))),
           run.answer(critical_table(options_, problem_, findings_))};
 }
 

@@ -26,14 +26,15 @@ const char* way_name(wedged::CriticalWay way) {
   return "bisection";
 }
 
-ordered_json entry_json(const problems::WedgedProblem& problem,
-                        const wedged::CriticalEntry& entry) {
+ordered_json entry_json(const problems::WedgedProblem& problem, const wedged::CriticalEntry& entry,
+                        const WholeStateJson& whole) {
   ordered_json json = pattern_json(problem, entry.block, entry.pattern);
   json["lower"] = entry.lower;
   json["upper"] = number_or_null(entry.upper);
   if (entry.reaction.empty()) return json;
   json["reaction"] = block_rows(problem, entry.block, entry.reaction);
   json["displacement"] = block_rows(problem, entry.block, entry.displacement);
+  whole.add_to(json, of_all_candidates(problem, entry.block, entry.reaction));
   return json;
 }
 
@@ -138,9 +139,9 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
 }
 
 ordered_json critical_json(const CriticalOptions& options, const problems::WedgedProblem& problem,
-                           const wedged::CriticalFindings& findings) {
+                           const wedged::CriticalFindings& findings, const WholeStateJson& whole) {
   auto patterns = ordered_json::array();
-  for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry));
+  for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry, whole));
   ordered_json chosen = {{"method", way_name(options.question.way)},
                          {"width", options.question.width}};
   chosen["mu_max"] = number_or_null(options.question.most);

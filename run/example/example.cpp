@@ -86,15 +86,28 @@ class PlaneTruss final : public Example {
                  {{"none", Verticals::none}, {"inner", Verticals::inner}, {"all", Verticals::all}},
                  "bars from row to row besides the diagonals: none, in the inner columns, or on "
                  "the obstacle, too");
+    table.flag("--paper", paper_,
+               "the truss of the wedged paper's section 7.2 with that many rows, in which all else "
+               "is settled");
     describe_output(table);
+  }
+  void check() const override {
+    const problems::PlaneTrussSize usual;
+    if (paper_ && (size_.bays != usual.bays || size_.width != usual.width ||
+                   size_.lean != usual.lean || size_.verticals != usual.verticals)) {
+      throw WrongInput(
+          "--paper: the paper has one truss for each number of rows; expected --rows "
+          "and nothing else");
+    }
   }
 
  private:
   [[nodiscard]] problems::Structure structure() const override {
-    return problems::plane_truss(size_);
+    return paper_ ? problems::paper_plane_truss(size_.rows) : problems::plane_truss(size_);
   }
 
   problems::PlaneTrussSize size_;
+  bool paper_ = false;
 };
 
 class Grid final : public Example {

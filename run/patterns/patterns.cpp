@@ -24,6 +24,7 @@
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "run/wedged/whole_state_json.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
@@ -53,6 +54,7 @@ class Patterns final : public Subcommand {
   PatternsOptions options_;
   std::string trace_;
   std::string text_;
+  problems::Structure structure_;
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
   wedged::PatternQuestion question_;
@@ -116,7 +118,8 @@ std::uint64_t Patterns::tree_fingerprint() const {
 
 void Patterns::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  problem_ = problems::wedged_problem(problems::read_structure(text_, options_.file));
+  structure_ = problems::read_structure(text_, options_.file);
+  problem_ = problems::wedged_problem(structure_);
   friction_ = friction_at(problem_, options_.friction, options_.file);
   agree(run.session(), problem_);
   if (options_.polyhedral && problem_.dimension == 2) {
@@ -174,7 +177,7 @@ std::vector<Step> Patterns::results(CommandRun& run) {
   const PatternsReport report(options_, problem_, *findings_);
   const auto& kept = question_.search.checkpoint.file;
   goes_on_ = !kept.empty() && engine::checkpoint_exists(kept);
-  return {run.result(report.json()),
+  return {run.result(report.json(WholeStateJson(structure_, problem_))),
           run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
           [this] { end_certificate(); }, run.answer(report.table())};
 }

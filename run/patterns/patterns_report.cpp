@@ -115,7 +115,7 @@ std::string PatternsReport::table() const {
   return list() + verdict() + '\n' + ranks.text();
 }
 
-ordered_json PatternsReport::json() const {
+ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   ordered_json patterns = ordered_json::array();
   for (const auto& leaf : findings_.leaves) {
     auto pattern = pattern_json(problem_, leaf.block, leaf.pattern, findings_.idle());
@@ -124,6 +124,7 @@ ordered_json PatternsReport::json() const {
     pattern["margin_upper"] = leaf.upper;
     pattern["reaction"] = block_rows(problem_, leaf.block, leaf.reaction);
     pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
+    whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction));
     patterns.push_back(std::move(pattern));
   }
   ordered_json blocks = ordered_json::array();

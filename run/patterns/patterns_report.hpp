@@ -8,6 +8,7 @@
 #include "nodes/wedged/pattern_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/patterns/patterns.hpp"
+#include "run/wedged/whole_state_json.hpp"
 
 namespace kusabi::run {
 
@@ -21,8 +22,8 @@ class PatternsReport {
   /// The patterns, the ranks' shares and the times, as text.
   [[nodiscard]] std::string table() const;
 
-  /// The result file; its schema is in docs/result-files.md.
-  [[nodiscard]] nlohmann::ordered_json json() const;
+  /// The result file; its schema is in docs/result-files.md. @param whole of the same structure
+  [[nodiscard]] nlohmann::ordered_json json(const WholeStateJson& whole) const;
 
  private:
   [[nodiscard]] std::string list() const;

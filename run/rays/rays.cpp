@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "run/wedged/whole_state_json.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -43,6 +45,7 @@ class Rays final : public Subcommand {
  private:
   RaysOptions options_;
   std::string text_;
+  problems::Structure structure_;
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
   std::optional<rays::ReactionCone> cone_;
@@ -55,15 +58,21 @@ class Rays final : public Subcommand {
 void Rays::describe(OptionTable& table) {
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table.number("--mu", &options_.friction, above(0), "friction coefficient").required();
-  table.choice("--method", options_.method,
-               {{"auto", RayMethod::automatic},
-                {"double-description", RayMethod::double_description},
-                {"tree", RayMethod::tree}},
-               "Algorithm 4.2 on one rank, pattern by pattern on all ranks, or whichever suits the "
-               "size; both give the same rays");
+  table.choice(
+      "--method", options_.method,
+      {{"auto", RayMethod::automatic},
+       {"double-description", RayMethod::double_description},
+       {"tree", RayMethod::tree}},
+      "Algorithm 4.2 on one rank, pattern by pattern on all ranks, or the first and, if that "
+      "takes too much memory, the second: the same rays");
   table.output();
   table.output("--csv", "write the rays to this file, a line each");
   table.output("--dot", "write the cross-complementarity graph to this file, for Graphviz");
+  table
+      .flag("--whole", options_.whole,
+            "write all displacements and support reactions of each ray, too: a result file some "
+            "times as large")
+      .needs("--output");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.quiet();
@@ -84,8 +93,8 @@ void Rays::read(CommandRun& run) {
 
 void Rays::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  const auto structure = problems::read_structure(text_, options_.file);
-  problem_ = problems::wedged_problem(structure);
+  structure_ = problems::read_structure(text_, options_.file);
+  problem_ = problems::wedged_problem(structure_);
   agree(run.session(), problem_);
   if (problem_.dimension != 2) {
     throw WrongInput(fmt::format(
@@ -94,8 +103,8 @@ void Rays::prepare(CommandRun& run) {
         options_.file));
   }
   friction_ = friction_at(problem_, options_.friction, options_.file);
-  cone_.emplace(problems::precise_compliance(structure), friction_);
-  method_ = wedged::chosen_method(options_.method, options_.limits, cone_->candidates());
+  cone_.emplace(problems::precise_compliance(structure_), friction_);
+  method_ = wedged::first_method(options_.method, options_.limits);
 }
 
 std::string Rays::announcement(const std::string& ranks) const {
@@ -108,15 +117,15 @@ std::string Rays::announcement(const std::string& ranks) const {
 }
 
 void Rays::search(CommandRun& run) {
-  // Double description has nothing to show before its end, so a signal ends it at once.
-  engine::Campaign campaign(run.session().transport(),
-                            method_ == RayMethod::tree ? supervision(options_.limits, run.quiet())
-                                                       : engine::Supervision{});
-  found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, method_);
+  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, options_.method);
 }
 
 std::vector<Step> Rays::results(CommandRun& run) {
-  const auto report = std::make_shared<RaysReport>(options_, problem_, *cone_, found_);
+  std::optional<WholeStateJson> whole;
+  if (options_.whole) whole.emplace(structure_, problem_);
+  const auto report =
+      std::make_shared<RaysReport>(options_, problem_, *cone_, found_, std::move(whole));
   // All is written in one pass over the rays, so that their numbers are made only once.
   const auto table = std::make_shared<std::ostringstream>();
   const auto write = [&run, report, table](JsonWriter* json) {

@@ -15,6 +15,7 @@ struct RaysOptions {
   std::string file;     ///< the problem
   double friction = 0;  ///< mu
   wedged::RayMethod method = wedged::RayMethod::automatic;
+  bool whole = false;     ///< with all displacements and support reactions in the result file
   engine::Limits limits;  ///< where to stop early; wedged::RayMethod::tree only
 };
 

@@ -184,10 +184,13 @@ void RaysReport::end_rays_and_all(JsonWriter& json) const {
 ordered_json RaysReport::ray_json(std::size_t number, const rays::Ray& ray) const {
   auto words = ordered_json::array();
   for (int i = 0; i < cone_.candidates(); ++i) words.push_back(state_of(supports(number), i).word);
-  return {{"number", number + 1},
-          {"state", std::move(words)},
-          {"reaction", candidate_rows(numbers(ray.reaction), 2)},
-          {"displacement", candidate_rows(numbers(ray.displacement), 2)}};
+  const auto reactions = numbers(ray.reaction);
+  ordered_json json{{"number", number + 1},
+                    {"state", std::move(words)},
+                    {"reaction", candidate_rows(reactions, 2)},
+                    {"displacement", candidate_rows(numbers(ray.displacement), 2)}};
+  if (whole_) whole_->add_to(json, reactions);
+  return json;
 }
 
 ordered_json RaysReport::cone_json(const rays::Cone& each) const {

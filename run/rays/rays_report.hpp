@@ -4,8 +4,10 @@
 // one ray at a time, as it is written.
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +16,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/json_writer.hpp"
 #include "run/rays/rays.hpp"
+#include "run/wedged/whole_state_json.hpp"
 #include "solvers/rays/maximal_cones.hpp"
 #include "solvers/rays/reaction_cone.hpp"
 
@@ -25,8 +28,13 @@ std::string method_name(wedged::RayMethod method);
 class RaysReport {
  public:
   RaysReport(const RaysOptions& options, const problems::WedgedProblem& problem,
-             const rays::ReactionCone& cone, wedged::RayFindings& found)
-      : options_(options), problem_(problem), cone_(cone), found_(found) {}
+             const rays::ReactionCone& cone, wedged::RayFindings& found,
+             std::optional<WholeStateJson> whole)
+      : options_(options),
+        problem_(problem),
+        cone_(cone),
+        found_(found),
+        whole_(std::move(whole)) {}
 
   /// Makes the numbers of all rays, and writes to those of `table`, `csv` and `json` that are
   /// there. The health of the numbers is then part of `found`.
@@ -54,6 +62,7 @@ class RaysReport {
   const problems::WedgedProblem& problem_;
   const rays::ReactionCone& cone_;
   wedged::RayFindings& found_;
+  std::optional<WholeStateJson> whole_;
 };
 
 }  // namespace kusabi::run

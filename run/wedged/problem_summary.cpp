@@ -108,8 +108,8 @@ ordered_json candidate_rows(std::span<const double> values, int dimension) {
   return list;
 }
 
-ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
-                        std::span<const double> values) {
+std::vector<double> of_all_candidates(const problems::WedgedProblem& problem, std::uint32_t block,
+                                      std::span<const double> values) {
   const auto d = static_cast<std::size_t>(problem.dimension);
   const auto candidates = problems::blocks_of(problem)[block];
   std::vector<double> whole(d * problem.contact_names.size(), 0);
@@ -119,7 +119,12 @@ ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t bl
     std::copy_n(next, d, whole.begin() + static_cast<std::ptrdiff_t>(d * i));
     next += problem.dimension;
   }
-  return candidate_rows(whole, problem.dimension);
+  return whole;
+}
+
+ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
+                        std::span<const double> values) {
+  return candidate_rows(of_all_candidates(problem, block, values), problem.dimension);
 }
 
 }  // namespace kusabi::run

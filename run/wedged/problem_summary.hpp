@@ -41,6 +41,10 @@ std::string listed(const std::vector<std::string>& words);
 /// A dm-vector as m rows of d, in the frame (n, t1[, t2]) of each candidate.
 nlohmann::ordered_json candidate_rows(std::span<const double> values, int dimension);
 
+/// Reactions or displacements of one block's candidates among those of all, which are zero.
+std::vector<double> of_all_candidates(const problems::WedgedProblem& problem, std::uint32_t block,
+                                      std::span<const double> values);
+
 /// The same of reactions or displacements of one block's candidates: those of all others are zero.
 nlohmann::ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
                                   std::span<const double> values);

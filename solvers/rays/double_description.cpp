@@ -28,13 +28,20 @@ constexpr Eigen::Index block_size = 256;
 /// what is not.
 constexpr double exact_enough = 1e-2;
 
+/// Pairs of leaves looked at between two questions whether to stop: a millisecond or so.
+constexpr std::uint64_t looks_between_stops = 256;
+
+constexpr auto all_rays = std::numeric_limits<std::uint64_t>::max();
+
 class DoubleDescription {
  public:
   /// Starts with the cone x >= 0 of the candidates `active`; all others have no reaction.
-  DoubleDescription(const ReactionCone& cone, Candidates active);
+  /// @param stop asked now and then whether to end; empty: never
+  DoubleDescription(const ReactionCone& cone, Candidates active, std::function<bool()> stop = {});
 
-  /// Cuts by all rows of `rows`, in the order that makes the fewest pairs.
-  void cut_by(Candidates rows, Keep keep);
+  /// Cuts by all rows of `rows`, in the order that makes the fewest pairs. @return false if it was
+  /// stopped, or there came to be more than `most_rays`
+  bool cut_by(Candidates rows, Keep keep, std::uint64_t most_rays = all_rays);
 
   Enumeration result() &&;
 
@@ -72,10 +79,14 @@ class DoubleDescription {
   std::vector<double> next_coordinates_;
   Effort effort_;
   Health health_;
+  std::function<bool()> stop_;
+  bool stopped_ = false;
+  std::uint64_t looks_ = 0;
 };
 
-DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active)
-    : cone_(cone), enough_(2 * cone.candidates() - 2) {
+DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active,
+                                     std::function<bool()> stop)
+    : cone_(cone), enough_(2 * cone.candidates() - 2), stop_(std::move(stop)) {
   for (Candidates rest = active; rest != 0; rest &= rest - 1) {
     const int k = std::countr_zero(rest);
     columns_.push_back(2 * k);
@@ -91,14 +102,17 @@ DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active
   for (std::size_t ray = 0; ray < size; ++ray) coordinates_[ray * size + ray] = 1;
 }
 
-void DoubleDescription::cut_by(Candidates rows, Keep keep) {
+bool DoubleDescription::cut_by(Candidates rows, Keep keep, std::uint64_t most_rays) {
   std::vector<int> left;
   for (; rows != 0; rows &= rows - 1) left.push_back(std::countr_zero(rows));
   while (!left.empty()) {
     const int row = cheapest(left);
     left.erase(std::find(left.begin(), left.end(), row));
     cut(row, keep);
+    stopped_ = stopped_ || (stop_ && stop_());
+    if (stopped_ || zeros_.size() > most_rays) return false;
   }
+  return true;
 }
 
 int DoubleDescription::cheapest(const std::vector<int>& rows) {
@@ -184,7 +198,7 @@ void DoubleDescription::add_between(int row, const std::vector<int>& plus,
 void DoubleDescription::match(const BitPatternTree& plus, const BitPatternTree::Node& a,
                               const BitPatternTree& minus, const BitPatternTree::Node& b,
                               const BitPatternTree& all, Candidates row) {
-  if (!may_be_adjacent(common(a.all, b.all))) return;
+  if (stopped_ || !may_be_adjacent(common(a.all, b.all))) return;
   if (!a.is_leaf() && (b.is_leaf() || a.size() >= b.size())) {
     match(plus, plus.child(a, 0), minus, b, all, row);
     match(plus, plus.child(a, 1), minus, b, all, row);
@@ -195,6 +209,7 @@ void DoubleDescription::match(const BitPatternTree& plus, const BitPatternTree::
     match(plus, a, minus, minus.child(b, 1), all, row);
     return;
   }
+  if (stop_ && ++looks_ % looks_between_stops == 0 && stop_()) stopped_ = true;
   for (int i = a.first; i < a.last; ++i) {
     if (!may_be_adjacent(common(plus.pattern(i), b.all))) continue;
     for (int j = b.first; j < b.last; ++j) {
@@ -240,10 +255,22 @@ Effort& Effort::operator+=(const Effort& other) {
   return *this;
 }
 
-Enumeration complementary_rays(const ReactionCone& cone) {
-  DoubleDescription description(cone, cone.all());
-  description.cut_by(cone.all(), Keep::complementary);
+std::optional<Enumeration> complementary_rays(const ReactionCone& cone, std::uint64_t most_rays,
+                                              const std::function<bool()>& stop) {
+  DoubleDescription description(cone, cone.all(), stop);
+  if (!description.cut_by(cone.all(), Keep::complementary, most_rays)) return std::nullopt;
   return std::move(description).result();
+}
+
+Enumeration complementary_rays(const ReactionCone& cone) {
+  return *complementary_rays(cone, all_rays);
+}
+
+std::uint64_t rays_that_fit(std::uint64_t bytes, int candidates) {
+  // Those of before a cut and those of after it, in vectors that grow by doubling, and the trees
+  // that they are matched with: ten times the ray itself, measured on a million.
+  const auto ray = sizeof(ZeroSet) + 2 * sizeof(double) * static_cast<std::uint64_t>(candidates);
+  return bytes / (10 * ray);
 }
 
 Enumeration rays_of_pattern(const ReactionCone& cone, Candidates contact) {

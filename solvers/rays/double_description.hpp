@@ -8,6 +8,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "solvers/rays/health.hpp"
@@ -38,7 +40,14 @@ struct Enumeration {
 };
 
 /// All extremal rays of C_r that satisfy u_n^T r_n = 0 (Algorithm 4.2).
+/// @param most_rays at one time: with more, nothing is returned
+/// @param stop asked now and then whether to end: then nothing is returned, too; empty: never
+std::optional<Enumeration> complementary_rays(const ReactionCone& cone, std::uint64_t most_rays,
+                                              const std::function<bool()>& stop = {});
 Enumeration complementary_rays(const ReactionCone& cone);
+
+/// How many rays at one time fit into so many bytes.
+std::uint64_t rays_that_fit(std::uint64_t bytes, int candidates);
 
 /// All extremal rays of D(Y) = {r in C_r: u_n = 0 on `contact`, r = 0 elsewhere}. They are extremal
 /// rays of C_r, since D(Y) is one of its faces.

@@ -1,5 +1,5 @@
 // A broken promise ends a search in every build, with the sentence and the place.
-#include "engine/contract.hpp"
+#include "engine/detail/contract.hpp"
 
 #include <optional>
 #include <string>
@@ -7,11 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/frontier.hpp"
-#include "engine/heap.hpp"
-#include "engine/lifelines.hpp"
+#include "engine/detail/frontier.hpp"
+#include "engine/detail/heap.hpp"
+#include "engine/detail/lifelines.hpp"
+#include "engine/detail/victims.hpp"
 #include "engine/search.hpp"
-#include "engine/victims.hpp"
 #include "tests/engine/random_tree.hpp"
 
 namespace kusabi::engine {
@@ -37,9 +37,10 @@ TEST(Contract, NamesFileLineAndPromise) {
 TEST(Contract, HoldsForWhatKeepsNodes) {
   Frontier<int> frontier;
   EXPECT_THROW(frontier.open(), ContractBroken);
-  EXPECT_THAT(complaint([&] { frontier.give(100); }),
-              MatchesRegex("engine/frontier.hpp:[0-9]+: a promise is broken: a frontier gives only "
-                           "if a node is left"));
+  EXPECT_THAT(
+      complaint([&] { frontier.give(100); }),
+      MatchesRegex("engine/detail/frontier.hpp:[0-9]+: a promise is broken: a frontier gives only "
+                   "if a node is left"));
   frontier.plant(1);
   EXPECT_THROW(frontier.take({{}, {{1, 0, 0}}}), ContractBroken);
   Heap<int> heap;

@@ -1,5 +1,5 @@
 // The pool of open nodes: order, giving and taking, and the paths that are never stored.
-#include "engine/frontier.hpp"
+#include "engine/detail/frontier.hpp"
 
 #include <random>
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/incumbent.hpp"
-#include "engine/relay.hpp"
+#include "engine/detail/incumbent.hpp"
+#include "engine/detail/relay.hpp"
 #include "engine/simulation.hpp"
 #include "tests/engine/knapsack.hpp"
 #include "tests/engine/queens.hpp"

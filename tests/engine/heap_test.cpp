@@ -1,12 +1,12 @@
 // The pool of open nodes ordered by bounds: order, giving, and the trails that nodes share.
-#include "engine/heap.hpp"
+#include "engine/detail/heap.hpp"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "engine/frontier.hpp"
+#include "engine/detail/frontier.hpp"
 
 namespace kusabi::engine {
 namespace {

@@ -1,5 +1,5 @@
 // Who leaves a name with whom, and who is served first.
-#include "engine/lifelines.hpp"
+#include "engine/detail/lifelines.hpp"
 
 #include <set>
 

@@ -1,5 +1,5 @@
 // Mattern's rule: when it must and when it must not say that the search is over.
-#include "engine/termination.hpp"
+#include "engine/detail/termination.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include "engine/budget.hpp"
 #include "engine/campaign.hpp"
-#include "engine/contract.hpp"
+#include "engine/detail/contract.hpp"
 #include "engine/shared_work.hpp"
 #include "engine/transport/simulated.hpp"
 #include "engine/transport/single_process.hpp"

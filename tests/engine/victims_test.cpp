@@ -1,5 +1,5 @@
 // Whom to ask, and how soon again.
-#include "engine/victims.hpp"
+#include "engine/detail/victims.hpp"
 
 #include <map>
 

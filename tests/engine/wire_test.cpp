@@ -8,7 +8,7 @@
 #include <boost/serialization/vector.hpp>
 #include <gtest/gtest.h>
 
-#include "engine/frontier.hpp"
+#include "engine/detail/frontier.hpp"
 
 namespace kusabi::engine {
 namespace {

@@ -47,6 +47,15 @@ class CheckArrows(unittest.TestCase):
         self.write("low/stone.hpp", '#include "cellar/wine.hpp"\n')
         self.assertEqual(self.check(), (1, ["low/stone.hpp:1: room low may not include room low/cellar (allowed: none)"]))
 
+    def test_details_are_for_their_own_room(self):
+        self.write("low/detail/mortar.hpp", "")
+        self.write("low/stone.hpp", '#include "low/detail/mortar.hpp"\n')
+        self.assertEqual(self.check()[0], 0)
+        self.write("high/roof.hpp", '#include "low/detail/mortar.hpp"\n')
+        self.assertEqual(
+            self.check(),
+            (1, ["high/roof.hpp:1: low/detail/mortar.hpp is a detail of room low; expected a header of its front door"]))
+
     def test_no_room_includes_tests(self):
         self.write("high/roof.hpp", '#include "tests/roof_test.cpp"\n')
         self.assertEqual(

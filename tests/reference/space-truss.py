@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Computes the numbers of space-truss.json anew, and compares: prints what differs, exit code 1 if anything does.
 
-    python3 space-truss.py      about a minute
+    python3 space-truss.py      half a minute
 
 Independent of the project: numpy for F of the nodes and members in the file, and for each of the 1023 leaves the
 margin t* by linear programs (HiGHS as scipy has it): the friction cones are replaced by half-spaces around them,
@@ -18,8 +18,9 @@ import numpy as np
 from scipy.optimize import linprog
 
 HERE = pathlib.Path(__file__).parent
-ZERO = 1e-9  # a margin that is neither proved above nor below this is reported
-NEAR = 1e-6  # the critical frictions have six digits
+ZERO = 1e-9  # a margin nearer to zero is reported
+DIGITS = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
+BESIDE = 1e-5
 FIRST = [(math.cos(a), math.sin(a)) for a in 2 * math.pi * np.arange(16) / 16]
 
 
@@ -53,14 +54,15 @@ class Leaf:
         self.others = [j for j in range(len(f) // 3) if j not in self.contact]
         self.sides = [list(FIRST) for _ in self.contact]
 
-    def sign(self, mu):
-        """1: alive, -1: dead, 0: within the tolerance."""
+    def bracket(self, mu, enough):
+        """(below, above) with below <= t* <= above, up to the tolerance of HiGHS, when enough(below, above)."""
         size = len(self.held)
         sums = np.zeros(size + 1)
         sums[:-1:3] = 1
         equal = np.vstack([np.c_[self.normal[self.contact], np.zeros(len(self.contact))], sums])
         gaps = np.c_[-self.normal[self.others], np.ones(len(self.others))]
-        while True:
+        best = -math.inf
+        for _ in range(60):
             rows = [gaps]
             for c, sides in enumerate(self.sides):
                 block = np.zeros((len(sides), size + 1))
@@ -68,19 +70,43 @@ class Leaf:
                 rows.append(block)
             rows = np.vstack(rows)
             found = linprog(np.r_[np.zeros(size), -1], A_ub=rows, b_ub=np.zeros(len(rows)), A_eq=equal,
-                            b_eq=np.r_[np.zeros(len(self.contact)), 1], bounds=[(None, None)] * (size + 1), method="highs")
-            if found.status != 0 or -found.fun < -ZERO:
-                return -1
-            r, above = found.x[:-1], found.x[-1]
+                            b_eq=np.r_[np.zeros(len(self.contact)), 1], bounds=[(None, None)] * (size + 1),
+                            method="highs", options=DIGITS)
+            if found.status == 2:
+                return -math.inf, -math.inf
+            r, above = found.x[:-1], -found.fun
             slides = np.hypot(r[1::3], r[2::3])
-            below = min([*(mu * r[::3] - slides), *(self.normal[self.others] @ r)])
-            if below > ZERO:
-                return 1
-            if above < ZERO and below > -ZERO:
-                return 0
+            best = max(best, min([*(mu * r[::3] - slides), *(self.normal[self.others] @ r)]))
+            if enough(best, above):
+                break
             for c, sides in enumerate(self.sides):
-                if slides[c] + above > mu * r[3 * c] + 1e-12 and slides[c] > 0:
+                if slides[c] + above > mu * r[3 * c] + 1e-11 and slides[c] > 0:
                     sides.append((r[3 * c + 1] / slides[c], r[3 * c + 2] / slides[c]))
+        return best, above
+
+    def sign(self, mu):
+        """1: alive, -1: dead, 0: neither is told."""
+        below, above = self.bracket(mu, lambda below, above: below > ZERO or above < -ZERO)
+        return 1 if below > ZERO else -1 if above < -ZERO else 0
+
+    def margin(self, mu):
+        return sum(self.bracket(mu, lambda below, above: above - below < 1e-10)) / 2
+
+
+def critical(leaf, near):
+    """Where t* changes its sign within BESIDE of `near`, by secants and halves in turn: it may have a kink."""
+    dead, alive = near - BESIDE, near + BESIDE
+    low, high = leaf.margin(dead), leaf.margin(alive)
+    if not low < 0 < high:
+        return math.nan
+    for turn in range(10):
+        middle = (dead + alive) / 2 if turn % 2 else dead + (alive - dead) * -low / (high - low)
+        level = leaf.margin(middle)
+        if level > 0:
+            alive, high = middle, level
+        else:
+            dead, low = middle, level
+    return dead + (alive - dead) * -low / (high - low)
 
 
 def main():
@@ -111,7 +137,7 @@ def main():
     compare(f"the patterns at {largest} have a critical friction", known == sorted(told["patterns"][largest]))
     for value, contact in told["critical"]:
         leaf = Leaf(f, contact)
-        compare(f"critical friction of {contact}", leaf.sign(value - NEAR) < 0 < leaf.sign(value + NEAR))
+        compare(f"critical friction of {contact}", abs(critical(leaf, value) - value) < 2e-6)
     print(f"{count} comparisons with space-truss.json, {faults} differ")
     return 1 if faults else 0
 

@@ -231,6 +231,46 @@ TEST_F(Command, AWrongFileIsReportedOnceByAllRanksTogether) {
   EXPECT_EQ(run.output.find("none.toml: the file cannot be read", first + 1), std::string::npos);
 }
 
+// W (4) and (5): what the obstacle pushes, the supports hold.
+TEST_F(Command, WritesWhatAConfigurationDoesToTheWholeStructure) {
+  const auto plane = quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
+  for (const std::string& call : {" patterns " + plane + " --mu 1", " critical " + plane,
+                                  " rays " + plane + " --mu 1 --whole"}) {
+    ASSERT_EQ(shell(command + call + " --quiet --output " + argument("all.json")).exit_code, 0);
+    const auto json = nlohmann::json::parse(content(in_folder("all.json")));
+    const auto& result = json["result"];
+    const auto& configurations = result.contains("rays") ? result["rays"] : result["patterns"];
+    ASSERT_FALSE(configurations.empty());
+    for (const auto& each : configurations) {
+      EXPECT_LE(each["imbalance"], 1e-12) << call;
+      std::array<double, 2> sum{};
+      double size = 0;
+      const auto& frames = json["problem"]["contact"];
+      for (std::size_t i = 0; i < frames.size(); ++i) {
+        const auto& frame = frames[i];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          const double n = frame["n"][axis];
+          const double t = frame["t1"][axis];
+          const double force =
+              each["reaction"][i][0].get<double>() * n + each["reaction"][i][1].get<double>() * t;
+          sum[axis] += force;
+          size += std::abs(force);
+          // The candidate's own displacement, in global axes.
+          const double u = each["displacement"][i][0].get<double>() * n +
+                           each["displacement"][i][1].get<double>() * t;
+          const double whole = each["all_displacements"][frame["node"].get<std::string>()][axis];
+          EXPECT_NEAR(u, whole, 1e-9 * (std::abs(u) + 1));
+        }
+      }
+      EXPECT_EQ(each["support_reactions"].size(), 5U);
+      for (const auto& support : each["support_reactions"]) {
+        for (std::size_t axis = 0; axis < 2; ++axis) sum[axis] += support[axis].get<double>();
+      }
+      EXPECT_LE(std::abs(sum[0]) + std::abs(sum[1]), 1e-12 * size) << call;
+    }
+  }
+}
+
 // One line each, which says what is wrong and what was expected.
 TEST_F(Command, RefusesWrongCalls) {
   const std::string good = "patterns " + truss + " --mu 0.5";
@@ -310,7 +350,9 @@ TEST_F(Command, DoesNotOverwriteTheProblemWithTheResult) {
   fs::create_symlink("truss.toml", in_folder("link"));
   const auto call = command + " patterns " + argument("truss.toml") + " --mu 0.5 --output ";
   for (const auto* other_name : {"truss.toml", "./truss.toml", "link"}) {
-    EXPECT_EQ(shell(call + argument(other_name)).exit_code, 2) << other_name;
+    const auto run = shell(call + argument(other_name));
+    EXPECT_EQ(run.exit_code, 2) << other_name;
+    EXPECT_THAT(run.output, HasSubstr(other_name + std::string(": is the problem file itself\n")));
     EXPECT_EQ(content(in_folder("truss.toml")), content(truss_file)) << other_name;
   }
   EXPECT_EQ(files(), (std::vector<std::string>{"link", "truss.toml"}));
@@ -490,7 +532,9 @@ TEST_F(Command, StopsAtALimitAndGoesOnFromItsCheckpoint) {
   EXPECT_LT(json["result"]["count"], 251);
 
   // Started again as if new, it does not overwrite what the night has brought.
-  EXPECT_EQ(shell(call + quoted(part) + " --checkpoint " + argument("state")).exit_code, 2);
+  const auto anew = shell(call + quoted(part) + " --checkpoint " + argument("state"));
+  EXPECT_EQ(anew.exit_code, 2);
+  EXPECT_THAT(anew.output, HasSubstr("exists already; expected --restart " + in_folder("state")));
   // It is the checkpoint of another tree.
   const auto other =
       shell(command + " patterns " + truss + " --mu 0.9 --restart " + argument("state"));
@@ -741,7 +785,11 @@ TEST_F(Command, ACertificateGoesOnFromACheckpoint) {
   EXPECT_THAT(stopped.output, HasSubstr("what is proved so far is in " + in_folder("cert.part.*")));
   EXPECT_THAT(files(), testing::IsSupersetOf({"cert.part.1.0", "cert.part.1.1"}));
   // Not as if nothing had been, not under another name, and not of another tree.
-  EXPECT_EQ(shell(call + with).exit_code, 2);
+  const auto anew = shell(call + with);
+  EXPECT_EQ(anew.exit_code, 2);
+  EXPECT_THAT(anew.output, HasSubstr("is in the way, a part of a search that did not end; "
+                                     "expected --restart " +
+                                     in_folder("state")));
   const auto rest = " --restart " + argument("state");
   const auto other = shell(call + rest + " --certificate " + argument("other"));
   EXPECT_EQ(other.exit_code, 2);
@@ -1025,7 +1073,9 @@ TEST_F(Command, RefusesRaysInSpaceAndSaysWhatToUse) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.output, HasSubstr("dimension is 3; expected 2"));
   EXPECT_THAT(run.output, HasSubstr("use kusabi patterns instead\n"));
-  EXPECT_EQ(shell(ranks(2) + command + " rays " + truss + " --mu 0.65").exit_code, 2);
+  const auto on_two = shell(ranks(2) + command + " rays " + truss + " --mu 0.65");
+  EXPECT_EQ(on_two.exit_code, 2);
+  EXPECT_THAT(on_two.output, HasSubstr("dimension is 3; expected 2"));
 }
 
 TEST_F(Command, StopsTheTreeOfRaysAtALimitWithAPartialAnswer) {
@@ -1185,7 +1235,9 @@ TEST_F(Command, WritesGridsThatItReads) {
   shell(command + " example grid --bays 3 --output " + argument("grid.toml"));
   const auto run = shell(command + " limit " + argument("grid.toml") + " --alpha 20");
   EXPECT_EQ(run.exit_code, 0) << run.output;
-  EXPECT_EQ(shell(command + " example grid --bays 1").exit_code, 2);
+  const auto wrong = shell(command + " example grid --bays 1");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("a grid of 1 bays; expected 2 to 100"));
 }
 
 }  // namespace

@@ -166,7 +166,8 @@ TEST_F(VerifyCommand, LimitLoadsAreProvedOfTheProblemFile) {
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_THAT(other.output, HasSubstr("refused: "));
   const auto wrong = verify(certificate, example_file("two-bars.toml"));
-  EXPECT_EQ(wrong.exit_code, 2);  // no truss that limit analysis is for
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("a [[members]] group has no yield; expected yield"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "problems/files/structure_file.hpp"
 #include "problems/files/structure_writer.hpp"
+#include "problems/structure/truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "tests/problems/trusses.hpp"
 
@@ -39,6 +40,18 @@ TEST(PlaneTruss, OfTheUsualSizeIsTheExample) {
     EXPECT_EQ(truss.contact[i].node, example.contact[i].node);
     EXPECT_LT((own.frames[i] - theirs.frames[i]).cwiseAbs().maxCoeff(), 1e-15);
   }
+}
+
+TEST(PlaneTruss, OfThePaperHasBarsOfOneStiffnessAndAMirroredNormal) {
+  const auto truss = paper_plane_truss(5);
+  EXPECT_EQ(truss.members.size(), 17U);
+  for (const double stiffness : member_stiffnesses(truss)) EXPECT_NEAR(stiffness, 1, 1e-15);
+  for (const auto& candidate : truss.contact) {
+    const double lean = std::atan2(truss.coordinates(0, 9) - truss.coordinates(0, 1), 4.0);
+    EXPECT_NEAR(candidate.normal(0), -std::cos(lean), 1e-15);
+    EXPECT_NEAR(candidate.normal(1), -std::sin(lean), 1e-15);
+  }
+  EXPECT_THROW((void)paper_plane_truss(1), std::invalid_argument);
 }
 
 TEST(PlaneTruss, OfAnySizeAndBraceStandsFirm) {

@@ -63,6 +63,30 @@ TEST_P(PlaneTrussTable, HasTheRaysAndConesOfTheReference) {
   EXPECT_EQ(maximal_cones(found.rays, cone.all()).size(), known["cones"].get<std::size_t>());
 }
 
+// The numbers of rays and cones that the paper prints, but for the cones of N = 15: it prints 30.
+TEST(PaperPlaneTruss, HasTheRaysAndConesOfThePaper) {
+  for (const auto& [mu, by_rows] : reference("paper-plane-truss.json")["rays"].items()) {
+    for (const auto& [rows, counts] : by_rows.items()) {
+      const auto cone = cone_of(problems::paper_plane_truss(std::stoi(rows)), std::stod(mu));
+      const auto found = complementary_rays(cone);
+      EXPECT_TRUE(found.health.sound());
+      EXPECT_EQ(found.rays.size(), counts[0].get<std::size_t>()) << rows << ' ' << mu;
+      EXPECT_EQ(maximal_cones(found.rays, cone.all()).size(), counts[1].get<std::size_t>());
+    }
+  }
+}
+
+TEST(DoubleDescription, EndsWhenItHasTooManyRaysOrIsTold) {
+  const auto cone = cone_of(problems::paper_plane_truss(9), 0.65);
+  const auto whole = complementary_rays(cone);
+  const auto peak = whole.effort.peak_rays;
+  EXPECT_EQ(complementary_rays(cone, peak)->rays, whole.rays);
+  EXPECT_FALSE(complementary_rays(cone, peak - 1).has_value());
+  EXPECT_FALSE(complementary_rays(cone, peak, [] { return true; }).has_value());
+  EXPECT_TRUE(complementary_rays(cone, peak, [] { return false; }).has_value());
+  EXPECT_GT(rays_that_fit(1U << 30U, 10), rays_that_fit(1U << 30U, 20));
+}
+
 std::vector<Row> table_rows() {
   std::vector<Row> list;
   const auto table = reference("plane-truss.json")["table"];

@@ -1,5 +1,5 @@
 // What is said of a broken promise.
-#include "engine/contract.hpp"
+#include "engine/detail/contract.hpp"
 
 #include <string>
 #include <string_view>

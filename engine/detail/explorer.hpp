@@ -12,16 +12,16 @@
 #include <utility>
 #include <vector>
 
+#include "engine/detail/frontier.hpp"
+#include "engine/detail/heap.hpp"
+#include "engine/detail/incumbent.hpp"
+#include "engine/detail/open_nodes.hpp"
+#include "engine/detail/yield.hpp"
 #include "engine/expansion.hpp"
-#include "engine/frontier.hpp"
-#include "engine/heap.hpp"
-#include "engine/incumbent.hpp"
-#include "engine/open_nodes.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
 #include "engine/wire.hpp"
-#include "engine/yield.hpp"
 
 namespace kusabi::engine {
 

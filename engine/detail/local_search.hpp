@@ -1,5 +1,5 @@
-// What the protocol (engine/rank.hpp) knows of the search on its rank: nothing of the problem's
-// type.
+// What the protocol (engine/detail/rank.hpp) knows of the search on its rank: nothing of the
+// problem's type.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/incumbent.hpp"
+#include "engine/detail/incumbent.hpp"
 #include "engine/statistics.hpp"
 #include "engine/wire.hpp"
 

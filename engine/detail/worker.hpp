@@ -1,5 +1,5 @@
-// One rank of a search: what it searches (engine/explorer.hpp) behind what the protocol
-// (engine/rank.hpp) needs to know of it.
+// One rank of a search: what it searches (engine/detail/explorer.hpp) behind what the protocol
+// (engine/detail/rank.hpp) needs to know of it.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "engine/explorer.hpp"
-#include "engine/local_search.hpp"
+#include "engine/detail/explorer.hpp"
+#include "engine/detail/local_search.hpp"
+#include "engine/detail/rank.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
 #include "engine/problem.hpp"
-#include "engine/rank.hpp"
 #include "engine/transport/transport.hpp"
 #include "engine/wire.hpp"
 

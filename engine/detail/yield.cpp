@@ -1,5 +1,5 @@
 // Two openings of a node, compared.
-#include "engine/yield.hpp"
+#include "engine/detail/yield.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/contract.hpp"
+#include "engine/detail/contract.hpp"
 
 namespace kusabi::engine {
 

@@ -1,9 +1,9 @@
 // How ranks share work: what each message means, and whom an idle rank asks.
 #include <utility>
 
-#include "engine/contract.hpp"
-#include "engine/rank.hpp"
-#include "engine/relay.hpp"
+#include "engine/detail/contract.hpp"
+#include "engine/detail/rank.hpp"
+#include "engine/detail/relay.hpp"
 
 namespace kusabi::engine {
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/contract.hpp"
-#include "engine/open_nodes.hpp"
+#include "engine/detail/contract.hpp"
+#include "engine/detail/open_nodes.hpp"
 #include "engine/path.hpp"
 
 namespace kusabi::engine {

@@ -8,10 +8,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/detail/member_names.hpp"
+#include "engine/detail/serializable.hpp"
 #include "engine/expansion.hpp"
-#include "engine/member_names.hpp"
 #include "engine/problem.hpp"
-#include "engine/serializable.hpp"
 
 namespace kusabi::engine {
 

@@ -19,8 +19,8 @@
 // gives every other node from the shallowest on, or refuses. What concerns all ranks at once is
 // decided from merged surveys, which all ranks see alike, so all take the same turn at the same
 // wave. In `pausing` no rank opens, asks or gives; when two waves are quiet
-// (engine/termination.hpp) every open node lies on exactly one rank, and that is the state that a
-// checkpoint keeps.
+// (engine/detail/termination.hpp) every open node lies on exactly one rank, and that is the state
+// that a checkpoint keeps.
 //
 // Requests are always answered, also while closing; a rank leaves only after a last survey that
 // every rank joins when its own last request has been answered. So no message is ever left behind.
@@ -33,15 +33,15 @@
 #include <vector>
 
 #include "engine/checkpoint.hpp"
-#include "engine/lifelines.hpp"
-#include "engine/local_search.hpp"
+#include "engine/detail/lifelines.hpp"
+#include "engine/detail/local_search.hpp"
+#include "engine/detail/termination.hpp"
+#include "engine/detail/victims.hpp"
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
 #include "engine/survey.hpp"
-#include "engine/termination.hpp"
 #include "engine/trace.hpp"
 #include "engine/transport/transport.hpp"
-#include "engine/victims.hpp"
 
 namespace kusabi::engine {
 

@@ -8,7 +8,7 @@
 #include <boost/serialization/level.hpp>
 #include <boost/serialization/serialization.hpp>
 
-#include "engine/member_names.hpp"
+#include "engine/detail/member_names.hpp"
 
 namespace kusabi::engine {
 namespace serialization {

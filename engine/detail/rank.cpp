@@ -1,5 +1,5 @@
 // What a rank does step by step, from its first to its last.
-#include "engine/rank.hpp"
+#include "engine/detail/rank.hpp"
 
 #include <algorithm>
 #include <utility>

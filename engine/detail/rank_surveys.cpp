@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/checkpoint.hpp"
-#include "engine/rank.hpp"
+#include "engine/detail/rank.hpp"
 
 namespace kusabi::engine {
 

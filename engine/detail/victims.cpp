@@ -1,9 +1,9 @@
 // The random choice and the back-off.
-#include "engine/victims.hpp"
+#include "engine/detail/victims.hpp"
 
 #include <algorithm>
 
-#include "engine/contract.hpp"
+#include "engine/detail/contract.hpp"
 #include "engine/path.hpp"
 
 namespace kusabi::engine {

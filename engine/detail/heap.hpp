@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/contract.hpp"
-#include "engine/open_nodes.hpp"
+#include "engine/detail/contract.hpp"
+#include "engine/detail/open_nodes.hpp"
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {

@@ -1,0 +1,124 @@
+// All displacements and support reactions, by statics and by the stiffness of the whole structure.
+#include "problems/wedged/whole_structure.hpp"
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "problems/files/structure_file.hpp"
+#include "problems/structure/truss.hpp"
+#include "support/input_error.hpp"
+
+namespace {
+
+using namespace kusabi::problems;
+
+Structure example(const std::string& name) {
+  const auto file = std::string(KUSABI_SOURCE_DIR) + "/examples/" + name + ".toml";
+  return read_structure(file_text(file), file);
+}
+
+Eigen::VectorXd random_reactions(const WedgedProblem& problem, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return Eigen::VectorXd::NullaryExpr(problem.compliance.rows(), [&] { return normal(random); });
+}
+
+std::vector<double> list(const Eigen::VectorXd& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+// A load along one of two bars at a right angle: the other has nothing to do.
+TEST(WholeStructure, CarriesALoadAlongABarToItsSupport) {
+  const auto structure = read_structure(R"(
+name = "corner"
+dimension = 2
+units = {length = "m", force = "kN"}
+[nodes]
+top = [0, 2]
+foot = [0, 0]
+side = [3, 2]
+[[members]]
+EA = 10
+between = [["foot", "top"], ["top", "side"]]
+[[supports]]
+nodes = ["foot", "side"]
+fixed = ["x", "y"]
+[[contact]]
+nodes = ["top"]
+normal = [0, 1]
+)",
+                                        "corner");
+  const WholeStructure whole(structure, wedged_problem(structure));
+  const auto state = whole.under(std::vector<double>{5, 0});
+  EXPECT_DOUBLE_EQ(state.displacements(1, 0), 5.0 * 2 / 10);
+  EXPECT_DOUBLE_EQ(state.displacements(0, 0), 0);
+  EXPECT_DOUBLE_EQ(state.reactions(1, 1), -5);
+  EXPECT_DOUBLE_EQ(state.reactions(0, 1), 0);
+  EXPECT_DOUBLE_EQ(state.reactions.col(2).norm(), 0);
+  EXPECT_TRUE(whole.is_supported(1));
+  EXPECT_FALSE(whole.is_supported(0));
+  EXPECT_LE(state.imbalance, 1e-15);
+}
+
+// K^0 u is what acts on each node: the obstacle, the supports, nothing else. K^0 is assembled anew,
+// of the truss without its supports.
+TEST(WholeStructure, IsInEquilibriumAtEveryNode) {
+  for (const char* const name : {"space-truss", "plane-truss"}) {
+    const auto structure = example(name);
+    const auto problem = wedged_problem(structure);
+    const WholeStructure whole(structure, problem);
+    auto loose = structure;
+    for (auto& axes : loose.fixed) axes = {false, false, false};
+    const auto all = free_degrees(loose);
+    const auto stiffness = truss_stiffness(loose, all, member_stiffnesses(loose));
+    std::mt19937 random(7);
+    for (int draw = 0; draw < 10; ++draw) {
+      const auto r = random_reactions(problem, random);
+      const auto state = whole.under(list(r));
+      Eigen::MatrixXd acting = state.reactions;
+      for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+        const auto d = static_cast<Eigen::Index>(structure.dimension);
+        acting.col(structure.contact[i].node) +=
+            problem.frames[i] * r.segment(d * static_cast<Eigen::Index>(i), d);
+      }
+      const Eigen::VectorXd internal = stiffness * state.displacements.reshaped();
+      EXPECT_LE((internal - acting.reshaped()).norm(), 1e-12 * acting.norm()) << name;
+    }
+  }
+}
+
+// Where nothing is fixed, nothing is held; where a candidate is, it moves as F says. Of elements,
+// too, and of structures that come apart.
+TEST(WholeStructure, MovesItsCandidatesAsTheComplianceSays) {
+  for (const char* const name : {"space-truss", "plane-truss", "elastic-body"}) {
+    const auto structure = example(name);
+    const auto problem = wedged_problem(structure);
+    const WholeStructure whole(structure, problem);
+    std::mt19937 random(8);
+    for (int draw = 0; draw < 10; ++draw) {
+      const auto r = random_reactions(problem, random);
+      const auto state = whole.under(list(r));
+      const Eigen::VectorXd u = problem.compliance * r;
+      const auto d = static_cast<Eigen::Index>(structure.dimension);
+      for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+        const Eigen::VectorXd own =
+            problem.frames[i].transpose() * state.displacements.col(structure.contact[i].node);
+        EXPECT_LE((own - u.segment(d * static_cast<Eigen::Index>(i), d)).norm(), 1e-12 * u.norm());
+      }
+      for (std::size_t node = 0; node < structure.fixed.size(); ++node) {
+        for (std::size_t axis = 0; axis < static_cast<std::size_t>(d); ++axis) {
+          const auto row = static_cast<Eigen::Index>(axis);
+          const auto column = static_cast<Eigen::Index>(node);
+          EXPECT_EQ(structure.fixed[node][axis] ? state.displacements(row, column)
+                                                : state.reactions(row, column),
+                    0);
+        }
+      }
+      EXPECT_LE(state.imbalance, 1e-13) << name;
+    }
+  }
+}
+
+}  // namespace
