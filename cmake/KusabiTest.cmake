@@ -1,37 +1,18 @@
 # What is tested is optimised as users have it; the tests themselves take half as long to compile.
-# (GCC 12 warns of Eigen's own code then, and of std::string's in precompiled headers.)
-set(KUSABI_TEST_OPTIONS
-  $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>
-  $<$<AND:$<BOOL:${KUSABI_JOINED}>,$<CXX_COMPILER_ID:GNU>>:-Wno-array-bounds>)
-
-# What nearly all tests include, read once. Only where sources are joined: by themselves they shall
-# show what they forgot to include.
-if(KUSABI_TESTS AND KUSABI_JOINED)
-  find_package(GTest 1.12 REQUIRED)
-  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/test_headers.cpp CONTENT "")
-  add_library(kusabi_test_headers OBJECT ${PROJECT_BINARY_DIR}/test_headers.cpp)
-  target_compile_options(kusabi_test_headers PRIVATE ${KUSABI_TEST_OPTIONS})
-  target_link_libraries(kusabi_test_headers PRIVATE kusabi_build GTest::gmock)
-  target_precompile_headers(kusabi_test_headers PRIVATE
-    <algorithm> <array> <chrono> <cmath> <filesystem> <fstream> <functional> <map> <optional> <random>
-    <set> <span> <sstream> <string> <variant> <vector> <gmock/gmock.h> <gtest/gtest.h>)
-endif()
+# (GCC 12 warns of Eigen's own code then.)
+set(KUSABI_TEST_OPTIONS $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>)
 
 # One GoogleTest executable a folder of tests:  kusabi_test(NAME SOURCES a.cpp b.cpp LIBRARIES x y)
 # JOINED: which sources may be compiled together, as in kusabi_join; without it, all.
 # PROCESSES: it starts others, so it is not among those labelled `fast`, which take seconds in all.
-# OWN_OPTIONS: it is compiled in another way than other tests.
 # LONG: those that take a minute; they begin first, and the sanitizers leave them to Release.
 function(kusabi_test name)
-  cmake_parse_arguments(TEST "PROCESSES;OWN_OPTIONS" "LONG" "SOURCES;LIBRARIES;JOINED" ${ARGN})
+  cmake_parse_arguments(TEST "PROCESSES" "LONG" "SOURCES;LIBRARIES;JOINED" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   if(NOT TEST_JOINED)
     set(TEST_JOINED ".")
   endif()
   kusabi_join(${name} ${TEST_JOINED})
-  if(KUSABI_JOINED AND NOT TEST_OWN_OPTIONS)
-    target_precompile_headers(${name} REUSE_FROM kusabi_test_headers)
-  endif()
   target_compile_options(${name} PRIVATE ${KUSABI_TEST_OPTIONS})
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} kusabi_build GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
