@@ -94,9 +94,12 @@ RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem&
                           : std::numeric_limits<std::uint64_t>::max();
     by_all = engine::from_first_rank(campaign.transport(), [&] {
       auto all = by_double_description(cone, most, budget.stop());
-      if (all) found = *std::move(all);
-      if (!all && budget.spent()) found.status = budget.why();
-      return !all && found.status == engine::Status::solved;
+      if (all) {
+        found = *std::move(all);
+        return false;
+      }
+      if (budget.spent()) found.status = budget.why();
+      return found.status == engine::Status::solved;
     });
     if (by_all) {
       campaign.say(

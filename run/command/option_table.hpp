@@ -111,8 +111,8 @@ class OptionTable {
 
   /// One of some words, each of which stands for a value.
   template <std::copyable T>
-  RowBuilder choice(std::string name, T& variable,
-                    const std::vector<std::pair<std::string, T>>& words, std::string help) {
+  RowBuilder choice(const std::string& name, T& variable,
+                    const std::vector<std::pair<std::string, T>>& words, const std::string& help) {
     std::vector<std::string> names;
     std::vector<T> values;
     std::string usual;
@@ -122,8 +122,8 @@ class OptionTable {
       values.push_back(value);
     }
     return word(
-        std::move(name), std::move(names), std::move(usual),
-        [&variable, values](std::size_t at) { variable = values[at]; }, std::move(help));
+        name, std::move(names), std::move(usual),
+        [&variable, values](std::size_t at) { variable = values[at]; }, help);
   }
 
   /// A switch, which sets the variable to `on`.

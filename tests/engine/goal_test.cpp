@@ -157,6 +157,19 @@ TEST(Limits, OfNodesStopsTheSearchAndSaysWhatIsLeft) {
   EXPECT_GT(outcome.open, 0U);
 }
 
+// A survey that crawls (a rank has no core) must not let the others come to the end of the tree.
+TEST(Limits, OfNodesStopsTheSearchHoweverLateARankIs) {
+  const auto whole = search(RandomTree(11, 10)).opened();
+  Options options;
+  options.limits.nodes = whole / 4;
+  const Weather late{.latency = 5e-3, .node = 1e-7, .stall = 20e-3, .stall_probability = 0.3};
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const auto many = simulate(RandomTree(11, 10), 3, seed, late, options);
+    EXPECT_EQ(many.outcome.status, Status::node_limit) << seed;
+    EXPECT_LT(many.outcome.opened(), whole) << seed;
+  }
+}
+
 TEST(Limits, OfSolutionsStopsOnAllRanks) {
   Options options;
   options.limits.solutions = 10;
