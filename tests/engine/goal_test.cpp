@@ -159,7 +159,8 @@ TEST(Limits, OfNodesStopsTheSearchAndSaysWhatIsLeft) {
 
 // A survey that crawls (a rank has no core) must not let the others come to the end of the tree.
 TEST(Limits, OfNodesStopsTheSearchHoweverLateARankIs) {
-  const auto whole = search(RandomTree(11, 10)).opened();
+  RandomTree tree(11, 10);
+  const auto whole = search(tree).opened();
   Options options;
   options.limits.nodes = whole / 4;
   const Weather late{.latency = 5e-3, .node = 1e-7, .stall = 20e-3, .stall_probability = 0.3};
