@@ -65,7 +65,8 @@ TEST_P(PlaneTrussTable, HasTheRaysAndConesOfTheReference) {
 
 // The numbers of rays and cones that the paper prints, but for the cones of N = 15: it prints 30.
 TEST(PaperPlaneTruss, HasTheRaysAndConesOfThePaper) {
-  for (const auto& [mu, by_rows] : reference("paper-plane-truss.json")["rays"].items()) {
+  const auto table = reference("paper-plane-truss.json")["rays"];
+  for (const auto& [mu, by_rows] : table.items()) {
     for (const auto& [rows, counts] : by_rows.items()) {
       const auto cone = cone_of(problems::paper_plane_truss(std::stoi(rows)), std::stod(mu));
       const auto found = complementary_rays(cone);
