@@ -110,9 +110,13 @@ void Critical::search(CommandRun& run) {
 }
 
 std::vector<Step> Critical::results(CommandRun& run) {
-  return {run.result(
-              critical_json(options_, problem_, findings_, WholeStateJson(*structure_, problem_))),
-          run.answer(critical_table(options_, problem_, findings_))};
+  std::vector<Step> steps;
+  if (run.wants("--output")) {
+    const WholeStateJson whole(*structure_, problem_);
+    steps.push_back(run.result(critical_json(options_, problem_, findings_, whole)));
+  }
+  steps.push_back(run.answer(critical_table(options_, problem_, findings_)));
+  return steps;
 }
 
 Verdict Critical::verdict(CommandRun& /*run*/) {

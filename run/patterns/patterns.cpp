@@ -177,9 +177,15 @@ std::vector<Step> Patterns::results(CommandRun& run) {
   const PatternsReport report(options_, problem_, *findings_);
   const auto& kept = question_.search.checkpoint.file;
   goes_on_ = !kept.empty() && engine::checkpoint_exists(kept);
-  return {run.result(report.json(WholeStateJson(structure_, problem_))),
-          run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
-          [this] { end_certificate(); }, run.answer(report.table())};
+  std::vector<Step> steps;
+  if (run.wants("--output")) {
+    steps.push_back(run.result(report.json(WholeStateJson(structure_, problem_))));
+  }
+  steps.push_back(
+      run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }));
+  steps.emplace_back([this] { end_certificate(); });
+  steps.push_back(run.answer(report.table()));
+  return steps;
 }
 
 Verdict Patterns::verdict(CommandRun& run) {
