@@ -92,15 +92,17 @@ RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem&
     const auto most = method == RayMethod::automatic
                           ? rays::rays_that_fit(memory_for_double_description, cone.candidates())
                           : std::numeric_limits<std::uint64_t>::max();
-    by_all = engine::from_first_rank(campaign.transport(), [&] {
-      auto all = by_double_description(cone, most, budget.stop());
-      if (all) {
+    engine::Survey own{.ranks = 1};  // which counts those that found too many rays
+    if (campaign.is_first()) {
+      if (auto all = by_double_description(cone, most, budget.stop())) {
         found = *std::move(all);
-        return false;
+      } else if (budget.spent()) {
+        found.status = budget.why();
+      } else {
+        own.found = 1;
       }
-      if (budget.spent()) found.status = budget.why();
-      return found.status == engine::Status::solved;
-    });
+    }
+    by_all = engine::meet(campaign.transport(), own).found != 0;  // the others sleep meanwhile
     if (by_all) {
       campaign.say(
           fmt::format("more than {} rays at one time: by the tree of sign patterns", most));
