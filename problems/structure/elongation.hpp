@@ -43,6 +43,12 @@ StrainVector<Scalar> elongation_vector(const Structure& structure, const FreeDeg
   return entries;
 }
 
+/// EA / L of a member, force/length.
+template <class Scalar>
+Scalar bar_stiffness(const Structure& structure, const Member& member) {
+  return Scalar(member.axial_stiffness) / extent<Scalar>(structure, member).stableNorm();
+}
+
 /// Adds `weight` b b^T to the entries of a matrix.
 template <class Scalar>
 void add_square(const StrainVector<Scalar>& vector, Scalar weight,

@@ -51,18 +51,6 @@ constexpr int most_refinements = 12;
 /// The least eigenvalue is tried at half of its estimate, and at smaller shares.
 constexpr int most_trials = 4;
 
-/// A set of strain vectors with one weight and one bound of the relative error of its squares.
-struct Stiffener {
-  std::vector<StrainVector<Precise>> vectors;
-  Precise weight;
-};
-
-Stiffener stiffener(const Structure& structure, const FreeDegrees& degrees, const Member& member) {
-  const Precise length = extent<Precise>(structure, member).stableNorm();
-  return {{elongation_vector<Precise>(structure, degrees, member)},
-          Precise(member.axial_stiffness) / length};
-}
-
 /// How much the geometry of an element loses to cancellation: the square of its largest side over
 /// the least area at a corner.
 double slenderness(const Structure& structure, const Quadrilateral& element) {
@@ -95,10 +83,11 @@ ScaledStiffness assemble(const Structure& structure, const FreeDegrees& degrees)
   };
   std::vector<Share> shares;
   for (const Member& member : structure.members) {
-    const auto [vectors, weight] = stiffener(structure, degrees, member);
-    add_square(vectors.front(), weight, entries);
+    const auto vector = elongation_vector<Precise>(structure, degrees, member);
+    const auto weight = bar_stiffness<Precise>(structure, member);
+    add_square(vector, weight, entries);
     Share share{{}, {}, member_roundings * unit * numbers::rounded(weight)};
-    for (const auto& entry : vectors.front()) {
+    for (const auto& entry : vector) {
       share.numbers.push_back(entry.number);
       share.sizes.push_back(std::abs(numbers::rounded(entry.value)));
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -54,7 +55,7 @@ void set_compliance(WedgedProblem& problem, const Structure& structure) {
     refuse_condition(structure);
   problem.precise_compliance = std::move(precise);
   problem.precise_error = error;
-  problem.response = std::move(response);
+  problem.response = std::make_shared<const numbers::PreciseMatrix>(std::move(response));
   // |F_ij| <= sqrt(F_ii F_jj), so half a unit in the last place of an entry is no more of that.
   problem.compliance_error = error + 1.01 * numbers::unit_roundoff<double>;
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,9 @@ struct WedgedProblem {
   /// without a structure: its doubles then count as exact.
   numbers::PreciseMatrix precise_compliance;
   double precise_error = 0;  ///< the like of compliance_error for precise_compliance
-  /// All free displacements under unit reactions, f x dm (EnclosedCompliance::response); empty if
-  /// the problem was made without a structure.
-  numbers::PreciseMatrix response;
+  /// All free displacements under unit reactions, f x dm (EnclosedCompliance::response): of the
+  /// whole structure, and shared with the problems of its blocks; null if there was no structure.
+  std::shared_ptr<const numbers::PreciseMatrix> response;
   int nodes = 0;     ///< of the structure, supported ones included
   int members = 0;   ///< of the structure
   int elements = 0;  ///< of the structure

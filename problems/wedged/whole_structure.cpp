@@ -17,17 +17,9 @@ namespace {
 using numbers::Precise;
 
 /// All displacements, fixed ones included, node by node.
-FreeDegrees all_degrees(const Structure& structure) {
-  const int nodes = static_cast<int>(structure.node_names.size());
-  FreeDegrees all;
-  all.number.resize(structure.dimension, nodes);
-  for (int node = 0; node < nodes; ++node) {
-    for (int axis = 0; axis < structure.dimension; ++axis) {
-      all.number(axis, node) = all.size();
-      all.free.push_back({node, axis});
-    }
-  }
-  return all;
+FreeDegrees all_degrees(Structure structure) {
+  for (auto& axes : structure.fixed) axes = {};
+  return free_degrees(structure);
 }
 
 // The rows of a matrix over the free displacements, at their places among all.
@@ -58,9 +50,8 @@ numbers::PreciseMatrix forces_of(const Structure& structure, const FreeDegrees& 
   numbers::PreciseMatrix forces =
       numbers::PreciseMatrix::Zero(displacements.rows(), displacements.cols());
   for (const Member& member : structure.members) {
-    const Precise length = extent<Precise>(structure, member).stableNorm();
     add_forces(elongation_vector<Precise>(structure, all, member),
-               Precise(member.axial_stiffness) / length, displacements, forces);
+               bar_stiffness<Precise>(structure, member), displacements, forces);
   }
   for (const Quadrilateral& element : structure.elements) {
     for (const auto& vector : strain_vectors<Precise>(structure, all, element)) {
@@ -75,7 +66,7 @@ numbers::PreciseMatrix forces_of(const Structure& structure, const FreeDegrees& 
 WholeStructure::WholeStructure(const Structure& structure, const WedgedProblem& problem)
     : dimension_(structure.dimension), coordinates_(structure.coordinates) {
   const auto all = all_degrees(structure);
-  const auto displacements = among_all(problem.response, free_degrees(structure), all);
+  const auto displacements = among_all(*problem.response, free_degrees(structure), all);
   displacements_ = displacements.cast<double>();
   internal_forces_ = forces_of(structure, all, displacements).cast<double>();
   for (std::size_t node = 0; node < structure.fixed.size(); ++node) {
