@@ -2,37 +2,23 @@
 
     python3 check_arrows_test.py CHECK_ARROWS
 """
-import pathlib
-import subprocess
-import sys
-import tempfile
 import unittest
 
-CHECK = sys.argv.pop()
+from planted import Planted
+
 TABLE = "low:\nlow/cellar: low\nhigh: low low/cellar\n"
 PAGE = "# A house\n\n```arrows\n{}```\n"
 
 
-class CheckArrows(unittest.TestCase):
+class CheckArrows(Planted):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
         self.write("docs/architecture.md", PAGE.format(TABLE))
         self.write("low/stone.hpp", "#include <vector>\n")
         self.write("low/cellar/wine.hpp", '#include "low/stone.hpp"\n')
         self.write("high/roof.cpp", '#include "roof.hpp"\n#include "low/cellar/wine.hpp"\n')
         self.write("high/roof.hpp", "")
         self.write("tests/roof_test.cpp", '#include "high/roof.hpp"\n')
-
-    def write(self, name, text):
-        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.root / name).write_text(text)
-
-    def check(self):
-        run = subprocess.run([sys.executable, CHECK, self.root], capture_output=True, text=True, check=False)
-        self.assertEqual(run.stderr, "")
-        return run.returncode, run.stdout.splitlines()
 
     def test_accepts_what_the_table_allows(self):
         code, lines = self.check()

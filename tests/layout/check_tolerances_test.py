@@ -2,13 +2,10 @@
 
     python3 check_tolerances_test.py CHECK_TOLERANCES
 """
-import pathlib
-import subprocess
-import sys
-import tempfile
 import unittest
 
-CHECK = sys.argv.pop()
+from planted import Planted
+
 ROWS = """| name | file | value | relative to | why |
 |---|---|---|---|---|
 | `near` | `solvers/plane.hpp` | `1e-9` | \\|x\\| | rounding |
@@ -17,11 +14,9 @@ ROWS = """| name | file | value | relative to | why |
 """
 
 
-class CheckTolerances(unittest.TestCase):
+class CheckTolerances(Planted):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
         self.write("docs/tolerances.md", "# Numbers\n\n" + ROWS)
         self.write("solvers/plane.hpp", "inline constexpr double near = 1e-9;\n")
         self.write("verify/plane.cpp",
@@ -29,15 +24,6 @@ class CheckTolerances(unittest.TestCase):
                    "constexpr double far =\n    1 / near;\n")
         self.write("run/critical/ends.hpp", "struct Ends {\n  double width = 1e-8;  // of a cell\n};\n")
         self.write("problems/families/bridge.cpp", "constexpr double span = 30;\n")
-
-    def write(self, name, text):
-        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.root / name).write_text(text)
-
-    def check(self):
-        run = subprocess.run([sys.executable, CHECK, self.root], capture_output=True, text=True, check=False)
-        self.assertEqual(run.stderr, "")
-        return run.returncode, run.stdout.splitlines()
 
     def test_accepts_a_page_that_is_true(self):
         self.assertEqual(self.check(), (0, ["2 numbers in the sources, 3 in docs/tolerances.md: the same"]))
