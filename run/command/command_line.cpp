@@ -1,7 +1,6 @@
 // CLI11 splits the call into words and prints help; what words mean is in the tables.
 #include "run/command/command_line.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -136,9 +135,11 @@ CommandLine::Asked CommandLine::parse(int argc, const char* const* argv) {
 
 std::string CommandLine::manual() const {
   std::string text = fmt::format(
-      ".TH KUSABI 1 \"\" \"kusabi {}\"\n.SH NAME\nkusabi \\- wedged configurations and "
-      "worst\\-case "
-      "limit loads, by parallel tree search\n.SH SYNOPSIS\n",
+      R"(.TH KUSABI 1 "" "kusabi {}"
+.SH NAME
+kusabi \- wedged configurations and worst\-case limit loads, by parallel tree search
+.SH SYNOPSIS
+)",
       KUSABI_VERSION);
   auto out = std::back_inserter(text);
   for (const auto& [subcommand, table] : entries_) {
@@ -149,20 +150,32 @@ std::string CommandLine::manual() const {
     text += "\n.br\n";
   }
   fmt::format_to(out,
-                 "mpirun \\-np \\fIranks\\fR kusabi ...\n.SH DESCRIPTION\n{}\nEach of the searches "
-                 "runs in one process, or on all ranks of an MPI job.\n.SH SUBCOMMANDS\n",
+                 R"(mpirun \-np \fIranks\fR kusabi ...
+.SH DESCRIPTION
+{}
+Each of the searches runs in one process, or on all ranks of an MPI job.
+.SH SUBCOMMANDS
+)",
                  roff(purpose));
   for (const auto& [subcommand, table] : entries_) {
     fmt::format_to(out, ".SS kusabi {}\n{}.\n", roff(subcommand->name()),
                    roff(subcommand->purpose()));
     for (const auto& row : table.rows()) text += manual_entry(row);
   }
-  text +=
-      ".SH EXIT STATUS\n.TP\n0\nThe whole question is answered; \"none\" is an "
-      "answer.\n.TP\n1\nThe "
-      "run failed.\n.TP\n2\nThe input or the call is wrong.\n.TP\n3\nStopped early, or something "
-      "is "
-      "left open; what is said holds.\n";
+  text += R"(.SH EXIT STATUS
+.TP
+0
+The whole question is answered; "none" is an answer.
+.TP
+1
+The run failed.
+.TP
+2
+The input or the call is wrong.
+.TP
+3
+Stopped early, or something is left open; what is said holds.
+)";
   return text;
 }
 

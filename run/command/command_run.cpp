@@ -1,6 +1,9 @@
 // The stages, and what all subcommands do alike between them.
 #include "run/command/command_run.hpp"
 
+#include <cstdint>
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +30,7 @@ int CommandRun::execute() {
   command_.prepare(*this);
   if (shows()) announce();
   command_.search(*this);
-  int code = solved;
+  std::uint64_t code = solved;
   if (session_.speaks()) {
     do_all(command_.results(*this));
     if (!quiet_) {
@@ -37,7 +40,8 @@ int CommandRun::execute() {
     for (const auto& remark : verdict.remarks) tell("{}\n", remark);
     code = verdict.code;
   }
-  return engine::from_first_rank(session_.transport(), [&] { return code; });
+  // A survey adds up, and only rank 0 has something to add; the others sleep until it is written.
+  return static_cast<int>(engine::meet(session_.transport(), {.ranks = 1, .found = code}).found);
 }
 
 // The first file that is read: what messages are about.
@@ -117,8 +121,8 @@ void CommandRun::put_in_place(const std::string& option) {
   written_.push_back(*table_.find(option)->given);
 }
 
-Step CommandRun::result(nlohmann::ordered_json json) {
-  return result([json = std::move(json)](JsonWriter& writer) { writer.value(json); });
+Step CommandRun::result(std::function<nlohmann::ordered_json()> make) {
+  return result([make = std::move(make)](JsonWriter& json) { json.value(make()); });
 }
 
 Step CommandRun::result(std::function<void(JsonWriter&)> write) {
@@ -137,9 +141,9 @@ Step CommandRun::file(const std::string& option, std::function<void(std::ostream
   };
 }
 
-Step CommandRun::answer(std::string text) {
-  return [this, text = std::move(text)] {
-    if (!quiet_) print_answer(text);
+Step CommandRun::answer(std::function<std::string()> make) {
+  return [this, make = std::move(make)] {
+    if (!quiet_) print_answer(make());
   };
 }
 

@@ -3,16 +3,15 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <map>
-#include <memory>
-#include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "engine/options.hpp"
-#include "engine/outcome.hpp"
+#include "engine/statistics.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/subcommand.hpp"
 #include "run/output/json_writer.hpp"
@@ -28,8 +27,7 @@ class CommandRun {
 
   /// Goes through all stages. @return the exit code, the same on every rank
   /// @throws WrongInput, support::InputError, engine::Disagreement on every rank alike; whatever
-  /// else goes
-  ///   wrong on one
+  ///   else goes wrong on one
   int execute();
 
   [[nodiscard]] Session& session() { return session_; }
@@ -47,19 +45,21 @@ class CommandRun {
   [[nodiscard]] std::vector<std::string> how_to_go_on(const CheckpointChoice& choice,
                                                       engine::Status why, bool saved);
 
-  // On rank 0: whether an output is wanted, and what Subcommand::results is made of.
+  // On rank 0: whether an output is wanted, and what Subcommand::results is made of. What a step
+  // writes is made when its turn comes, and only if it is wanted; so one that fails takes nothing
+  // from the others.
 
   [[nodiscard]] bool wants(const std::string& option) const;
   /// @pre wants(option)
   [[nodiscard]] std::ostream& stream(const std::string& option);
 
   /// Writes the file of --output, if it is wanted.
-  Step result(nlohmann::ordered_json json);
+  Step result(std::function<nlohmann::ordered_json()> make);
   Step result(std::function<void(JsonWriter&)> write);
   /// Writes another output, if it is wanted. @param write may be empty: `stream` has had it all
   Step file(const std::string& option, std::function<void(std::ostream&)> write);
   /// Prints the answer, unless quiet.
-  Step answer(std::string text);
+  Step answer(std::function<std::string()> make);
   /// Prints even if quiet.
   static Step print(std::string text);
 

@@ -1,8 +1,8 @@
 // From the file to the bracket, on all ranks.
 #include "run/critical/critical.hpp"
 
-#include <cmath>
-#include <optional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ class Critical final : public Subcommand {
  private:
   CriticalOptions options_;
   std::string text_;
-  std::optional<problems::Structure> structure_;
+  problems::Structure structure_;
   problems::WedgedProblem problem_;
   wedged::CriticalFindings findings_;
 };
@@ -88,7 +88,7 @@ void Critical::read(CommandRun& run) {
 void Critical::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   structure_ = problems::read_structure(text_, options_.file);
-  problem_ = problems::wedged_problem(*structure_);
+  problem_ = problems::wedged_problem(structure_);
   // No further than the roughest candidate can be computed with.
   const double most = wedged::CriticalFriction::range(problem_).most;
   if (options_.question.most) friction_at(problem_, *options_.question.most, options_.file);
@@ -105,18 +105,16 @@ std::string Critical::announcement(const std::string& ranks) const {
 void Critical::search(CommandRun& run) {
   engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
   findings_ = wedged::find_critical_friction(
-      campaign, *structure_, problem_, options_.question,
+      campaign, structure_, problem_, options_.question,
       end_recorder(run.session(), {options_.certificate, options_.file, run.quiet()}, problem_));
 }
 
 std::vector<Step> Critical::results(CommandRun& run) {
-  std::vector<Step> steps;
-  if (run.wants("--output")) {
-    const WholeStateJson whole(*structure_, problem_);
-    steps.push_back(run.result(critical_json(options_, problem_, findings_, whole)));
-  }
-  steps.push_back(run.answer(critical_table(options_, problem_, findings_)));
-  return steps;
+  return {run.result([this] {
+            return critical_json(options_, problem_, findings_,
+                                 WholeStateJson(structure_, problem_));
+          }),
+          run.answer([this] { return critical_table(options_, problem_, findings_); })};
 }
 
 Verdict Critical::verdict(CommandRun& /*run*/) {

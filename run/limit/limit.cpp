@@ -1,6 +1,7 @@
 // From the file to the report, on all ranks.
 #include "run/limit/limit.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,7 @@ class Limit final : public Subcommand {
   LimitOptions options_;
   std::string certificate_;
   std::string text_;
-  std::optional<problems::Structure> truss_;
+  problems::Structure truss_;
   std::optional<problems::LimitProblem> problem_;
   limit::LimitFindings found_;
 };
@@ -96,7 +97,7 @@ void Limit::read(CommandRun& run) {
 void Limit::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   truss_ = problems::read_structure(text_, options_.file);
-  problem_ = problems::limit_problem(*truss_);
+  problem_ = problems::limit_problem(truss_);
   engine::agree(run.session().transport(), problem_->fingerprint);
 }
 
@@ -110,7 +111,7 @@ std::string Limit::announcement(const std::string& ranks) const {
 void Limit::search(CommandRun& run) {
   engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
   try {
-    found_ = limit::limit_loads(campaign, *truss_, *problem_, options_.question);
+    found_ = limit::limit_loads(campaign, truss_, *problem_, options_.question);
   } catch (const limit::BigMTooSmall&) {
     throw WrongInput(
         "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
@@ -123,14 +124,15 @@ void Limit::search(CommandRun& run) {
 }
 
 std::vector<Step> Limit::results(CommandRun& run) {
-  const LimitReport report{options_, *problem_, found_.answer, run.session().ranks()};
-  std::vector<Step> steps{run.result(report.json())};
+  const auto report = std::make_shared<const LimitReport>(
+      LimitReport{options_, *problem_, found_.answer, run.session().ranks()});
+  std::vector<Step> steps{run.result([report] { return report->json(); })};
   if (found_.certificate) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {
       out << limit_certificate_text(*found_.certificate);
     }));
   }
-  steps.push_back(run.answer(report.table()));
+  steps.push_back(run.answer([report] { return report->table(); }));
   return steps;
 }
 

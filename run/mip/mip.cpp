@@ -1,7 +1,9 @@
 // From the file to the report, on all ranks.
 #include "run/mip/mip.hpp"
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -141,8 +143,10 @@ void Mip::search(CommandRun& /*run*/) {
 }
 
 std::vector<Step> Mip::results(CommandRun& run) {
-  const MipReport report{options_, program_, fingerprint_, *found_};
-  return {run.result(report.json()), run.answer(report.table())};
+  const auto report =
+      std::make_shared<const MipReport>(MipReport{options_, program_, fingerprint_, *found_});
+  return {run.result([report] { return report->json(); }),
+          run.answer([report] { return report->table(); })};
 }
 
 Verdict Mip::verdict(CommandRun& run) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -174,18 +175,12 @@ std::string Patterns::what_became_of_the_certificate() const {
 }
 
 std::vector<Step> Patterns::results(CommandRun& run) {
-  const PatternsReport report(options_, problem_, *findings_);
+  const auto report = std::make_shared<const PatternsReport>(options_, problem_, *findings_);
   const auto& kept = question_.search.checkpoint.file;
   goes_on_ = !kept.empty() && engine::checkpoint_exists(kept);
-  std::vector<Step> steps;
-  if (run.wants("--output")) {
-    steps.push_back(run.result(report.json(WholeStateJson(structure_, problem_))));
-  }
-  steps.push_back(
-      run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }));
-  steps.emplace_back([this] { end_certificate(); });
-  steps.push_back(run.answer(report.table()));
-  return steps;
+  return {run.result([this, report] { return report->json(WholeStateJson(structure_, problem_)); }),
+          run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
+          [this] { end_certificate(); }, run.answer([report] { return report->table(); })};
 }
 
 Verdict Patterns::verdict(CommandRun& run) {

@@ -21,7 +21,7 @@
 namespace kusabi::run {
 namespace {
 
-// Every rank gets the text in one message, and a message has no more bytes than this.
+// Every rank holds the text.
 constexpr std::uintmax_t largest_file = std::numeric_limits<int>::max() - 1;
 
 std::string content(const std::string& file) {
