@@ -52,13 +52,20 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
   answer.nominal = search.in_units(search.nominal(), search.model().dead);
   if (!question.alpha) return findings;
   search.settle_for(*question.alpha);
-  WorstCaseSearch worst_case(search, question, truss);
+  const auto sample = [&]() -> std::optional<ZeroOneStart> {
+    if (question.samples == 0) return {};
+    SampledLoads sampled;
+    if (!search.ended()) sampled = sampled_loads(search, question);
+    if (search.ended()) answer.rest = campaign.budget().why();
+    answer.samples = std::move(sampled.factors);
+    return std::move(sampled.best);
+  };
+  std::optional<ZeroOneStart> start;
+  if (question.of_the_paper()) start = sample();
+  WorstCaseSearch worst_case(search, question, truss, std::move(start));
   answer.worst = worst_case.solve();
   findings.certificate = std::move(worst_case.certificate());
-  if (question.samples > 0) {
-    if (!search.ended()) answer.samples = sampled_factors(search, question);
-    if (search.ended()) answer.rest = campaign.budget().why();
-  }
+  if (!question.of_the_paper()) sample();
   if (question.curve && answer.worst->collapse) {
     if (!search.ended()) {
       answer.curve = factor_curve(search, answer.worst->zeta);
