@@ -100,8 +100,8 @@ std::vector<CurvePiece> worst_factor_curve(RootSearch& search, double alpha) {
     if (found.status == RootStatus::not_carried) return {};
     auto& [zeta, collapse] = *found.worst;
     double slope = 0;
-    for (const auto& [degree, weight] : model.uncertain) {
-      slope -= scaled * weight * std::abs(collapse.motion(degree));
+    for (const auto& column : model.uncertain) {
+      slope -= scaled * std::abs(column.work(collapse.motion));
     }
     return CurvePoint{beta, collapse.factor, slope, std::move(collapse.motion)};
   };

@@ -198,8 +198,8 @@ TEST(WorstCaseOfAlpha, BreaksWhereTheReferenceSays) {
       const Solved solved(problem, at);
       double slope = 0;
       const auto& motion = solved.root.worst->collapse.motion;
-      for (const auto& [degree, weight] : problem.uncertain) {
-        slope -= weight * std::abs(motion(degree)) / solved.model.force_unit;
+      for (const auto& column : solved.model.uncertain) {
+        slope -= std::abs(column.work(motion)) / solved.model.force_unit;
       }
       return CurvePoint{at, solved.root.worst->collapse.factor, slope, motion};
     };
