@@ -1,6 +1,6 @@
 // The load factor at which a truss collapses, and the least one that uncertain loads can bring
 // about, in one process or on all ranks of an MPI job:
-//   limit grid-3x3.toml 40
+//   limit limit-3x3.toml 40
 #include <cstdio>
 #include <cstdlib>
 

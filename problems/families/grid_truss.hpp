@@ -1,7 +1,6 @@
 // The family of plane grid trusses that limit analysis is measured on: n x n bays, braced
-// crosswise, under vertical dead loads and a horizontal reference load. Its members with 4 bays is
-// the truss of the limit paper's section 6.2 but for its size; examples/grid-4x4.toml is that of
-// the paper.
+// crosswise, under vertical dead loads and a horizontal reference load. Its member with 4 bays is
+// the truss of the limit paper's section 6.2, which is examples/paper/limit-4x4.toml, too.
 #pragma once
 
 #include "problems/structure/structure.hpp"

@@ -1,5 +1,6 @@
-// A family of space trusses like that of the wedged paper's section 7.3, of any size: what the
-// searches are measured on. examples/space-truss.toml is the member of it with the sizes below.
+// A family of space trusses of any size, of the kind of the wedged paper's section 7.3, whose own
+// truss is lost with its figure: what the searches are measured on. examples/space-truss.toml is
+// the member of it with the sizes below.
 #pragma once
 
 #include "problems/structure/structure.hpp"

@@ -63,7 +63,7 @@ expect("12960 colourings.*2 ranks")
 set(examples ${work}/prefix/${documents}/examples)
 run(${work}/library/build/critical ${examples}/two-bars.toml)  # by hand: 2
 expect("below 1\\.99999999.*, proved\nsomething does at 2\\.0000000.*, proved\n")
-run(${work}/library/build/limit ${examples}/grid-3x3.toml 40)  # tests/reference/limit.json
+run(${work}/library/build/limit ${examples}/paper/limit-3x3.toml 40)  # tests/reference/limit.json
 expect("worst case 37\\.012004.*, proved\n")
 
 run(${work}/prefix/bin/kusabi patterns ${work}/prefix/${documents}/examples/two-bars.toml --mu 2)

@@ -1155,7 +1155,7 @@ std::string example_file(const std::string& name) {
 
 TEST_F(Command, FindsTheSameWorstCaseOnOneAndTwoRanks) {
   // One that the root closes, with enough columns for ranks to share, and one for the tree.
-  for (const std::string& call : {example_file("grid-4x4.toml") + " --alpha 40",
+  for (const std::string& call : {example_file("paper/limit-4x4.toml") + " --alpha 40",
                                   example_file("static-gap.toml") + " --alpha 0.45"}) {
     const auto options = " limit " + call + " --samples 40 --curve --output " +
                          argument("out.json") + " --certificate " + argument("cert");
@@ -1177,7 +1177,7 @@ TEST_F(Command, FindsTheSameWorstCaseOnOneAndTwoRanks) {
 
 TEST_F(Command, StopsAWorstCaseAtALimitWithItsBracket) {
   const auto run =
-      shell(command + " limit " + example_file("grid-3x3.toml") +
+      shell(command + " limit " + example_file("paper/limit-3x3.toml") +
             " --alpha 40 --cuts none --node-limit 50 --output " + argument("out.json"));
   EXPECT_EQ(run.exit_code, 3) << run.output;
   EXPECT_THAT(run.output, HasSubstr("stopped early (node-limit)"));
@@ -1190,8 +1190,8 @@ TEST_F(Command, StopsAWorstCaseAtALimitWithItsBracket) {
 }
 
 TEST_F(Command, RefusesACertificateThatClaimsTooMuch) {
-  shell(command + " limit " + example_file("grid-3x3.toml") + " --alpha 40 --quiet --certificate " +
-        argument("cert"));
+  shell(command + " limit " + example_file("paper/limit-3x3.toml") +
+        " --alpha 40 --quiet --certificate " + argument("cert"));
   auto text = content(in_folder("cert"));
   text.resize(text.rfind("digest "));
   // The same cuts and forces for half as strong members, and a load beyond its bounds.
@@ -1217,7 +1217,8 @@ TEST_F(Command, RefusesACertificateThatClaimsTooMuch) {
 }
 
 TEST_F(Command, SaysWhenALoadIsCarriedAtNoFactor) {
-  const auto run = shell(command + " limit " + example_file("grid-3x3.toml") + " --alpha 4000");
+  const auto run =
+      shell(command + " limit " + example_file("paper/limit-3x3.toml") + " --alpha 4000");
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("some admissible dead load is carried at no load factor"));
 }
@@ -1226,7 +1227,8 @@ TEST_F(Command, NamesTheSectionThatLimitAnalysisMisses) {
   const auto run = shell(command + " limit " + truss);
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.output, HasSubstr("a [[members]] group has no yield"));
-  const auto other = shell(command + " patterns " + example_file("grid-3x3.toml") + " --mu 0.5");
+  const auto other =
+      shell(command + " patterns " + example_file("paper/limit-3x3.toml") + " --mu 0.5");
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.output, HasSubstr("no contact candidates; expected at least one [[contact]]"));
 }

@@ -71,7 +71,7 @@ void let_nobody_read() {
 }
 
 const std::string plane_truss = std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml";
-const std::string grid = std::string(KUSABI_SOURCE_DIR) + "/examples/grid-3x3.toml";
+const std::string grid = std::string(KUSABI_SOURCE_DIR) + "/examples/paper/limit-3x3.toml";
 const std::string coins = std::string(KUSABI_SOURCE_DIR) + "/tests/programs/coins.lp";
 
 class Dying : public Command {

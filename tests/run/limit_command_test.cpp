@@ -56,7 +56,7 @@ TEST_F(LimitCommand, ProvesATrussWithAChainOfIdleBars) {
 // is that of the paper's truss (tests/reference/limit.json).
 TEST_F(LimitCommand, ProvesATrussWithMembersThatNeverYield) {
   const auto never = result_of(case_file("rigid_8e12.toml") + " --alpha 40");
-  const auto usual = result_of(example("grid-3x3.toml") + " --alpha 40");
+  const auto usual = result_of(example("paper/limit-3x3.toml") + " --alpha 40");
   expect_proved(never, usual["result"]["worst_case"]["upper"].get<double>(), 1e-6);
   expect_proved(never, 37.0120, 1e-4);
 }
@@ -77,7 +77,7 @@ TEST_F(LimitCommand, SaysWhichFactorsAreCarriedIfZeroIsNot) {
 
 // The interval is not mentioned where zero is in it.
 TEST_F(LimitCommand, SaysNothingOfZeroWhereItIsCarried) {
-  const auto run = shell(command + " limit " + example("grid-3x3.toml") + " --alpha 40");
+  const auto run = shell(command + " limit " + example("paper/limit-3x3.toml") + " --alpha 40");
   EXPECT_THAT(run.output, Not(HasSubstr("alone")));
 }
 
@@ -96,7 +96,7 @@ TEST_F(LimitCommand, EveryMethodHandsOverACertificate) {
 }
 
 TEST_F(LimitCommand, HandsOverACertificateWithTheCutsOfThePaper) {
-  const auto run = shell(command + " limit " + example("grid-4x4.toml") +
+  const auto run = shell(command + " limit " + example("paper/limit-4x4.toml") +
                          " --alpha 40 --cuts disjunctive --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 0) << run.output;
   const auto proved = shell(command + " verify " + argument("cert"));
@@ -127,7 +127,8 @@ TEST_F(LimitCommand, ATimeLimitReachesTheRoot) {
 
 TEST_F(LimitCommand, RefusesAWidthThatIsNone) {
   for (const char* alpha : {"nan", "-1", "inf", "1e400", "x"}) {
-    const auto run = shell(command + " limit " + example("grid-3x3.toml") + " --alpha " + alpha);
+    const auto run =
+        shell(command + " limit " + example("paper/limit-3x3.toml") + " --alpha " + alpha);
     EXPECT_EQ(run.exit_code, 2) << alpha;
     EXPECT_THAT(run.output, HasSubstr("--alpha"));
   }

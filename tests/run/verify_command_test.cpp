@@ -151,7 +151,7 @@ TEST_F(VerifyCommand, AnUpperEndBeyondAllNumbersIsRefused) {
 
 TEST_F(VerifyCommand, LimitLoadsAreProvedOfTheProblemFile) {
   const auto certificate = quoted(path("grid.cert"));
-  const auto file = example_file("grid-3x3.toml");
+  const auto file = example_file("paper/limit-3x3.toml");
   const auto run = shell(fmt::format("{} limit {} --alpha 40 --quiet --certificate {}", command,
                                      quoted(file), certificate));
   ASSERT_EQ(run.exit_code, 0) << run.output;
@@ -162,7 +162,7 @@ TEST_F(VerifyCommand, LimitLoadsAreProvedOfTheProblemFile) {
                     HasSubstr("problem: "), HasSubstr("direction cosines were computed anew")));
   EXPECT_THAT(shell(command + " verify " + certificate).output,
               HasSubstr("the truss is the certificate's own"));
-  const auto other = verify(certificate, example_file("grid-4x4.toml"));
+  const auto other = verify(certificate, example_file("paper/limit-4x4.toml"));
   EXPECT_EQ(other.exit_code, 1);
   EXPECT_THAT(other.output, HasSubstr("refused: "));
   const auto wrong = verify(certificate, example_file("two-bars.toml"));

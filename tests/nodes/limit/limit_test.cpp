@@ -109,7 +109,7 @@ class PaperTruss : public testing::TestWithParam<const char*> {};
 
 TEST_P(PaperTruss, HasTheFactorsOfTheReference) {
   const Json expected = reference().at("trusses").at(GetParam()).at("values");
-  const LimitProblem problem = example(std::string("grid-") + GetParam() + ".toml");
+  const LimitProblem problem = example("paper/limit-" + std::string(GetParam()) + ".toml");
   EXPECT_EQ(problem.uncertain_count(), expected.at("uncertain_components").get<int>());
   for (const auto& [alpha, factor] : expected.at("worst_case").items()) {
     const Solved solved(problem, std::stod(alpha));
@@ -142,7 +142,7 @@ TEST(GridFamily, HasTheFactorsOfTheReference) {
 }
 
 TEST(CollapseModes, AreThoseOfThePaper) {
-  const LimitProblem problem = example("grid-3x3.toml");
+  const LimitProblem problem = example("paper/limit-3x3.toml");
   const auto sways = [&](double alpha) {
     return problems::collapse_mode(problem, Solved(problem, alpha).root.worst->collapse.motion)
         .sway;
@@ -180,7 +180,7 @@ void expect_points(const std::vector<std::vector<double>>& points, const Json& e
 }
 
 TEST(Figure5, BreaksWhereTheReferenceSays) {
-  const LimitProblem problem = example("grid-3x3.toml");
+  const LimitProblem problem = example("paper/limit-3x3.toml");
   const Json expected = reference().at("figure_5");
   Solved forty(problem, 40);
   expect_points(curve_of(forty, forty.root.worst->zeta), expected.at("solid"));
@@ -190,7 +190,7 @@ TEST(Figure5, BreaksWhereTheReferenceSays) {
 
 TEST(WorstCaseOfAlpha, BreaksWhereTheReferenceSays) {
   for (const char* const name : {"3x3", "4x4"}) {
-    const LimitProblem problem = example(std::string("grid-") + name + ".toml");
+    const LimitProblem problem = example(std::string("paper/limit-") + name + ".toml");
     const Json expected = reference().at("worst_case_of_alpha").at(name);
     const double end = expected.back().at(0).get<double>();
     std::vector<std::vector<double>> points;
@@ -314,7 +314,7 @@ TEST(StaticCuts, LeaveAGapThatTheTreeCloses) {
 }
 
 TEST(StaticAndKinematicPrinciple, HaveOneOptimum) {
-  const LimitModel model = limit_model(example("grid-4x4.toml"));
+  const LimitModel model = limit_model(example("paper/limit-4x4.toml"));
   linear::Simplex below(static_program(model, model.dead));
   linear::Simplex above(kinematic_program(model, model.dead));
   ASSERT_EQ(below.solve_robustly(), linear::LinearStatus::optimal);

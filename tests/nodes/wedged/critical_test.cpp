@@ -147,7 +147,14 @@ TEST(CriticalFriction, OfThePlaneTrussIsThatOfTheReference) {
                    all_cells(problem, 1.0, CriticalMethod::newton), 1e-9);
 }
 
-// The published values of the natural reading of the paper's body, from an independent program.
+// Table 1 of the wedged paper has four decimals.
+TEST(CriticalFriction, OfThePapersElasticBodyIsAsPrinted) {
+  const auto cell = least(example("paper/elastic-body.toml"), 10);
+  const double printed = reference("paper-elastic-body.json")["critical"];
+  EXPECT_NEAR(width * static_cast<double>(cell.alive), printed, 0.5e-4);
+}
+
+// From an independent program.
 TEST(CriticalFriction, OfTheElasticBodyIsThatOfTheReference) {
   const auto found = all_cells(example("elastic-body.toml"), 1.5, CriticalMethod::newton);
   expect_reference(nlohmann::json::parse(R"([[1.4482182919, [0]], [1.3373872264, [10, 11]],

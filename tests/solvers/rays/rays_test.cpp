@@ -139,7 +139,24 @@ TEST(Rays, OfAPatternAppearAtItsCriticalFriction) {
   }
 }
 
-TEST(Rays, OfTheElasticBodyAreThoseOfThePaper) {
+TEST(Rays, OfThePapersElasticBodyAreAsPrinted) {
+  const auto printed = reference("paper-elastic-body.json");
+  const auto cone = cone_of(
+      problems::load_structure(problems::test::source_path("examples/paper/elastic-body.toml")),
+      printed["friction"]);
+  const auto rays = complementary_rays(cone).rays;
+  EXPECT_EQ(rays.size(), 5U);
+  const auto cones = maximal_cones(rays, cone.all());
+  EXPECT_EQ(cones.size(), printed["rays_of_cones"].size());
+  for (const auto& [count, candidates] : printed["rays_of_cones"].items()) {
+    Candidates contact = 0;
+    for (const int i : candidates) contact |= bit(i);
+    EXPECT_EQ(std::count(cones.begin(), cones.end(), Cone{contact, cone.all() & ~contact}), 1);
+    EXPECT_EQ(std::to_string(rays_of_pattern(cone, contact).rays.size()), count);
+  }
+}
+
+TEST(Rays, OfTheElasticBodyAreThoseOfAnIndependentProgram) {
   const auto body =
       problems::load_structure(problems::test::source_path("examples/elastic-body.toml"));
   const auto cone = cone_of(body, 1.5);
