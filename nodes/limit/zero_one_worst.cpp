@@ -56,15 +56,15 @@ std::optional<linear::MixedProgram> worst_case_program(const LimitQuestion& ques
   if (bounds) {
     most_elongation = bounds->elongation;
     for (int j = 0; j < model.uncertain_count(); ++j) {
-      most_motion(model.uncertain[static_cast<std::size_t>(j)].degree) = bounds->motion(j);
+      const auto& direction = model.uncertain[static_cast<std::size_t>(j)].direction;
+      if (direction.size() == 1) most_motion(direction.front().degree) = bounds->motion(j);
     }
     big_m = 2 * bounds->motion;
   }
   if (question.big_m) {
     big_m.resize(model.uncertain_count());
     for (int j = 0; j < model.uncertain_count(); ++j) {
-      const int degree = model.uncertain[static_cast<std::size_t>(j)].degree;
-      big_m(j) = *question.big_m / model.displacement_unit(degree);
+      big_m(j) = *question.big_m * model.direction_unit(j) / model.factor_unit;
     }
   }
   if (big_m.size() == 0) return std::nullopt;

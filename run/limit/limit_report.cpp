@@ -24,6 +24,15 @@ const std::string& node_name(const LimitProblem& problem, int node) {
   return problem.node_names[static_cast<std::size_t>(node)];
 }
 
+// What zeta is, parameter by parameter.
+ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
+  auto list = ordered_json::array();
+  for (int j = 0; j < problem.uncertain_count(); ++j) {
+    list.push_back({{"name", problems::parameter_name(problem, j)}, {"value", zeta(j)}});
+  }
+  return list;
+}
+
 // A load node by node, where it is not zero.
 ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load) {
   auto list = ordered_json::array();
@@ -114,8 +123,10 @@ void write_critical_load(std::string& text, const LimitProblem& problem,
     for (const bool positive : {true, false}) {
       std::vector<std::string> names;
       for (int j = 0; j < problem.uncertain_count(); ++j) {
-        const auto degree = problem.uncertain[static_cast<std::size_t>(j)].degree;
-        const auto& free = problem.degrees.free[static_cast<std::size_t>(degree)];
+        const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
+        if (!column.name.empty()) continue;
+        const auto degree = static_cast<std::size_t>(column.direction.front().degree);
+        const auto& free = problem.degrees.free[degree];
         if (free.axis == axis && (zeta(j) >= 0) == positive) {
           names.push_back(node_name(problem, free.node));
         }
@@ -124,6 +135,11 @@ void write_critical_load(std::string& text, const LimitProblem& problem,
       fmt::format_to(out, "    {}{} at {}\n", positive ? '+' : '-', problems::axis_name(axis),
                      fmt::join(names, " "));
     }
+  }
+  for (int j = 0; j < problem.uncertain_count(); ++j) {
+    const auto& name = problem.uncertain[static_cast<std::size_t>(j)].name;
+    if (name.empty()) continue;
+    fmt::format_to(out, "    {}{}\n", zeta(j) >= 0 ? '+' : '-', name);
   }
 }
 
@@ -266,6 +282,7 @@ ordered_json LimitReport::json() const {
     const Eigen::VectorXd critical_load = problems::dead_load(problem, worst.zeta);
     result["critical_load"] = load_json(problem, critical_load);
     result["critical_part"] = load_json(problem, critical_load - problem.dead);
+    result["critical_parameters"] = parameters_json(problem, worst.zeta);
     if (worst.collapse) {
       result["critical_interval"] = interval_json(*worst.collapse);
       result["collapse_mode"] = mode_json(problem, *worst.collapse);
