@@ -1,6 +1,7 @@
 // Member by member, then the loads.
 #include "verify/limit_agreement.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -74,20 +75,32 @@ std::optional<std::vector<Near>> true_load(const std::vector<double>& recorded,
   return exact;
 }
 
-std::map<std::size_t, double> uncertain_weights(const Structure& structure, const Freedom& freedom,
-                                                const std::vector<Enclosure>& dead,
-                                                const std::vector<Enclosure>& reference) {
-  std::map<std::size_t, double> weights;
+// In an order of their own, each by displacement.
+std::vector<Sparse> sorted(std::vector<Sparse> columns) {
+  for (auto& column : columns) std::ranges::sort(column);
+  std::ranges::sort(columns);
+  return columns;
+}
+
+// The columns of T. What acts on a support goes to the ground.
+std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom& freedom,
+                                      const std::vector<Enclosure>& dead,
+                                      const std::vector<Enclosure>& reference) {
+  std::vector<Sparse> columns;
   if (structure.uncertain) {
-    for (const auto& [node, axis, weight] : *structure.uncertain) {
-      weights.emplace(freedom.number[node][axis], weight);
+    for (const auto& parameter : *structure.uncertain) {
+      auto& column = columns.emplace_back();
+      for (const auto& [node, axis, weight] : parameter) {
+        const auto number = freedom.number[node][axis];
+        if (number != Freedom::none) column.emplace_back(number, weight);
+      }
     }
   } else {
     for (std::size_t e = 0; e < freedom.count; ++e) {
-      if (dead[e].is_zero() && reference[e].is_zero()) weights.emplace(e, 1.0);
+      if (dead[e].is_zero() && reference[e].is_zero()) columns.push_back({{e, 1.0}});
     }
   }
-  return weights;
+  return columns;
 }
 
 std::optional<std::string> other_bars(const LimitCertificate& certificate,
@@ -129,10 +142,8 @@ std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& ce
   if (!true_reference) return "its reference load is not that of the truss";
   truss.dead = *std::move(true_dead);
   truss.reference = *std::move(true_reference);
-  const auto weights = uncertain_weights(structure, freedom, dead, reference);
-  const std::map<std::size_t, double> recorded(certificate.uncertain.begin(),
-                                               certificate.uncertain.end());
-  if (weights != recorded || recorded.size() != certificate.uncertain.size()) {
+  if (sorted(uncertain_columns(structure, freedom, dead, reference)) !=
+      sorted(certificate.uncertain)) {
     return "its uncertain components of the load are not those of the truss";
   }
   return truss;

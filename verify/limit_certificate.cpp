@@ -103,16 +103,15 @@ void read_problem(Lines& lines, LimitCertificate& certificate) {
   const auto uncertain = count(lines, "uncertain");
   for (std::size_t j = 0; j < uncertain; ++j) {
     lines.next();
-    const std::string what = "'column', a displacement and a weight above 0";
+    const std::string what = "'column', and displacements with a number that is not 0";
     lines.expect_word("column", what);
-    const auto at = place(lines, certificate.displacements, what);
-    const double weight = lines.number(what);
-    if (weight <= 0) lines.refuse(what);
+    auto& column = certificate.uncertain.emplace_back();
+    do {
+      const auto at = place(lines, certificate.displacements, what);
+      column.emplace_back(at, lines.number(what));
+      if (column.back().second == 0) lines.refuse(what);
+    } while (!lines.remainder().empty());
     lines.end_of_line(what);
-    if (uncertain > certificate.displacements) {
-      lines.refuse("no more uncertain components than displacements");
-    }
-    certificate.uncertain.emplace_back(at, weight);
   }
   certificate.alpha = vector(lines, "alpha", 1).front();
   if (certificate.alpha < 0) lines.refuse("'alpha' and a number that is not negative");
@@ -129,9 +128,15 @@ LimitCut read_cut(Lines& lines, const LimitCertificate& certificate) {
   return cut;
 }
 
-LimitNode read_node(Lines& lines, const LimitCertificate& certificate) {
+LimitNode read_node(Lines& lines, const LimitCertificate& certificate, std::size_t nodes) {
   const std::string what = "'node', signs, shares of cuts, a factor, and forces";
   lines.expect_word("node", what);
+  // A line says something of each column, but for those whose shares are zero.
+  constexpr std::uint64_t most_signs = 1'000'000;
+  if (certificate.uncertain.size() > lines.remainder().size() &&
+      certificate.uncertain.size() * nodes > most_signs) {
+    lines.refuse("a sign or a share for each column of T");
+  }
   LimitNode node;
   node.line = lines.number();
   node.signs.assign(certificate.uncertain.size(), 0);
@@ -158,6 +163,12 @@ LimitNode read_node(Lines& lines, const LimitCertificate& certificate) {
 
 }  // namespace
 
+LimitColumn::LimitColumn(const Sparse& load) : direction(load) {
+  if (load.size() != 1) return;
+  weight = std::abs(load.front().second);
+  direction.front().second = std::copysign(1.0, load.front().second);
+}
+
 std::string limit_certificate_text(const LimitCertificate& certificate) {
   std::string text(limit_first_line);
   text += "\ndisplacements " + std::to_string(certificate.displacements);
@@ -173,10 +184,12 @@ std::string limit_certificate_text(const LimitCertificate& certificate) {
   text += "\nreference";
   put(text, certificate.reference);
   text += "\nuncertain " + std::to_string(certificate.uncertain.size());
-  for (const auto& [at, weight] : certificate.uncertain) {
+  for (const auto& column : certificate.uncertain) {
     text += "\ncolumn";
-    put(text, at);
-    put(text, weight);
+    for (const auto& [at, value] : column) {
+      put(text, at);
+      put(text, value);
+    }
   }
   text += "\nalpha";
   put(text, certificate.alpha);
@@ -227,7 +240,7 @@ LimitCertificate read_limit_certificate(std::string_view text, const std::string
   const auto nodes = count(lines, "nodes");
   for (std::size_t n = 0; n < nodes; ++n) {
     lines.next();
-    certificate.nodes.push_back(read_node(lines, certificate));
+    certificate.nodes.push_back(read_node(lines, certificate, nodes));
   }
   lines.expect("end");
   if (!lines.done()) {

@@ -20,9 +20,18 @@ inline constexpr std::string_view limit_first_line = "kusabi limit certificate 1
 /// Places and the numbers there; all others are zero.
 using Sparse = std::vector<std::pair<std::size_t, double>>;
 
-/// B y - k f_R = e, roughly.
+/// A column of T as weight times direction, t = w d, exactly: of a single component w is its size
+/// and d is +1 or -1 there; otherwise w is 1.
+struct LimitColumn {
+  double weight = 1;
+  Sparse direction;
+
+  explicit LimitColumn(const Sparse& load);
+};
+
+/// B y - k f_R = d, roughly.
 struct LimitCut {
-  std::size_t column = 0;  ///< of T, which says what e is
+  std::size_t column = 0;  ///< of T, which says what d is
   double factor = 0;       ///< k
   Sparse forces;           ///< y
 };
@@ -39,12 +48,12 @@ struct LimitNode {
 /// What a file holds; all numbers are finite, all places within range.
 struct LimitCertificate {
   std::size_t displacements = 0;
-  std::vector<double> tension;                            ///< q^t, >= 0, a member each
-  std::vector<double> compression;                        ///< q^c, >= 0
-  std::vector<Sparse> columns;                            ///< of B
-  std::vector<double> dead;                               ///< f_D
-  std::vector<double> reference;                          ///< f_R
-  std::vector<std::pair<std::size_t, double>> uncertain;  ///< T: displacement and weight > 0
+  std::vector<double> tension;      ///< q^t, >= 0, a member each
+  std::vector<double> compression;  ///< q^c, >= 0
+  std::vector<Sparse> columns;      ///< of B
+  std::vector<double> dead;         ///< f_D
+  std::vector<double> reference;    ///< f_R
+  std::vector<Sparse> uncertain;    ///< T, by column; none is empty, no component zero
   double alpha = 0;
   std::vector<double> load;    ///< zeta
   std::vector<double> motion;  ///< u

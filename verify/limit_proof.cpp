@@ -70,11 +70,14 @@ LimitTruss recorded_truss(const LimitCertificate& certificate) {
 LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
     : certificate_(certificate),
       truss_(std::move(truss)),
+      uncertain_(certificate.uncertain.begin(), certificate.uncertain.end()),
       column_errors_(errors_of(certificate_, truss_)) {
   for (const auto& cut : certificate.cuts) {
-    // e + k f_R - B y
+    // d + k f_R - B y
     std::vector<Dyadic> load(certificate.displacements);
-    load[certificate.uncertain[cut.column].first] = Dyadic(1.0);
+    for (const auto& [e, value] : uncertain_[cut.column].direction) {
+      load[e] = load[e] + Dyadic(value);
+    }
     auto& rounded = defects_.emplace_back();
     const auto missing = defect(cut.forces, std::move(load), cut.factor);
     for (std::size_t e = 0; e < missing.size(); ++e) {
@@ -222,8 +225,9 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
   }
   if (!(work > doubt)) return "the reference load does no work on the motion";
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    const auto& [e, weight] = certificate_.uncertain[j];
-    value = value - product(product(u[e], weight), certificate_.load[j]);
+    for (const auto& [e, each] : certificate_.uncertain[j]) {
+      value = value - product(product(u[e], each), certificate_.load[j]);
+    }
   }
   for (std::size_t i = 0; i < certificate_.members(); ++i) {
     const auto elongation = elongation_of(truss_.columns[i], u);
@@ -254,17 +258,19 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
     for (const auto& [i, force] : cut.forces) taken[i] = taken[i] + product(mu, std::abs(force));
     for (const auto& [e, missing] : defects_[c]) defects[e] = defects[e] + product(mu, missing);
   }
-  // f_D + sum over decided signs of s (alpha weight + nu) e + lambda f_R - B q
+  // f_D + sum over decided signs of s (alpha w + nu) d + lambda f_R - B q
   std::vector<Dyadic> load;
   for (const auto& dead : truss_.dead) load.push_back(dead.value);
   for (std::size_t j = 0; j < m; ++j) {
-    const auto& [e, weight] = certificate.uncertain[j];
+    const auto& [weight, direction] = uncertain_[j];
     const Dyadic needed = Dyadic(certificate.alpha) * Dyadic(weight);
     if (node.signs[j] == 0) {
       if (share_of[j] < needed) return "the cuts of a column have too small a share";
     } else {
       const Dyadic decided = needed + Dyadic(node.one_sided[j]);
-      load[e] = node.signs[j] > 0 ? load[e] + decided : load[e] - decided;
+      for (const auto& [e, each] : direction) {
+        load[e] = load[e] + product(decided, node.signs[j] > 0 ? each : -each);
+      }
     }
   }
   Sparse forces;
@@ -314,8 +320,9 @@ bool LimitProof::shows_no_factor() const {
     excess += truss_.dead[e].value.rational() * motion[e];
   }
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    const auto& [e, weight] = certificate_.uncertain[j];
-    excess += mpq_class(certificate_.load[j]) * weight * motion[e];
+    for (const auto& [e, each] : certificate_.uncertain[j]) {
+      excess += mpq_class(certificate_.load[j]) * each * motion[e];
+    }
   }
   const int sign = sgn(excess);
   excess = abs(excess);

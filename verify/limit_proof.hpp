@@ -60,6 +60,7 @@ class LimitProof {
 
   const LimitCertificate& certificate_;
   LimitTruss truss_;
+  std::vector<LimitColumn> uncertain_;       // T
   std::vector<SparseDyadic> column_errors_;  // how far B is from the doubles of the certificate
   std::vector<Sparse> defects_;              // of each cut, where it is not zero, rounded up
 };

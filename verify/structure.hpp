@@ -49,7 +49,7 @@ struct Force {
   Vector components{};
 };
 
-/// A component of the dead load that is known up to +- weight times alpha.
+/// A component of a load that is known up to +- weight times alpha.
 struct UncertainForce {
   std::size_t node = 0;
   std::size_t axis = 0;
@@ -67,7 +67,8 @@ struct Structure {
   std::vector<Force> dead;
   std::vector<Force> reference;
   /// Nothing: every free component without dead and reference load, with weight 1.
-  std::optional<std::vector<UncertainForce>> uncertain;
+  /// Otherwise by parameter: all components of one grow together.
+  std::optional<std::vector<std::vector<UncertainForce>>> uncertain;
 };
 
 /// The free displacements, node by node and axis by axis.

@@ -73,8 +73,11 @@ verify::Structure verified_structure(const problems::Structure& structure) {
   }
   if (structure.uncertain) {
     result.uncertain.emplace();
-    for (const auto& [node, axis, weight] : *structure.uncertain) {
-      result.uncertain->push_back({number(node), number(axis), weight});
+    for (const auto& parameter : *structure.uncertain) {
+      auto& load = result.uncertain->emplace_back();
+      for (const auto& [node, axis, weight] : parameter.components) {
+        load.push_back({number(node), number(axis), weight});
+      }
     }
   }
   return result;

@@ -63,7 +63,7 @@ LimitModel rebalanced(const LimitProblem& problem, const LimitModel& model, doub
   constexpr double below_all = 0x1p-10;
   const Eigen::VectorXd yield = (problem.tension + problem.compression) / 2;
   double load = std::max(problem.dead.cwiseAbs().maxCoeff(), below_all * yield.minCoeff());
-  for (const auto& [degree, weight] : problem.uncertain) load = std::max(load, alpha * weight);
+  for (const auto& column : problem.uncertain) load = std::max(load, alpha * column.largest());
   constexpr double farthest = 0x1p60;
   const double unit = model.force_unit * std::clamp(dissipation, 1 / farthest, farthest);
   return limit_model(problem, std::max(unit, load), model.most_yield);

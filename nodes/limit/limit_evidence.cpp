@@ -17,15 +17,15 @@ constexpr double enough = 1 + 1e-13;
 /// none left, and the proof wants to see equilibrium without it.
 constexpr double at_yield = 1e-12;
 
-// B~ y~ - k~ f~_R = e, row e being in units of Y_e.
+// B~ y~ - k~ f~_R = d~_j, row e being in units of Y_e.
 verify::LimitCut cut_of(const StaticCut& cut, const LimitModel& model) {
-  const int degree = model.uncertain[static_cast<std::size_t>(cut.column)].degree;
+  const double unit = model.direction_unit(cut.column);
   verify::LimitCut result;
   result.column = static_cast<std::size_t>(cut.column);
-  result.factor = cut.factor * model.displacement_unit(degree);
+  result.factor = cut.factor * model.factor_unit / unit;
   for (const auto& [member, force] : cut.forces) {
     result.forces.emplace_back(static_cast<std::size_t>(member),
-                               force * model.member_unit(member) / model.load_unit(degree));
+                               force * model.member_unit(member) / unit);
   }
   return result;
 }
@@ -64,7 +64,7 @@ verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<s
         snapped(forces(i), problem_.tension(i), problem_.compression(i), model_.member_unit(i)));
   }
   const auto unit_of = [this](std::size_t j) {
-    return model_.load_unit(model_.uncertain[j].degree);
+    return model_.direction_unit(static_cast<Eigen::Index>(j));
   };
   std::vector<double> sum(node.signs.size());
   for (std::size_t c = 0; c < node.mu.size(); ++c) {
@@ -109,8 +109,11 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
   }
   certificate.dead.assign(problem.dead.begin(), problem.dead.end());
   certificate.reference.assign(problem.reference.begin(), problem.reference.end());
-  for (const auto& [degree, weight] : problem.uncertain) {
-    certificate.uncertain.emplace_back(static_cast<std::size_t>(degree), weight);
+  for (const auto& column : problem.uncertain) {
+    auto& load = certificate.uncertain.emplace_back();
+    for (const auto& [degree, value] : column.direction) {
+      load.emplace_back(static_cast<std::size_t>(degree), column.weight * value);
+    }
   }
   certificate.alpha = alpha;
   for (const double zeta : worst.zeta) certificate.load.push_back(std::copysign(alpha, zeta));

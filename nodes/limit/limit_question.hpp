@@ -5,6 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include <Eigen/Core>
+
 namespace kusabi::limit {
 
 /// How the worst case is found. With an M that is given, `fixed` and `disjunctive` are the paper's
@@ -28,6 +30,9 @@ struct LimitQuestion {
   std::uint64_t samples = 0;
   std::uint64_t seed = 1;  ///< of those
   bool curve = false;      ///< how the factor falls as the uncertainty grows
+  /// How it falls as this load grows, n^d, force; nothing: not asked.
+  std::optional<Eigen::VectorXd> curve_load{};
+  double curve_to = 1;  ///< curves are over beta from 0 to this, times alpha or times the load
 
   /// The 0-1 program with the paper's means alone.
   [[nodiscard]] bool of_the_paper() const {

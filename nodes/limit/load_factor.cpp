@@ -70,7 +70,7 @@ Eigen::VectorXd worst_for(const LimitModel& model, double alpha, const Eigen::Ve
                           const Eigen::VectorXd& otherwise) {
   Eigen::VectorXd zeta(model.uncertain_count());
   for (int j = 0; j < model.uncertain_count(); ++j) {
-    double sign = motion(model.uncertain[static_cast<std::size_t>(j)].degree);
+    double sign = model.uncertain[static_cast<std::size_t>(j)].along(motion);
     if (sign == 0) sign = otherwise(j);
     zeta(j) = sign < 0 ? -alpha : alpha;
   }

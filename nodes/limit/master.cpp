@@ -12,6 +12,38 @@ namespace {
 /// the program bounded as long as there are too few cuts. A proof does not use it.
 constexpr double far = 1e4;
 
+// The variable that is d_j'u, for each column of T: the displacement itself for the first that has
+// just that; a variable from `next` on for all others.
+std::vector<int> motions_along(const problems::LimitModel& model, int next) {
+  std::vector<bool> taken(static_cast<std::size_t>(model.free_count()), false);
+  std::vector<int> along;
+  for (const auto& [weight, direction, name] : model.uncertain) {
+    const auto& [degree, value] = direction.front();
+    const auto at = static_cast<std::size_t>(degree);
+    const bool itself = direction.size() == 1 && value == 1 && !taken[at];
+    if (itself) taken[at] = true;
+    along.push_back(itself ? degree : next++);
+  }
+  return along;
+}
+
+int first_motion_along(const problems::LimitModel& model) {
+  return model.free_count() + 2 * model.member_count() + model.uncertain_count();
+}
+
+// The variables from first_motion_along() on and their rows, d_j'u - v_j = 0.
+void add_motions_along(const problems::LimitModel& model, linear::LinearProgram& program) {
+  const auto along = motions_along(model, first_motion_along(model));
+  for (std::size_t j = 0; j < along.size(); ++j) {
+    if (along[j] < model.free_count()) continue;
+    std::vector<linear::LinearTerm> terms{{program.add_column({.lower = -linear::infinity}), -1}};
+    for (const auto& [degree, value] : model.uncertain[j].direction) {
+      terms.push_back({degree, value});
+    }
+    program.add_row({.lower = 0, .upper = 0}, terms);
+  }
+}
+
 linear::LinearProgram relaxation(const problems::LimitModel& model, double alpha) {
   linear::LinearProgram program;
   program.name = "static relaxation";
@@ -45,6 +77,7 @@ linear::LinearProgram relaxation(const problems::LimitModel& model, double alpha
     }
   }
   program.add_row({}, terms);  // the dissipation
+  add_motions_along(model, program);
   return program;
 }
 
@@ -56,7 +89,9 @@ Master::Master(const problems::LimitModel& model, double alpha, support::Stop st
       stop_(std::move(stop)),
       room_(Eigen::VectorXd::Zero(model.member_count())),
       signs_(model.uncertain.size(), 0),
-      simplex_(relaxation(model, alpha)) {}
+      along_(motions_along(model, first_motion_along(model))),
+      simplex_(relaxation(model, alpha)),
+      first_cut_row_(simplex_.rows()) {}
 
 void Master::leave_room(const Eigen::VectorXd& room) {
   if (room == room_) return;
@@ -146,10 +181,12 @@ void Master::decide(const Signs& signs) {
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     const auto at = static_cast<std::size_t>(j);
     if (signs[at] == signs_[at]) continue;
-    const auto& [degree, weight] = model_.uncertain[at];
+    const double weight = model_.uncertain[at].weight;
+    const int along = along_[at];
     const double infinity = linear::infinity;
-    simplex_.set_column_bounds(degree, signs[at] > 0 ? 0 : -infinity, signs[at] < 0 ? 0 : infinity);
-    simplex_.set_cost(degree, -model_.dead(degree) - signs[at] * alpha_ * weight);
+    simplex_.set_column_bounds(along, signs[at] > 0 ? 0 : -infinity, signs[at] < 0 ? 0 : infinity);
+    const double dead = along < model_.free_count() ? model_.dead(along) : 0;
+    simplex_.set_cost(along, -dead - signs[at] * alpha_ * weight);
     simplex_.set_column_bounds(gamma_column(j), 0, signs[at] == 0 ? far : 0);
     simplex_.set_cost(gamma_column(j), signs[at] == 0 ? -alpha_ * weight : 0);
   }
@@ -160,7 +197,7 @@ void Master::decide(const Signs& signs) {
 // a gain makes the bound that of the box.
 bool Master::presses_box() const {
   constexpr double gain = 1e-9;  // of the simplex method's tolerance, where yield forces are one
-  for (int column = model_.free_count(); column < simplex_.columns(); ++column) {
+  for (int column = model_.free_count(); column < first_motion_along(model_); ++column) {
     if (simplex_.value(column) >= far && simplex_.reduced_cost(column) < -gain) return true;
   }
   return false;
@@ -182,8 +219,9 @@ Relaxed Master::relaxed() const {
   point.gamma.resize(model_.uncertain_count());
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     const double sign = signs_[static_cast<std::size_t>(j)];
-    const int degree = model_.uncertain[static_cast<std::size_t>(j)].degree;
-    point.gamma(j) = sign == 0 ? simplex_.value(gamma_column(j)) : sign * point.motion(degree);
+    const int along = along_[static_cast<std::size_t>(j)];
+    point.gamma(j) = simplex_.value(gamma_column(j));
+    if (sign != 0) point.gamma(j) = sign * simplex_.value(along);
   }
   return point;
 }
@@ -201,8 +239,8 @@ StaticProof Master::proof() const {
   proof.one_sided = Eigen::VectorXd::Zero(model_.uncertain_count());
   for (int j = 0; j < model_.uncertain_count(); ++j) {
     const double sign = signs_[static_cast<std::size_t>(j)];
-    const int degree = model_.uncertain[static_cast<std::size_t>(j)].degree;
-    if (sign != 0) proof.one_sided(j) = std::max(0.0, sign * simplex_.reduced_cost(degree));
+    const int along = along_[static_cast<std::size_t>(j)];
+    if (sign != 0) proof.one_sided(j) = std::max(0.0, sign * simplex_.reduced_cost(along));
   }
   return proof;
 }

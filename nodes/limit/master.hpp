@@ -4,8 +4,9 @@
 //   s.t. f_R'u = 1,  B'u - c+ + c- = 0,  c+, c- >= 0,
 //        0 <= gamma_j <= |y|'(c+ + c-) + |k|   for every cut (j, y, k),
 //
-// where gamma_j stands for |u_e| of column j of T. Where the sign s of u_e is decided, gamma_j is
-// s u_e itself.
+// where gamma_j stands for |d_j'u|, column j of T being weight_j d_j. Where the sign s of d_j'u is
+// decided, gamma_j is s d_j'u itself. d_j'u is a displacement, or has a variable and a row of its
+// own.
 //
 // Its dual is a static statement, which proves the bound without the simplex method: forces q and a
 // factor lambda in equilibrium with f_D, and shares mu_c >= 0 of the cuts, with
@@ -27,7 +28,7 @@
 
 namespace kusabi::limit {
 
-/// For each column of T: -1, 0 or 1, the sign of u_e that is decided, 0 none.
+/// For each column of T: -1, 0 or 1, the sign of d_j'u that is decided, 0 none.
 using Signs = std::vector<std::int8_t>;
 
 /// A point of the relaxation.
@@ -43,7 +44,7 @@ struct StaticProof {
   double factor = 0;          ///< lambda
   Eigen::VectorXd forces;     ///< q
   std::vector<double> mu;     ///< a share for each cut
-  Eigen::VectorXd one_sided;  ///< nu_j >= 0, m: multipliers of s u_e >= 0, where it is decided
+  Eigen::VectorXd one_sided;  ///< nu_j >= 0, m: multipliers of s d_j'u >= 0, where it is decided
 };
 
 class Master {
@@ -97,7 +98,7 @@ class Master {
   [[nodiscard]] std::vector<int> members_without_choice() const;
   [[nodiscard]] bool has_room(double share) const;
   [[nodiscard]] int dissipation_row() const { return model_.member_count() + 1; }
-  [[nodiscard]] int first_cut_row() const { return model_.member_count() + 2; }
+  [[nodiscard]] int first_cut_row() const { return first_cut_row_; }
   [[nodiscard]] int gamma_column(int j) const {
     return model_.free_count() + 2 * model_.member_count() + j;
   }
@@ -107,7 +108,9 @@ class Master {
   support::Stop stop_;
   Eigen::VectorXd room_;  // n^m
   Signs signs_;
+  std::vector<int> along_;  // the variable that d_j'u is, by column of T
   linear::Simplex simplex_;
+  int first_cut_row_;
   std::size_t cuts_ = 0;
 };
 

@@ -3,7 +3,7 @@
 //
 // If the relaxation with yield forces (1 - rho) q^y has a bound L, then every motion u has a value
 // of at least L + rho q^y'|B'u|; so one of value at most U dissipates q^y'|B'u| <= D = (U - L) /
-// rho. Then |b_i'u| <= D / q^y_i, and by a static cut |u_e| <= D max_i |y_i| / q^y_i + |k|.
+// rho. Then |b_i'u| <= D / q^y_i, and by a static cut |d_j'u| <= D max_i |y_i| / q^y_i + |k|.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@
 namespace kusabi::limit {
 
 struct MotionBounds {
-  Eigen::VectorXd motion;      ///< of |u_e| for the columns of T: m
+  Eigen::VectorXd motion;      ///< of |d_j'u| for the columns of T: m
   Eigen::VectorXd elongation;  ///< of |b_i'u|, n^m
 };
 

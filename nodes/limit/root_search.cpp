@@ -49,7 +49,7 @@ LoadStatus RootSearch::set_up(problems::LimitModel model) {
 
 void RootSearch::settle_for(double alpha) {
   double load = 0;
-  for (const auto& [degree, weight] : problem_.uncertain) load = std::max(load, alpha * weight);
+  for (const auto& column : problem_.uncertain) load = std::max(load, alpha * column.largest());
   const double before = model().force_unit;
   constexpr double far = 0x1p6;
   if (load <= far * before) return;

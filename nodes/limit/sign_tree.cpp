@@ -160,7 +160,7 @@ void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
   }
   ++tally_.branched;
   const auto j = static_cast<std::size_t>(widest);
-  const bool positive = here.point.motion(model_.uncertain[j].degree) >= 0;
+  const bool positive = model_.uncertain[j].along(here.point.motion) >= 0;
   for (const bool same : {true, false}) {
     Node child{node.signs};
     child.signs[j] = same == positive ? std::int8_t{1} : std::int8_t{-1};

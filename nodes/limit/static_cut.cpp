@@ -1,5 +1,5 @@
 // The pricing program: minimise sum_i z_i (y+_i + y-_i) + k+ + k- with
-// B (y+ - y-) - (k+ - k-) f_R = e_e. A change of e changes the right-hand side alone, from which
+// B (y+ - y-) - (k+ - k-) f_R = d_j. A change of j changes the right-hand side alone, from which
 // the dual simplex method goes on.
 #include "nodes/limit/static_cut.hpp"
 
@@ -62,11 +62,20 @@ void StaticPricing::restart() {
   }
 }
 
+void StaticPricing::aim_at(int column) {
+  if (last_column_ >= 0) {
+    for (const auto& [degree, value] : direction(last_column_)) {
+      simplex_.set_row_bounds(degree, 0, 0);
+    }
+  }
+  for (const auto& [degree, value] : direction(column)) {
+    simplex_.set_row_bounds(degree, value, value);
+  }
+  last_column_ = column;
+}
+
 std::optional<StaticCut> StaticPricing::cut(int column) {
-  const int degree = model_.uncertain[static_cast<std::size_t>(column)].degree;
-  if (last_degree_ >= 0) simplex_.set_row_bounds(last_degree_, 0, 0);
-  simplex_.set_row_bounds(degree, 1, 1);
-  last_degree_ = degree;
+  aim_at(column);
   if (simplex_.solve_robustly({.stop = stop_}) != linear::LinearStatus::optimal)
     return std::nullopt;
   StaticCut cut;

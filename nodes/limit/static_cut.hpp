@@ -1,11 +1,12 @@
 // Static cuts: valid inequalities of (29) that come from equilibrium.
 //
-// For the free displacement u_e let y be member forces and k a factor with B y - k f_R = e_e. Then
-// |u_e| = |y'B'u - k f_R'u| <= |y|'z + |k| for every (u, z) of (14), and so
-//   gamma_j <= weight_j (|y|'z + |k|).
-// The best cut at z is a linear program: min sum_i z_i |y_i| + |k|. Its dual is max { v_e : |B'v|
-// <= z, |f_R'v| <= 1 }: with all cuts, each gamma_j may still be the displacement of a motion of
-// its own within the elongations z.
+// For column j of T, t_j = weight_j d_j, let y be member forces and k a factor with
+// B y - k f_R = d_j. Then |d_j'u| = |y'B'u - k f_R'u| <= |y|'z + |k| for every (u, z) of (14), and
+// so
+//   gamma_j <= |y|'z + |k|,   where gamma_j stands for |d_j'u|.
+// The best cut at z is a linear program: min sum_i z_i |y_i| + |k|. Its dual is max { d_j'v : |B'v|
+// <= z, |f_R'v| <= 1 }: with all cuts, each gamma_j may still be that of a motion of its own within
+// the elongations z.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,7 @@ struct StaticCut {
   double factor = 0;                           ///< k
   std::vector<std::pair<int, double>> forces;  ///< the y_i that are not zero, by member
 
-  /// |y|'z + |k|: what |u_e| is at most.
+  /// |y|'z + |k|: what |d_j'u| is at most.
   [[nodiscard]] double bound(const Eigen::VectorXd& z) const;
 
   template <class Archive>
@@ -59,11 +60,16 @@ class StaticPricing {
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }
 
  private:
+  void aim_at(int column);
+  [[nodiscard]] const std::vector<problems::UncertainColumn::Component>& direction(int j) const {
+    return model_.uncertain[static_cast<std::size_t>(j)].direction;
+  }
+
   const problems::LimitModel& model_;
   support::Stop stop_;
   linear::Simplex simplex_;
   std::optional<linear::Basis> start_;
-  int last_degree_ = -1;
+  int last_column_ = -1;
 };
 
 }  // namespace kusabi::limit

@@ -207,8 +207,8 @@ std::vector<StaticCut> price_alone(StaticPricing& pricing, const Eigen::VectorXd
 Eigen::VectorXd looseness(const LimitModel& model, const Relaxed& point) {
   Eigen::VectorXd loose(model.uncertain_count());
   for (int j = 0; j < model.uncertain_count(); ++j) {
-    const auto& [degree, weight] = model.uncertain[static_cast<std::size_t>(j)];
-    loose(j) = weight * (point.gamma(j) - std::abs(point.motion(degree)));
+    const auto& column = model.uncertain[static_cast<std::size_t>(j)];
+    loose(j) = column.weight * (point.gamma(j) - std::abs(column.along(point.motion)));
   }
   return loose;
 }

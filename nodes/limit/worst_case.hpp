@@ -93,7 +93,7 @@ std::optional<StaticProof> proof_with_room(const problems::LimitModel& model, do
 /// no more than rounding.
 inline constexpr double first_room = 1e-11;
 
-/// How much the point leaves |u_e| and gamma_j apart, for each column of T, times its weight.
+/// How much the point leaves |d_j'u| and gamma_j apart, for each column of T, times its weight.
 Eigen::VectorXd looseness(const problems::LimitModel& model, const Relaxed& point);
 
 /// The weights of the pricing programs: z plus `share` of its mean, so that the forces of members

@@ -45,16 +45,6 @@ void add_static_row(linear::LinearProgram& program, const LimitModel& model, con
   program.add_row({.upper = std::abs(cut.factor)}, terms);
 }
 
-// M as it was asked for, in the units of the model.
-Eigen::VectorXd given_big_m(const LimitModel& model, double big_m) {
-  Eigen::VectorXd scaled(model.uncertain_count());
-  for (int j = 0; j < model.uncertain_count(); ++j) {
-    const int degree = model.uncertain[static_cast<std::size_t>(j)].degree;
-    scaled(j) = big_m / model.displacement_unit(degree);
-  }
-  return scaled;
-}
-
 // (29) with the M asked for or a safe one; nothing if none is found.
 std::optional<linear::MixedProgram> bounded_program(const LimitQuestion& question,
                                                     const LimitModel& model, double alpha,
@@ -67,11 +57,12 @@ std::optional<linear::MixedProgram> bounded_program(const LimitQuestion& questio
   if (bounds) {
     most_elongation = bounds->elongation;
     for (int j = 0; j < model.uncertain_count(); ++j) {
-      most_motion(model.uncertain[static_cast<std::size_t>(j)].degree) = bounds->motion(j);
+      const auto& direction = model.uncertain[static_cast<std::size_t>(j)].direction;
+      if (direction.size() == 1) most_motion(direction.front().degree) = bounds->motion(j);
     }
     big_m = 2 * bounds->motion;
   }
-  if (question.big_m) big_m = given_big_m(model, *question.big_m);
+  if (question.big_m) big_m = *question.big_m * model.direction_unit / model.factor_unit;
   if (big_m.size() == 0) return std::nullopt;
   return problems::worst_case_program(model, alpha, big_m, most_motion, most_elongation);
 }
@@ -79,8 +70,13 @@ std::optional<linear::MixedProgram> bounded_program(const LimitQuestion& questio
 // (27) as printed: u and gamma are not bounded but by the rows, which imply z >= 0.
 linear::MixedProgram printed_program(const LimitModel& model, double alpha, double big_m) {
   const auto none = [](int count) { return Eigen::VectorXd::Constant(count, linear::infinity); };
-  auto mixed = problems::worst_case_program(model, alpha, given_big_m(model, big_m),
-                                            none(model.free_count()), none(model.member_count()));
+  // There M is for gamma_j = |t_j'u|, which is weight_j |d_j'u|.
+  Eigen::VectorXd of_directions(model.uncertain_count());
+  for (int j = 0; j < model.uncertain_count(); ++j) {
+    of_directions(j) = big_m / model.uncertain[static_cast<std::size_t>(j)].weight;
+  }
+  auto mixed = problems::worst_case_program(model, alpha, of_directions, none(model.free_count()),
+                                            none(model.member_count()));
   const int first = model.free_count() + model.member_count();
   for (int gamma = first; gamma < first + model.uncertain_count(); ++gamma) {
     mixed.program.columns[static_cast<std::size_t>(gamma)].lower = -linear::infinity;

@@ -2,6 +2,7 @@
 #include "problems/files/loads_file.hpp"
 
 #include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -78,7 +79,43 @@ void LoadsFile::read_uncertainty(const toml::node& section, Structure& structure
   }
 }
 
+// One parameter that acts on several components.
+void LoadsFile::uncertain_load(const TomlTable& group, Structure& structure) const {
+  reader_.allow_only(group, {"name", "forces"});
+  const TomlText name =
+      reader_.text(reader_.require(group, "name", "name = \"...\", of the uncertain load"), "name");
+  const auto& forces =
+      reader_.require(group, "forces", "forces = [{ nodes = [\"a\", ...], force = [...] }, ...]");
+  UncertainParameter parameter{name.text, {}};
+  for (const toml::node* each : reader_.elements(forces, "forces")) {
+    const TomlTable entry = reader_.table(*each, "one of the forces");
+    reader_.allow_only(entry, {"nodes", "force"});
+    const auto& names = reader_.require(entry, "nodes", "nodes = [\"a\", ...]");
+    const Eigen::VectorXd force =
+        reader_.vector(reader_.require(entry, "force", "force = [...], at each of the nodes"),
+                       "the force", structure.dimension);
+    for (const TomlText& node : reader_.texts(names, "nodes")) {
+      const int number = node_number_(node);
+      for (int axis = 0; axis < structure.dimension; ++axis) {
+        if (force(axis) == 0) continue;
+        parameter.components.push_back({number, axis, force(axis)});
+        structure.sources.uncertain.push_back(node.position);
+      }
+    }
+  }
+  if (parameter.components.empty()) {
+    reader_.fail(name.position, fmt::format("the uncertain load {} is zero; expected a force that "
+                                            "is not",
+                                            support::in_quotes(name.text)));
+  }
+  structure.uncertain->push_back(std::move(parameter));
+}
+
 void LoadsFile::uncertainty_group(const TomlTable& group, Structure& structure) const {
+  if (group.table->contains("forces") || group.table->contains("name")) {
+    uncertain_load(group, structure);
+    return;
+  }
   reader_.allow_only(group, {"nodes", "axes", "weight"});
   const auto& names = reader_.require(group, "nodes", "nodes = [\"a\", ...]");
   const auto axes = axes_in(reader_, reader_.require(group, "axes", "axes = [\"x\", ...]"), "axes",
@@ -90,7 +127,7 @@ void LoadsFile::uncertainty_group(const TomlTable& group, Structure& structure) 
   for (const TomlText& name : reader_.texts(names, "nodes")) {
     for (int axis = 0; axis < structure.dimension; ++axis) {
       if (!axes[static_cast<std::size_t>(axis)]) continue;
-      structure.uncertain->push_back({node_number_(name), axis, weight});
+      structure.uncertain->push_back({{}, {{node_number_(name), axis, weight}}});
       structure.sources.uncertain.push_back(name.position);
     }
   }

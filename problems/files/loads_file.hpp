@@ -28,12 +28,13 @@ class LoadsFile {
   /// Adds the loads of [[loads]] to the structure.
   void read_loads(const toml::node& section, Structure& structure) const;
 
-  /// Fills the uncertain components of the structure from [[uncertainty]].
+  /// Fills the uncertain parameters of the structure from [[uncertainty]].
   void read_uncertainty(const toml::node& section, Structure& structure) const;
 
  private:
   void load_group(const TomlTable& group, Structure& structure) const;
   void uncertainty_group(const TomlTable& group, Structure& structure) const;
+  void uncertain_load(const TomlTable& group, Structure& structure) const;
 
   const TomlReader& reader_;
   std::function<int(const TomlText&)> node_number_;

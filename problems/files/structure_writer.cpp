@@ -180,10 +180,29 @@ void write_loads(const Structure& structure, std::string& text) {
       });
 }
 
-// A group a component: lists of what is uncertain are short, or left out.
+// A force for each component: what is not named is zero.
+void write_uncertain_load(const Structure& structure, const UncertainParameter& parameter,
+                          std::string& text) {
+  text += fmt::format("\n[[uncertainty]]\nname = {}\nforces = [\n", quoted(parameter.name));
+  for (const auto& [node, axis, weight] : parameter.components) {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(structure.dimension);
+    force(axis) = weight;
+    text += fmt::format("  {{ nodes = [{}], force = {} }},\n",
+                        quoted(structure.node_names[static_cast<std::size_t>(node)]),
+                        vector_text(force));
+  }
+  text += "]\n";
+}
+
+// A group a parameter: lists of what is uncertain are short, or left out.
 void write_uncertainty(const Structure& structure, std::string& text) {
   if (!structure.uncertain) return;
-  for (const auto& [node, axis, weight] : *structure.uncertain) {
+  for (const auto& parameter : *structure.uncertain) {
+    if (!parameter.name.empty()) {
+      write_uncertain_load(structure, parameter, text);
+      continue;
+    }
+    const auto& [node, axis, weight] = parameter.components.front();
     text += fmt::format("\n[[uncertainty]]\nnodes = [{}]\naxes = [\"{}\"]\nweight = {}\n",
                         quoted(structure.node_names[static_cast<std::size_t>(node)]),
                         axis_name(axis), weight);

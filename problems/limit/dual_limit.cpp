@@ -82,9 +82,10 @@ class DualProgram {
   void write_uncertain(int j) {
     const int plus = zeta_ + j;
     const int minus = plus + m_;
-    const int degree = model_.uncertain[static_cast<std::size_t>(j)].degree;
-    entry(degree, plus, -1);
-    entry(degree, minus, 1);
+    for (const auto& [degree, value] : model_.uncertain[static_cast<std::size_t>(j)].direction) {
+      entry(degree, plus, -value);
+      entry(degree, minus, value);
+    }
     const int of_gamma = degrees_ + members_ + j;
     entry(of_gamma, plus, 1);
     entry(of_gamma, minus, 1);

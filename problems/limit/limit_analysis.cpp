@@ -20,6 +20,24 @@ double unit_of(double size, double force_unit) {
   return std::ldexp(force_unit, exponent - 1);
 }
 
+// T~ = F Y^-1 T, the weights being the sizes of its columns. @param row_unit Y
+void scale_uncertain(const LimitProblem& problem, const Eigen::VectorXd& row_unit,
+                     LimitModel& model) {
+  model.uncertain = problem.uncertain;
+  model.direction_unit.resize(problem.uncertain_count());
+  for (int j = 0; j < problem.uncertain_count(); ++j) {
+    auto& column = model.uncertain[static_cast<std::size_t>(j)];
+    double most = 0;
+    for (auto& [degree, value] : column.direction) {
+      value *= model.force_unit / row_unit(degree);
+      most = std::max(most, std::abs(value));
+    }
+    for (auto& component : column.direction) component.value /= most;
+    column.weight *= most;
+    model.direction_unit(j) = model.force_unit / most;
+  }
+}
+
 }  // namespace
 
 LimitModel limit_model(const LimitProblem& problem, double force_unit, double most_yield) {
@@ -48,8 +66,7 @@ LimitModel limit_model(const LimitProblem& problem, double force_unit, double mo
   model.equilibrium = row_unit.cwiseInverse().asDiagonal() * given * model.member_unit.asDiagonal();
   model.dead = problem.dead.cwiseQuotient(row_unit);
   model.reference = problem.reference.cwiseQuotient(row_unit) / reference_unit;
-  model.uncertain = problem.uncertain;
-  for (auto& [degree, weight] : model.uncertain) weight *= model.force_unit / row_unit(degree);
+  scale_uncertain(problem, row_unit, model);
   return model;
 }
 
@@ -70,6 +87,7 @@ LimitModel unscaled_model(const LimitProblem& problem) {
   model.uncertain = problem.uncertain;
   model.member_unit = Eigen::VectorXd::Ones(problem.member_count());
   model.displacement_unit = Eigen::VectorXd::Ones(problem.free_count());
+  model.direction_unit = Eigen::VectorXd::Ones(problem.uncertain_count());
   model.most_yield = linear::infinity;
   return model;
 }
@@ -77,8 +95,7 @@ LimitModel unscaled_model(const LimitProblem& problem) {
 Eigen::VectorXd dead_load(const LimitModel& model, const Eigen::VectorXd& zeta) {
   Eigen::VectorXd load = model.dead;
   for (int j = 0; j < model.uncertain_count(); ++j) {
-    const auto& [degree, weight] = model.uncertain[static_cast<std::size_t>(j)];
-    load(degree) += weight * zeta(j);
+    model.uncertain[static_cast<std::size_t>(j)].add_to(load, zeta(j));
   }
   return load;
 }

@@ -7,9 +7,10 @@
 // in c_i = min(F, (q^t + q^c) / 2), the equilibrium of displacement e in Y_e = max_i |B_ei| c_i,
 // and the reference load in R = max_e |f_R,e| / Y_e:
 //
-//   B~ = Y^-1 B C,  f~_D = Y^-1 f_D,  f~_R = Y^-1 f_R / R,  q~ = C^-1 q,  u~ = R Y u,
-//   lambda~ = R lambda.
+//   B~ = Y^-1 B C,  f~_D = Y^-1 f_D,  f~_R = Y^-1 f_R / R,  T~ = F Y^-1 T,  q~ = C^-1 q,
+//   u~ = R Y u,  lambda~ = R lambda,  zeta~ = zeta / F.
 //
+// Column j of T~ is weight w~_j times a direction d~_j whose largest component is of size one.
 // Units that differ by less than eight are one. A yield force of far more than F stands for
 // "never"; it is cut off at `most_yield` c_i, which can only lower the load factor.
 #pragma once
@@ -31,6 +32,7 @@ struct LimitModel {
   Eigen::VectorXd tension;                  ///< q~^t, at most `most_yield`
   Eigen::VectorXd compression;              ///< q~^c, at most `most_yield`
   std::vector<UncertainColumn> uncertain;   ///< T~; its coefficients zeta are in force_unit
+  Eigen::VectorXd direction_unit;           ///< m: a scaled load d~_j times this is d_j, force
   Eigen::VectorXd member_unit;              ///< c, n^m: a scaled force times this is in force
   Eigen::VectorXd displacement_unit;        ///< 1 / (R Y), n^d: u~ times this is u, f_R^T u = 1
   double force_unit = 1;                    ///< F, force

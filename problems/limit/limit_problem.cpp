@@ -2,6 +2,7 @@
 #include "problems/limit/limit_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -63,21 +64,53 @@ void require_free_reference(const Structure& structure, const LimitProblem& prob
       "unbounded; expected a reference load at a node and along an axis that are free");
 }
 
+// What acts on a support goes straight to the ground.
+UncertainColumn column_of(const UncertainParameter& parameter, const FreeDegrees& degrees) {
+  std::vector<UncertainColumn::Component> free;
+  for (const auto& [node, axis, weight] : parameter.components) {
+    const int degree = degrees.number(axis, node);
+    if (degree >= 0) free.push_back({degree, weight});
+  }
+  std::ranges::sort(free, {}, &UncertainColumn::Component::degree);
+  auto column = free.size() == 1 ? UncertainColumn::single(free[0].degree, free[0].value)
+                                 : UncertainColumn{1, std::move(free)};
+  column.name = parameter.name;
+  return column;
+}
+
+bool works_with(const Eigen::VectorXd& reference, const UncertainColumn& column) {
+  double sizes = 0;
+  for (const auto& [degree, value] : column.direction) {
+    sizes += std::abs(value * reference(degree));
+  }
+  return std::abs(column.along(reference)) > no_reference_work * sizes;
+}
+
+std::string reference_fault(const Structure& structure, const UncertainParameter& parameter) {
+  if (!parameter.name.empty()) {
+    return fmt::format(
+        "the uncertain load {} has a part along the reference load; expected "
+        "f_R^T t = 0, the sum of the products of their components (assumption 3.1)",
+        support::in_quotes(parameter.name));
+  }
+  const auto& [node, axis, weight] = parameter.components.front();
+  return fmt::format(
+      "component {} of the load at {} is uncertain and carries reference load; "
+      "expected one or the other (assumption 3.1)",
+      axis_name(axis), support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]));
+}
+
 std::vector<UncertainColumn> given_columns(const Structure& structure,
                                            const LimitProblem& problem) {
   std::vector<UncertainColumn> columns;
-  for (std::size_t index = 0; index < structure.uncertain->size(); ++index) {
-    const auto& [node, axis, weight] = (*structure.uncertain)[index];
-    const int degree = problem.degrees.number(axis, node);
-    if (problem.reference(degree) != 0) {
-      throw structure_error(
-          structure, position_of(structure.sources.uncertain, static_cast<int>(index)),
-          fmt::format("component {} of the load at {} is uncertain and carries reference load; "
-                      "expected one or the other (assumption 3.1)",
-                      axis_name(axis),
-                      support::in_quotes(structure.node_names[static_cast<std::size_t>(node)])));
+  int first = 0;
+  for (const UncertainParameter& parameter : *structure.uncertain) {
+    columns.push_back(column_of(parameter, problem.degrees));
+    if (works_with(problem.reference, columns.back())) {
+      throw structure_error(structure, position_of(structure.sources.uncertain, first),
+                            reference_fault(structure, parameter));
     }
-    columns.push_back({degree, weight});
+    first += static_cast<int>(parameter.components.size());
   }
   return columns;
 }
@@ -85,7 +118,9 @@ std::vector<UncertainColumn> given_columns(const Structure& structure,
 std::vector<UncertainColumn> default_columns(const LimitProblem& problem) {
   std::vector<UncertainColumn> columns;
   for (int degree = 0; degree < problem.free_count(); ++degree) {
-    if (problem.dead(degree) == 0 && problem.reference(degree) == 0) columns.push_back({degree, 1});
+    if (problem.dead(degree) == 0 && problem.reference(degree) == 0) {
+      columns.push_back(UncertainColumn::single(degree, 1));
+    }
   }
   return columns;
 }
@@ -109,8 +144,12 @@ std::uint64_t fingerprint(const LimitProblem& problem) {
     for (const double value : *vector) result.add(value);
   }
   for (const UncertainColumn& column : problem.uncertain) {
-    result.add(column.degree);
-    result.add(column.weight);
+    // A count that no displacement has: so a single component is what it has always been.
+    if (column.direction.size() > 1) result.add(-static_cast<int>(column.direction.size()));
+    for (const auto& [degree, value] : column.direction) {
+      result.add(degree);
+      result.add(column.weight * value);
+    }
   }
   return result.value();
 }
@@ -123,11 +162,19 @@ std::string member_name(const LimitProblem& problem, int member) {
                      problem.node_names[static_cast<std::size_t>(bar.second)]);
 }
 
+std::string parameter_name(const LimitProblem& problem, int column) {
+  const auto& [weight, direction, name] = problem.uncertain[static_cast<std::size_t>(column)];
+  if (!name.empty()) return name;
+  const auto& [node, axis] =
+      problem.degrees.free[static_cast<std::size_t>(direction.front().degree)];
+  return fmt::format("{} at {}", axis_name(axis),
+                     problem.node_names[static_cast<std::size_t>(node)]);
+}
+
 Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
   Eigen::VectorXd load = problem.dead;
   for (int j = 0; j < problem.uncertain_count(); ++j) {
-    const auto& [degree, weight] = problem.uncertain[static_cast<std::size_t>(j)];
-    load(degree) += weight * zeta(j);
+    problem.uncertain[static_cast<std::size_t>(j)].add_to(load, zeta(j));
   }
   return load;
 }
@@ -156,8 +203,9 @@ LimitProblem limit_problem(const Structure& structure) {
   }
   problem.uncertain =
       structure.uncertain ? given_columns(structure, problem) : default_columns(problem);
-  std::ranges::sort(problem.uncertain, {}, [&](const UncertainColumn& column) {
-    const auto& [node, axis] = problem.degrees.free[static_cast<std::size_t>(column.degree)];
+  std::ranges::stable_sort(problem.uncertain, {}, [&](const UncertainColumn& column) {
+    const auto first = static_cast<std::size_t>(column.direction.front().degree);
+    const auto& [node, axis] = problem.degrees.free[first];
     return std::pair(axis, node);
   });
   problem.fingerprint = fingerprint(problem);

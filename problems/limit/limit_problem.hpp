@@ -16,16 +16,11 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include "problems/limit/uncertain_column.hpp"
 #include "problems/structure/structure.hpp"
 #include "problems/structure/truss.hpp"
 
 namespace kusabi::problems {
-
-/// Column j of T: `weight` at one free displacement.
-struct UncertainColumn {
-  int degree;
-  double weight;
-};
 
 struct LimitProblem {
   std::string name;
@@ -37,7 +32,8 @@ struct LimitProblem {
   Eigen::SparseMatrix<double> equilibrium;  ///< B, n^d x n^m
   Eigen::VectorXd dead;                     ///< f_D, n^d, force
   Eigen::VectorXd reference;                ///< f_R, n^d, force; not zero
-  std::vector<UncertainColumn> uncertain;   ///< T, m columns, axis by axis, node by node
+  std::vector<UncertainColumn> uncertain;   ///< T: m columns, axis by axis and node by node of
+                                            ///< their first components
   Eigen::VectorXd tension;                  ///< q^t, n^m, force
   Eigen::VectorXd compression;              ///< q^c, n^m, force
   /// Hash of all of the above but the names.
@@ -51,13 +47,20 @@ struct LimitProblem {
 /// "a-b" from the nodes of a member.
 std::string member_name(const LimitProblem& problem, int member);
 
+/// The name of a column of T, or "x at tip" of its component.
+std::string parameter_name(const LimitProblem& problem, int column);
+
 /// f_D + T zeta. @param zeta m
 Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& zeta);
 
-/// Checks what limit analysis needs and assumption 3.1 of the paper.
+/// What f_R^T t_j may be relative to sum_e |f_R,e t_j,e|: components are typed with ten digits or
+/// so. No bound and no proof rests on it.
+inline constexpr double no_reference_work = 1e-9;
+
+/// Checks what limit analysis needs, and assumption 3.1 (ii) of the paper: (i) is of no need.
 /// @throws InputError if `check_structure` does; if loads or yield forces are missing; if no
-///         reference load acts on a free displacement; if an uncertain component carries reference
-///         load (assumption 3.1 (ii)); if the structure is a mechanism (with the nodes that move)
+///         reference load acts on a free displacement; if f_R^T t_j is not zero for a column of T
+///         (assumption 3.1 (ii)); if the structure is a mechanism (with the nodes that move)
 LimitProblem limit_problem(const Structure& structure);
 
 }  // namespace kusabi::problems

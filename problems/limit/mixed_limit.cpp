@@ -1,9 +1,9 @@
 // (27) to (29), row by row.
 #include "problems/limit/mixed_limit.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace kusabi::problems {
 
@@ -25,18 +25,25 @@ linear::MixedProgram worst_case_program(const LimitModel& model, double alpha,
   }
   const int m = model.uncertain_count();
   for (int j = 0; j < m; ++j) {
-    const auto& [degree, weight] = model.uncertain[static_cast<std::size_t>(j)];
-    program.add_column({.cost = -alpha * weight, .upper = most_motion(degree)});
+    const auto& column = model.uncertain[static_cast<std::size_t>(j)];
+    double most = 0;
+    for (const auto& [degree, value] : column.direction) {
+      most += std::abs(value) * most_motion(degree);
+    }
+    program.add_column({.cost = -alpha * column.weight, .upper = most});
   }
   for (int j = 0; j < m; ++j) mixed.binaries.push_back(program.add_column({.upper = 1}));
   for (int j = 0; j < m; ++j) {
-    const int degree = model.uncertain[static_cast<std::size_t>(j)].degree;
     const int gamma = model.free_count() + model.member_count() + j;
     const int tau = gamma + m;
-    const std::array<linear::LinearTerm, 3> positive{{{gamma, 1}, {degree, -1}, {tau, big_m(j)}}};
-    program.add_row({.upper = big_m(j)}, positive);
-    const std::array<linear::LinearTerm, 3> negative{{{gamma, 1}, {degree, 1}, {tau, -big_m(j)}}};
-    program.add_row({.upper = 0}, negative);
+    for (const double sign : {-1.0, 1.0}) {
+      std::vector<linear::LinearTerm> terms{{gamma, 1}};
+      for (const auto& [degree, value] : model.uncertain[static_cast<std::size_t>(j)].direction) {
+        terms.push_back({degree, sign * value});
+      }
+      terms.push_back({tau, -sign * big_m(j)});
+      program.add_row({.upper = sign < 0 ? big_m(j) : 0}, terms);
+    }
   }
   return mixed;
 }
@@ -45,8 +52,8 @@ std::vector<double> worst_case_point(const LimitModel& model, const Eigen::Vecto
   std::vector<double> point(motion.begin(), motion.end());
   const Eigen::VectorXd elongation = model.equilibrium.transpose() * motion;
   for (const double each : elongation) point.push_back(std::abs(each));
-  for (const auto& [degree, weight] : model.uncertain) point.push_back(std::abs(motion(degree)));
-  for (const auto& [degree, weight] : model.uncertain) point.push_back(motion(degree) < 0 ? 0 : 1);
+  for (const auto& column : model.uncertain) point.push_back(std::abs(column.along(motion)));
+  for (const auto& column : model.uncertain) point.push_back(column.along(motion) < 0 ? 0 : 1);
   return point;
 }
 

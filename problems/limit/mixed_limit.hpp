@@ -9,11 +9,11 @@
 namespace kusabi::problems {
 
 /// Minimise -alpha sum_j weight_j gamma_j - f_D'u + q^y'z over (27) with tau in {0, 1}. Columns:
-/// u (n^d), z (n^m), gamma (m), tau (m); gamma_j is |u_e|, e the displacement of column j of T.
-/// Rows: f_R'u = 1; z_i -+ b_i'u >= 0, member by member; gamma_j - u_e + M_j tau_j <= M_j and
-/// gamma_j + u_e - M_j tau_j <= 0, column by column.
+/// u (n^d), z (n^m), gamma (m), tau (m); gamma_j is |d_j'u|, column j of T being weight_j d_j.
+/// Rows: f_R'u = 1; z_i -+ b_i'u >= 0, member by member; gamma_j - d_j'u + M_j tau_j <= M_j and
+/// gamma_j + d_j'u - M_j tau_j <= 0, column by column.
 /// @param alpha scaled
-/// @param big_m M, m, scaled: at least twice the largest |u_e| of an optimum
+/// @param big_m M, m, scaled: at least twice the largest |d_j'u| of an optimum
 /// @param most_motion bound of |u|, n^d; may be infinite
 /// @param most_elongation bound of z, n^m; may be infinite
 linear::MixedProgram worst_case_program(const LimitModel& model, double alpha,
@@ -21,7 +21,7 @@ linear::MixedProgram worst_case_program(const LimitModel& model, double alpha,
                                         const Eigen::VectorXd& most_motion,
                                         const Eigen::VectorXd& most_elongation);
 
-/// The point of a motion in worst_case_program(): z = |B'u|, gamma = |u_e|, tau its sign.
+/// The point of a motion in worst_case_program(): z = |B'u|, gamma = |d_j'u|, tau its sign.
 std::vector<double> worst_case_point(const LimitModel& model, const Eigen::VectorXd& motion);
 
 }  // namespace kusabi::problems

@@ -47,11 +47,18 @@ struct Load {
   Eigen::VectorXd force;  ///< d
 };
 
-/// A component of the dead load that is known up to +- weight times alpha (limit paper (6), (7)).
+/// What a parameter of the dead load puts on one component.
 struct UncertainComponent {
   int node;
   int axis;
-  double weight = 1;  ///< > 0: the half-width for alpha = 1
+  double weight = 1;  ///< not zero: the half-width for alpha = 1
+};
+
+/// A parameter zeta_j of the dead load, known up to +- alpha, and its column of T (limit paper (6),
+/// (7)).
+struct UncertainParameter {
+  std::string name;  ///< empty: of a single component, which is its name, with a weight above zero
+  std::vector<UncertainComponent> components;
 };
 
 /// How a plane element is held across the plane.
@@ -94,7 +101,8 @@ struct Sources {
   std::vector<support::SourcePosition> tangents;   ///< one a candidate: the tangent of its group
   std::vector<support::SourcePosition> frictions;  ///< one a candidate: the friction of its group
   std::vector<support::SourcePosition> loads;      ///< one a load: its node in the list
-  std::vector<support::SourcePosition> uncertain;  ///< one a component: its node in the list
+  /// One a component, parameter by parameter: its node in the list.
+  std::vector<support::SourcePosition> uncertain;
 };
 
 struct Structure {
@@ -109,7 +117,7 @@ struct Structure {
   std::vector<ContactCandidate> contact;   ///< in the order of every answer
   std::vector<Load> loads;                 ///< in the order of the file
   /// Nothing: every free component that carries neither dead nor reference load, with weight 1.
-  std::optional<std::vector<UncertainComponent>> uncertain;
+  std::optional<std::vector<UncertainParameter>> uncertain;
   Sources sources;
 };
 

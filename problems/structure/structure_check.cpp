@@ -10,6 +10,7 @@
 
 #include "problems/structure/contact_frame.hpp"
 #include "problems/structure/quadrilateral.hpp"
+#include "problems/structure/uncertainty_check.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -31,7 +32,6 @@ class StructureCheck {
   void contact_nodes() const;
   void contact_directions() const;
   void loads() const;
-  void uncertain() const;
 
  private:
   int node_count() const { return static_cast<int>(structure_.node_names.size()); }
@@ -298,34 +298,6 @@ void StructureCheck::loads() const {
   }
 }
 
-void StructureCheck::uncertain() const {
-  if (!structure_.uncertain) return;
-  std::set<std::pair<int, int>> seen;
-  for (int index = 0; index < static_cast<int>(structure_.uncertain->size()); ++index) {
-    const auto& [node, axis, weight] = (*structure_.uncertain)[static_cast<std::size_t>(index)];
-    const support::SourcePosition position = position_of(structure_.sources.uncertain, index);
-    if (!is_node(node) || axis < 0 || axis >= structure_.dimension) {
-      fail(position, fmt::format("uncertain component {} does not exist", index));
-    }
-    const auto component =
-        fmt::format("component {} of the load at {}", axis_name(axis), name(node));
-    if (is_fixed(node, axis)) {
-      fail(position, fmt::format("{} is uncertain, but a support takes it; expected a free "
-                                 "component",
-                                 component));
-    }
-    if (!seen.insert({node, axis}).second) {
-      fail(position, fmt::format("{} is uncertain twice; expected once", component));
-    }
-    // Written so that NaN fails too.
-    if (!(weight >= smallest_weight && weight <= largest_weight)) {
-      fail(position, fmt::format("the weight of an uncertain component is {:g}; expected between "
-                                 "{:g} and {:g}",
-                                 weight, smallest_weight, largest_weight));
-    }
-  }
-}
-
 }  // namespace
 
 std::string axial_stiffness_fault(double value) {
@@ -344,7 +316,7 @@ void check_structure(const Structure& structure) {
   check.contact_nodes();
   check.contact_directions();
   check.loads();
-  check.uncertain();
+  check_uncertainty(structure);
 }
 
 }  // namespace kusabi::problems

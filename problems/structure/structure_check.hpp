@@ -17,10 +17,6 @@ inline constexpr double largest_magnitude = 1e50;
 /// Most contact candidates of a problem: a sign pattern is two sets of candidates, 64 bits each.
 inline constexpr int most_contact_candidates = 64;
 
-/// Smallest and largest weight of an uncertain component: relative to the others, of one size.
-inline constexpr double smallest_weight = 1e-6;
-inline constexpr double largest_weight = 1e6;
-
 /// Smallest and largest friction of a contact candidate relative to the coefficient of a search,
 /// but for 0.
 inline constexpr double smallest_friction = 1e-6;

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/limit/collapse_mode.hpp"
+#include "run/limit/curve_report.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
@@ -16,13 +17,21 @@
 namespace kusabi::run {
 namespace {
 
-using limit::CurvePiece;
 using limit::RootStatus;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
 
 const std::string& node_name(const LimitProblem& problem, int node) {
   return problem.node_names[static_cast<std::size_t>(node)];
+}
+
+// What zeta is, parameter by parameter.
+ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
+  auto list = ordered_json::array();
+  for (int j = 0; j < problem.uncertain_count(); ++j) {
+    list.push_back({{"name", problems::parameter_name(problem, j)}, {"value", zeta(j)}});
+  }
+  return list;
 }
 
 // A load node by node, where it is not zero.
@@ -41,6 +50,16 @@ ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load)
   return list;
 }
 
+// All null if no critical load is known.
+void add_critical_load(ordered_json& result, const LimitProblem& problem,
+                       const Eigen::VectorXd& zeta) {
+  const bool known = zeta.size() == problem.uncertain_count();
+  const Eigen::VectorXd load = known ? problems::dead_load(problem, zeta) : problem.dead;
+  result["critical_load"] = known ? load_json(problem, load) : ordered_json();
+  result["critical_part"] = known ? load_json(problem, load - problem.dead) : ordered_json();
+  result["critical_parameters"] = known ? parameters_json(problem, zeta) : ordered_json();
+}
+
 ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& collapse) {
   const auto mode = problems::collapse_mode(problem, collapse.motion);
   auto moving = ordered_json::array();
@@ -55,24 +74,6 @@ ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& 
                         {"elongation", elongation}});
   }
   return {{"sway", mode.sway}, {"moving", moving}, {"yielding", yielding}};
-}
-
-ordered_json curve_json(const LimitProblem& problem, const std::vector<CurvePiece>& curve) {
-  auto pieces = ordered_json::array();
-  for (const auto& piece : curve) {
-    const auto mode = problems::collapse_mode(problem, piece.from.motion);
-    std::vector<std::string> yielding;
-    for (const auto& each : mode.yielding) {
-      yielding.push_back(problems::member_name(problem, each.member));
-    }
-    pieces.push_back({{"from", piece.from.at},
-                      {"to", piece.to},
-                      {"factor_from", piece.from.factor},
-                      {"factor_to", piece.factor_at_end},
-                      {"sway", mode.sway},
-                      {"yielding", yielding}});
-  }
-  return pieces;
 }
 
 const char* status_text(RootStatus status) {
@@ -133,8 +134,10 @@ void write_critical_load(std::string& text, const LimitProblem& problem,
     for (const bool positive : {true, false}) {
       std::vector<std::string> names;
       for (int j = 0; j < problem.uncertain_count(); ++j) {
-        const auto degree = problem.uncertain[static_cast<std::size_t>(j)].degree;
-        const auto& free = problem.degrees.free[static_cast<std::size_t>(degree)];
+        const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
+        if (!column.name.empty()) continue;
+        const auto degree = static_cast<std::size_t>(column.direction.front().degree);
+        const auto& free = problem.degrees.free[degree];
         if (free.axis == axis && (zeta(j) >= 0) == positive) {
           names.push_back(node_name(problem, free.node));
         }
@@ -144,19 +147,10 @@ void write_critical_load(std::string& text, const LimitProblem& problem,
                      fmt::join(names, " "));
     }
   }
-}
-
-void write_curve(std::string& text, const LimitProblem& problem, const char* what,
-                 const std::vector<CurvePiece>& curve) {
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "\n{}\n        beta       factor  collapse mode from there on\n", what);
-  for (const auto& piece : curve) {
-    const auto mode = problems::collapse_mode(problem, piece.from.motion);
-    fmt::format_to(out, "  {:>10.6f} {:>12.6f}  {}, {} members yield\n", piece.from.at,
-                   piece.from.factor, mode.sway ? "sway" : "not sway", mode.yielding.size());
-  }
-  if (!curve.empty()) {
-    fmt::format_to(out, "  {:>10.6f} {:>12.6f}\n", curve.back().to, curve.back().factor_at_end);
+  for (int j = 0; j < problem.uncertain_count(); ++j) {
+    const auto& name = problem.uncertain[static_cast<std::size_t>(j)].name;
+    if (name.empty()) continue;
+    fmt::format_to(out, "    {}{}\n", zeta(j) >= 0 ? '+' : '-', name);
   }
 }
 
@@ -263,10 +257,7 @@ std::string LimitReport::table() const {
                    answer.samples.size(), least, greatest,
                    sum / static_cast<double>(answer.samples.size()));
   }
-  if (options.question.curve && answer.worst) {
-    write_curve(text, problem, "the critical load in proportion, beta times", answer.curve);
-    write_curve(text, problem, "the worst case with beta times alpha", answer.worst_curve);
-  }
+  text += CurveReport{options, problem, answer}.table();
   if (answer.rest != engine::Status::solved) {
     fmt::format_to(out, "stopped early ({}): not all that was asked for is here\n",
                    status_name(answer.rest));
@@ -303,9 +294,7 @@ ordered_json LimitReport::json() const {
                             {"upper_proved", worst.ends.upper_proved},
                             {"from", worst.as_printed ? "zero-one" : "static-evidence"}};
     if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
-    result["critical_load"] = worst.zeta.size() == problem.uncertain_count()
-                                  ? load_json(problem, problems::dead_load(problem, worst.zeta))
-                                  : ordered_json();
+    add_critical_load(result, problem, worst.zeta);
     if (worst.collapse) {
       result["critical_interval"] = interval_json(*worst.collapse);
       result["collapse_mode"] = mode_json(problem, *worst.collapse);
@@ -324,10 +313,8 @@ ordered_json LimitReport::json() const {
                          {"least", number_or_null(*std::ranges::min_element(answer.samples))},
                          {"factors", std::move(factors)}};
   }
-  if (options.question.curve && answer.worst) {
-    result["curve"] = curve_json(problem, answer.curve);
-    result["worst_curve"] = curve_json(problem, answer.worst_curve);
-  }
+  CurveReport{options, problem, answer}.add_to(result);
+  if (status == "solved" && !answer.whole()) status = "open";  // a curve
   ordered_json statistics{{"ranks", ranks}};
   if (answer.worst) {
     statistics["nodes"] = answer.worst->nodes;
@@ -343,6 +330,8 @@ ordered_json LimitReport::json() const {
   chosen["samples"] = options.question.samples;
   chosen["seed"] = options.question.seed;
   chosen["curve"] = options.question.curve;
+  if (!options.curve_load.empty()) chosen["curve_load"] = options.curve_load;
+  chosen["curve_to"] = options.question.curve_to;
   return {{"command", "limit"},
           {"version", KUSABI_VERSION},
           {"problem",

@@ -40,7 +40,7 @@ LimitCertificate evidence() {
   certificate.columns = {{{0, 1.0}}, {{0, half_root}, {1, -half_root}}};
   certificate.dead = {0, 0};
   certificate.reference = {0, -1};
-  certificate.uncertain = {{0, 1.0}};
+  certificate.uncertain = {{{0, 1.0}}};
   certificate.alpha = 0.5;
   certificate.load = {-0.5};
   certificate.motion = {-1, -1};
@@ -130,10 +130,10 @@ TEST(LimitAgreement, AnotherTrussIsRefused) {
   EXPECT_THAT(refusal([](Structure& s) { s.uncertain.emplace(); }),
               HasSubstr("uncertain components"));
   EXPECT_THAT(refusal([](Structure& s) {
-                s.uncertain = {{2, 0, 0.5}};
+                s.uncertain = {{{2, 0, 0.5}}};
               }),
               HasSubstr("uncertain components"));
-  EXPECT_EQ(refusal([](Structure& s) { s.uncertain = {{2, 0, 1}}; }), "");
+  EXPECT_EQ(refusal([](Structure& s) { s.uncertain = {{{2, 0, 1}}}; }), "");
   EXPECT_THAT(refusal([](Structure& s) { s.fixed[2][0] = true; }), HasSubstr("displacements"));
   EXPECT_THAT(refusal([](Structure& s) { s.bars.pop_back(); }), HasSubstr("members"));
 }

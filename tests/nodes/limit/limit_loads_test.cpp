@@ -112,7 +112,7 @@ Uncertain random_truss(std::uint32_t seed) {
                                 each.force(axis) != 0);
       }
       if (!free || referred || draw.one_in(3)) continue;
-      truss.uncertain->push_back({node, axis, draw.one_in(2) ? 1.0 : draw.between(0.2, 3)});
+      truss.uncertain->push_back({{}, {{node, axis, draw.one_in(2) ? 1.0 : draw.between(0.2, 3)}}});
     }
   }
   return {truss, size * draw.between(0.01, 0.3), decades > 0};
@@ -132,8 +132,7 @@ Corner worst_corner(const LimitProblem& problem, double alpha) {
   for (unsigned corner = 0; corner < 1U << m; ++corner) {
     LimitProblem loaded = problem;
     for (unsigned j = 0; j < m; ++j) {
-      const auto& [degree, weight] = problem.uncertain[j];
-      loaded.dead(degree) += ((corner >> j) & 1U) != 0 ? alpha * weight : -alpha * weight;
+      problem.uncertain[j].add_to(loaded.dead, ((corner >> j) & 1U) != 0 ? alpha : -alpha);
     }
     const auto usual = problems::limit_model(loaded);
     if (LoadFactor(usual).solve(usual.dead) == LoadStatus::not_carried) {

@@ -216,8 +216,10 @@ class DualAtNodes {
     EXPECT_LE(-dual.objective(), primal.objective() + near);
     for (std::size_t j = 0; j < held.size(); ++j) {
       if (held[j] == HeldTau::not_held) continue;
-      const int degree = model_.uncertain[j].degree;
-      if (std::abs(primal.value(degree)) > 0.49 * big_m_(static_cast<Eigen::Index>(j)))
+      const auto values = primal.values();
+      const Eigen::VectorXd motion =
+          Eigen::Map<const Eigen::VectorXd>(values.data(), model_.free_count());
+      if (std::abs(model_.uncertain[j].along(motion)) > 0.49 * big_m_(static_cast<Eigen::Index>(j)))
         return false;
     }
     EXPECT_NEAR(-dual.objective(), primal.objective(), near);

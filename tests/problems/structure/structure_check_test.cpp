@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
               "test: the load at \"node 2\" is not a vector of 2 numbers of at most 1e+50"},
         Fault{"UncertainAxis",
               [](Structure& s) {
-                s.uncertain.emplace(1, UncertainComponent{2, 2});
+                s.uncertain = {UncertainParameter{{}, {{2, 2}}}};
               },
               "test: uncertain component 0 does not exist"},
         Fault{"MemberEnd", [](Structure& s) { s.members[1].second = 3; },

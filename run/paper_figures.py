@@ -1,0 +1,194 @@
+"""What the two papers print, the call of ours that answers it, and what to read in its result.
+
+W is METR 2009-28 (wedged configurations), L is METR 2006-39 (worst-case limit loads). `same` is said by
+run/papers, from the figures; where ours is another one, `why` must say so.
+"""
+from typing import Callable, NamedTuple
+
+LOST = "lost"
+NOTHING = "–"  # the paper describes it and prints no figure
+PLANE_TRUSSES = (5, 7, 9, 11, 13, 15, 17, 19)
+BODY = "examples/paper/elastic-body.toml"
+SPACE = "examples/paper/space-truss-fit.toml"
+THREE = "examples/paper/limit-3x3.toml"
+FOUR = "examples/paper/limit-4x4.toml"
+CLIQUES = "ours: [each is one, and none is missing](theory/rays.md#the-counts-of-the-paper)"
+
+
+class Row(NamedTuple):
+    place: str
+    command: str
+    printed: str
+    read: Callable
+    why: str = ""
+    # slow: not in a quick run. seconds: a time, likewise, and never compared. ours: no figure of the paper's own
+    # structure to compare with, and `why` says what it is.
+    kind: str = ""
+
+
+# What is read in results.
+
+def rays_and_cones(run):
+    return f"{len(run.result['rays'])}, {len(run.result['cones'])}"
+
+
+def cones(run):
+    """How many rays each cone has, and where it is in contact, candidates counted from 0 at the lower end."""
+    number = {each["node"]: at for at, each in enumerate(run.problem["contact"])}
+    idle = [set(cone.get("idle", ())) for cone in run.result["cones"]]
+    return "; ".join(f"{len(cone['rays'])}: {braced(number[each] for each in cone['contact'] if each not in rest)}"
+                     for cone, rest in sorted(zip(run.result["cones"], idle), key=lambda pair: -len(pair[0]["rays"])))
+
+
+def braced(numbers):
+    return "{" + ", ".join(str(each) for each in numbers) + "}"
+
+
+def count(run):
+    return str(run.result["count"])
+
+
+def coefficients(digits):
+    def read(run):
+        ends = [(each["lower"], each["upper"]) for each in run.result["patterns"]]
+        return ", ".join(enclosed(lower, upper, digits) for lower, upper in ends)
+    return read
+
+
+def critical(run):
+    found = run.result["critical_friction"]
+    return enclosed(found["lower"], found["upper"], 4)
+
+
+def enclosed(lower, upper, digits):
+    """A number between two ends, if they are alike to so many digits."""
+    low, high = f"{lower:.{digits}f}", f"{upper:.{digits}f}"
+    return low if low == high else f"{low} … {high}"
+
+
+def imbalance(run):
+    worst = max(each["imbalance"] for each in run.result["patterns"])
+    return f"all nodes and supports, out of balance by less than 10⁻¹²" if worst < 1e-12 else f"{worst:.0e}"
+
+
+def sums_are_solutions(run):
+    """Whether the sum of all rays of each cone is a solution, u_n r_n = 0 (W 3.8, 3.9)."""
+    worst = 0
+    for cone in run.result["cones"]:
+        rays = [run.result["rays"][number - 1] for number in cone["rays"]]
+        for candidate in range(len(run.problem["contact"])):
+            reaction = sum(ray["reaction"][candidate][0] for ray in rays)
+            worst = max(worst, reaction * sum(ray["displacement"][candidate][0] for ray in rays))
+    return f"largest u_n r_n {worst:g}"
+
+
+def nominal(run):
+    return f"{run.result['nominal']:.4f}"
+
+
+def worst_case(run):
+    ends = run.result["worst_case"]
+    return enclosed(ends["lower"], ends["upper"], 4)
+
+
+def sway(mode):
+    return lambda run: "sway" if run.result[mode]["sway"] else "not sway"
+
+
+def sizes(run):
+    return f"n^m = {run.problem['members']}, m = {run.result['uncertain_components']}"
+
+
+def yielding(mode):
+    return sorted("-".join(each["member"]) for each in mode["yielding"])
+
+
+def same_mode(run):
+    both = run.result["nominal_mode"], run.result["collapse_mode"]
+    return "as nominal" if yielding(both[0]) == yielding(both[1]) else "another"
+
+
+def samples(run):
+    least, worst = run.result["samples"]["least"], run.result["worst_case"]["upper"]
+    return "all above λ_min" if least >= worst else f"some below: {least:.4f}"
+
+
+def seconds(run):
+    return f"{run.seconds:.2f}"
+
+
+PRINTED_TABLE_2 = {5: (8, 1, 0.11), 7: (24, 3, 0.31), 9: (47, 5, 0.87), 11: (100, 9, 2.78), 13: (273, 15, 10.89),
+                   15: (744, 30, 74.05), 17: (2048, 57, 572.57), 19: (5413, 108, 3245.94)}
+
+
+def table_2():
+    for number, (rays, cliques, _) in PRINTED_TABLE_2.items():
+        yield Row(f"Table 2, N = {number}: rays, cliques", f"kusabi rays plane-{number}.toml --mu 0.65",
+                  f"{rays}, {cliques}", rays_and_cones, CLIQUES if number > 13 else "", "slow" if number > 15 else "")
+
+
+def table_2_seconds():
+    for number, (_, _, printed) in PRINTED_TABLE_2.items():
+        yield Row(f"Table 2, N = {number}: seconds", f"kusabi rays plane-{number}.toml --mu 0.65",
+                  str(printed), seconds, "", "seconds")
+
+
+TABLES = {
+    "wedged-methods": [
+        Row("Proposition 3.9, (11)", "kusabi rays plane-5.toml --mu 1", NOTHING, sums_are_solutions,
+            "the sum of all rays of a cone is a solution, for each cone", "ours"),
+        Row("Algorithms 4.1, 4.2", "kusabi rays plane-11.toml --mu 0.65 --method double-description", "100, 9",
+            rays_and_cones),
+        Row("the same, by the patterns", "kusabi rays plane-11.toml --mu 0.65 --method tree", "100, 9", rays_and_cones),
+        Row("Algorithm 5.1, t̂ at N = 5", "kusabi patterns plane-5.toml --mu 1", "5", count),
+        Row("Remark 5.5, the rule", "kusabi patterns plane-5.toml --mu 1 --branching paper", "5", count),
+        Row("Algorithm 5.8", f"kusabi patterns {SPACE} --mu 0.65 --method polyhedral --facets 8", "26", count),
+        Row("Algorithm 6.1", "kusabi critical plane-5.toml --method bisection --mu-max 1", "0.6072", critical),
+        Row("(4), (5)", "kusabi patterns plane-5.toml --mu 1", NOTHING, imbalance, "in the result file", "ours"),
+    ],
+    "wedged-body": [
+        Row("7.1: extremal rays, cliques", f"kusabi rays {BODY} --mu 1.5", "5, 2", rays_and_cones),
+        Row("Figure 3: (a)–(d) go together, (e) alone", f"kusabi rays {BODY} --mu 1.5", "4 and 1",
+            lambda run: " and ".join(str(size) for size in
+                                     sorted((len(each["rays"]) for each in run.result["cones"]), reverse=True))),
+        Row("Table 1: μᶜ of both patterns", f"kusabi critical {BODY} --method newton --mu-max 1.5", f"1.2689, {LOST}",
+            coefficients(4), "the first is the same; the other entry is lost in our copy"),
+        Row("7.1: μᶜ", f"kusabi critical {BODY}", "1.2689", critical),
+        Row("Figure 2: the rays drawn", f"kusabi rays {BODY} --mu 1.5", LOST, cones,
+            "ours: rays, and where they are in contact"),
+    ],
+    "wedged-plane": [
+        *table_2(),
+        Row("Figures 8, 9: rays, N = 5, μ = 1", "kusabi rays plane-5.toml --mu 1", "25",
+            lambda run: str(len(run.result["rays"]))),
+        Row("Figure 5: t̂", "kusabi rays plane-5.toml --mu 1", "5", lambda run: str(len(run.result["cones"]))),
+        Row("Figure 5: the circles", "kusabi rays plane-5.toml --mu 1", LOST, cones,
+            "ours: rays of each cone, and where it is in contact"),
+        Row("Table 3: μᶜ of (a)–(e)", "kusabi critical plane-5.toml --method bisection --mu-max 1",
+            "0.6072, 0.6718, 0.7804, 0.7909, 0.9422", coefficients(4)),
+        Row("7.2: μᶜ", "kusabi critical plane-5.toml", "0.6072", critical),
+    ],
+    "wedged-space": [
+        Row(f"Table 4, μ = {mu}: sign patterns", f"kusabi patterns {SPACE} --mu {mu}", printed, count,
+            "lost is the truss; this one was fitted to the figures", "ours")
+        for mu, printed in ((0.55, "0"), (0.6, "1"), (0.65, "26"), (0.7, "61"), (1.0, "236"))
+    ],
+    "limit-methods": [],
+    "limit-three": [
+        Row("6.1: n^m, m", f"kusabi limit {THREE} --alpha 40", "n^m = 42, m = 24", sizes),
+        Row("6.1: λ\\* of the nominal load", f"kusabi limit {THREE}", "48.3662", nominal),
+        Row("Figure 2: its mode", f"kusabi limit {THREE}", "sway", sway("nominal_mode")),
+        Row("6.1: λ_min, α = 40 kN", f"kusabi limit {THREE} --alpha 40", "37.0120", worst_case),
+        Row("Figure 3: its mode", f"kusabi limit {THREE} --alpha 40", "not sway", sway("collapse_mode")),
+        Row("6.1: λ_min, α = 20 kN", f"kusabi limit {THREE} --alpha 20", "44.3662", worst_case),
+        Row("Figure 4: its mode", f"kusabi limit {THREE} --alpha 20", "sway", sway("collapse_mode")),
+    ],
+    "limit-four": [
+        Row("6.2: n^m, m", f"kusabi limit {FOUR} --alpha 40", "n^m = 68, m = 34", sizes),
+        Row("6.2, Figure 7: λ\\* of the nominal load", f"kusabi limit {FOUR}", "14.2650", nominal),
+        Row("6.2, Figure 8: λ_min, α = 40 kN", f"kusabi limit {FOUR} --alpha 40", "7.7296", worst_case),
+        Row("Figure 8: its mode", f"kusabi limit {FOUR} --alpha 40", "as nominal", same_mode),
+        Row("Figure 10: random loads", f"kusabi limit {FOUR} --alpha 40 --samples 1000", "all above λ_min", samples),
+    ],
+    "seconds": [*table_2_seconds()],
+}
