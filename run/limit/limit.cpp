@@ -189,7 +189,8 @@ Verdict Limit::verdict(CommandRun& run) {
     }
   }
   const auto& worst = found_.answer.worst;
-  if (worst && worst->as_printed && worst->search == engine::Status::solved && !run.quiet()) {
+  const bool whole_tree = worst && worst->as_printed && worst->search == engine::Status::solved;
+  if (whole_tree && !worst->proved && !run.quiet()) {
     verdict.remarks.emplace_back(
         "not proved: the ends of (29) are those of the worst case if its M is large enough; "
         "--certificate FILE has them proved by static cuts");

@@ -37,11 +37,15 @@ std::string zero_one_text(const LimitWorstCase& worst) {
   const auto& zero_one = *worst.zero_one;
   std::string text;
   const auto out = std::back_inserter(text);
-  if (!worst.as_printed) {
+  const bool not_carried = worst.status == limit::RootStatus::not_carried;
+  if (!worst.as_printed || not_carried) {
     fmt::format_to(out, "  the 0-1 program (29) by itself, {}: {} (not proved)\n", m_text(zero_one),
                    ends_text(zero_one));
   }
-  if (is_refuted(worst)) text += "  it is wrong: its M is too small\n";
+  if (is_refuted(worst)) {
+    text += not_carried ? "  it is wrong: no M is large enough where a load is not carried\n"
+                        : "  it is wrong: its M is too small\n";
+  }
   if (zero_one.start) {
     fmt::format_to(out, "  it began with the best of the random dead loads, {:.10g}\n",
                    *zero_one.start);
@@ -72,6 +76,7 @@ nlohmann::ordered_json zero_one_json(const LimitZeroOne& zero_one) {
 
 bool is_refuted(const LimitWorstCase& worst) {
   if (!worst.zero_one || !worst.ends.upper_proved) return false;
+  if (worst.status == limit::RootStatus::not_carried) return true;
   constexpr double visible = 1e-6;
   const double size = std::max(1.0, std::abs(worst.ends.upper));
   return worst.zero_one->lower > worst.ends.upper + visible * size;

@@ -159,6 +159,16 @@ TEST_F(LimitCommand, RefutesAnMThatIsTooSmall) {
   EXPECT_THAT(run.output, HasSubstr("its M is too small"));
 }
 
+// (29) is finite with every M; one program (5) shows that the load of its optimum is not carried.
+TEST_F(LimitCommand, SaysThatNoMIsLargeEnoughWhereALoadIsNotCarried) {
+  const auto run =
+      shell(command + " limit " + example("static-gap.toml") + " --alpha 3 --cuts none --big-m 20");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("carried at no load factor, of either sign, proved"));
+  EXPECT_THAT(run.output, HasSubstr("no M is large enough"));
+  EXPECT_THAT(run.output, Not(HasSubstr("--certificate FILE")));
+}
+
 TEST_F(LimitCommand, StartsFromTheSameSampleOnTwoRanks) {
   Json alone;
   for (const std::string& launch : {std::string(), ranks(2)}) {
