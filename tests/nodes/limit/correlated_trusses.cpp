@@ -11,7 +11,6 @@ namespace kusabi::limit::test {
 namespace {
 
 using problems::Load;
-using problems::UncertainComponent;
 using problems::UncertainParameter;
 
 class Draw {
