@@ -98,6 +98,36 @@ TEST(LoadModel, TheZeroOneProgramFindsTheSame) {
   EXPECT_GE(compared, 60U);
 }
 
+double factor_at(const LoadCurve& curve, double beta) {
+  for (const auto& piece : curve.pieces) {
+    if (beta <= piece.to) return piece.from.factor + piece.from.slope * (beta - piece.from.at);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+TEST(LoadModel, CurvesAndSamplesAreOfTheSameLoads) {
+  unsigned compared = 0;
+  for (unsigned seed = 1; seed <= 15; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto [truss, alpha] = test::correlated_truss(seed);
+    if (!problem_of(truss)) continue;
+    const PlainTruss plain(truss);
+    if (!plain.least_of_all_corners(alpha)) continue;
+    const auto found = findings(truss, {.alpha = alpha, .samples = 20, .curve = true}).answer;
+    ASSERT_TRUE(found.curve && found.worst_curve);
+    for (const double beta : {0.0, 0.3, 0.7, 1.0}) {
+      const auto least = plain.least_of_all_corners(beta * alpha).value();
+      EXPECT_NEAR(factor_at(*found.worst_curve, beta), least, near);
+      EXPECT_GE(factor_at(*found.curve, beta), least - near);
+    }
+    EXPECT_NEAR(factor_at(*found.curve, 1), found.worst->ends.upper, near);
+    ASSERT_EQ(found.samples.size(), 20U);
+    EXPECT_GE(std::ranges::min(found.samples), found.worst->ends.lower - near);
+    ++compared;
+  }
+  EXPECT_GE(compared, 5U);
+}
+
 // A parameter that comes twice counts twice, whatever its sign: T need not be of full rank.
 TEST(LoadModel, ParametersThatAreOneAddUp) {
   for (unsigned seed = 1; seed <= 30; ++seed) {
