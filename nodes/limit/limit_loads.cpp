@@ -59,9 +59,11 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
   }
   if (!question.alpha) return findings;
   search.settle_for(*question.alpha);
+  const auto model = search.model();
   WorstCaseSearch worst_case(search, question, truss);
   answer.worst = worst_case.solve();
   findings.certificate = std::move(worst_case.certificate());
+  if (!search.is_set_up()) search.set_up(model);  // the last try was in units that did not do
   if (question.samples > 0) {
     if (!search.ended()) answer.samples = sampled_factors(search, question);
     if (search.ended()) answer.rest = campaign.budget().why();
