@@ -63,8 +63,7 @@ void Rays::describe(OptionTable& table) {
                 {"double-description", RayMethod::double_description},
                 {"tree", RayMethod::tree}},
                "Algorithm 4.2, for which every rank holds all rays, pattern by pattern, or the "
-               "first and, if "
-               "that takes too much memory, the second: the same rays");
+               "first until a trial of the second ends sooner, or memory does: the same rays");
   table.output();
   table.output("--csv", "write the rays to this file, a line each");
   table.output("--dot", "write the cross-complementarity graph to this file, for Graphviz");

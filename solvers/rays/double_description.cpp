@@ -101,7 +101,9 @@ bool DoubleDescription::cut_by(Candidates rows, Keep keep) {
     cut(row, keep);
     const bool told = next_.stopped || (conduct_.stop && conduct_.stop());
     if (conduct_.agree ? conduct_.agree(told) : told) return false;
+    effort_ += std::exchange(next_.effort, {});
     if (zeros_.size() > conduct_.most_rays) return false;
+    if (!left.empty() && conduct_.give_up && conduct_.give_up(zeros_.size(), effort_)) return false;
   }
   return true;
 }
@@ -229,7 +231,6 @@ void DoubleDescription::combine(const AdjacentPair& pair, const ZeroSet& zero,
 }
 
 Enumeration DoubleDescription::result() && {
-  effort_ += next_.effort;
   return {std::move(zeros_), effort_, health_};
 }
 
