@@ -2,11 +2,17 @@
 #include "nodes/limit/compared_loads.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <utility>
+
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include "engine/shared_work.hpp"
+#include "engine/together.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -16,41 +22,68 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Samples in one piece of work: some milliseconds.
 constexpr std::uint64_t samples_a_piece = 16;
 
+// A sample of its own generator, |zeta|_inf = alpha. @param alpha scaled
+Eigen::VectorXd sampled_zeta(std::uint64_t seed, std::uint64_t sample, int count, double alpha) {
+  std::seed_seq sequence{seed, sample};
+  std::mt19937_64 bits(sequence);
+  Eigen::VectorXd zeta(count);
+  // The standard fixes what mt19937_64 yields, not what its distributions make of it.
+  for (double& each : zeta) each = 2 * (static_cast<double>(bits() >> 11U) * 0x1p-53) - 1;
+  if (zeta.size() > 0) zeta *= alpha / zeta.cwiseAbs().maxCoeff();
+  return zeta;
+}
+
 }  // namespace
 
-std::vector<double> sampled_factors(RootSearch& search, const LimitQuestion& question) {
+SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
   const auto& model = search.model();
   const auto& budget = search.campaign().budget();
   const double alpha = search.scaled(*question.alpha);
   LoadFactor load_factor(model, budget.stop());
   load_factor.solve(model.dead);
+  const auto solve = [&](std::uint64_t sample) {
+    load_factor.restart();
+    return load_factor.solve(
+        dead_load(model, sampled_zeta(question.seed, sample, model.uncertain_count(), alpha)));
+  };
+  // Each sample that was solved, with its number.
+  using Factors = std::vector<std::pair<std::uint64_t, double>>;
   const auto piece = [&](std::uint64_t number) {
-    std::vector<double> factors;
+    Factors factors;
     const auto first = number * samples_a_piece;
     const auto last = std::min(first + samples_a_piece, question.samples);
     for (auto sample = first; sample < last && !budget.spent(); ++sample) {
-      std::seed_seq seed{question.seed, sample};
-      std::mt19937_64 bits(seed);
-      Eigen::VectorXd zeta(model.uncertain_count());
-      // The standard fixes what mt19937_64 yields, not what its distributions make of it.
-      for (double& each : zeta) each = 2 * (static_cast<double>(bits() >> 11U) * 0x1p-53) - 1;
-      if (zeta.size() > 0) zeta *= alpha / zeta.cwiseAbs().maxCoeff();
-      load_factor.restart();
-      const auto status = load_factor.solve(dead_load(model, zeta));
+      const auto status = solve(sample);
       if (status == LoadStatus::undetermined) continue;
-      factors.push_back(status == LoadStatus::collapses
-                            ? load_factor.collapse().factor * model.factor_unit
-                            : -infinity);
+      factors.emplace_back(sample, status == LoadStatus::collapses
+                                       ? load_factor.collapse().factor * model.factor_unit
+                                       : -infinity);
     }
     return factors;
   };
-  std::vector<double> all;
+  SampledLoads result;
+  std::optional<std::pair<double, std::uint64_t>> least;
   const auto pieces = (question.samples + samples_a_piece - 1) / samples_a_piece;
   for (const auto& some :
-       engine::share_work<std::vector<double>>(search.campaign().transport(), pieces, piece)) {
-    all.insert(all.end(), some.begin(), some.end());
+       engine::share_work<Factors>(search.campaign().transport(), pieces, piece)) {
+    for (const auto& [sample, factor] : some) {
+      result.factors.push_back(factor);
+      if (std::isfinite(factor) && (!least || factor < least->first)) least = {factor, sample};
+    }
   }
-  return all;
+  if (!least) return result;
+  // What one rank has no time for, none has.
+  const auto motion = engine::from_first_rank(search.campaign().transport(), [&] {
+    std::vector<double> found;
+    if (solve(least->second) != LoadStatus::collapses) return found;
+    const auto scaled = load_factor.collapse().motion;
+    found.assign(scaled.begin(), scaled.end());
+    return found;
+  });
+  if (motion.empty()) return result;
+  const Eigen::Map<const Eigen::VectorXd> scaled(motion.data(), model.free_count());
+  result.best = ZeroOneStart{least->first, problems::motion_in_units(model, scaled)};
+  return result;
 }
 
 }  // namespace kusabi::limit

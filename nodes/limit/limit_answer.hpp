@@ -39,20 +39,40 @@ struct LimitEnds {
   }
 };
 
+/// What the 0-1 program (29) has come to by itself, in the unit of the load factor. Floating point,
+/// and an M that is large enough or not: not proved.
+struct LimitZeroOne {
+  std::optional<double> big_m;  ///< M as asked for; nothing: derived from static cuts
+  double lower = -std::numeric_limits<double>::infinity();  ///< minus infinity: none is known
+  double upper = std::numeric_limits<double>::infinity();   ///< v^U; infinity: no point was found
+  std::optional<double> start;  ///< v^U at the beginning, of the best sample (remark 4.5)
+  double first_bound = -std::numeric_limits<double>::infinity();  ///< (38)
+  double last_bound = -std::numeric_limits<double>::infinity();   ///< (38) as the tree gets it
+  std::uint64_t cut_rounds = 0;                                   ///< values of k in Algorithm 5.1
+  std::uint64_t cut_programs = 0;                                 ///< (51)
+  std::uint64_t cuts = 0;                                         ///< disjunctive ones kept
+  std::uint64_t root_programs = 0;  ///< other linear programs before the tree
+  std::uint64_t nodes = 0;          ///< of Algorithm 4.2: they depend on the number of ranks, as do
+  std::uint64_t programs = 0;       ///< its linear programs
+};
+
 /// What is known of the worst case.
 struct LimitWorstCase {
   RootStatus status = RootStatus::failed;
   LimitEnds ends;
   bool proved = false;  ///< whether both ends are, and are near to each other
-  /// What the 0-1 tree of (29) has come to by itself, if it was asked for: not proved.
-  std::optional<double> zero_one_bound;
+  /// If (29) was asked for.
+  std::optional<LimitZeroOne> zero_one;
+  /// The ends are those of (29), and nothing else was looked at: its M was given, and no evidence
+  /// was asked for, or it was stopped before.
+  bool as_printed = false;
   bool no_safe_m = false;  ///< (29) was asked for, but not tried: no safe M was found
-  Eigen::VectorXd zeta;
+  Eigen::VectorXd zeta;    ///< empty: no critical load is known
   std::optional<LimitCollapse> collapse;
   Eigen::VectorXd overpowering_motion;  ///< of not_carried: what shows it, n^d; may be empty
-  std::uint64_t cuts = 0;
-  std::uint64_t nodes = 1;          ///< of the tree of signs, and
-  std::uint64_t tree_programs = 0;  ///< its linear programs: they depend on the number of ranks
+  std::uint64_t cuts = 0;               ///< static ones
+  std::uint64_t nodes = 1;              ///< of the tree of signs, and
+  std::uint64_t tree_programs = 0;      ///< its linear programs: they depend on the number of ranks
   WorstCaseCounts counts;
   engine::Status search = engine::Status::solved;  ///< why it ended before it was done
 };

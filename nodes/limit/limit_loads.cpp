@@ -59,15 +59,22 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
   }
   if (!question.alpha) return findings;
   search.settle_for(*question.alpha);
+  const auto sample = [&]() -> std::optional<ZeroOneStart> {
+    if (question.samples == 0) return {};
+    SampledLoads sampled;
+    if (!search.ended()) sampled = sampled_loads(search, question);
+    if (search.ended()) answer.rest = campaign.budget().why();
+    answer.samples = std::move(sampled.factors);
+    return std::move(sampled.best);
+  };
   const auto model = search.model();
-  WorstCaseSearch worst_case(search, question, truss);
+  std::optional<ZeroOneStart> start;
+  if (question.of_the_paper()) start = sample();
+  WorstCaseSearch worst_case(search, question, truss, std::move(start));
   answer.worst = worst_case.solve();
   findings.certificate = std::move(worst_case.certificate());
   if (!search.is_set_up()) search.set_up(model);  // the last try was in units that did not do
-  if (question.samples > 0) {
-    if (!search.ended()) answer.samples = sampled_factors(search, question);
-    if (search.ended()) answer.rest = campaign.budget().why();
-  }
+  if (!question.of_the_paper()) sample();
   const bool known = answer.worst->collapse || answer.worst->status == RootStatus::not_carried;
   if (question.curve && known) {
     if (!search.ended()) {

@@ -9,7 +9,8 @@
 
 namespace kusabi::limit {
 
-/// How the worst case is found.
+/// How the worst case is found. With an M that is given, `fixed` and `disjunctive` are the paper's
+/// method as printed, which takes nothing from static cuts.
 enum class LimitMethod {
   fixed,        ///< the 0-1 program (29) by Algorithm 4.2, as it is
   disjunctive,  ///< with the cuts of Algorithm 5.1: the paper's method
@@ -22,12 +23,22 @@ struct LimitQuestion {
   std::optional<double> alpha{};  ///< half-width of the uncertain components; nothing: nominal only
   LimitMethod method = LimitMethod::static_cuts;
   std::optional<double> big_m{};  ///< M of (29), in the paper's units; nothing: derived
-  std::uint64_t samples = 0;      ///< random dead loads to compare with
-  std::uint64_t seed = 1;         ///< of those
-  bool curve = false;             ///< how the factor falls as the uncertainty grows
+  /// The evidence of both ends is wanted: of the method as printed they are proved, too, once its
+  /// tree is done. All other methods prove them anyway.
+  bool evidence = false;
+  /// Random dead loads to compare with; `fixed` and `disjunctive` start from the best of them.
+  std::uint64_t samples = 0;
+  std::uint64_t seed = 1;  ///< of those
+  bool curve = false;      ///< how the factor falls as the uncertainty grows
   /// How it falls as this load grows, n^d, force; nothing: not asked.
   std::optional<Eigen::VectorXd> curve_load{};
   double curve_to = 1;  ///< curves are over beta from 0 to this, times alpha or times the load
+
+  /// The 0-1 program with the paper's means alone.
+  [[nodiscard]] bool of_the_paper() const {
+    return method == LimitMethod::fixed || method == LimitMethod::disjunctive;
+  }
+  [[nodiscard]] bool as_printed() const { return of_the_paper() && big_m.has_value(); }
 };
 
 /// (29) has no point: the M that was asked for is too small.

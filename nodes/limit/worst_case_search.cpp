@@ -130,39 +130,90 @@ LimitWorstCase WorstCaseSearch::by_static_cuts() {
   }
 }
 
+// The load of a motion, and where the descent from it ends, if that is worse than what is known.
+void WorstCaseSearch::take_if_worse(const Eigen::VectorXd& motion, Worst& known) {
+  const auto descent = descend(model(), search_.load_factor(), search_.scaled(alpha()),
+                               worst_for(model(), search_.scaled(alpha()), motion, known.zeta));
+  if (descent.status == LoadStatus::collapses &&
+      descent.worst.collapse.factor < known.collapse.factor) {
+    known = descent.worst;
+  }
+}
+
 // By (29), and then the ends by the same evidence as without it: what a 0-1 tree finds in floating
 // point, with an M that is thought to be large enough, proves nothing.
 LimitWorstCase WorstCaseSearch::by_zero_one_program() {
   LimitWorstCase worst;
   RootResult result = search_.solve_balanced(alpha());
+  worst.counts = result.counts;
+  worst.cuts = result.cuts.size();
   const bool usable = result.worst && result.status != RootStatus::not_carried &&
                       result.status != RootStatus::stopped;
-  std::optional<ZeroOneWorst> found;
+  std::optional<ZeroOneWorst> zero_one;
   if (usable) {
-    found = zero_one_worst(search_.campaign(), question_, model(), search_.scaled(alpha()), result,
-                           search_.load_factor());
-    worst.no_safe_m = !found;
+    zero_one = zero_one_worst(search_.campaign(), question_, model(), search_.scaled(alpha()),
+                              result, start_);
+    worst.no_safe_m = !zero_one;
   }
-  if (!found) {
-    conclude(result, worst);
-    return worst;
-  }
-  if (found->worst.collapse.factor < result.worst->collapse.factor) result.worst = found->worst;
-  if (found->status != engine::Status::solved) {
-    worst.search = found->status;
-    result.status = RootStatus::closed;  // no tree of signs: there is no time left
+  if (zero_one) {
+    if (zero_one->motion.size() > 0) take_if_worse(zero_one->motion, *result.worst);
+    if (zero_one->status != engine::Status::solved) {
+      worst.search = zero_one->status;
+      result.status = RootStatus::closed;  // no tree of signs: there is no time left
+    }
   }
   conclude(result, worst);
-  worst.zero_one_bound = std::min(found->lower * model().factor_unit, worst.ends.upper);
-  worst.cuts = found->cuts;
-  worst.nodes = found->nodes;
-  worst.tree_programs += found->programs;
-  worst.counts.pricings = found->cut_programs;
+  if (zero_one) worst.zero_one = zero_one->found;
+  return worst;
+}
+
+// The load that belongs to the best point of (29), and how it collapses: one program (5).
+void WorstCaseSearch::show_critical_load(const Eigen::VectorXd& motion, LimitWorstCase& worst) {
+  const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model().uncertain_count());
+  const auto zeta = worst_for(model(), search_.scaled(alpha()), motion, plus);
+  worst.zeta = zeta * model().force_unit;
+  const auto dead = dead_load(model(), zeta);
+  auto& load_factor = search_.load_factor();
+  load_factor.restart();
+  const auto status = load_factor.solve(dead);
+  if (status == LoadStatus::collapses) {
+    worst.collapse = search_.in_units(load_factor.collapse(), dead);
+  }
+  if (status != LoadStatus::not_carried) return;
+  worst.status = RootStatus::not_carried;
+  worst.ends = {};
+  const auto overpowering = load_factor.overpowering_motion();
+  if (overpowering.size() > 0) {
+    worst.overpowering_motion = problems::motion_in_units(model(), overpowering);
+  }
+  worst.proved = worst.ends.upper_proved =
+      shows_no_factor(truss_, search_.problem(), model(), zeta, overpowering);
+}
+
+// The paper's answer first, by itself; static evidence afterwards, by itself, if it is wanted.
+LimitWorstCase WorstCaseSearch::as_printed() {
+  auto& campaign = search_.campaign();
+  const auto printed = printed_worst(campaign, question_, search_.problem(), start_);
+  LimitWorstCase worst;
+  if (printed.status == engine::Status::solved && question_.evidence) {
+    campaign.say("(29) is solved; its ends are put to the proof by static cuts");
+    worst = by_static_cuts();
+  } else {
+    worst.as_printed = true;
+    worst.nodes = 0;
+    worst.search = printed.status;
+    worst.ends = {.lower = printed.found.lower, .upper = printed.found.upper};
+    const bool near = worst.ends.upper - worst.ends.lower <= answered_gap * model().factor_unit;
+    worst.status = near ? RootStatus::closed : RootStatus::open;
+    if (printed.motion.size() > 0) show_critical_load(printed.motion, worst);
+  }
+  worst.zero_one = printed.found;
   return worst;
 }
 
 LimitWorstCase WorstCaseSearch::solve() {
-  return question_.method == LimitMethod::static_cuts ? by_static_cuts() : by_zero_one_program();
+  if (question_.method == LimitMethod::static_cuts) return by_static_cuts();
+  return question_.as_printed() ? as_printed() : by_zero_one_program();
 }
 
 }  // namespace kusabi::limit

@@ -1,14 +1,17 @@
 // The worst case of uncertain loads from the root to its proof, on all ranks: static cuts or the
-// 0-1 program (29), the tree of signs below an open root, and both ends in exact arithmetic.
+// 0-1 program (29), the tree of signs below an open root, and both ends in exact arithmetic. The
+// method as printed in the paper stands by itself: its ends are proved only if that is wanted.
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "nodes/limit/limit_answer.hpp"
 #include "nodes/limit/limit_question.hpp"
 #include "nodes/limit/root_search.hpp"
 #include "nodes/limit/sign_tree.hpp"
+#include "nodes/limit/zero_one_worst.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/structure.hpp"
 
@@ -30,9 +33,11 @@ SignSearch search_signs(RootSearch& search, RootResult& root, double alpha);
 /// One worst case. Every rank makes the same calls.
 class WorstCaseSearch {
  public:
-  /// All must outlive it. @param truss what the proofs are of @pre question.alpha
-  WorstCaseSearch(RootSearch& search, const LimitQuestion& question, const verify::Structure& truss)
-      : search_(search), question_(question), truss_(truss) {}
+  /// All but `start` must outlive it. @param truss what the proofs are of @param start what (29)
+  /// starts from @pre question.alpha
+  WorstCaseSearch(RootSearch& search, const LimitQuestion& question, const verify::Structure& truss,
+                  std::optional<ZeroOneStart> start = {})
+      : search_(search), question_(question), truss_(truss), start_(std::move(start)) {}
 
   /// By the method of the question. @throws BigMTooSmall on every rank
   LimitWorstCase solve();
@@ -43,6 +48,9 @@ class WorstCaseSearch {
  private:
   LimitWorstCase by_static_cuts();
   LimitWorstCase by_zero_one_program();
+  LimitWorstCase as_printed();
+  void take_if_worse(const Eigen::VectorXd& motion, Worst& known);
+  void show_critical_load(const Eigen::VectorXd& motion, LimitWorstCase& worst);
   void conclude(RootResult& root, LimitWorstCase& worst);
   void prove(const RootResult& root, std::vector<ClosedNode> nodes, LimitWorstCase& worst);
   [[nodiscard]] const problems::LimitModel& model() const { return search_.model(); }
@@ -51,6 +59,7 @@ class WorstCaseSearch {
   RootSearch& search_;
   const LimitQuestion& question_;
   const verify::Structure& truss_;
+  std::optional<ZeroOneStart> start_;
   std::optional<verify::LimitCertificate> certificate_;
 };
 

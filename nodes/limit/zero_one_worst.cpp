@@ -1,10 +1,9 @@
-// From the model to (29), to its root and its tree, and back to a load.
+// From the model to (29), to its root and its tree, and back to a motion.
 #include "nodes/limit/zero_one_worst.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -19,18 +18,20 @@ namespace kusabi::limit {
 namespace {
 
 using problems::LimitModel;
+using zero_one::ZeroOneRootOptions;
 
 // What rank 0 knows of the search, for all.
 struct Found {
   std::vector<double> motion;
   double lower = 0;
+  double upper = linear::infinity;
   std::uint64_t nodes = 0;
   std::uint64_t programs = 0;
   engine::Status status = engine::Status::solved;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& motion& lower& nodes& programs& status;
+    archive& motion& lower& upper& nodes& programs& status;
   }
 };
 
@@ -45,9 +46,9 @@ void add_static_row(linear::LinearProgram& program, const LimitModel& model, con
 }
 
 // (29) with the M asked for or a safe one; nothing if none is found.
-std::optional<linear::MixedProgram> worst_case_program(const LimitQuestion& question,
-                                                       const LimitModel& model, double alpha,
-                                                       const RootResult& root) {
+std::optional<linear::MixedProgram> bounded_program(const LimitQuestion& question,
+                                                    const LimitModel& model, double alpha,
+                                                    const RootResult& root) {
   const auto bounds = motion_bounds(model, alpha, root.cuts, root.worst->collapse.factor);
   Eigen::VectorXd big_m;
   Eigen::VectorXd most_motion = Eigen::VectorXd::Constant(model.free_count(), linear::infinity);
@@ -61,85 +62,142 @@ std::optional<linear::MixedProgram> worst_case_program(const LimitQuestion& ques
     }
     big_m = 2 * bounds->motion;
   }
-  if (question.big_m) {
-    big_m.resize(model.uncertain_count());
-    for (int j = 0; j < model.uncertain_count(); ++j) {
-      big_m(j) = *question.big_m * model.direction_unit(j) / model.factor_unit;
-    }
-  }
+  if (question.big_m) big_m = *question.big_m * model.direction_unit / model.factor_unit;
   if (big_m.size() == 0) return std::nullopt;
   return problems::worst_case_program(model, alpha, big_m, most_motion, most_elongation);
 }
 
-}  // namespace
+// (27) as printed: u and gamma are not bounded but by the rows, which imply z >= 0.
+linear::MixedProgram printed_program(const LimitModel& model, double alpha, double big_m) {
+  const auto none = [](int count) { return Eigen::VectorXd::Constant(count, linear::infinity); };
+  // There M is for gamma_j = |t_j'u|, which is weight_j |d_j'u|.
+  Eigen::VectorXd of_directions(model.uncertain_count());
+  for (int j = 0; j < model.uncertain_count(); ++j) {
+    of_directions(j) = big_m / model.uncertain[static_cast<std::size_t>(j)].weight;
+  }
+  auto mixed = problems::worst_case_program(model, alpha, of_directions, none(model.free_count()),
+                                            none(model.member_count()));
+  const int first = model.free_count() + model.member_count();
+  for (int gamma = first; gamma < first + model.uncertain_count(); ++gamma) {
+    mixed.program.columns[static_cast<std::size_t>(gamma)].lower = -linear::infinity;
+  }
+  return mixed;
+}
 
-std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
-                                           const LimitQuestion& question, const LimitModel& model,
-                                           double alpha, const RootResult& root,
-                                           LoadFactor& load_factor) {
-  const bool all = question.method == LimitMethod::all;
-  zero_one::ZeroOneRootOptions root_options{
-      .tighten = all || question.method == LimitMethod::tightened, .dive = false};
-  if (all || question.method == LimitMethod::disjunctive) {
-    root_options.cuts = zero_one::ZeroOneCuts::disjunctive;
-  }
-  const auto& known = *root.worst;
-  auto mixed = worst_case_program(question, model, alpha, root);
-  if (!mixed) return std::nullopt;
+zero_one::ZeroOneCuts cuts_of(LimitMethod method) {
+  return method == LimitMethod::all || method == LimitMethod::disjunctive
+             ? zero_one::ZeroOneCuts::disjunctive
+             : zero_one::ZeroOneCuts::none;
+}
+
+// The point of a collapse that is known, with v^U as it is.
+void start_from(const LimitModel& model, const std::optional<ZeroOneStart>& start,
+                ZeroOneRootOptions& options) {
+  if (!start) return;
+  const Eigen::VectorXd motion = start->motion.cwiseQuotient(model.displacement_unit);
+  options.incumbent = zero_one::ZeroOnePoint{start->factor / model.factor_unit,
+                                             problems::worst_case_point(model, motion)};
+}
+
+void note_root(const zero_one::ZeroOneRoot& root, double unit, LimitZeroOne& found) {
+  const auto& counts = root.counts;
+  found.first_bound = counts.first_bound * unit;
+  found.last_bound = counts.last_bound * unit;
+  found.cut_rounds = counts.cut_rounds;
+  found.cut_programs = counts.cut_programs;
+  found.cuts = counts.cuts;
+  found.root_programs = counts.programs - counts.cut_programs;
+}
+
+// What the root and the tree of (29) come to.
+ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
+                    const linear::MixedProgram& mixed, const ZeroOneRootOptions& options,
+                    const engine::ShownObjective& shown) {
   ZeroOneWorst result;
-  result.worst = known;
-  if (all) {
-    for (const StaticCut& cut : root.cuts) add_static_row(mixed->program, model, cut);
-    result.cuts = root.cuts.size();
+  if (options.incumbent) {
+    const auto& [objective, values] = *options.incumbent;
+    result.found.upper = objective * model.factor_unit;
+    result.motion = Eigen::Map<const Eigen::VectorXd>(
+        values.data(), static_cast<Eigen::Index>(model.free_count()));
   }
-  if (root_options.tighten) {
-    root_options.start = problems::worst_case_point(model, known.collapse.motion);
-  }
-  auto prepared = zero_one::mixed_root(campaign, *mixed, root_options);
-  const auto counts = prepared.root.counts;
+  auto prepared = zero_one::mixed_root(campaign, mixed, options);
+  note_root(prepared.root, model.factor_unit, result.found);
   if (prepared.stopped) {
-    result.lower = std::max(root.lower, prepared.root.bound);
+    result.found.lower = prepared.root.bound * model.factor_unit;
     result.status = campaign.budget().why();
-    result.programs = counts.programs;
     return result;
   }
-  if (prepared.unbounded || prepared.root.status != linear::LinearStatus::optimal) {
-    throw std::runtime_error("the relaxation of (29) was not solved");
-  }
-  result.cuts += counts.cuts;
-  result.cut_programs = counts.cut_programs;
-  const auto start = prepared.root.point;
-  const auto answer =
-      zero_one::search_tree(campaign, std::move(prepared), zero_one::ZeroOneBranching::paper, {},
-                            {model.factor_unit, known.collapse.factor, root.lower});
+  if (prepared.root.status == linear::LinearStatus::infeasible) throw BigMTooSmall();
+  if (prepared.unbounded || prepared.root.status != linear::LinearStatus::optimal) return result;
+  const auto point = prepared.root.point;
+  const auto answer = zero_one::search_tree(campaign, std::move(prepared),
+                                            zero_one::ZeroOneBranching::paper, {}, shown);
   const auto found = engine::from_first_rank(campaign.transport(), [&] {
-    Found known_here;
-    known_here.lower = answer.bound();
-    known_here.nodes = answer.outcome.opened();
-    known_here.status = answer.outcome.status;
-    known_here.programs = counts.programs + answer.outcome.tally().programs;
-    const auto* const best = answer.point() != nullptr ? answer.point() : start ? &*start : nullptr;
+    Found known;
+    known.lower = answer.bound();
+    known.nodes = answer.outcome.opened();
+    known.status = answer.outcome.status;
+    known.programs = answer.outcome.tally().programs;
+    const auto* const best = answer.point() != nullptr ? answer.point() : point ? &*point : nullptr;
     if (best != nullptr) {
-      known_here.motion.assign(best->values.begin(), best->values.begin() + model.free_count());
+      known.upper = best->objective;
+      known.motion.assign(best->values.begin(), best->values.begin() + model.free_count());
     }
-    return known_here;
+    return known;
   });
-  result.lower = found.lower;
-  result.nodes = found.nodes;
-  result.programs = found.programs;
+  result.found.lower = found.lower * model.factor_unit;
+  result.found.upper = found.upper * model.factor_unit;
+  result.found.nodes = found.nodes;
+  result.found.programs = found.programs;
   result.status = found.status;
   if (found.motion.empty()) {
     if (found.status == engine::Status::solved) throw BigMTooSmall();
     return result;
   }
-  const Eigen::Map<const Eigen::VectorXd> motion(found.motion.data(), model.free_count());
-  const auto descent =
-      descend(model, load_factor, alpha, worst_for(model, alpha, motion, known.zeta));
-  if (descent.status == LoadStatus::collapses &&
-      descent.worst.collapse.factor < known.collapse.factor) {
-    result.worst = descent.worst;
+  result.motion = Eigen::Map<const Eigen::VectorXd>(found.motion.data(),
+                                                    static_cast<Eigen::Index>(found.motion.size()));
+  return result;
+}
+
+}  // namespace
+
+ZeroOneWorst printed_worst(engine::Campaign& campaign, const LimitQuestion& question,
+                           const problems::LimitProblem& problem,
+                           const std::optional<ZeroOneStart>& start) {
+  const auto model = problems::unscaled_model(problem);
+  ZeroOneRootOptions options{
+      .cuts = cuts_of(question.method), .tighten = false, .dive = false, .as_printed = true};
+  start_from(model, start, options);
+  auto result = search(campaign, model, printed_program(model, *question.alpha, *question.big_m),
+                       options, {});
+  result.found.big_m = question.big_m;
+  if (start) result.found.start = start->factor;
+  return result;
+}
+
+std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
+                                           const LimitQuestion& question, const LimitModel& model,
+                                           double alpha, const RootResult& root,
+                                           const std::optional<ZeroOneStart>& start) {
+  const bool all = question.method == LimitMethod::all;
+  auto mixed = bounded_program(question, model, alpha, root);
+  if (!mixed) return std::nullopt;
+  ZeroOneRootOptions options{.cuts = cuts_of(question.method),
+                             .tighten = all || question.method == LimitMethod::tightened,
+                             .dive = false};
+  const auto& known = root.worst->collapse;
+  if (all) {
+    for (const StaticCut& cut : root.cuts) add_static_row(mixed->program, model, cut);
   }
-  if (all) result.lower = std::max(result.lower, root.lower);
+  if (options.tighten) {
+    options.start = problems::worst_case_point(model, known.motion);
+    options.incumbent = zero_one::ZeroOnePoint{known.factor, options.start};
+  }
+  if (question.of_the_paper()) start_from(model, start, options);
+  auto result =
+      search(campaign, model, *mixed, options, {model.factor_unit, known.factor, root.lower});
+  result.found.big_m = question.big_m;
+  if (start && question.of_the_paper()) result.found.start = start->factor;
   return result;
 }
 

@@ -1,29 +1,45 @@
-// The worst case by the 0-1 program (29) of the limit paper: Algorithms 4.2 and 5.1 and what makes
-// them faster, to compare with static cuts.
+// The worst case by the 0-1 program (29) of the limit paper: Algorithms 4.2 and 5.1 as printed, and
+// what makes them faster, to compare with static cuts.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "engine/campaign.hpp"
+#include "nodes/limit/limit_answer.hpp"
 #include "nodes/limit/limit_question.hpp"
 #include "nodes/limit/worst_case.hpp"
 #include "problems/limit/limit_analysis.hpp"
+#include "problems/limit/limit_problem.hpp"
 
 namespace kusabi::limit {
 
-/// What came of it, in the scaled units of the model.
+/// A collapse that bounds (29) from above before the tree: that of a sampled load (remark 4.5).
+struct ZeroOneStart {
+  double factor = 0;       ///< v^U, in the unit of the load factor
+  Eigen::VectorXd motion;  ///< u, n^d, f_R^T u = 1 in the units of the problem
+};
+
+/// What came of it, the same on every rank but for counts.
 struct ZeroOneWorst {
-  Worst worst;
-  double lower = 0;  ///< as the 0-1 tree has it: not proved
-  std::uint64_t nodes = 0;
-  std::uint64_t programs = 0;  ///< linear programs, at the root and in the tree
-  std::uint64_t cuts = 0;      ///< disjunctive ones kept, and static ones
-  std::uint64_t cut_programs = 0;
+  LimitZeroOne found;
+  /// Of the best point, n^d, in units that differ from those of the problem by positive factors:
+  /// its signs are the critical load. Empty: no point was found.
+  Eigen::VectorXd motion;
   engine::Status status = engine::Status::solved;  ///< why the search ended
 };
 
-/// Solves (29) on all ranks; the same on each.
+/// Algorithm 4.2, after Algorithm 5.1 if the question's method is that, as printed: (27) in the
+/// units of the problem with the question's M, u and gamma free, and nothing that is known from
+/// elsewhere but `start`. What differs, docs/theory/limit.md says.
+/// @pre question.as_printed()
+ZeroOneWorst printed_worst(engine::Campaign& campaign, const LimitQuestion& question,
+                           const problems::LimitProblem& problem,
+                           const std::optional<ZeroOneStart>& start);
+
+/// (29) with an M derived from static cuts, unless one was asked for, and bounds of its columns
+/// likewise; with static cuts as rows and a tightened M if the method has them.
 /// @param alpha scaled
 /// @param root what static cuts have found: they say which M is safe, and know a collapse
 /// @return nothing if no safe M is found
@@ -31,6 +47,7 @@ struct ZeroOneWorst {
 std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
                                            const LimitQuestion& question,
                                            const problems::LimitModel& model, double alpha,
-                                           const RootResult& root, LoadFactor& load_factor);
+                                           const RootResult& root,
+                                           const std::optional<ZeroOneStart>& start);
 
 }  // namespace kusabi::limit

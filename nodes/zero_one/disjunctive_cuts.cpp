@@ -1,4 +1,4 @@
-// The cut generating program and the rounds.
+// The cut generating program, and how its answer is read.
 #include "nodes/zero_one/disjunctive_cuts.hpp"
 
 #include <algorithm>
@@ -25,9 +25,6 @@ constexpr double least_violation = 1e-6;
 constexpr double most_violation = 1e3;
 // Right-hand sides that cannot be made safe give way by so much, relative to the size of the terms.
 constexpr double give_way = 1e-8;
-// The limit of remark 5.2, in rounds for each binary.
-constexpr double rounds_a_binary = 1.8;
-
 // What is smaller is a zero that was rounded. As a coefficient of the cut generating program it
 // would spoil its scaling; the cut loses nothing, since its right-hand side is computed anew.
 constexpr double noise = 1e-9;
@@ -83,13 +80,18 @@ class CutProgram {
   }
 
   void write() {
+    const auto& columns = given().columns;
     double size = 1;
     const double most = infinity;
     beta_ = program_.add_column({.cost = -1, .lower = -most, .upper = most});
     std::vector<LinearTerm> depth{{beta_, 1}};
     for (std::size_t j = 0; j < spot_.size(); ++j) {
       if (spot_[j] != Spot::inside) continue;
-      alpha_[j] = program_.add_column({.cost = point_[j], .lower = -1, .upper = 1});
+      // (51) norms what is not zero. A column that has bounds is normed even at zero: without, its
+      // bounds make deep cuts of coefficients that tell little.
+      const bool free = columns[j].lower == -infinity && columns[j].upper == infinity;
+      const double norm = free && point_[j] == 0 ? infinity : 1;
+      alpha_[j] = program_.add_column({.cost = point_[j], .lower = -norm, .upper = norm});
       depth.push_back({alpha_[j], -point_[j]});
       size += std::abs(point_[j]);
     }
@@ -233,71 +235,11 @@ class CutProgram {
   std::array<std::vector<std::array<int, 2>>, 2> multipliers_;  // side, row, {lower, upper}
 };
 
-std::vector<double> residuals(const Relaxation& relaxation) {
-  std::vector<double> list(relaxation.binaries());
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const double at = relaxation.value(k);
-    list[k] = std::min(at, 1 - at) <= integrality_tolerance ? 0 : at * (1 - at);
-  }
-  return list;
-}
-
-std::ptrdiff_t fractional(const std::vector<double>& residual) {
-  return std::count_if(residual.begin(), residual.end(), [](double at) { return at > 0; });
-}
-
 }  // namespace
 
 std::optional<DisjunctiveCut> deepest_cut(const Relaxation& relaxation, std::size_t rows,
                                           const std::vector<double>& point, std::size_t binary) {
   return CutProgram(relaxation, rows, point, binary).solve();
-}
-
-CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basis) {
-  CutRounds result;
-  result.basis = basis;
-  const auto root = relaxation.root();
-  const std::size_t rows = relaxation.program().rows.size();
-  if (relaxation.solve(root, basis) != LinearStatus::optimal) return result;
-  auto residual = residuals(relaxation);
-  auto point = relaxation.values();
-  std::vector<bool> excluded(residual.size());
-  const auto most =
-      static_cast<std::uint64_t>(rounds_a_binary * static_cast<double>(residual.size()));
-  while (result.rounds < most && fractional(residual) > 0 && !support::asked(relaxation.stop())) {
-    ++result.rounds;
-    std::size_t chosen = residual.size();
-    for (std::size_t k = 0; k < residual.size(); ++k) {
-      if (residual[k] == 0 || excluded[k]) continue;
-      if (chosen == residual.size() || residual[k] > residual[chosen]) chosen = k;
-    }
-    if (chosen == residual.size()) break;
-    ++result.programs;
-    const auto cut = deepest_cut(relaxation, rows, point, chosen);
-    if (!cut) {
-      excluded[chosen] = true;
-      continue;
-    }
-    ++result.found;
-    relaxation.add_row({.lower = cut->lower}, cut->terms);
-    if (relaxation.solve(root, result.basis) != LinearStatus::optimal) {
-      relaxation.drop_last_row();
-      break;
-    }
-    auto now = residuals(relaxation);
-    point = relaxation.values();
-    if (fractional(now) <= fractional(residual)) {
-      ++result.kept;
-      result.basis = relaxation.basis();
-      excluded.assign(excluded.size(), false);
-    } else {
-      // The next cut is made for this point, as the algorithm says, but without this cut.
-      relaxation.drop_last_row();
-      excluded[chosen] = true;
-    }
-    residual = std::move(now);
-  }
-  return result;
 }
 
 }  // namespace kusabi::zero_one

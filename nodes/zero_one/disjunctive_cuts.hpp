@@ -1,4 +1,5 @@
-// Disjunctive cuts at the root: Algorithm 5.1 of the limit paper, for any mixed zero-one program.
+// A disjunctive cut: step 2 of Algorithm 5.1 of the limit paper (cut_rounds.hpp), for any mixed
+// zero-one program.
 //
 // For a fractional binary tau_j the cut generating program (51) finds, among the inequalities
 // alpha'x >= beta that hold on both sides of tau_j = 0 or tau_j = 1, the one that the optimum of
@@ -12,12 +13,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "nodes/zero_one/relaxation.hpp"
-#include "solvers/linear/basis.hpp"
+#include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::zero_one {
 
@@ -33,18 +33,5 @@ struct DisjunctiveCut {
 /// @param point values of all columns
 std::optional<DisjunctiveCut> deepest_cut(const Relaxation& relaxation, std::size_t rows,
                                           const std::vector<double>& point, std::size_t binary);
-
-/// What Algorithm 5.1 did.
-struct CutRounds {
-  std::uint64_t rounds = 0;    ///< values of k: at most 1.8 m
-  std::uint64_t programs = 0;  ///< cut generating programs solved
-  std::uint64_t found = 0;     ///< cuts that the optimum violated
-  std::uint64_t kept = 0;      ///< of those, kept in step 4
-  linear::Basis basis;         ///< an optimum of the relaxation with all that were kept
-};
-
-/// Algorithm 5.1: adds cuts to the relaxation.
-/// @param basis of an optimum of the relaxation
-CutRounds add_disjunctive_cuts(Relaxation& relaxation, const linear::Basis& basis);
 
 }  // namespace kusabi::zero_one

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "nodes/zero_one/bound_tightening.hpp"
-#include "nodes/zero_one/disjunctive_cuts.hpp"
+#include "nodes/zero_one/cut_rounds.hpp"
 
 namespace kusabi::zero_one {
 namespace {
@@ -123,6 +123,8 @@ ZeroOneRoot prepare_root(linear::MixedProgram mixed, const ZeroOneRootOptions& o
   ZeroOneRoot root{
       .relaxation = Relaxation(std::move(mixed)), .grid = grid.width, .grid_error = grid.error};
   root.relaxation.end_when(options.stop);
+  root.as_printed = options.as_printed;
+  root.point = options.incumbent;
   relax(root);
   if (root.status == LinearStatus::optimal) {
     root.counts.first_bound = root.relaxation.objective();

@@ -24,6 +24,11 @@ struct ZeroOneRootOptions {
   /// A point known beforehand, as values of all columns; it is used if the program agrees that it
   /// is one. Empty: none.
   std::vector<double> start = {};
+  /// A point and an upper bound of its objective, to prune with from the first node on: v^U of
+  /// remark 4.5. It is taken as it is.
+  std::optional<ZeroOnePoint> incumbent = {};
+  /// Nodes do what Algorithm 4.2 says and no more: they round nothing and fix nothing by its cost.
+  bool as_printed = false;
   /// Asked within the work; ZeroOneRoot::interrupted says whether it was heeded. The tree asks it
   /// within long linear programs.
   support::Stop stop = {};
@@ -49,6 +54,7 @@ struct ZeroOneRoot {
   linear::Basis basis = {};
   double bound = -linear::infinity;
   std::optional<ZeroOnePoint> point = {};
+  bool as_printed = false;  ///< see the options
   /// The work was ended early: bound and point are valid, but may differ from rank to rank.
   bool interrupted = false;
   /// All points have an objective of program().constant plus a multiple of this; 0: no such number.

@@ -108,7 +108,7 @@ void ZeroOneTree::expand(Node&& node, Out& out) {
       branch(node, {free.front(), {node.bound, node.bound}, {node.basis, node.basis}}, true, out);
       return;
     }
-    if (!root_.point) try_rounding(node, out);
+    if (!root_.point && !root_.as_printed) try_rounding(node, out);
     if (branching_ == ZeroOneBranching::paper) {
       branch(node, {free.front(), {node.bound, node.bound}, {node.basis, node.basis}}, true, out);
       return;
@@ -201,7 +201,7 @@ bool ZeroOneTree::close_if_whole(const Node& node, Out& out) {
 // A binary whose other value would bring the bound above the point known from the root. (Not the
 // best point known by now: what a node yields must not depend on when it is opened.)
 void ZeroOneTree::hold_by_cost(Node& node) {
-  if (!root_.point) return;
+  if (!root_.point || root_.as_printed) return;
   for (std::size_t k = 0; k < root_.relaxation.binaries(); ++k) {
     if (!node.fixings.free(k)) continue;
     for (const bool at_one : {false, true}) {

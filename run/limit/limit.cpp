@@ -68,7 +68,8 @@ void Limit::describe(OptionTable& table) {
                {"static", limit::LimitMethod::static_cuts},
                {"all", limit::LimitMethod::all}},
               "how the worst case is found: by static cuts, or by the 0-1 program (29) with none, "
-              "disjunctive ones (the paper's method), a tightened M, or all of these")
+              "disjunctive ones (the paper's method), a tightened M, or all of these. With none or "
+              "disjunctive and --big-m: as printed in the paper")
       .needs("--alpha");
   table
       .number("--big-m", &options_.question.big_m, above(0),
@@ -76,8 +77,9 @@ void Limit::describe(OptionTable& table) {
               "Without it a safe one is derived")
       .needs("--cuts");
   table
-      .number("--samples", &options_.question.samples, between(1, most_samples),
-              "compare with so many random dead loads")
+      .number(
+          "--samples", &options_.question.samples, between(1, most_samples),
+          "compare with so many random dead loads; --cuts none and disjunctive start from the best")
       .needs("--alpha");
   table.number("--seed", &options_.question.seed, at_least(0), "of the random dead loads");
   table
@@ -137,6 +139,7 @@ std::string Limit::announcement(const std::string& ranks) const {
 }
 
 void Limit::search(CommandRun& run) {
+  options_.question.evidence = !certificate_.empty();
   engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
   try {
     found_ = limit::limit_loads(campaign, truss_, *problem_, options_.question);
@@ -170,6 +173,7 @@ std::vector<Step> Limit::results(CommandRun& run) {
 const char* Limit::why_no_certificate() const {
   const auto& worst = found_.answer.worst;
   if (!worst) return "it would be of a worst case; expected --alpha";
+  if (worst->as_printed) return "the search was stopped before the two ends were proved";
   return worst->status == limit::RootStatus::not_carried
              ? "they hold load factors, and here a load is carried at none"
              : "the two ends are not proved";
@@ -177,9 +181,18 @@ const char* Limit::why_no_certificate() const {
 
 Verdict Limit::verdict(CommandRun& run) {
   Verdict verdict{.remarks = {}, .code = found_.answer.whole() ? solved : stopped_early};
-  if (run.wants("--certificate") && !found_.certificate && !run.quiet()) {
-    verdict.remarks.push_back(
-        fmt::format("no certificate ({} is as it was): {}", certificate_, why_no_certificate()));
+  if (run.wants("--certificate") && !found_.certificate) {
+    verdict.code = stopped_early;
+    if (!run.quiet()) {
+      verdict.remarks.push_back(
+          fmt::format("no certificate ({} is as it was): {}", certificate_, why_no_certificate()));
+    }
+  }
+  const auto& worst = found_.answer.worst;
+  if (worst && worst->as_printed && worst->search == engine::Status::solved && !run.quiet()) {
+    verdict.remarks.emplace_back(
+        "not proved: the ends of (29) are those of the worst case if its M is large enough; "
+        "--certificate FILE has them proved by static cuts");
   }
   return verdict;
 }

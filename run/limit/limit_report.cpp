@@ -10,6 +10,7 @@
 
 #include "problems/limit/collapse_mode.hpp"
 #include "run/limit/curve_report.hpp"
+#include "run/limit/zero_one_report.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 
@@ -47,6 +48,16 @@ ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load)
     }
   }
   return list;
+}
+
+// All null if no critical load is known.
+void add_critical_load(ordered_json& result, const LimitProblem& problem,
+                       const Eigen::VectorXd& zeta) {
+  const bool known = zeta.size() == problem.uncertain_count();
+  const Eigen::VectorXd load = known ? problems::dead_load(problem, zeta) : problem.dead;
+  result["critical_load"] = known ? load_json(problem, load) : ordered_json();
+  result["critical_part"] = known ? load_json(problem, load - problem.dead) : ordered_json();
+  result["critical_parameters"] = known ? parameters_json(problem, zeta) : ordered_json();
 }
 
 ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& collapse) {
@@ -161,6 +172,10 @@ const char* without_proof(bool proved) {
 
 void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
+  if (worst.as_printed) {
+    text += printed_ends_text(worst);
+    return;
+  }
   if (worst.proved) {
     fmt::format_to(out, "  load factor {:.10g} ... {:.10g}, proved\n", worst.ends.lower,
                    worst.ends.upper);
@@ -196,17 +211,16 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
                  *worst.collapse);
       write_mode(text, problem, *worst.collapse);
     }
-    write_critical_load(text, problem, worst.zeta);
+    if (worst.zeta.size() > 0) write_critical_load(text, problem, worst.zeta);
   }
-  if (worst.zero_one_bound) {
-    fmt::format_to(out, "  the 0-1 program by itself: at least {:.10g}{}\n", *worst.zero_one_bound,
-                   without_proof(false));
-  }
+  if (worst.zero_one) text += zero_one_text(worst);
   if (worst.search != engine::Status::solved) {
     fmt::format_to(out, "  stopped early ({})\n", status_name(worst.search));
   }
+  if (worst.as_printed) return;
   fmt::format_to(out,
-                 "  {} cuts, {} node{}; linear programs: {} load factors, {} relaxations, {} for "
+                 "  static evidence: {} cuts, {} node{}; linear programs: {} load factors, {} "
+                 "relaxations, {} for "
                  "cuts, {} in the tree\n",
                  worst.cuts, worst.nodes, worst.nodes == 1 ? "" : "s", worst.counts.load_factors,
                  worst.counts.relaxations, worst.counts.pricings, worst.tree_programs);
@@ -277,12 +291,10 @@ ordered_json LimitReport::json() const {
                             {"upper", number_or_null(worst.ends.upper)},
                             {"proved", worst.proved},
                             {"lower_proved", worst.ends.lower_proved},
-                            {"upper_proved", worst.ends.upper_proved}};
-    if (worst.zero_one_bound) result["zero_one_bound"] = number_or_null(*worst.zero_one_bound);
-    const Eigen::VectorXd critical_load = problems::dead_load(problem, worst.zeta);
-    result["critical_load"] = load_json(problem, critical_load);
-    result["critical_part"] = load_json(problem, critical_load - problem.dead);
-    result["critical_parameters"] = parameters_json(problem, worst.zeta);
+                            {"upper_proved", worst.ends.upper_proved},
+                            {"from", worst.as_printed ? "zero-one" : "static-evidence"}};
+    if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
+    add_critical_load(result, problem, worst.zeta);
     if (worst.collapse) {
       result["critical_interval"] = interval_json(*worst.collapse);
       result["collapse_mode"] = mode_json(problem, *worst.collapse);
@@ -307,6 +319,9 @@ ordered_json LimitReport::json() const {
   if (answer.worst) {
     statistics["nodes"] = answer.worst->nodes;
     statistics["tree_programs"] = answer.worst->tree_programs;
+    if (const auto& zero_one = answer.worst->zero_one) {
+      statistics["zero_one"] = {{"nodes", zero_one->nodes}, {"programs", zero_one->programs}};
+    }
   }
   ordered_json chosen = ordered_json::object();
   chosen["alpha"] = number_or_null(options.question.alpha);

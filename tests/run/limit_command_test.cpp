@@ -126,6 +126,77 @@ TEST_F(LimitCommand, HandsOverACertificateWithTheCutsOfThePaper) {
   EXPECT_THAT(proved.output, HasSubstr("PROVED: the least load factor for alpha = 40"));
 }
 
+// The paper's method by itself: no program of static cuts, no proof, and it says so.
+TEST_F(LimitCommand, TakesNothingFromStaticCutsIfMIsGiven) {
+  for (const std::string cuts : {"none", "disjunctive"}) {
+    const auto call = example("static-gap.toml") + " --alpha 0.45 --big-m 20 --cuts " + cuts;
+    const auto run = shell(command + " limit " + call);
+    EXPECT_EQ(run.exit_code, 3) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("the ends of the 0-1 program (29) with M = 20, not proved"));
+    EXPECT_THAT(run.output, HasSubstr("--certificate FILE has them proved"));
+    EXPECT_THAT(run.output, Not(HasSubstr("static evidence:")));
+    const auto json = result_of(call, 3);
+    EXPECT_EQ(json["status"], "open");
+    const auto& result = json["result"];
+    EXPECT_EQ(result["worst_case"]["from"], "zero-one");
+    EXPECT_EQ(result["worst_case"]["proved"], false);
+    for (const auto& [name, count] : result["programs"].items()) EXPECT_EQ(count, 0) << name;
+    EXPECT_EQ(result["zero_one"]["cut_programs"] > 0, cuts == "disjunctive");
+    EXPECT_GT(json["statistics"]["zero_one"]["nodes"], 0);
+    // All 2^7 corners say 2.007 (examples/static-gap.toml).
+    EXPECT_NEAR(result["worst_case"]["upper"].get<double>(), 2.007, 1e-3);
+  }
+}
+
+TEST_F(LimitCommand, ProvesThePapersMethodIfACertificateIsWanted) {
+  for (const std::string cuts : {"none", "disjunctive"}) {
+    const auto truss_of = example("static-gap.toml");
+    const auto json = result_of(truss_of + " --alpha 0.45 --big-m 20 --cuts " + cuts +
+                                " --certificate " + argument("cert"));
+    EXPECT_EQ(json["status"], "solved");
+    EXPECT_EQ(json["result"]["worst_case"]["from"], "static-evidence");
+    EXPECT_GT(json["result"]["programs"]["cuts"], 0);
+    const auto& by_itself = json["result"]["zero_one"];
+    EXPECT_NEAR(by_itself["upper"].get<double>(), json["result"]["worst_case"]["upper"], 1e-6);
+    const auto proved = shell(command + " verify " + argument("cert") + " --problem " + truss_of);
+    EXPECT_THAT(proved.output, HasSubstr("PROVED"));
+  }
+}
+
+TEST_F(LimitCommand, WritesNoCertificateOfAStoppedTreeAndSaysSo) {
+  const auto run =
+      shell(command + " limit " + example("paper/limit-3x3.toml") +
+            " --alpha 40 --cuts none --big-m 5 --node-limit 30 --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("no certificate ("));
+  EXPECT_THAT(run.output, HasSubstr("stopped before the two ends were proved"));
+  EXPECT_THAT(run.output, Not(HasSubstr("wrote ")));
+  EXPECT_EQ(shell("test -e " + argument("cert")).exit_code, 1);
+}
+
+TEST_F(LimitCommand, RefutesAnMThatIsTooSmall) {
+  const auto run =
+      shell(command + " limit " + example("static-gap.toml") +
+            " --alpha 0.35 --cuts none --big-m 0.05 --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("its M is too small"));
+}
+
+TEST_F(LimitCommand, StartsFromTheSameSampleOnTwoRanks) {
+  Json alone;
+  for (const std::string& launch : {std::string(), ranks(2)}) {
+    const auto run = shell(launch + command + " limit " + example("static-gap.toml") +
+                           " --alpha 0.45 --cuts disjunctive --big-m 20 --samples 40 --output " +
+                           argument("out.json"));
+    EXPECT_EQ(run.exit_code, 3) << run.output;
+    auto json = Json::parse(content(in_folder("out.json")));
+    json.erase("statistics");
+    EXPECT_EQ(json["result"]["zero_one"]["start"], json["result"]["samples"]["least"]);
+    if (alone.is_null()) alone = json;
+    EXPECT_EQ(json, alone);
+  }
+}
+
 // Its evidence needs more room than the first try leaves: it once ended at minus infinity.
 TEST_F(LimitCommand, ProvesTheGridOfSixteenBays) {
   shell(command + " example grid --bays 16 --output " + argument("grid.toml"));

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "nodes/zero_one/bound_tightening.hpp"
+#include "nodes/zero_one/cut_rounds.hpp"
 #include "nodes/zero_one/disjunctive_cuts.hpp"
 #include "tests/nodes/zero_one/programs.hpp"
 
@@ -72,6 +73,42 @@ TEST(DisjunctiveCuts, AreAsDeepAsTheHullOfBothSides) {
   const auto rounds = add_disjunctive_cuts(relaxation, relaxation.basis());
   EXPECT_EQ(rounds.kept, 1U);
   EXPECT_NEAR(relaxation.objective(), 0, 1e-9);
+}
+
+// Step 4 of Algorithm 5.1: after a cut that was not kept, J is without its binary, and no other.
+TEST(CutOrder, LeavesOutTheLastBinaryOnly) {
+  const std::vector<double> residual{0.1, 0.25, 0.2, 0};
+  CutOrder order(4);
+  EXPECT_EQ(order.next(residual), 1U);
+  order.rejected(1);
+  EXPECT_EQ(order.next(residual), 2U);
+  order.rejected(2);
+  EXPECT_EQ(order.next(residual), 1U);
+  order.kept();
+  EXPECT_EQ(order.next(residual), 1U);
+}
+
+TEST(CutOrder, AsksNothingTwiceOfOnePoint) {
+  const std::vector<double> residual{0.1, 0.25, 0.2, 0};
+  CutOrder order(4);
+  order.rejected(2);
+  EXPECT_EQ(order.next(residual), 1U);
+  order.found_none(1);
+  EXPECT_EQ(order.next(residual), 2U);
+  order.found_none(2);
+  EXPECT_EQ(order.next(residual), 0U);
+  order.found_none(0);
+  EXPECT_EQ(order.next(residual), std::nullopt);
+  order.rejected(0);  // there is another point
+  EXPECT_EQ(order.next(residual), 1U);
+}
+
+// One binary alone is tried again at the next point.
+TEST(CutOrder, TakesWhatIsLeft) {
+  CutOrder order(1);
+  order.rejected(0);
+  EXPECT_EQ(order.next({0.2}), 0U);
+  EXPECT_EQ(order.next({0}), std::nullopt);
 }
 
 TEST(DisjunctiveCuts, RaiseTheBoundAndStopInTime) {

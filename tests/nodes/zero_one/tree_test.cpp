@@ -76,12 +76,35 @@ TEST(ZeroOneTree, SolvesProgramsWithKnownOptima) {
   }
 }
 
+// v^U of remark 4.5: a number above the objective of a point that is known.
+TEST(ZeroOneTree, GoesOnFromAnIncumbent) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const auto mixed = random_mixed(seed, 2, 8);
+    const auto without =
+        solved(mixed, {.root = {.tighten = false, .dive = false, .as_printed = true}});
+    if (!without.point) continue;
+    for (const double above : {0.0, 0.5}) {
+      auto incumbent = *without.point;
+      incumbent.objective += above;
+      const auto with = solved(
+          mixed,
+          {.root = {.tighten = false, .dive = false, .incumbent = incumbent, .as_printed = true}});
+      ASSERT_TRUE(with.point);
+      EXPECT_NEAR(with.point->objective, without.point->objective, 1e-8);
+      EXPECT_NEAR(with.bound, without.bound, 1e-6);
+      EXPECT_LE(with.tally.programs, without.tally.programs);
+    }
+  }
+}
+
 TEST(ZeroOneTree, FindsWhatTryingAllBinariesFinds) {
   int with_points = 0;
   int without = 0;
   const std::vector<Way> ways{
       {},
       {.root = {.tighten = false, .dive = false}, .branching = ZeroOneBranching::look_ahead},
+      {.root =
+           {.cuts = ZeroOneCuts::disjunctive, .tighten = false, .dive = false, .as_printed = true}},
       {.root = {.cuts = ZeroOneCuts::disjunctive}, .order = engine::Order::best_first},
       {.root = {.cuts = ZeroOneCuts::disjunctive, .tighten = false, .dive = false},
        .branching = ZeroOneBranching::look_ahead,

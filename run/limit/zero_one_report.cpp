@@ -1,0 +1,80 @@
+// The 0-1 program, under its own name.
+#include "run/limit/zero_one_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "run/output/values.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using limit::LimitWorstCase;
+using limit::LimitZeroOne;
+
+std::string m_text(const LimitZeroOne& zero_one) {
+  return zero_one.big_m ? fmt::format("M = {}", *zero_one.big_m) : "M derived from static cuts";
+}
+
+std::string ends_text(const LimitZeroOne& zero_one) {
+  const auto end = [](double value) {
+    return std::isfinite(value) ? fmt::format("{:.10g}", value) : std::string("none");
+  };
+  return fmt::format("at least {}, at most {}", end(zero_one.lower), end(zero_one.upper));
+}
+
+}  // namespace
+
+std::string printed_ends_text(const LimitWorstCase& worst) {
+  return fmt::format("  load factor {}: the ends of the 0-1 program (29) with {}, not proved\n",
+                     ends_text(*worst.zero_one), m_text(*worst.zero_one));
+}
+
+std::string zero_one_text(const LimitWorstCase& worst) {
+  const auto& zero_one = *worst.zero_one;
+  std::string text;
+  const auto out = std::back_inserter(text);
+  if (!worst.as_printed) {
+    fmt::format_to(out, "  the 0-1 program (29) by itself, {}: {} (not proved)\n", m_text(zero_one),
+                   ends_text(zero_one));
+  }
+  if (is_refuted(worst)) text += "  it is wrong: its M is too small\n";
+  if (zero_one.start) {
+    fmt::format_to(out, "  it began with the best of the random dead loads, {:.10g}\n",
+                   *zero_one.start);
+  }
+  if (zero_one.cut_rounds > 0) {
+    fmt::format_to(
+        out, "  Algorithm 5.1: {}, {}, {} kept; the relaxation (38) rose from {:.10g} to {:.10g}\n",
+        counted(zero_one.cut_rounds, "round"), counted(zero_one.cut_programs, "program") + " (51)",
+        counted(zero_one.cuts, "cut"), zero_one.first_bound, zero_one.last_bound);
+  }
+  fmt::format_to(out, "  Algorithm 4.2: {}, {}; {} before it\n", counted(zero_one.nodes, "node"),
+                 counted(zero_one.programs, "linear program"), zero_one.root_programs);
+  return text;
+}
+
+nlohmann::ordered_json zero_one_json(const LimitZeroOne& zero_one) {
+  return {{"big_m", number_or_null(zero_one.big_m)},
+          {"lower", number_or_null(zero_one.lower)},
+          {"upper", number_or_null(zero_one.upper)},
+          {"start", number_or_null(zero_one.start)},
+          {"first_bound", number_or_null(zero_one.first_bound)},
+          {"last_bound", number_or_null(zero_one.last_bound)},
+          {"cut_rounds", zero_one.cut_rounds},
+          {"cut_programs", zero_one.cut_programs},
+          {"cuts", zero_one.cuts},
+          {"root_programs", zero_one.root_programs}};
+}
+
+bool is_refuted(const LimitWorstCase& worst) {
+  if (!worst.zero_one || !worst.ends.upper_proved) return false;
+  constexpr double visible = 1e-6;
+  const double size = std::max(1.0, std::abs(worst.ends.upper));
+  return worst.zero_one->lower > worst.ends.upper + visible * size;
+}
+
+}  // namespace kusabi::run
