@@ -77,6 +77,21 @@ LimitModel limit_model(const LimitProblem& problem) {
   return limit_model(problem, *middle);
 }
 
+LimitModel unscaled_model(const LimitProblem& problem) {
+  LimitModel model;
+  model.equilibrium = problem.equilibrium;
+  model.dead = problem.dead;
+  model.reference = problem.reference;
+  model.tension = problem.tension;
+  model.compression = problem.compression;
+  model.uncertain = problem.uncertain;
+  model.direction_unit = Eigen::VectorXd::Ones(problem.uncertain_count());
+  model.member_unit = Eigen::VectorXd::Ones(problem.member_count());
+  model.displacement_unit = Eigen::VectorXd::Ones(problem.free_count());
+  model.most_yield = linear::infinity;
+  return model;
+}
+
 Eigen::VectorXd dead_load(const LimitModel& model, const Eigen::VectorXd& zeta) {
   Eigen::VectorXd load = model.dead;
   for (int j = 0; j < model.uncertain_count(); ++j) {

@@ -59,6 +59,10 @@ LimitModel limit_model(const LimitProblem& problem, double force_unit,
 /// With the median of the yield forces as F.
 LimitModel limit_model(const LimitProblem& problem);
 
+/// Without scaling: every number is in the units of the problem, and so are those of its programs.
+/// For files that others read; what is solved here is scaled.
+LimitModel unscaled_model(const LimitProblem& problem);
+
 /// f_D + T zeta, scaled. @param zeta m, in force_unit
 Eigen::VectorXd dead_load(const LimitModel& model, const Eigen::VectorXd& zeta);
 
