@@ -1,16 +1,12 @@
-// Samples are shared among the ranks; curves are made by each alike.
+// Samples are shared among the ranks.
 #include "nodes/limit/compared_loads.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <random>
-#include <utility>
 
 #include "engine/shared_work.hpp"
-#include "nodes/limit/worst_case_search.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -19,20 +15,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Samples in one piece of work: some milliseconds.
 constexpr std::uint64_t samples_a_piece = 16;
-
-/// Factors on a curve that differ by less are one, relative to the nominal one (at least 1 in
-/// scaled units): a mode's line is known to 1e-12 or so.
-constexpr double curve_tolerance = 1e-9;
-
-std::vector<CurvePiece> in_units(const problems::LimitModel& model, std::vector<CurvePiece> curve) {
-  for (auto& piece : curve) {
-    piece.from.factor *= model.factor_unit;
-    piece.from.slope *= model.factor_unit;
-    piece.factor_at_end *= model.factor_unit;
-    piece.from.motion = problems::motion_in_units(model, piece.from.motion);
-  }
-  return curve;
-}
 
 }  // namespace
 
@@ -69,43 +51,6 @@ std::vector<double> sampled_factors(RootSearch& search, const LimitQuestion& que
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;
-}
-
-std::vector<CurvePiece> factor_curve(RootSearch& search, const Eigen::VectorXd& zeta) {
-  const auto& model = search.model();
-  const Eigen::VectorXd scaled = zeta / model.force_unit;
-  const Eigen::VectorXd change = dead_load(model, scaled) - model.dead;
-  auto& load_factor = search.load_factor();
-  const auto solve = [&](double beta) -> std::optional<CurvePoint> {
-    load_factor.restart();
-    if (load_factor.solve(model.dead + beta * change) != LoadStatus::collapses) return {};
-    auto collapse = load_factor.collapse();
-    const double slope = -change.dot(collapse.motion);
-    return CurvePoint{beta, collapse.factor, slope, std::move(collapse.motion)};
-  };
-  const double tolerance = curve_tolerance * std::max(1.0, std::abs(search.nominal().factor));
-  return in_units(model, concave_curve(solve, 1, tolerance));
-}
-
-std::vector<CurvePiece> worst_factor_curve(RootSearch& search, double alpha) {
-  const auto& model = search.model();
-  const double scaled = search.scaled(alpha);
-  const auto solve = [&](double beta) -> std::optional<CurvePoint> {
-    auto found = search.solve(beta * scaled);
-    if (found.status == RootStatus::open) {
-      if (search_signs(search, found, beta * scaled).status != engine::Status::solved) return {};
-    } else if (found.status != RootStatus::closed) {
-      return {};
-    }
-    if (found.status == RootStatus::not_carried) return {};
-    auto& [zeta, collapse] = *found.worst;
-    double slope = 0;
-    for (const auto& column : model.uncertain) {
-      slope -= scaled * std::abs(column.work(collapse.motion));
-    }
-    return CurvePoint{beta, collapse.factor, slope, std::move(collapse.motion)};
-  };
-  return in_units(model, concave_curve(solve, 1, closed_gap));
 }
 
 }  // namespace kusabi::limit

@@ -49,6 +49,7 @@ struct LimitWorstCase {
   bool no_safe_m = false;  ///< (29) was asked for, but not tried: no safe M was found
   Eigen::VectorXd zeta;
   std::optional<LimitCollapse> collapse;
+  Eigen::VectorXd overpowering_motion;  ///< of not_carried: what shows it, n^d; may be empty
   std::uint64_t cuts = 0;
   std::uint64_t nodes = 1;          ///< of the tree of signs, and
   std::uint64_t tree_programs = 0;  ///< its linear programs: they depend on the number of ranks
@@ -62,9 +63,10 @@ struct LimitAnswer {
   bool no_factor_proved = false;         ///< whether exact arithmetic shows `not_carried`
   std::optional<LimitWorstCase> worst;
   std::vector<double> samples;  ///< factors; minus infinity: not carried
-  /// lambda*(f_D + beta T zeta) over beta, zeta the critical one; and lambda_min(beta alpha).
-  std::vector<CurvePiece> curve;
-  std::vector<CurvePiece> worst_curve;
+  // Curves over beta, those that were asked for; nothing: there was no time or no worst case.
+  std::optional<LoadCurve> curve;        ///< lambda*(f_D + beta T zeta), zeta the critical one
+  std::optional<LoadCurve> worst_curve;  ///< lambda_min(beta alpha), proved
+  std::optional<LoadCurve> load_curve;   ///< lambda*(f_D + beta g), g a load of one's own
   /// Why what else was asked for (the nominal factor, samples, curves) was not done to the end.
   engine::Status rest = engine::Status::solved;
 

@@ -6,6 +6,7 @@
 #include "nodes/evidence/verified_structure.hpp"
 #include "nodes/limit/balanced_model.hpp"
 #include "nodes/limit/compared_loads.hpp"
+#include "nodes/limit/factor_curves.hpp"
 #include "nodes/limit/proved_ends.hpp"
 #include "nodes/limit/root_search.hpp"
 #include "nodes/limit/worst_case_search.hpp"
@@ -50,6 +51,12 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
     return findings;
   }
   answer.nominal = search.in_units(search.nominal(), search.model().dead);
+  if (question.curve_load) {
+    if (!search.ended()) {
+      answer.load_curve = factor_curve(search, *question.curve_load, question.curve_to);
+    }
+    if (search.ended()) answer.rest = campaign.budget().why();
+  }
   if (!question.alpha) return findings;
   search.settle_for(*question.alpha);
   WorstCaseSearch worst_case(search, question, truss);
@@ -59,10 +66,12 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
     if (!search.ended()) answer.samples = sampled_factors(search, question);
     if (search.ended()) answer.rest = campaign.budget().why();
   }
-  if (question.curve && answer.worst->collapse) {
+  const bool known = answer.worst->collapse || answer.worst->status == RootStatus::not_carried;
+  if (question.curve && known) {
     if (!search.ended()) {
-      answer.curve = factor_curve(search, answer.worst->zeta);
-      answer.worst_curve = worst_factor_curve(search, *question.alpha);
+      const Eigen::VectorXd load = dead_load(problem, answer.worst->zeta) - problem.dead;
+      answer.curve = factor_curve(search, load, question.curve_to);
+      answer.worst_curve = worst_factor_curve(search, truss, *question.alpha, question.curve_to);
     }
     if (search.ended()) answer.rest = campaign.budget().why();
   }
@@ -72,6 +81,10 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
 bool LimitAnswer::whole() const {
   if (status == LoadStatus::undetermined || rest != engine::Status::solved) return false;
   if (status == LoadStatus::not_carried) return no_factor_proved;
+  const auto known = [](const std::optional<LoadCurve>& each) {
+    return !each || !each->pieces.empty();
+  };
+  if (!known(curve) || !known(load_curve) || (worst_curve && !worst_curve->proved())) return false;
   return !worst || (worst->proved && worst->search == engine::Status::solved);
 }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include <Eigen/Core>
+
 namespace kusabi::limit {
 
 /// How the worst case is found.
@@ -23,6 +25,9 @@ struct LimitQuestion {
   std::uint64_t samples = 0;      ///< random dead loads to compare with
   std::uint64_t seed = 1;         ///< of those
   bool curve = false;             ///< how the factor falls as the uncertainty grows
+  /// How it falls as this load grows, n^d, force; nothing: not asked.
+  std::optional<Eigen::VectorXd> curve_load{};
+  double curve_to = 1;  ///< curves are over beta from 0 to this, times alpha or times the load
 };
 
 /// (29) has no point: the M that was asked for is too small.

@@ -8,64 +8,140 @@
 namespace kusabi::limit {
 namespace {
 
-using Solve = std::function<std::optional<CurvePoint>(double)>;
+using Sample = std::function<CurveSample(double)>;
 
 /// Breakpoints nearer to each other than this share of the range are one.
 constexpr double same_place = 1e-9;
+
+/// How narrowly the end of a curve is known, as a share of where it is: the simplex method takes
+/// forces for equilibrium that are off by 1e-9 of a yield force.
+constexpr double end_width = 1e-7;
 
 double line(const CurvePoint& point, double at) {
   return point.factor + point.slope * (at - point.at);
 }
 
-// The modes between two, and the two themselves, from left to right.
-bool modes_between(const Solve& solve, const CurvePoint& left, const CurvePoint& right, double end,
-                   double tolerance, std::vector<CurvePoint>& modes) {
-  const bool one_line = std::abs(line(left, right.at) - right.factor) <= tolerance;
+// The last place where it is carried, by bisection, but for the places to which a motion points.
+std::optional<std::pair<CurvePoint, CurveEnd>> last_carried(const Sample& sample, CurvePoint first,
+                                                            double end, NotCarried beyond) {
+  CurveEnd bracket{first.at, end, beyond.proved};
+  for (;;) {
+    const double width = end_width * bracket.not_carried_at;
+    if (bracket.not_carried_at - bracket.carried_at <= width) break;
+    const auto inside = [&](double at) {
+      return bracket.carried_at < at && at < bracket.not_carried_at;
+    };
+    double at = (bracket.carried_at + bracket.not_carried_at) / 2;
+    if (inside(beyond.last + width / 3)) at = beyond.last + width / 3;
+    if (inside(beyond.last - width / 3)) at = beyond.last - width / 3;
+    auto found = sample(at);
+    if (auto* const point = std::get_if<CurvePoint>(&found)) {
+      first = std::move(*point);
+      bracket.carried_at = at;
+    } else if (const auto* const none = std::get_if<NotCarried>(&found)) {
+      beyond = *none;
+      bracket.not_carried_at = at;
+      bracket.proved = none->proved;
+    } else {
+      return {};
+    }
+  }
+  return std::pair(std::move(first), bracket);
+}
+
+class Parametric {
+ public:
+  Parametric(const Sample& sample, double end, double tolerance)
+      : sample_(sample), near_(same_place * end), tolerance_(tolerance) {}
+
+  /// The modes from left to right, each with where its piece ends. @return false: not known
+  bool between(const CurvePoint& left, const CurvePoint& right);
+
+  /// Ends the last piece.
+  void finish(const CurvePoint& last) { add(last, last.at); }
+
+  std::vector<CurvePiece> pieces;
+
+ private:
+  void add(const CurvePoint& mode, double to);
+
+  const Sample& sample_;
+  double near_;
+  double tolerance_;
+};
+
+bool Parametric::between(const CurvePoint& left, const CurvePoint& right) {
   const double turn = left.slope - right.slope;
-  if (one_line || turn <= 0) return true;
+  if (turn <= 0 || std::abs(line(left, right.at) - right.factor) <= tolerance_) {
+    add(left, right.at);
+    return true;
+  }
   const double meet = (line(right, 0) - line(left, 0)) / turn;
-  if (meet - left.at < same_place * end || right.at - meet < same_place * end) return true;
-  const auto between = solve(meet);
-  if (!between) return false;
-  if (between->factor >= line(left, meet) - tolerance) return true;
-  if (!modes_between(solve, left, *between, end, tolerance, modes)) return false;
-  modes.push_back(*between);
-  return modes_between(solve, *between, right, end, tolerance, modes);
+  if (meet - left.at < near_) {
+    add(left, left.at);
+    return true;
+  }
+  if (right.at - meet < near_) {
+    add(left, right.at);
+    return true;
+  }
+  const auto found = sample_(meet);
+  const auto* const middle = std::get_if<CurvePoint>(&found);
+  if (middle == nullptr) return false;
+  if (middle->factor >= line(left, meet) - tolerance_) {
+    add(left, meet);
+    return true;
+  }
+  return between(left, *middle) && between(*middle, right);
+}
+
+// A mode whose line goes on where the last one ends is the same mode, found twice.
+void Parametric::add(const CurvePoint& mode, double to) {
+  const double from = pieces.empty() ? 0 : pieces.back().to;
+  if (to - from < near_) return;
+  if (!pieces.empty()) {
+    auto& last = pieces.back();
+    const bool one_line =
+        std::abs(line(last.from, to) - line(mode, to)) <= tolerance_ &&
+        std::abs(line(last.from, last.from.at) - line(mode, last.from.at)) <= tolerance_;
+    if (one_line) {
+      last.to = to;
+      last.factor_at_end = line(last.from, to);
+      return;
+    }
+  }
+  CurvePoint start = mode;
+  start.at = from;
+  start.factor = line(mode, from);
+  pieces.push_back({std::move(start), to, line(mode, to)});
 }
 
 }  // namespace
 
-std::vector<CurvePiece> concave_curve(const Solve& solve, double end, double tolerance) {
-  const auto first = solve(0);
-  const auto last = solve(end);
-  if (!first || !last) return {};
-  std::vector<CurvePoint> modes{*first};
-  if (!modes_between(solve, *first, *last, end, tolerance, modes)) return {};
-  modes.push_back(*last);
-  std::vector<CurvePiece> pieces;
-  double at = 0;
-  for (std::size_t k = 0; k < modes.size(); ++k) {
-    double to = end;
-    if (k + 1 < modes.size()) {
-      const double turn = modes[k].slope - modes[k + 1].slope;
-      // One line from both ends, or a corner at an end: nothing is between.
-      if (turn <= 0 ||
-          std::abs(line(modes[k], modes[k + 1].at) - modes[k + 1].factor) <= tolerance) {
-        to = modes[k + 1].at;
-        const bool same = std::abs(line(modes[k + 1], at) - line(modes[k], at)) <= tolerance;
-        if (same) continue;  // the next one starts here
-      } else {
-        to = std::clamp((line(modes[k + 1], 0) - line(modes[k], 0)) / turn, at, end);
-      }
-    }
-    if (to - at < same_place * end) continue;
-    CurvePoint from = modes[k];
-    from.factor = line(modes[k], at);
-    from.at = at;
-    pieces.push_back({std::move(from), to, line(modes[k], to)});
-    at = to;
+bool LoadCurve::proved() const {
+  const auto is_shown = [](const CurvePiece& piece) { return piece.error.has_value(); };
+  return !pieces.empty() && std::ranges::all_of(pieces, is_shown) && (!end || end->proved);
+}
+
+LoadCurve concave_curve(const Sample& sample, double end, double tolerance) {
+  const auto at_zero = sample(0);
+  const auto* const first = std::get_if<CurvePoint>(&at_zero);
+  if (first == nullptr) return {};
+  LoadCurve curve;
+  auto at_end = sample(end);
+  if (const auto* const none = std::get_if<NotCarried>(&at_end)) {
+    auto found = last_carried(sample, *first, end, *none);
+    if (!found) return {};
+    curve.end = found->second;
+    at_end = std::move(found->first);
   }
-  return pieces;
+  const auto* const last = std::get_if<CurvePoint>(&at_end);
+  if (last == nullptr) return {};
+  Parametric parametric(sample, last->at, tolerance);
+  if (!parametric.between(*first, *last)) return {};
+  parametric.finish(*last);
+  curve.pieces = std::move(parametric.pieces);
+  return curve;
 }
 
 }  // namespace kusabi::limit

@@ -7,11 +7,12 @@
 // that is a breakpoint, or the basis found there is a new mode between them. With p pieces it takes
 // 2 p + 1 linear programs at most, and no breakpoint can be missed or be off by a step (M. J.
 // Eisner, D. G. Severance, Mathematical techniques for efficient record segmentation in large
-// shared databases, J. ACM 23 (1976) 619-635).
+// shared databases, J. ACM 23 (1976) 619-635). Where the load is no longer carried the curve ends.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,18 +27,44 @@ struct CurvePoint {
   Eigen::VectorXd motion;
 };
 
-/// A linear piece: from `from` to the `from` of the next one, or to the end.
+/// A place where the load is carried at no factor.
+struct NotCarried {
+  double last = 0;  ///< by a motion found there it is carried no farther than here, or hereabouts
+  bool proved = false;  ///< whether exact arithmetic shows it of the place itself
+};
+
+/// What a place comes to; nothing: not known, because the simplex method failed or was to end.
+using CurveSample = std::variant<std::monostate, CurvePoint, NotCarried>;
+
+/// A linear piece: from `from` to the `from` of the next one, or to the end. All places where it
+/// begins and ends have been solved at.
 struct CurvePiece {
   CurvePoint from;  ///< its slope and motion are those of the piece
   double to = 0;
   double factor_at_end = 0;
+  /// What exact arithmetic shows the curve to be within on all of the piece; nothing: not shown.
+  std::optional<double> error{};
 };
 
-/// The pieces between 0 and `end`, in order.
-/// @param solve the curve and a mode at a place; nothing: the load there is not carried at any
-///        factor, and the curve is not given
+/// Between which two places a curve ends.
+struct CurveEnd {
+  double carried_at = 0;
+  double not_carried_at = 0;
+  bool proved = false;  ///< whether exact arithmetic shows the latter
+};
+
+struct LoadCurve {
+  std::vector<CurvePiece> pieces;  ///< in order, from 0 on; empty: some place is not known
+  std::optional<CurveEnd> end;     ///< nothing: it does not end before it was asked to
+
+  /// Whether all of it is shown by exact arithmetic.
+  [[nodiscard]] bool proved() const;
+};
+
+/// The curve from 0 to `end`, or to where it ends.
+/// @param sample the curve at a place. It is not asked for one place twice in succession
 /// @param tolerance what factors may differ by without being different
-std::vector<CurvePiece> concave_curve(const std::function<std::optional<CurvePoint>(double)>& solve,
-                                      double end, double tolerance);
+LoadCurve concave_curve(const std::function<CurveSample(double)>& sample, double end,
+                        double tolerance);
 
 }  // namespace kusabi::limit

@@ -112,6 +112,17 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
   return result;
 }
 
+std::optional<double> proved_upper(const verify::Structure& truss,
+                                   const problems::LimitProblem& problem,
+                                   const problems::LimitModel& model, double alpha,
+                                   const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion) {
+  const auto evidence = limit_certificate(problem, model, alpha, {zeta, {0, {}, motion}}, {}, {});
+  const auto upper = verify::LimitProof(evidence, meant_truss(evidence, truss)).upper();
+  const auto* const value = std::get_if<mpq_class>(&upper);
+  if (value == nullptr) return {};
+  return verify::rounded_up(*value);
+}
+
 bool shows_no_factor(const verify::Structure& truss, const problems::LimitProblem& problem,
                      const problems::LimitModel& model, const Eigen::VectorXd& zeta,
                      const Eigen::VectorXd& motion) {

@@ -2,6 +2,7 @@
 // here, in exact arithmetic, from the evidence that a certificate holds.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "nodes/limit/limit_answer.hpp"
@@ -38,6 +39,13 @@ inline constexpr double answered_gap = 1e-6;
 /// makes more room and tries again.
 /// @param again whether to try again
 ProvedEnds proved_ends(LimitEvidence evidence, bool again);
+
+/// A number that lambda_min(alpha) is not above, by a motion; nothing if it shows none.
+/// @param alpha in the unit of force @param zeta m @param motion n^d, scaled as in `model`
+std::optional<double> proved_upper(const verify::Structure& truss,
+                                   const problems::LimitProblem& problem,
+                                   const problems::LimitModel& model, double alpha,
+                                   const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion);
 
 /// Whether a motion shows that a load is carried at no factor.
 /// @param zeta m @param motion n^d, both scaled as in `model`

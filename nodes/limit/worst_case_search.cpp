@@ -96,6 +96,9 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
   if (root.status == RootStatus::not_carried) {
     worst.status = RootStatus::not_carried;
     worst.zeta = root.overpowering_load * model().force_unit;
+    if (root.overpowering_motion.size() > 0) {
+      worst.overpowering_motion = problems::motion_in_units(model(), root.overpowering_motion);
+    }
     worst.proved = worst.ends.upper_proved = shows_no_factor(
         truss_, search_.problem(), model(), root.overpowering_load, root.overpowering_motion);
     return;

@@ -1,34 +1,45 @@
-// One rank alone, or the tree on all.
+// All ranks have all rays and share large steps, or they share the tree.
 #include "nodes/wedged/ray_search.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "engine/shared_work.hpp"
 #include "engine/together.hpp"
 
 namespace kusabi::wedged {
 namespace {
 
-/// Memory that `automatic` lets double description take on rank 0. Where it fits into this it has
-/// been as fast as the tree on one rank, and up to twelve times as fast; where it does not, its
-/// rays grow threefold with each candidate, and the tree's twofold from a tenth of them
-/// (bench/README.md). By the number of rays met, so that the method does not depend on ranks or
-/// clocks.
+/// Memory that `automatic` lets double description take on each rank, about what a core has. Where
+/// it fits into this it has been as fast as the tree on one rank, and up to twelve times as fast;
+/// where it does not, its rays grow threefold with each candidate, and the tree's twofold from a
+/// tenth of them (bench/README.md). By the number of rays met, so that the method does not depend
+/// on ranks or clocks.
 constexpr std::uint64_t memory_for_double_description = std::uint64_t{2} << 30U;
 
-// Nothing if it was stopped, or there are too many rays at one time.
-std::optional<RayFindings> by_double_description(const rays::ReactionCone& cone,
-                                                 std::uint64_t most_rays,
-                                                 const std::function<bool()>& stop) {
+// Nothing if it was stopped, which is for rank 0 to say, or there are too many rays at one time.
+std::optional<RayFindings> by_double_description(engine::Campaign& campaign,
+                                                 const rays::ReactionCone& cone,
+                                                 std::uint64_t most_rays) {
   const auto start = std::chrono::steady_clock::now();
-  auto enumeration = rays::complementary_rays(cone, most_rays, stop);
+  rays::Conduct conduct{.most_rays = most_rays};
+  if (campaign.is_first()) conduct.stop = campaign.budget().stop();
+  auto& transport = campaign.transport();
+  if (transport.size() > 1) {
+    conduct.share = [&](std::uint64_t count, const auto& piece) {
+      return engine::share_work<rays::NewRays>(transport, count, piece);
+    };
+    conduct.agree = [&](bool told) {
+      return engine::from_first_rank(transport, [&] { return told; });
+    };
+  }
+  auto enumeration = rays::complementary_rays(cone, conduct);
   if (!enumeration) return std::nullopt;
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   RayFindings found;
@@ -92,17 +103,10 @@ RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem&
     const auto most = method == RayMethod::automatic
                           ? rays::rays_that_fit(memory_for_double_description, cone.candidates())
                           : std::numeric_limits<std::uint64_t>::max();
-    engine::Survey own{.ranks = 1};  // which counts those that found too many rays
-    if (campaign.is_first()) {
-      if (auto all = by_double_description(cone, most, budget.stop())) {
-        found = *std::move(all);
-      } else if (budget.spent()) {
-        found.status = budget.why();
-      } else {
-        own.found = 1;
-      }
-    }
-    by_all = engine::meet(campaign.transport(), own).found != 0;  // the others sleep meanwhile
+    auto all = by_double_description(campaign, cone, most);
+    by_all = !all && !engine::from_first_rank(campaign.transport(), [&] { return budget.spent(); });
+    if (all) found = *std::move(all);
+    if (!all && !by_all) found.status = budget.why();
     if (by_all) {
       campaign.say(
           fmt::format("more than {} rays at one time: by the tree of sign patterns", most));

@@ -19,7 +19,7 @@ namespace kusabi::wedged {
 /// How rays are found. Both ways find the same.
 enum class RayMethod {
   automatic,           ///< double description; if that takes too much memory, the tree
-  double_description,  ///< Algorithm 4.2, on one rank
+  double_description,  ///< Algorithm 4.2: every rank has all rays, large steps are shared
   tree,                ///< pattern by pattern, on all ranks
 };
 

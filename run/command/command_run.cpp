@@ -55,15 +55,19 @@ std::string CommandRun::input() const {
 void CommandRun::open_outputs() {
   std::vector<NamedFile> outputs;
   std::vector<NamedFile> others;
+  std::vector<NamedFile> read_too;
   for (const auto& row : table_.rows()) {
     if (!row.given || row.given->empty()) continue;
     if (row.role == Role::output || row.role == Role::evidence) {
       for (const auto& ending : row.endings) outputs.push_back({row.name, *row.given + ending});
+    } else if (row.role == Role::input && row.named()) {
+      read_too.push_back({row.name, *row.given});
     } else if (row.role == Role::checkpoint || row.role == Role::restart) {
       // A search that goes on keeps its state where it was, or elsewhere if told so.
       if (others.empty()) others.push_back({row.name, *row.given});
     }
   }
+  others.insert(others.end(), read_too.begin(), read_too.end());
   session_.from_first_rank([&] {
     check_outputs(input(), outputs, others);
     for (const auto& row : table_.rows()) {

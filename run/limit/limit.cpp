@@ -13,6 +13,8 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/command/command_run.hpp"
+#include "run/limit/curve_load.hpp"
+#include "run/limit/curve_report.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
@@ -30,6 +32,7 @@ class Limit final : public Subcommand {
            "not known exactly";
   }
   void describe(OptionTable& table) override;
+  void check() const override;
   void read(CommandRun& run) override;
   void prepare(CommandRun& run) override;
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
@@ -42,7 +45,9 @@ class Limit final : public Subcommand {
 
   LimitOptions options_;
   std::string certificate_;
+  std::string curve_csv_;
   std::string text_;
+  std::string load_text_;
   problems::Structure truss_;
   std::optional<problems::LimitProblem> problem_;
   limit::LimitFindings found_;
@@ -53,7 +58,7 @@ void Limit::describe(OptionTable& table) {
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table
       .number("--alpha", &options_.question.alpha, at_least(0),
-              "the uncertain components of the dead load are known up to +- this")
+              "the uncertain parts of the dead load are known up to +- this")
       .unit("in the file's unit of force");
   table
       .choice("--cuts", options_.question.method,
@@ -79,6 +84,13 @@ void Limit::describe(OptionTable& table) {
       .flag("--curve", options_.question.curve,
             "how the load factor falls as the critical load, or alpha, grows from zero")
       .needs("--alpha");
+  table.file("--curve-load", options_.curve_load, Role::input,
+             "how it falls as the load in this file grows: [[loads]] of nodes and force, or an "
+             "earlier result, of which it is the critical part");
+  table.number("--curve-to", &options_.question.curve_to, above(0),
+               "how far curves go, in multiples of that load or of alpha");
+  table.file("--curve-csv", curve_csv_, Role::output,
+             "write the curves to this file, a line a breakpoint");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.output();
@@ -90,8 +102,21 @@ void Limit::describe(OptionTable& table) {
   table.serial();
 }
 
+void Limit::check() const {
+  if (options_.question.curve || !options_.curve_load.empty()) return;
+  if (!curve_csv_.empty()) {
+    throw WrongInput("--curve-csv: no curve is asked for; expected --curve or --curve-load, too");
+  }
+  if (options_.question.curve_to != limit::LimitQuestion{}.curve_to) {
+    throw WrongInput("--curve-to: no curve is asked for; expected --curve or --curve-load, too");
+  }
+}
+
 void Limit::read(CommandRun& run) {
   text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
+  if (options_.curve_load.empty()) return;
+  load_text_ =
+      run.session().from_first_rank([&] { return problems::file_text(options_.curve_load); });
 }
 
 void Limit::prepare(CommandRun& run) {
@@ -99,6 +124,9 @@ void Limit::prepare(CommandRun& run) {
   truss_ = problems::read_structure(text_, options_.file);
   problem_ = problems::limit_problem(truss_);
   engine::agree(run.session().transport(), problem_->fingerprint);
+  if (!options_.curve_load.empty()) {
+    options_.question.curve_load = curve_load(load_text_, options_.curve_load, *problem_);
+  }
 }
 
 std::string Limit::announcement(const std::string& ranks) const {
@@ -127,6 +155,9 @@ std::vector<Step> Limit::results(CommandRun& run) {
   const auto report = std::make_shared<const LimitReport>(
       LimitReport{options_, *problem_, found_.answer, run.session().ranks()});
   std::vector<Step> steps{run.result([report] { return report->json(); })};
+  steps.push_back(run.file("--curve-csv", [report](std::ostream& out) {
+    CurveReport{report->options, report->problem, report->answer}.write_csv(out);
+  }));
   if (found_.certificate) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {
       out << limit_certificate_text(*found_.certificate);

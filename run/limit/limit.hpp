@@ -13,6 +13,7 @@ namespace kusabi::run {
 
 struct LimitOptions {
   std::string file;
+  std::string curve_load;  ///< the file of a load of one's own
   limit::LimitQuestion question;
   engine::Limits limits;  ///< where the search of a tree stops early
 };

@@ -9,13 +9,13 @@
 #include <fmt/ranges.h>
 
 #include "problems/limit/collapse_mode.hpp"
+#include "run/limit/curve_report.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 
 namespace kusabi::run {
 namespace {
 
-using limit::CurvePiece;
 using limit::RootStatus;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
@@ -63,24 +63,6 @@ ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& 
                         {"elongation", elongation}});
   }
   return {{"sway", mode.sway}, {"moving", moving}, {"yielding", yielding}};
-}
-
-ordered_json curve_json(const LimitProblem& problem, const std::vector<CurvePiece>& curve) {
-  auto pieces = ordered_json::array();
-  for (const auto& piece : curve) {
-    const auto mode = problems::collapse_mode(problem, piece.from.motion);
-    std::vector<std::string> yielding;
-    for (const auto& each : mode.yielding) {
-      yielding.push_back(problems::member_name(problem, each.member));
-    }
-    pieces.push_back({{"from", piece.from.at},
-                      {"to", piece.to},
-                      {"factor_from", piece.from.factor},
-                      {"factor_to", piece.factor_at_end},
-                      {"sway", mode.sway},
-                      {"yielding", yielding}});
-  }
-  return pieces;
 }
 
 const char* status_text(RootStatus status) {
@@ -161,20 +143,6 @@ void write_critical_load(std::string& text, const LimitProblem& problem,
   }
 }
 
-void write_curve(std::string& text, const LimitProblem& problem, const char* what,
-                 const std::vector<CurvePiece>& curve) {
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "\n{}\n        beta       factor  collapse mode from there on\n", what);
-  for (const auto& piece : curve) {
-    const auto mode = problems::collapse_mode(problem, piece.from.motion);
-    fmt::format_to(out, "  {:>10.6f} {:>12.6f}  {}, {} members yield\n", piece.from.at,
-                   piece.from.factor, mode.sway ? "sway" : "not sway", mode.yielding.size());
-  }
-  if (!curve.empty()) {
-    fmt::format_to(out, "  {:>10.6f} {:>12.6f}\n", curve.back().to, curve.back().factor_at_end);
-  }
-}
-
 // What holds at the load factor zero, where it is not what one expects.
 void write_zero(std::string& text, const char* load, const limit::LimitCollapse& collapse) {
   if (collapse.factor < 0) {
@@ -214,7 +182,7 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
                  const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "\nworst case of {} uncertain components, alpha = {} {}\n",
+  fmt::format_to(out, "\nworst case of {} uncertain loads, alpha = {} {}\n",
                  problem.uncertain_count(), *options.question.alpha, problem.units.force);
   if (worst.status == RootStatus::not_carried) {
     fmt::format_to(out,
@@ -275,10 +243,7 @@ std::string LimitReport::table() const {
                    answer.samples.size(), least, greatest,
                    sum / static_cast<double>(answer.samples.size()));
   }
-  if (options.question.curve && answer.worst) {
-    write_curve(text, problem, "the critical load in proportion, beta times", answer.curve);
-    write_curve(text, problem, "the worst case with beta times alpha", answer.worst_curve);
-  }
+  text += CurveReport{options, problem, answer}.table();
   if (answer.rest != engine::Status::solved) {
     fmt::format_to(out, "stopped early ({}): not all that was asked for is here\n",
                    status_name(answer.rest));
@@ -314,7 +279,9 @@ ordered_json LimitReport::json() const {
                             {"lower_proved", worst.ends.lower_proved},
                             {"upper_proved", worst.ends.upper_proved}};
     if (worst.zero_one_bound) result["zero_one_bound"] = number_or_null(*worst.zero_one_bound);
-    result["critical_load"] = load_json(problem, problems::dead_load(problem, worst.zeta));
+    const Eigen::VectorXd critical_load = problems::dead_load(problem, worst.zeta);
+    result["critical_load"] = load_json(problem, critical_load);
+    result["critical_part"] = load_json(problem, critical_load - problem.dead);
     result["critical_parameters"] = parameters_json(problem, worst.zeta);
     if (worst.collapse) {
       result["critical_interval"] = interval_json(*worst.collapse);
@@ -334,10 +301,8 @@ ordered_json LimitReport::json() const {
                          {"least", number_or_null(*std::ranges::min_element(answer.samples))},
                          {"factors", std::move(factors)}};
   }
-  if (options.question.curve && answer.worst) {
-    result["curve"] = curve_json(problem, answer.curve);
-    result["worst_curve"] = curve_json(problem, answer.worst_curve);
-  }
+  CurveReport{options, problem, answer}.add_to(result);
+  if (status == "solved" && !answer.whole()) status = "open";  // a curve
   ordered_json statistics{{"ranks", ranks}};
   if (answer.worst) {
     statistics["nodes"] = answer.worst->nodes;
@@ -350,6 +315,8 @@ ordered_json LimitReport::json() const {
   chosen["samples"] = options.question.samples;
   chosen["seed"] = options.question.seed;
   chosen["curve"] = options.question.curve;
+  if (!options.curve_load.empty()) chosen["curve_load"] = options.curve_load;
+  chosen["curve_to"] = options.question.curve_to;
   return {{"command", "limit"},
           {"version", KUSABI_VERSION},
           {"problem",

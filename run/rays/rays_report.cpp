@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/output/csv.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -33,13 +34,6 @@ State state_of(const rays::Supports& supports, int candidate) {
   if ((supports.sliding_up() & here) != 0) return {'+', "slides +"};
   if ((supports.sliding_down() & here) != 0) return {'-', "slides -"};
   return {'.', "idle"};
-}
-
-// A cell of a CSV file (RFC 4180).
-std::string cell(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 ordered_json effort_json(const rays::Effort& effort) {
@@ -208,14 +202,14 @@ std::string RaysReport::csv_head() const {
   std::string line = "ray,state";
   for (const char* what : {"r_n", "r_t", "u_n", "u_t"}) {
     for (const std::string& name : problem_.contact_names) {
-      line += ',' + cell(fmt::format("{} {}", what, name));
+      line += ',' + csv_cell(fmt::format("{} {}", what, name));
     }
   }
   return line + '\n';
 }
 
 std::string RaysReport::csv_line(std::size_t number, const rays::Ray& ray) const {
-  std::string line = fmt::format("{},{}", number + 1, cell(states(number)));
+  std::string line = fmt::format("{},{}", number + 1, csv_cell(states(number)));
   for (const Eigen::VectorXd* vector : {&ray.reaction, &ray.displacement}) {
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       for (Eigen::Index i = axis; i < vector->size(); i += 2) {

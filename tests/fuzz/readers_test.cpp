@@ -26,7 +26,8 @@ std::vector<std::string> corpus(Reader reader) {
   std::string extension;
   if (reader == Reader::structure) {
     extension = ".toml";
-    folders.insert(folders.end(), {source / "examples", source / "tests/bad-input"});
+    folders.insert(folders.end(),
+                   {source / "examples", source / "examples/paper", source / "tests/bad-input"});
   }
   if (reader == Reader::mps || reader == Reader::lp) {
     extension = "." + name_of(reader);

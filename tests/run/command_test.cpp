@@ -1179,9 +1179,13 @@ std::string example_file(const std::string& name) {
 }
 
 TEST_F(Command, FindsTheSameWorstCaseOnOneAndTwoRanks) {
-  // One that the root closes, with enough columns for ranks to share, and one for the tree.
-  for (const std::string& call : {example_file("paper/limit-4x4.toml") + " --alpha 40",
-                                  example_file("static-gap.toml") + " --alpha 0.45"}) {
+  // One that the root closes, with enough columns for ranks to share, and one for the tree; the
+  // same of loads that act on several nodes at once.
+  for (const std::string& call :
+       {example_file("paper/limit-4x4.toml") + " --alpha 40",
+        example_file("static-gap.toml") + " --alpha 0.45",
+        example_file("gust.toml") + " --alpha 0.5",
+        example_file("../tests/cases/correlated_gap.toml") + " --alpha 0.16368"}) {
     const auto options = " limit " + call + " --samples 40 --curve --output " +
                          argument("out.json") + " --certificate " + argument("cert");
     nlohmann::json alone;

@@ -11,7 +11,6 @@
 
 #include "engine/search.hpp"
 #include "nodes/limit/limit_evidence.hpp"
-#include "nodes/limit/load_curve.hpp"
 #include "nodes/limit/sign_tree.hpp"
 #include "problems/families/grid_truss.hpp"
 #include "problems/files/structure_file.hpp"
@@ -150,70 +149,6 @@ TEST(CollapseModes, AreThoseOfThePaper) {
   EXPECT_TRUE(sways(0));
   EXPECT_TRUE(sways(20));
   EXPECT_FALSE(sways(40));
-}
-
-/// lambda*(f_D + beta T zeta) over beta as pairs of breakpoint and factor.
-std::vector<std::vector<double>> curve_of(Solved& solved, const Eigen::VectorXd& zeta) {
-  const Eigen::VectorXd change = dead_load(solved.model, zeta) - solved.model.dead;
-  const auto solve = [&](double beta) -> std::optional<CurvePoint> {
-    if (solved.load_factor.solve(solved.model.dead + beta * change) != LoadStatus::collapses) {
-      return {};
-    }
-    const auto collapse = solved.load_factor.collapse();
-    return CurvePoint{beta, collapse.factor, -change.dot(collapse.motion), collapse.motion};
-  };
-  std::vector<std::vector<double>> points;
-  const auto pieces = concave_curve(solve, 1, 1e-9);
-  for (const auto& piece : pieces) {
-    points.push_back({piece.from.at, piece.from.factor * solved.model.factor_unit});
-  }
-  points.push_back({pieces.back().to, pieces.back().factor_at_end * solved.model.factor_unit});
-  return points;
-}
-
-void expect_points(const std::vector<std::vector<double>>& points, const Json& expected) {
-  ASSERT_EQ(points.size(), expected.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_NEAR(points[i][0], expected.at(i).at(0).get<double>(), 1e-8);
-    expect_near(points[i][1], expected.at(i).at(1).get<double>());
-  }
-}
-
-TEST(Figure5, BreaksWhereTheReferenceSays) {
-  const LimitProblem problem = example("paper/limit-3x3.toml");
-  const Json expected = reference().at("figure_5");
-  Solved forty(problem, 40);
-  expect_points(curve_of(forty, forty.root.worst->zeta), expected.at("solid"));
-  Solved twenty(problem, 20);
-  expect_points(curve_of(twenty, 2 * twenty.root.worst->zeta), expected.at("dashed"));
-}
-
-TEST(WorstCaseOfAlpha, BreaksWhereTheReferenceSays) {
-  for (const char* const name : {"3x3", "4x4"}) {
-    const LimitProblem problem = example(std::string("paper/limit-") + name + ".toml");
-    const Json expected = reference().at("worst_case_of_alpha").at(name);
-    const double end = expected.back().at(0).get<double>();
-    std::vector<std::vector<double>> points;
-    const auto solve = [&](double at) -> std::optional<CurvePoint> {
-      const Solved solved(problem, at);
-      double slope = 0;
-      const auto& motion = solved.root.worst->collapse.motion;
-      for (const auto& column : solved.model.uncertain) {
-        slope -= std::abs(column.work(motion)) / solved.model.force_unit;
-      }
-      return CurvePoint{at, solved.root.worst->collapse.factor, slope, motion};
-    };
-    const auto pieces = concave_curve(solve, end, closed_gap);
-    const double unit = limit_model(problem).factor_unit;
-    for (const auto& piece : pieces) points.push_back({piece.from.at, piece.from.factor * unit});
-    points.push_back({pieces.back().to, pieces.back().factor_at_end * unit});
-    ASSERT_EQ(points.size(), expected.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      // Where lines known to closed_gap meet.
-      EXPECT_NEAR(points[i][0], expected.at(i).at(0).get<double>(), 1e-5);
-      EXPECT_NEAR(points[i][1], expected.at(i).at(1).get<double>(), 1e-5);
-    }
-  }
 }
 
 /// The least factor over all corners of the loads: lambda* is concave in zeta, so that its minimum

@@ -1,0 +1,29 @@
+// The curves of `kusabi limit` for a person, for a program, and for a plot.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "nodes/limit/limit_answer.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "run/limit/limit.hpp"
+
+namespace kusabi::run {
+
+/// Views of all curves of an answer. @pre the references outlive it
+struct CurveReport {
+  const LimitOptions& options;
+  const problems::LimitProblem& problem;
+  const limit::LimitAnswer& answer;
+
+  /// What is asked for, breakpoint by breakpoint.
+  [[nodiscard]] std::string table() const;
+  /// Adds the keys of the curves to `result` (docs/result-files.md).
+  void add_to(nlohmann::ordered_json& result) const;
+  /// A line a breakpoint (docs/result-files.md).
+  void write_csv(std::ostream& out) const;
+};
+
+}  // namespace kusabi::run
