@@ -309,6 +309,8 @@ TEST_F(Command, RefusesWrongCalls) {
        "--node-limit: '99999999999999999999', expected"},
       {good + " --method simplex", "--method: 'simplex', expected one of cones, polyhedral"},
       {good + " --facets 8", "--facets requires --method"},
+      {good + " --candidates --method cones", "expected --method polyhedral"},
+      {good + " --order sideways", "expected one of depth-first, breadth-first"},
       {good + " --facets 8 --method cones", "expected --method polyhedral"},
       {good + " --method polyhedral --facets 7",
        "--facets: '7', expected an even number from 4 to 64"},
@@ -513,6 +515,29 @@ TEST_F(Command, FindsTheSamePatternsByPolyhedralFriction) {
     return contact;
   };
   EXPECT_EQ(patterns("--method polyhedral --facets 8"), patterns(""));
+}
+
+// Algorithm 5.8.
+TEST_F(Command, ListsTheCandidatesOfPolyhedralFriction) {
+  const auto file = in_folder("result.json");
+  const auto run =
+      shell(ranks(2) + command + " patterns " + truss +
+            " --mu 0.65 --method polyhedral --facets 8 --candidates --order breadth-first" +
+            " --output " + quoted(file));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("polyhedral t*  t* of (23)"));
+  const auto result = nlohmann::json::parse(content(file))["result"];
+  const auto& candidates = result["candidates"];
+  EXPECT_EQ(candidates.size(), result["tree"]["candidates"]);
+  std::set<nlohmann::json> kept;
+  for (const auto& candidate : candidates) {
+    EXPECT_EQ(candidate["discarded"], candidate["margin_upper"] < 0);
+    if (candidate["discarded"] == false) kept.insert(candidate["contact"]);
+  }
+  std::set<nlohmann::json> patterns;
+  for (const auto& pattern : result["patterns"]) patterns.insert(pattern["contact"]);
+  EXPECT_EQ(kept, patterns);
+  EXPECT_GT(kept.size(), 20U);
 }
 
 TEST_F(Command, StopsAtALimitAndGoesOnFromItsCheckpoint) {
