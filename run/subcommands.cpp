@@ -6,6 +6,7 @@
 #include "run/bench/bench.hpp"
 #include "run/critical/critical.hpp"
 #include "run/example/example.hpp"
+#include "run/export/export.hpp"
 #include "run/limit/limit.hpp"
 #include "run/mip/mip.hpp"
 #include "run/patterns/patterns.hpp"
@@ -25,11 +26,15 @@ CommandLine command_line() {
   all.push_back(example_space_truss_subcommand());
   all.push_back(example_plane_truss_subcommand());
   all.push_back(example_grid_subcommand());
+  all.push_back(export_mps_subcommand());
+  all.push_back(export_cbf_subcommand());
+  all.push_back(export_matrix_subcommand());
   all.push_back(bench_scaling_subcommand());
   all.push_back(bench_schedules_subcommand());
   all.push_back(bench_uts_subcommand());
   return {std::move(all),
           {{"example", "writes a problem file of a family of structures"},
+           {"export", "writes what is solved here for the solvers of others"},
            {"bench", "measures and tries the search engine"}}};
 }
 

@@ -144,7 +144,7 @@ std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& ce
   truss.reference = *std::move(true_reference);
   if (sorted(uncertain_columns(structure, freedom, dead, reference)) !=
       sorted(certificate.uncertain)) {
-    return "its uncertain components of the load are not those of the truss";
+    return "its uncertain loads are not those of the truss";
   }
   return truss;
 }

@@ -2,6 +2,7 @@
 #include "nodes/limit/factor_curves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -24,6 +25,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Factors on a curve that differ by less are one, relative to the nominal one (at least 1 in
 /// scaled units): a mode's line is known to 1e-12 or so.
 constexpr double curve_tolerance = 1e-9;
+
+/// How narrowly the end of a worst case is bracketed, if that can be proved: the nearer to it, the
+/// less room is left in the yield forces for a proof.
+constexpr std::array<double, 3> end_widths = {usual_end_width, 1e-5, 1e-3};
 
 // What the members can dissipate on a motion, n^d.
 double dissipation_on(const LimitProblem& problem, const Eigen::VectorXd& motion) {
@@ -60,26 +65,31 @@ Eigen::VectorXd worst_direction(const LimitProblem& problem, const problems::Lim
 class WorstCurve {
  public:
   WorstCurve(RootSearch& search, const verify::Structure& truss, double alpha)
-      : search_(search), truss_(truss), alpha_(alpha) {}
+      : search_(search), truss_(truss), alpha_(alpha), model_(search.model()) {}
 
+  /// In units of the place, whichever were asked for before.
   CurveSample at(double beta);
 
-  /// The most that exact arithmetic leaves between a piece and the curve; infinity: no bound.
-  [[nodiscard]] double error_of(const CurvePiece& piece) const;
+  /// Puts down what is proved of the pieces.
+  void prove(LoadCurve& curve) const;
 
  private:
+  /// The most that exact arithmetic leaves between a piece and the curve; infinity: no bound.
+  [[nodiscard]] double error_of(const CurvePiece& piece) const;
   [[nodiscard]] double upper_at(double beta, const Eigen::VectorXd& scaled_motion) const;
   [[nodiscard]] double growth(const Eigen::VectorXd& motion) const {
-    return alpha_ * worst_direction(search_.problem(), search_.model(), motion).dot(motion);
+    return alpha_ * worst_direction(search_.problem(), model_, motion).dot(motion);
   }
 
   RootSearch& search_;
   const verify::Structure& truss_;
   double alpha_;
+  problems::LimitModel model_;
   std::map<double, double> lower_;  // proved, by beta
 };
 
 CurveSample WorstCurve::at(double beta) {
+  if (search_.set_up(model_) != LoadStatus::collapses) return {};
   const LimitQuestion question{.alpha = beta * alpha_};
   auto worst = WorstCaseSearch(search_, question, truss_).solve();
   if (worst.search != engine::Status::solved) return {};
@@ -97,15 +107,14 @@ CurveSample WorstCurve::at(double beta) {
 }
 
 double WorstCurve::upper_at(double beta, const Eigen::VectorXd& scaled_motion) const {
-  const auto& model = search_.model();
   const Eigen::VectorXd zeta =
-      worst_for(model, 1, scaled_motion, Eigen::VectorXd::Zero(model.uncertain_count()));
-  return proved_upper(truss_, search_.problem(), model, beta * alpha_, zeta, scaled_motion)
+      worst_for(model_, 1, scaled_motion, Eigen::VectorXd::Zero(model_.uncertain_count()));
+  return proved_upper(truss_, search_.problem(), model_, beta * alpha_, zeta, scaled_motion)
       .value_or(infinity);
 }
 
 double WorstCurve::error_of(const CurvePiece& piece) const {
-  const Eigen::VectorXd motion = piece.from.motion.cwiseQuotient(search_.model().displacement_unit);
+  const Eigen::VectorXd motion = piece.from.motion.cwiseQuotient(model_.displacement_unit);
   double error = 0;
   for (const auto& [beta, factor] :
        {std::pair(piece.from.at, piece.from.factor), std::pair(piece.to, piece.factor_at_end)}) {
@@ -114,6 +123,17 @@ double WorstCurve::error_of(const CurvePiece& piece) const {
     error = std::max({error, factor - lower->second, upper_at(beta, motion) - factor});
   }
   return error;
+}
+
+void WorstCurve::prove(LoadCurve& curve) const {
+  const auto errors = engine::from_first_rank(search_.campaign().transport(), [&] {
+    std::vector<double> list;
+    for (const auto& piece : curve.pieces) list.push_back(error_of(piece));
+    return list;
+  });
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (std::isfinite(errors[k])) curve.pieces[k].error = errors[k];
+  }
 }
 
 }  // namespace
@@ -146,16 +166,13 @@ LoadCurve factor_curve(RootSearch& search, const Eigen::VectorXd& load, double t
 
 LoadCurve worst_factor_curve(RootSearch& search, const verify::Structure& truss, double alpha,
                              double to) {
-  WorstCurve worst(search, truss, alpha);
   const double tolerance = 2 * closed_gap * search.model().factor_unit;
-  auto curve = concave_curve([&](double beta) { return worst.at(beta); }, to, tolerance);
-  const auto errors = engine::from_first_rank(search.campaign().transport(), [&] {
-    std::vector<double> list;
-    for (const auto& piece : curve.pieces) list.push_back(worst.error_of(piece));
-    return list;
-  });
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    if (std::isfinite(errors[k])) curve.pieces[k].error = errors[k];
+  WorstCurve worst(search, truss, alpha);
+  LoadCurve curve;
+  for (const double end_width : end_widths) {
+    curve = concave_curve([&](double beta) { return worst.at(beta); }, to, tolerance, end_width);
+    worst.prove(curve);
+    if (curve.proved() || search.ended()) break;
   }
   return curve;
 }

@@ -67,11 +67,13 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
     answer.samples = std::move(sampled.factors);
     return std::move(sampled.best);
   };
+  const auto model = search.model();
   std::optional<ZeroOneStart> start;
   if (question.of_the_paper()) start = sample();
   WorstCaseSearch worst_case(search, question, truss, std::move(start));
   answer.worst = worst_case.solve();
   findings.certificate = std::move(worst_case.certificate());
+  if (!search.is_set_up()) search.set_up(model);  // the last try was in units that did not do
   if (!question.of_the_paper()) sample();
   const bool known = answer.worst->collapse || answer.worst->status == RootStatus::not_carried;
   if (question.curve && known) {

@@ -13,20 +13,17 @@ using Sample = std::function<CurveSample(double)>;
 /// Breakpoints nearer to each other than this share of the range are one.
 constexpr double same_place = 1e-9;
 
-/// How narrowly the end of a curve is known, as a share of where it is: the simplex method takes
-/// forces for equilibrium that are off by 1e-9 of a yield force.
-constexpr double end_width = 1e-7;
-
 double line(const CurvePoint& point, double at) {
   return point.factor + point.slope * (at - point.at);
 }
 
 // The last place where it is carried, by bisection, but for the places to which a motion points.
 std::optional<std::pair<CurvePoint, CurveEnd>> last_carried(const Sample& sample, CurvePoint first,
-                                                            double end, NotCarried beyond) {
+                                                            double end, NotCarried beyond,
+                                                            double end_width) {
   CurveEnd bracket{first.at, end, beyond.proved};
   for (;;) {
-    const double width = end_width * bracket.not_carried_at;
+    const double width = std::max(end_width * bracket.not_carried_at, same_place * end);
     if (bracket.not_carried_at - bracket.carried_at <= width) break;
     const auto inside = [&](double at) {
       return bracket.carried_at < at && at < bracket.not_carried_at;
@@ -123,20 +120,24 @@ bool LoadCurve::proved() const {
   return !pieces.empty() && std::ranges::all_of(pieces, is_shown) && (!end || end->proved);
 }
 
-LoadCurve concave_curve(const Sample& sample, double end, double tolerance) {
+LoadCurve concave_curve(const Sample& sample, double end, double tolerance, double end_width) {
   const auto at_zero = sample(0);
   const auto* const first = std::get_if<CurvePoint>(&at_zero);
   if (first == nullptr) return {};
   LoadCurve curve;
   auto at_end = sample(end);
   if (const auto* const none = std::get_if<NotCarried>(&at_end)) {
-    auto found = last_carried(sample, *first, end, *none);
+    auto found = last_carried(sample, *first, end, *none, end_width);
     if (!found) return {};
     curve.end = found->second;
     at_end = std::move(found->first);
   }
   const auto* const last = std::get_if<CurvePoint>(&at_end);
   if (last == nullptr) return {};
+  if (last->at == 0) {  // the smallest load is one too many
+    curve.pieces.push_back({*first, 0, first->factor});
+    return curve;
+  }
   Parametric parametric(sample, last->at, tolerance);
   if (!parametric.between(*first, *last)) return {};
   parametric.finish(*last);

@@ -61,10 +61,14 @@ struct LoadCurve {
   [[nodiscard]] bool proved() const;
 };
 
+/// How narrowly the end of a curve is known, as a share of where it is: the simplex method takes
+/// forces for equilibrium that are off by 1e-9 of a yield force.
+inline constexpr double usual_end_width = 1e-7;
+
 /// The curve from 0 to `end`, or to where it ends.
 /// @param sample the curve at a place. It is not asked for one place twice in succession
 /// @param tolerance what factors may differ by without being different
 LoadCurve concave_curve(const std::function<CurveSample(double)>& sample, double end,
-                        double tolerance);
+                        double tolerance, double end_width = usual_end_width);
 
 }  // namespace kusabi::limit

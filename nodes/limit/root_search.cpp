@@ -73,7 +73,7 @@ LimitCollapse RootSearch::in_units(const Collapse& collapse, const Eigen::Vector
 // The cuts do not depend on who makes them: see pricing_block.
 std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<const int> columns) {
   auto& pricing = solvers_->pricing;
-  say(fmt::format("{} of {} uncertain components are looked at for cuts", columns.size(),
+  say(fmt::format("{} of {} uncertain loads are looked at for cuts", columns.size(),
                   model().uncertain_count()));
   if (campaign_.transport().size() == 1 || columns.size() <= pricing_block) {
     return price_alone(pricing, z, columns);

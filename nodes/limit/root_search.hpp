@@ -24,6 +24,8 @@ class RootSearch {
 
   /// Solves the nominal load in a model, which is the one from now on.
   LoadStatus set_up(problems::LimitModel model);
+  /// Whether the last set_up() said `collapses`: what follows needs that.
+  [[nodiscard]] bool is_set_up() const { return solvers_ && solvers_->nominal.motion.size() > 0; }
 
   /// Takes units that are not far below the uncertain loads, if the simplex method can do with
   /// them. @param alpha in the unit of force
@@ -44,7 +46,7 @@ class RootSearch {
   [[nodiscard]] const problems::LimitModel& model() const { return solvers_->model; }
   [[nodiscard]] double scaled(double alpha) const { return alpha / model().force_unit; }
   [[nodiscard]] LoadFactor& load_factor() { return solvers_->load_factor; }
-  /// @pre the last set_up() said `collapses`
+  /// @pre is_set_up()
   [[nodiscard]] const Collapse& nominal() const { return solvers_->nominal; }
 
   /// @param dead the load that it is of, scaled

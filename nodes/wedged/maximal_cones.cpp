@@ -30,22 +30,26 @@ int kind(const Configuration& leaf) {
   return is_cone(leaf) ? 0 : leaf.state == LeafState::marginal ? 1 : 2;
 }
 
-bool comes_before(const Configuration& a, const Configuration& b) {
+bool in_order(const Configuration& a, const Configuration& b) {
   if (kind(a) != kind(b)) return kind(a) < kind(b);
   if (a.block != b.block) return a.block < b.block;
-  const int by_contact = compare(a.pattern.contact, b.pattern.contact);
-  if (by_contact != 0) return by_contact < 0;
-  return compare(a.pattern.separated, b.pattern.separated) < 0;
+  return wedged::comes_before(a.pattern, b.pattern);
 }
 
 }  // namespace
+
+bool comes_before(const SignPattern& first, const SignPattern& second) {
+  const int by_contact = compare(first.contact, second.contact);
+  if (by_contact != 0) return by_contact < 0;
+  return compare(first.separated, second.separated) < 0;
+}
 
 bool within(const SignPattern& first, const SignPattern& second) {
   return includes(second.contact, first.contact) && includes(second.separated, first.separated);
 }
 
 std::vector<Configuration> maximal_cones(std::vector<Configuration> leaves) {
-  std::sort(leaves.begin(), leaves.end(), comes_before);
+  std::sort(leaves.begin(), leaves.end(), in_order);
   std::vector<Configuration> kept;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const auto& leaf = leaves[i];

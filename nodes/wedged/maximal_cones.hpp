@@ -21,6 +21,9 @@ bool within(const SignPattern& first, const SignPattern& second);
 /// separated ones. So the order does not depend on the tree.
 std::vector<Configuration> maximal_cones(std::vector<Configuration> leaves);
 
+/// The order of a dictionary: by the candidates in contact, then by the separated ones.
+bool comes_before(const SignPattern& first, const SignPattern& second);
+
 /// How many maximal cones a structure has whose blocks have so many each: any cone of one goes with
 /// any of another. Blocks without any stay at rest.
 std::uint64_t combinations(std::span<const std::uint64_t> cones_of_blocks);

@@ -1,6 +1,7 @@
 // The leaves sorted into blocks and counted.
 #include "nodes/wedged/pattern_search.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "problems/wedged/problem_block.hpp"
@@ -16,6 +17,10 @@ PatternFindings find_patterns(engine::Campaign& campaign, const problems::Wedged
   std::vector<Configuration> leaves;
   for (const auto& found : findings.outcome.solutions) leaves.push_back(found.solution);
   findings.leaves = maximal_cones(std::move(leaves));
+  findings.tested = findings.outcome.tally().tested;
+  std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {
+    return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
+  });
   for (const auto candidates : problems::blocks_of(problem)) {
     findings.blocks.push_back({.candidates = candidates});
   }

@@ -28,6 +28,8 @@ struct PatternFindings {
   engine::Outcome<SignPatternTree> outcome;
   std::vector<Configuration> leaves;  ///< the maximal cones, then the open leaves
   std::vector<PatternBlock> blocks;
+  /// Of Algorithm 5.8: the leaves to test, block by block in the order of a dictionary.
+  std::vector<PolyhedralCandidate> tested;
   std::size_t flat = 0, marginal = 0, undecided = 0;  ///< of the leaves
 
   [[nodiscard]] bool whole() const { return outcome.status == engine::Status::solved; }

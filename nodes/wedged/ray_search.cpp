@@ -1,43 +1,37 @@
-// One rank alone, or the tree on all.
+// All ranks have all rays and share large steps, or they share the tree.
 #include "nodes/wedged/ray_search.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "engine/shared_work.hpp"
 #include "engine/together.hpp"
 
 namespace kusabi::wedged {
 namespace {
 
-/// Memory that `automatic` lets double description take on rank 0. Where it fits into this it has
-/// been as fast as the tree on one rank, and up to twelve times as fast; where it does not, its
-/// rays grow threefold with each candidate, and the tree's twofold from a tenth of them
-/// (bench/README.md). By the number of rays met, so that the method does not depend on ranks or
-/// clocks.
+/// Memory that `automatic` lets double description take on each rank, about what a core has. Where
+/// it fits into this it has been as fast as the tree on one rank, and up to twelve times as fast;
+/// where it does not, its rays grow threefold with each candidate, and the tree's twofold from a
+/// tenth of them (bench/README.md). By the number of rays met, so that the method does not depend
+/// on ranks or clocks.
 constexpr std::uint64_t memory_for_double_description = std::uint64_t{2} << 30U;
 
-// Nothing if it was stopped, or there are too many rays at one time.
-std::optional<RayFindings> by_double_description(const rays::ReactionCone& cone,
-                                                 std::uint64_t most_rays,
-                                                 const std::function<bool()>& stop) {
-  const auto start = std::chrono::steady_clock::now();
-  auto enumeration = rays::complementary_rays(cone, most_rays, stop);
-  if (!enumeration) return std::nullopt;
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  RayFindings found;
-  found.rays = std::move(enumeration->rays);
-  found.health = enumeration->health;
-  found.effort = enumeration->effort;
-  found.seconds = time.count();
-  return found;
-}
+/// `automatic` tries the tree when double description has looked at so many pairs of rays, which
+/// takes it a tenth of a second.
+constexpr std::uint64_t first_trial = 250'000;
+
+/// Rays at one time that have cost double description what a node costs the tree (bench/README.md).
+constexpr std::uint64_t rays_for_a_node = 8;
+
+/// What comes after double description.
+enum class Way { done, stopped, by_tree };
 
 // What rank 0 makes of the outcome of the tree.
 RayFindings gathered(engine::Outcome<RayTree>& outcome) {
@@ -59,15 +53,89 @@ RayFindings gathered(engine::Outcome<RayTree>& outcome) {
   return found;
 }
 
-RayFindings by_tree(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                    std::span<const double> friction, const rays::ReactionCone& cone) {
-  // Rays are known by their zeros at all candidates, so the blocks stay together.
+// Rays are known by their zeros at all candidates, so the blocks stay together.
+SignPatternTree whole_tree(const problems::WedgedProblem& problem,
+                           std::span<const double> friction) {
   problems::WedgedProblem whole = problem;
   whole.blocks.clear();
-  RayTree tree(SignPatternTree(whole, friction), cone);
+  return {whole, friction};
+}
+
+RayFindings by_tree(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                    std::span<const double> friction, const rays::ReactionCone& cone) {
+  RayTree tree(whole_tree(problem, friction), cone);
   auto outcome = campaign.search(tree, {});
   if (campaign.is_first()) return gathered(outcome);
   return {};
+}
+
+/// The tree on trial, on rank 0, while double description waits: each time this has looked at twice
+/// as many pairs of rays, for half as many. So all trials together look at no more than it does.
+/// Whether the trial comes to its end is a
+/// question of nodes and pairs, so it does not depend on ranks or clocks.
+class Trial {
+ public:
+  Trial(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+        std::span<const double> friction, const rays::ReactionCone& cone)
+      : campaign_(campaign), problem_(problem), friction_(friction), cone_(cone) {}
+
+  /// @return whether the tree has found all rays; every rank makes the same call
+  bool succeeds(std::uint64_t rays, const rays::Effort& effort) {
+    if (effort.pairs < next_) return false;
+    next_ = 2 * effort.pairs;
+    return engine::from_first_rank(campaign_.transport(), [&] {
+      RayTree tree(whole_tree(problem_, friction_), cone_,
+                   {.nodes = rays / rays_for_a_node,
+                    .pairs = effort.pairs / 2,
+                    .stop = campaign_.budget().stop()});
+      auto outcome = engine::search(tree);
+      if (!tree.gave_up()) found_ = gathered(outcome);
+      return found_.has_value();
+    });
+  }
+
+  /// What the tree has found, on rank 0.
+  std::optional<RayFindings> found() && { return std::move(found_); }
+
+ private:
+  engine::Campaign& campaign_;
+  const problems::WedgedProblem& problem_;
+  std::span<const double> friction_;
+  const rays::ReactionCone& cone_;
+  std::uint64_t next_ = first_trial;
+  std::optional<RayFindings> found_;
+};
+
+// Nothing if it was stopped, which is for rank 0 to say, or there are too many rays at one time.
+std::optional<RayFindings> by_double_description(engine::Campaign& campaign,
+                                                 const rays::ReactionCone& cone,
+                                                 std::uint64_t most_rays, Trial* trial) {
+  const auto start = std::chrono::steady_clock::now();
+  rays::Conduct conduct{.most_rays = most_rays};
+  if (campaign.is_first()) conduct.stop = campaign.budget().stop();
+  if (trial != nullptr) {
+    conduct.give_up = [trial](std::uint64_t rays, const rays::Effort& effort) {
+      return trial->succeeds(rays, effort);
+    };
+  }
+  auto& transport = campaign.transport();
+  if (transport.size() > 1) {
+    conduct.share = [&](std::uint64_t count, const auto& piece) {
+      return engine::share_work<rays::NewRays>(transport, count, piece);
+    };
+    conduct.agree = [&](bool told) {
+      return engine::from_first_rank(transport, [&] { return told; });
+    };
+  }
+  auto enumeration = rays::complementary_rays(cone, conduct);
+  if (!enumeration) return std::nullopt;
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  RayFindings found;
+  found.rays = std::move(enumeration->rays);
+  found.health = enumeration->health;
+  found.effort = enumeration->effort;
+  found.seconds = time.count();
+  return found;
 }
 
 }  // namespace
@@ -89,20 +157,18 @@ RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem&
   const auto& budget = campaign.budget();
   bool by_all = first_method(method, budget.left()) == RayMethod::tree;
   if (!by_all) {
-    const auto most = method == RayMethod::automatic
-                          ? rays::rays_that_fit(memory_for_double_description, cone.candidates())
-                          : std::numeric_limits<std::uint64_t>::max();
-    engine::Survey own{.ranks = 1};  // which counts those that found too many rays
-    if (campaign.is_first()) {
-      if (auto all = by_double_description(cone, most, budget.stop())) {
-        found = *std::move(all);
-      } else if (budget.spent()) {
-        found.status = budget.why();
-      } else {
-        own.found = 1;
-      }
-    }
-    by_all = engine::meet(campaign.transport(), own).found != 0;  // the others sleep meanwhile
+    const bool either = method == RayMethod::automatic;
+    const auto most = either ? rays::rays_that_fit(memory_for_double_description, cone.candidates())
+                             : std::numeric_limits<std::uint64_t>::max();
+    Trial trial(campaign, problem, friction, cone);
+    auto all = by_double_description(campaign, cone, most, either ? &trial : nullptr);
+    if (!all) all = std::move(trial).found();
+    const Way way = engine::from_first_rank(campaign.transport(), [&] {
+      return all ? Way::done : budget.spent() ? Way::stopped : Way::by_tree;
+    });
+    by_all = way == Way::by_tree;
+    if (all) found = *std::move(all);
+    if (way == Way::stopped) found.status = budget.why();
     if (by_all) {
       campaign.say(
           fmt::format("more than {} rays at one time: by the tree of sign patterns", most));

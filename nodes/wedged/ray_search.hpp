@@ -18,8 +18,9 @@ namespace kusabi::wedged {
 
 /// How rays are found. Both ways find the same.
 enum class RayMethod {
-  automatic,           ///< double description; if that takes too much memory, the tree
-  double_description,  ///< Algorithm 4.2, on one rank
+  automatic,  ///< double description, until a trial shows the tree to be faster, or it takes too
+              ///< much memory
+  double_description,  ///< Algorithm 4.2: every rank has all rays, large steps are shared
   tree,                ///< pattern by pattern, on all ranks
 };
 

@@ -12,8 +12,8 @@ RayTally& RayTally::operator+=(const RayTally& other) {
   return *this;
 }
 
-RayTree::RayTree(SignPatternTree tree, rays::ReactionCone cone)
-    : tree_(std::move(tree)), cone_(std::move(cone)) {}
+RayTree::RayTree(SignPatternTree tree, rays::ReactionCone cone, RayTreeBudget budget)
+    : tree_(std::move(tree)), cone_(std::move(cone)), budget_(std::move(budget)) {}
 
 RayTally RayTree::tally() const {
   RayTally all = tally_;
@@ -22,6 +22,10 @@ RayTally RayTree::tally() const {
 }
 
 void RayTree::expand(Node&& node, engine::Expansion<RayTree>& out) {
+  gave_up_ = gave_up_ || opened_ >= budget_.nodes || tally_.effort.pairs > budget_.pairs ||
+             (budget_.stop && budget_.stop());
+  if (gave_up_) return;
+  ++opened_;
   const auto fate = tree_.decide(node);
   for (const Node& child : fate.children) out.branch(child);
   if (!fate.leaf) return;

@@ -11,6 +11,9 @@
 // this misses none.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
@@ -45,6 +48,13 @@ struct RayTally {
   }
 };
 
+/// What a tree on trial may cost; a tree that is searched for good may cost what it will.
+struct RayTreeBudget {
+  std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t pairs = std::numeric_limits<std::uint64_t>::max();  ///< of Effort
+  std::function<bool()> stop = {};  ///< asked at each node whether to end; empty: never
+};
+
 /// The problem type that engine::search searches.
 class RayTree {
  public:
@@ -54,16 +64,23 @@ class RayTree {
 
   /// @param tree  of a plane problem, taken as one block
   /// @param cone  of the same problem and friction
-  RayTree(SignPatternTree tree, rays::ReactionCone cone);
+  /// @param budget of this object: beyond it nodes are dropped unopened
+  RayTree(SignPatternTree tree, rays::ReactionCone cone, RayTreeBudget budget = {});
 
   Node root() const { return tree_.root(); }
   void expand(Node&& node, engine::Expansion<RayTree>& out);
   Tally tally() const;
 
+  /// Whether nodes were dropped, so that rays may be missing.
+  bool gave_up() const { return gave_up_; }
+
  private:
   SignPatternTree tree_;
   rays::ReactionCone cone_;
+  RayTreeBudget budget_;
   RayTally tally_;
+  std::uint64_t opened_ = 0;
+  bool gave_up_ = false;
 };
 
 }  // namespace kusabi::wedged

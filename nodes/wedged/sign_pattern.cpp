@@ -50,6 +50,15 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
   }
 }
 
+double SignPatternTree::objective(const Solution& leaf) const {
+  const auto& [contact, separated, at_rest] = leaf.pattern;
+  return std::popcount(contact | separated | at_rest);
+}
+
+double SignPatternTree::bound(const Node& node) const {
+  return std::popcount(node.pattern.contact | node.pattern.separated);
+}
+
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
   auto fate = decide(node);
   if (fate.leaf) out.solution(std::move(*fate.leaf));
@@ -66,21 +75,23 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   Block& block = blocks_[node.block];
   const auto& [contact, separated, at_rest] = node.pattern;
   const bool leaf = block.free(node.pattern) == 0;
+  // A leaf that lives is worth its full accuracy: its margin is part of the answer.
+  const conic::StopEarly stop{.when_dead = true, .when_alive = !leaf};
+  double polyhedral = 0;
   if (block.outer) {
-    const auto answer = block.outer->solve(contact, separated, {});
+    const auto answer = block.outer->solve(contact, separated, stop);
     tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
     if (answer.sign == conic::Sign::dead) return prune(node, block.outer->multipliers());
-    if (leaf) ++tally_.candidates;
+    polyhedral = answer.lower;
     if (!leaf && answer.sign == conic::Sign::alive)
       return branch(node, block.free(node.pattern), [&block](int i) {
         return block.outer->normal_displacement(i) * block.outer->normal_reaction(i);
       });
   }
-  // A leaf that lives is worth its full accuracy: its margin is part of the answer.
-  const auto answer =
-      block.solver.solve(contact, separated, {.when_dead = true, .when_alive = !leaf});
+  const auto answer = block.solver.solve(contact, separated, stop);
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
   if (answer.rung > 0) ++tally_.climbed;
+  if (block.outer && leaf) note_tested(node, polyhedral, answer);
   switch (answer.sign) {
     case conic::Sign::dead:
       return prune(node, block.solver.multipliers());
@@ -91,6 +102,16 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
       return decide_doubt(node, answer);
   }
   return branch(node, block.free(node.pattern));
+}
+
+void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
+                                  const conic::Answer& answer) {
+  ++tally_.candidates;
+  tally_.tested.push_back({.block = leaf.block,
+                           .pattern = in_whole(leaf.pattern, blocks_[leaf.block].candidates),
+                           .polyhedral = polyhedral,
+                           .lower = answer.lower,
+                           .upper = answer.upper});
 }
 
 // A tie in which a candidate of U is never loaded has nothing of its own: with that candidate in R

@@ -95,6 +95,24 @@ struct Configuration {
   }
 };
 
+/// A leaf that polyhedral friction cones let live: one of Y_1, ..., Y_k of Algorithm 5.8, and what
+/// its step 2 says of it.
+struct PolyhedralCandidate {
+  std::uint32_t block = 0;
+  SignPattern pattern;    ///< of the whole problem's candidates
+  double polyhedral = 0;  ///< t of their program, of which the sign counts
+  double lower = 0;       ///< lower <= t* <= upper of (23); minus infinity where only the sign
+  double upper = 0;       ///< of t* was wanted
+
+  /// t* < 0: no configuration of (WP) has this pattern.
+  [[nodiscard]] bool discarded() const { return upper < 0; }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& block& pattern& polyhedral& lower& upper;
+  }
+};
+
 /// Why a node was closed: what a certificate says of it (docs/certificates.md).
 struct Evidence {
   enum class Kind {
@@ -124,6 +142,19 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t climbed = 0;     ///< nodes that took more digits than a double has
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
   std::uint64_t candidates = 0;  ///< leaves to test of Algorithm 5.8
+  std::vector<PolyhedralCandidate> tested;  ///< these; no count, and so not among the fields
+
+  SignPatternTally& operator+=(const SignPatternTally& other) {
+    Counts::operator+=(other);
+    tested.insert(tested.end(), other.tested.begin(), other.tested.end());
+    return *this;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned version) {
+    Counts::serialize(archive, version);
+    archive& tested;
+  }
 
   static constexpr auto fields() {
     return std::tuple{field("branched", &SignPatternTally::branched),
@@ -174,6 +205,11 @@ class SignPatternTree {
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
   Tally tally() const { return tally_; }
 
+  /// For engine::Order::best_first, which is breadth-first by these (Remark 5.2): how many
+  /// candidates have a sign in a leaf, and so at most how many above it.
+  [[nodiscard]] double objective(const Solution& leaf) const;
+  [[nodiscard]] double bound(const Node& node) const;
+
   /// What becomes of a node: it is dead (neither), branched, or a leaf that is not dead.
   struct Fate {
     std::vector<Node> children;
@@ -205,6 +241,7 @@ class SignPatternTree {
   };
 
   Fate decide_doubt(const Node& node, const conic::Answer& answer);
+  void note_tested(const Node& leaf, double polyhedral, const conic::Answer& answer);
   Fate branch(const Node& node, std::uint64_t open);
   template <class Violation>
   Fate branch(const Node& node, std::uint64_t open, Violation violation);

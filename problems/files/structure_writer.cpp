@@ -180,17 +180,20 @@ void write_loads(const Structure& structure, std::string& text) {
       });
 }
 
-// A force for each component: what is not named is zero.
+// A force for each node, and what is not named is zero.
 void write_uncertain_load(const Structure& structure, const UncertainParameter& parameter,
                           std::string& text) {
   text += fmt::format("\n[[uncertainty]]\nname = {}\nforces = [\n", quoted(parameter.name));
-  for (const auto& [node, axis, weight] : parameter.components) {
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(structure.dimension);
-    force(axis) = weight;
-    text += fmt::format("  {{ nodes = [{}], force = {} }},\n",
-                        quoted(structure.node_names[static_cast<std::size_t>(node)]),
-                        vector_text(force));
-  }
+  const auto& components = parameter.components;
+  by_runs(
+      components.size(), [&](auto a, auto b) { return components[a].node == components[b].node; },
+      [&](auto first, auto last) {
+        Eigen::VectorXd force = Eigen::VectorXd::Zero(structure.dimension);
+        for (auto i = first; i < last; ++i) force(components[i].axis) = components[i].weight;
+        const auto node = static_cast<std::size_t>(components[first].node);
+        text += fmt::format("  {{ nodes = [{}], force = {} }},\n",
+                            quoted(structure.node_names[node]), vector_text(force));
+      });
   text += "]\n";
 }
 

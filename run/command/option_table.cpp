@@ -129,15 +129,21 @@ RowBuilder OptionTable::flag(std::string name, bool& variable, std::string help,
               }});
 }
 
-RowBuilder OptionTable::file(std::string name, std::string& variable, Role role, std::string help) {
+RowBuilder OptionTable::text(std::string name, std::string& variable, std::string value,
+                             std::string help) {
   return add({.name = std::move(name),
-              .value = "FILE",
+              .value = std::move(value),
               .help = std::move(help),
-              .role = role,
               .take = [&variable](const std::string& text) {
                 variable = text;
                 return std::string{};
               }});
+}
+
+RowBuilder OptionTable::file(std::string name, std::string& variable, Role role, std::string help) {
+  auto row = text(std::move(name), variable, "FILE", std::move(help));
+  rows_.back().role = role;
+  return row;
 }
 
 void OptionTable::output(std::string name, std::string help) {

@@ -132,6 +132,9 @@ class OptionTable {
   /// The name of a file.
   RowBuilder file(std::string name, std::string& variable, Role role, std::string help);
 
+  /// Any text. @param value what help calls it
+  RowBuilder text(std::string name, std::string& variable, std::string value, std::string help);
+
   // What several subcommands have alike.
   void output(std::string name = "--output",
               std::string help = "write the result to this JSON file");

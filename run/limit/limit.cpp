@@ -58,7 +58,7 @@ void Limit::describe(OptionTable& table) {
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table
       .number("--alpha", &options_.question.alpha, at_least(0),
-              "the uncertain components of the dead load are known up to +- this")
+              "the uncertain parts of the dead load are known up to +- this")
       .unit("in the file's unit of force");
   table
       .choice("--cuts", options_.question.method,

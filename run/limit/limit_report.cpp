@@ -197,7 +197,7 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
                  const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "\nworst case of {} uncertain components, alpha = {} {}\n",
+  fmt::format_to(out, "\nworst case of {} uncertain loads, alpha = {} {}\n",
                  problem.uncertain_count(), *options.question.alpha, problem.units.force);
   if (worst.status == RootStatus::not_carried) {
     fmt::format_to(out,

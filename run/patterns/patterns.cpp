@@ -82,6 +82,15 @@ void Patterns::describe(OptionTable& table) {
   Range facets = between(FacetBound::fewest, FacetBound::most);
   facets.even = true;
   table.number("--facets", &options_.facets, facets, "of each polyhedral cone").needs("--method");
+  table
+      .flag("--candidates", options_.list_candidates,
+            "list the patterns that the polyhedral cones let live, and what the test says of each")
+      .needs("--method");
+  // By the number of signs decided, see SignPatternTree::bound.
+  table.choice(
+      "--order", options_.order,
+      {{"depth-first", engine::Order::depth_first}, {"breadth-first", engine::Order::best_first}},
+      "which node is opened next: the same patterns; breadth-first keeps many nodes");
   table.output();
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
@@ -99,6 +108,10 @@ void Patterns::describe(OptionTable& table) {
 void Patterns::check() const {
   if (options_.facets != PatternsOptions{}.facets && !options_.polyhedral) {
     throw WrongInput("--facets: of cones that are not polyhedral; expected --method polyhedral");
+  }
+  if (options_.list_candidates && !options_.polyhedral) {
+    throw WrongInput(
+        "--candidates: of cones that are not polyhedral; expected --method polyhedral");
   }
 }
 
@@ -134,6 +147,7 @@ void Patterns::prepare(CommandRun& run) {
                     .facets = options_.facets_in_use(),
                     .thorough = !options_.certificate.empty()};
   auto& search = question_.search;
+  search.order = options_.order;
   const auto fingerprint = tree_fingerprint();
   search.checkpoint = run.checkpoint(options_.checkpoint, fingerprint);
   certificate_.emplace(run.session(), options_.certificate, options_.file, fingerprint,

@@ -17,7 +17,9 @@ struct PatternsOptions {
   double tolerance = conic::Tolerances{}.sign;                ///< |t*| up to this is marginal
   wedged::Branching branching = wedged::Branching::relative;  ///< how nodes are split
   bool polyhedral = false;                                    ///< Algorithm 5.8, otherwise 5.1
-  int facets = 16;              ///< of the polyhedral friction cones of Algorithm 5.8
+  int facets = 16;               ///< of the polyhedral friction cones of Algorithm 5.8
+  bool list_candidates = false;  ///< of Algorithm 5.8, in the table
+  engine::Order order = engine::Order::depth_first;
   engine::Limits limits;        ///< where to stop early
   CheckpointChoice checkpoint;  ///< where the state is kept
   std::string certificate;      ///< the evidence goes here; empty: nowhere

@@ -59,6 +59,37 @@ std::string PatternsReport::list() const {
   return text;
 }
 
+// Of Algorithm 5.8: Y_1, ..., Y_k, and what (23) says of each.
+std::string PatternsReport::candidates() const {
+  std::string text;
+  if (!options_.list_candidates) return text;
+  auto out = std::back_inserter(text);
+  const auto names = [&](std::uint64_t set) { return listed(candidate_names(problem_, set)); };
+  fmt::format_to(out, "\n{:>5}  {:>13}  {:>10}  {}\n", "", "polyhedral t*", "t* of (23)",
+                 "in contact (U) | separated (R)");
+  std::size_t number = 0;
+  for (const auto& candidate : findings_.tested) {
+    const auto& [contact, separated, at_rest] = candidate.pattern;
+    fmt::format_to(out, "{:>5}  {:>13.3e}  {:>10}  {} | {}\n", ++number, candidate.polyhedral,
+                   candidate.discarded() ? "discarded" : fmt::format("{:.3e}", candidate.lower),
+                   names(contact), names(separated));
+  }
+  return text;
+}
+
+ordered_json PatternsReport::candidates_json() const {
+  ordered_json list = ordered_json::array();
+  for (const auto& candidate : findings_.tested) {
+    auto json = pattern_json(problem_, candidate.block, candidate.pattern);
+    json["polyhedral_margin"] = candidate.polyhedral;
+    if (!candidate.discarded()) json["margin"] = candidate.lower;
+    json["margin_upper"] = candidate.upper;
+    json["discarded"] = candidate.discarded();
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 // The answer, and what it leaves open.
 std::string PatternsReport::verdict() const {
   std::string text;
@@ -112,7 +143,7 @@ std::string PatternsReport::table() const {
   for (const auto& rank : findings_.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
   for (const auto& rank : findings_.outcome.earlier)
     ranks.add_earlier(rank.statistics, own(rank.tally));
-  return list() + verdict() + '\n' + ranks.text();
+  return list() + candidates() + verdict() + '\n' + ranks.text();
 }
 
 ordered_json PatternsReport::json(const WholeStateJson& whole) const {
@@ -136,6 +167,12 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
+  ordered_json result = {{"friction", options_.friction},  {"tolerance", options_.tolerance},
+                         {"count", findings_.count()},     {"flat", findings_.flat},
+                         {"marginal", findings_.marginal}, {"undecided", findings_.undecided},
+                         {"blocks", std::move(blocks)},    {"tree", std::move(tree)}};
+  if (options_.polyhedral) result["candidates"] = candidates_json();
+  result["patterns"] = std::move(patterns);
   return {
       {"command", "patterns"},
       {"version", KUSABI_VERSION},
@@ -145,18 +182,10 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
         {"tolerance", options_.tolerance},
         {"method", options_.polyhedral ? "polyhedral" : "cones"},
         {"facets", options_.facets_in_use()},
-        {"branching", options_.branching == wedged::Branching::product ? "paper" : "relative"}}},
+        {"branching", options_.branching == wedged::Branching::product ? "paper" : "relative"},
+        {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}}},
       {"status", status_name(findings_.outcome.status)},
-      {"result",
-       {{"friction", options_.friction},
-        {"tolerance", options_.tolerance},
-        {"count", findings_.count()},
-        {"flat", findings_.flat},
-        {"marginal", findings_.marginal},
-        {"undecided", findings_.undecided},
-        {"blocks", std::move(blocks)},
-        {"tree", std::move(tree)},
-        {"patterns", std::move(patterns)}}},
+      {"result", std::move(result)},
       {"statistics",
        {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
         {"earlier_runs",

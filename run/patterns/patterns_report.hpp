@@ -27,6 +27,8 @@ class PatternsReport {
 
  private:
   [[nodiscard]] std::string list() const;
+  [[nodiscard]] std::string candidates() const;
+  [[nodiscard]] nlohmann::ordered_json candidates_json() const;
   [[nodiscard]] std::string verdict() const;
 
   const PatternsOptions& options_;

@@ -58,13 +58,12 @@ class Rays final : public Subcommand {
 void Rays::describe(OptionTable& table) {
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table.number("--mu", &options_.friction, above(0), "friction coefficient").required();
-  table.choice(
-      "--method", options_.method,
-      {{"auto", RayMethod::automatic},
-       {"double-description", RayMethod::double_description},
-       {"tree", RayMethod::tree}},
-      "Algorithm 4.2 on one rank, pattern by pattern on all ranks, or the first and, if that "
-      "takes too much memory, the second: the same rays");
+  table.choice("--method", options_.method,
+               {{"auto", RayMethod::automatic},
+                {"double-description", RayMethod::double_description},
+                {"tree", RayMethod::tree}},
+               "Algorithm 4.2, for which every rank holds all rays, pattern by pattern, or the "
+               "first until a trial of the second ends sooner, or memory does: the same rays");
   table.output();
   table.output("--csv", "write the rays to this file, a line each");
   table.output("--dot", "write the cross-complementarity graph to this file, for Graphviz");
@@ -108,12 +107,11 @@ void Rays::prepare(CommandRun& run) {
 }
 
 std::string Rays::announcement(const std::string& ranks) const {
-  return fmt::format("{}; friction coefficient {}{}; {}{}", problem_line(problem_),
-                     options_.friction,
-                     uniform_friction(problem_) ? "" : " times that of each candidate",
-                     method_ == RayMethod::tree ? "the tree of sign patterns on "
-                                                : "double description on one of ",
-                     ranks);
+  return fmt::format(
+      "{}; friction coefficient {}{}; {}{}", problem_line(problem_), options_.friction,
+      uniform_friction(problem_) ? "" : " times that of each candidate",
+      method_ == RayMethod::tree ? "the tree of sign patterns on " : "double description on ",
+      ranks);
 }
 
 void Rays::search(CommandRun& run) {

@@ -95,22 +95,23 @@ void BitPatternTree::grow(std::span<const ZeroSet> sets, std::size_t node) {
   nodes_[node].all = all;
 }
 
-bool BitPatternTree::more_than(int count, const ZeroSet& smaller) const {
-  int left_over = count;
-  discount(root(), smaller, left_over);
-  return left_over < 0;
+std::optional<int> BitPatternTree::superset(const ZeroSet& smaller,
+                                            std::array<int, 2> but_for) const {
+  return superset(root(), smaller, but_for);
 }
 
-void BitPatternTree::discount(const Node& node, const ZeroSet& smaller, int& left_over) const {
-  if (left_over < 0 || !contains(node.all.zero, smaller)) return;
+std::optional<int> BitPatternTree::superset(const Node& node, const ZeroSet& smaller,
+                                            const std::array<int, 2>& but_for) const {
+  if (!contains(node.all.zero, smaller)) return std::nullopt;
   if (node.is_leaf()) {
     for (int place = node.first; place < node.last; ++place) {
-      if (contains(pattern(place).zero, smaller)) --left_over;
+      if (!contains(pattern(place).zero, smaller)) continue;
+      if (member(place) != but_for[0] && member(place) != but_for[1]) return member(place);
     }
-    return;
+    return std::nullopt;
   }
-  discount(child(node, 0), smaller, left_over);
-  discount(child(node, 1), smaller, left_over);
+  const auto found = superset(child(node, 0), smaller, but_for);
+  return found ? found : superset(child(node, 1), smaller, but_for);
 }
 
 }  // namespace kusabi::rays

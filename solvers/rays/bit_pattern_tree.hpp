@@ -4,7 +4,8 @@
 // 2008).
 #pragma once
 
-#include <cstdint>
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,13 +61,13 @@ class BitPatternTree {
   const Pattern& pattern(int place) const { return patterns_[static_cast<std::size_t>(place)]; }
   int member(int place) const { return members_[static_cast<std::size_t>(place)]; }
 
-  /// Whether more than `count` of the sets contain `smaller`.
-  bool more_than(int count, const ZeroSet& smaller) const;
+  /// The number of a member that contains `smaller`, but for two; nothing if there is none.
+  std::optional<int> superset(const ZeroSet& smaller, std::array<int, 2> but_for) const;
 
  private:
   void grow(std::span<const ZeroSet> sets, std::size_t node);
-  /// Takes off as many as contain `smaller`, and stops below zero.
-  void discount(const Node& node, const ZeroSet& smaller, int& left_over) const;
+  std::optional<int> superset(const Node& node, const ZeroSet& smaller,
+                              const std::array<int, 2>& but_for) const;
 
   std::vector<int> members_;
   std::vector<Pattern> patterns_;  // of the members, side by side as they are looked at

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <utility>
 
-#include "solvers/rays/bit_pattern_tree.hpp"
+#include "solvers/rays/adjacent_pairs.hpp"
 
 namespace kusabi::rays {
 namespace {
@@ -28,25 +27,24 @@ constexpr Eigen::Index block_size = 256;
 /// what is not.
 constexpr double exact_enough = 1e-2;
 
-/// Pairs of leaves looked at between two questions whether to stop: a millisecond or so.
-constexpr std::uint64_t looks_between_stops = 256;
+/// A step with fewer pairs of rays, adjacent or not, is not shared: it takes some milliseconds.
+constexpr std::uint64_t pairs_worth_sharing = 1'000'000;
 
-constexpr auto all_rays = std::numeric_limits<std::uint64_t>::max();
+/// Pieces of a step that is shared, about: so many that none of them holds up the others for long.
+constexpr std::uint64_t pieces_of_cut = 512;
 
 class DoubleDescription {
  public:
   /// Starts with the cone x >= 0 of the candidates `active`; all others have no reaction.
-  /// @param stop asked now and then whether to end; empty: never
-  DoubleDescription(const ReactionCone& cone, Candidates active, std::function<bool()> stop = {});
+  DoubleDescription(const ReactionCone& cone, Candidates active, Conduct conduct = {});
 
   /// Cuts by all rows of `rows`, in the order that makes the fewest pairs. @return false if it was
-  /// stopped, or there came to be more than `most_rays`
-  bool cut_by(Candidates rows, Keep keep, std::uint64_t most_rays = all_rays);
+  /// stopped, or there came to be too many rays
+  bool cut_by(Candidates rows, Keep keep);
 
   Enumeration result() &&;
 
  private:
-  using Signs = std::vector<signed char>;
   struct Sides {
     std::uint64_t plus = 0;
     std::uint64_t minus = 0;
@@ -58,12 +56,8 @@ class DoubleDescription {
   void displacements(int row);
   void cut(int row, Keep keep);
   void add_between(int row, const std::vector<int>& plus, const std::vector<int>& minus);
-  void match(const BitPatternTree& plus, const BitPatternTree::Node& a, const BitPatternTree& minus,
-             const BitPatternTree::Node& b, const BitPatternTree& all, Candidates row);
-  bool may_be_adjacent(const Pattern& common) const {
-    return (processed_ & ~(common.zero.u | common.r)) == 0 && size(common.zero) >= enough_;
-  }
-  void combine(int plus, int minus, const ZeroSet& zero);
+  void append(const NewRays& rays);
+  void combine(const AdjacentPair& pair, const ZeroSet& zero, NewRays& into) const;
 
   const ReactionCone& cone_;
   std::vector<int> columns_;    // of the active candidates
@@ -75,18 +69,14 @@ class DoubleDescription {
   std::vector<double> coordinates_;
   Eigen::VectorXd values_;    // of the row looked at, a ray
   Eigen::VectorXd relative_;  // the same without unit
-  std::vector<ZeroSet> next_zeros_;
-  std::vector<double> next_coordinates_;
+  NewRays next_;              // the list after the cut
   Effort effort_;
   Health health_;
-  std::function<bool()> stop_;
-  bool stopped_ = false;
-  std::uint64_t looks_ = 0;
+  Conduct conduct_;
 };
 
-DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active,
-                                     std::function<bool()> stop)
-    : cone_(cone), enough_(2 * cone.candidates() - 2), stop_(std::move(stop)) {
+DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active, Conduct conduct)
+    : cone_(cone), enough_(2 * cone.candidates() - 2), conduct_(std::move(conduct)) {
   for (Candidates rest = active; rest != 0; rest &= rest - 1) {
     const int k = std::countr_zero(rest);
     columns_.push_back(2 * k);
@@ -102,15 +92,18 @@ DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active
   for (std::size_t ray = 0; ray < size; ++ray) coordinates_[ray * size + ray] = 1;
 }
 
-bool DoubleDescription::cut_by(Candidates rows, Keep keep, std::uint64_t most_rays) {
+bool DoubleDescription::cut_by(Candidates rows, Keep keep) {
   std::vector<int> left;
   for (; rows != 0; rows &= rows - 1) left.push_back(std::countr_zero(rows));
   while (!left.empty()) {
     const int row = cheapest(left);
     left.erase(std::find(left.begin(), left.end(), row));
     cut(row, keep);
-    stopped_ = stopped_ || (stop_ && stop_());
-    if (stopped_ || zeros_.size() > most_rays) return false;
+    const bool told = next_.stopped || (conduct_.stop && conduct_.stop());
+    if (conduct_.agree ? conduct_.agree(told) : told) return false;
+    effort_ += std::exchange(next_.effort, {});
+    if (zeros_.size() > conduct_.most_rays) return false;
+    if (!left.empty() && conduct_.give_up && conduct_.give_up(zeros_.size(), effort_)) return false;
   }
   return true;
 }
@@ -154,13 +147,13 @@ void DoubleDescription::cut(int row, Keep keep) {
   displacements(row);
   std::vector<int> plus;
   std::vector<int> minus;
-  next_zeros_.clear();
-  next_coordinates_.clear();
+  next_.zeros.clear();
+  next_.coordinates.clear();
   const auto width = static_cast<std::ptrdiff_t>(gaps_.cols());
   const auto retain = [&](int ray, const ZeroSet& zero) {
-    next_zeros_.push_back(zero);
+    next_.zeros.push_back(zero);
     const auto from = coordinates_.begin() + width * ray;
-    next_coordinates_.insert(next_coordinates_.end(), from, from + width);
+    next_.coordinates.insert(next_.coordinates.end(), from, from + width);
   };
   for (int ray = 0; ray < static_cast<int>(count()); ++ray) {
     ZeroSet zero = zeros_[static_cast<std::size_t>(ray)];
@@ -178,68 +171,63 @@ void DoubleDescription::cut(int row, Keep keep) {
   }
   if (!plus.empty() && !minus.empty()) add_between(row, plus, minus);
   processed_ |= bit(row);
-  std::swap(zeros_, next_zeros_);
-  std::swap(coordinates_, next_coordinates_);
+  std::swap(zeros_, next_.zeros);
+  std::swap(coordinates_, next_.coordinates);
   effort_.peak_rays = std::max(effort_.peak_rays, static_cast<std::uint64_t>(zeros_.size()));
 }
 
 void DoubleDescription::add_between(int row, const std::vector<int>& plus,
                                     const std::vector<int>& minus) {
-  std::vector<int> everything(zeros_.size());
-  for (std::size_t ray = 0; ray < everything.size(); ++ray) everything[ray] = static_cast<int>(ray);
-  const BitPatternTree above(zeros_, plus);
-  const BitPatternTree below(zeros_, minus);
-  const BitPatternTree all(zeros_, std::move(everything));
-  match(above, above.root(), below, below.root(), all, bit(row));
-}
-
-// Descends in both trees together: a pair of parts that cannot hold an adjacent pair is left out
-// whole.
-void DoubleDescription::match(const BitPatternTree& plus, const BitPatternTree::Node& a,
-                              const BitPatternTree& minus, const BitPatternTree::Node& b,
-                              const BitPatternTree& all, Candidates row) {
-  if (stopped_ || !may_be_adjacent(common(a.all, b.all))) return;
-  if (!a.is_leaf() && (b.is_leaf() || a.size() >= b.size())) {
-    match(plus, plus.child(a, 0), minus, b, all, row);
-    match(plus, plus.child(a, 1), minus, b, all, row);
+  const AdjacentPairs pairs(zeros_, plus, minus, processed_, enough_);
+  const auto add = [&](const AdjacentPairs::Part& part, NewRays& into) {
+    const auto found = [&](const AdjacentPair& pair) {
+      ZeroSet zero = pair.common;
+      zero.u |= bit(row);
+      combine(pair, zero, into);
+      ++into.effort.adjacent;
+    };
+    into.stopped = !pairs.search(part, found, conduct_.stop, into.effort.pairs);
+  };
+  const auto many = static_cast<std::uint64_t>(plus.size()) * minus.size();
+  if (!conduct_.share || many < pairs_worth_sharing) {
+    add(pairs.whole(), next_);
     return;
   }
-  if (!b.is_leaf()) {
-    match(plus, a, minus, minus.child(b, 0), all, row);
-    match(plus, a, minus, minus.child(b, 1), all, row);
-    return;
-  }
-  if (stop_ && ++looks_ % looks_between_stops == 0 && stop_()) stopped_ = true;
-  for (int i = a.first; i < a.last; ++i) {
-    if (!may_be_adjacent(common(plus.pattern(i), b.all))) continue;
-    for (int j = b.first; j < b.last; ++j) {
-      ++effort_.pairs;
-      const Pattern both = common(plus.pattern(i), minus.pattern(j));
-      if (!may_be_adjacent(both)) continue;
-      if (all.more_than(2, both.zero)) continue;  // a third ray on the smallest face of the two
-      ++effort_.adjacent;
-      ZeroSet zero = both.zero;
-      zero.u |= row;
-      combine(plus.member(i), minus.member(j), zero);
-    }
+  const auto parts = pairs.parts(many / pieces_of_cut);
+  if (parts.empty()) return;
+  for (const NewRays& rays : conduct_.share(parts.size(), [&](std::uint64_t piece) {
+         NewRays own;
+         add(parts[piece], own);
+         return own;
+       })) {
+    append(rays);
   }
 }
 
-void DoubleDescription::combine(int plus, int minus, const ZeroSet& zero) {
+void DoubleDescription::append(const NewRays& rays) {
+  next_.zeros.insert(next_.zeros.end(), rays.zeros.begin(), rays.zeros.end());
+  next_.coordinates.insert(next_.coordinates.end(), rays.coordinates.begin(),
+                           rays.coordinates.end());
+  next_.effort += rays.effort;
+  next_.stopped = next_.stopped || rays.stopped;
+}
+
+void DoubleDescription::combine(const AdjacentPair& pair, const ZeroSet& zero,
+                                NewRays& into) const {
+  const auto& [plus, minus, common] = pair;
   const auto width = gaps_.cols();
-  const double least = std::min(relative_(plus), -relative_(minus));
-  const Eigen::Map<const Eigen::VectorXd> above(coordinates_.data() + width * plus, width);
-  const Eigen::Map<const Eigen::VectorXd> below(coordinates_.data() + width * minus, width);
-  next_coordinates_.resize(next_coordinates_.size() + static_cast<std::size_t>(width));
-  Eigen::Map<Eigen::VectorXd> between(
-      next_coordinates_.data() + next_coordinates_.size() - static_cast<std::size_t>(width), width);
-  if (least < exact_enough) {
-    between = cone_.coordinates(zero)(columns_).cast<double>();
+  const auto filled = into.coordinates.size();
+  into.coordinates.resize(filled + static_cast<std::size_t>(width));
+  Eigen::Map<Eigen::VectorXd> between(into.coordinates.data() + filled, width);
+  if (std::min(relative_(plus), -relative_(minus)) < exact_enough) {
+    between = cone_.rounded_coordinates(zero)(columns_);
   } else {
+    const Eigen::Map<const Eigen::VectorXd> above(coordinates_.data() + width * plus, width);
+    const Eigen::Map<const Eigen::VectorXd> below(coordinates_.data() + width * minus, width);
     between = -values_(minus) * above + values_(plus) * below;
     between /= between.sum();
   }
-  next_zeros_.push_back(zero);
+  into.zeros.push_back(zero);
 }
 
 Enumeration DoubleDescription::result() && {
@@ -255,15 +243,14 @@ Effort& Effort::operator+=(const Effort& other) {
   return *this;
 }
 
-std::optional<Enumeration> complementary_rays(const ReactionCone& cone, std::uint64_t most_rays,
-                                              const std::function<bool()>& stop) {
-  DoubleDescription description(cone, cone.all(), stop);
-  if (!description.cut_by(cone.all(), Keep::complementary, most_rays)) return std::nullopt;
+std::optional<Enumeration> complementary_rays(const ReactionCone& cone, const Conduct& conduct) {
+  DoubleDescription description(cone, cone.all(), conduct);
+  if (!description.cut_by(cone.all(), Keep::complementary)) return std::nullopt;
   return std::move(description).result();
 }
 
 Enumeration complementary_rays(const ReactionCone& cone) {
-  return *complementary_rays(cone, all_rays);
+  return *complementary_rays(cone, Conduct{});
 }
 
 std::uint64_t rays_that_fit(std::uint64_t bytes, int candidates) {

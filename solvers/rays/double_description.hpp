@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -39,11 +40,43 @@ struct Enumeration {
   Health health;
 };
 
+/// Rays that a step adds, and what it took to find them.
+struct NewRays {
+  std::vector<ZeroSet> zeros;
+  std::vector<double> coordinates;  ///< one ray after another
+  Effort effort;
+  bool stopped = false;  ///< before all were found
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& zeros& coordinates& effort& stopped;
+  }
+};
+
+/// How an enumeration is supervised, and by how many it is done.
+struct Conduct {
+  /// Rays at one time: with more, nothing is returned.
+  std::uint64_t most_rays = std::numeric_limits<std::uint64_t>::max();
+
+  /// Asked now and then whether to end: then nothing is returned, too. Empty: never.
+  std::function<bool()> stop = {};
+
+  /// Does pieces of work 0, ..., count - 1 by one function and returns all results in order; empty:
+  /// there is nobody to share with. All who share make the same enumeration, and large steps are
+  /// shared. The answer does not depend on it.
+  std::function<std::vector<NewRays>(std::uint64_t count,
+                                     const std::function<NewRays(std::uint64_t)>& piece)>
+      share = {};
+  /// Where work is shared: makes one answer of what each of those who share it was told by `stop`.
+  std::function<bool(bool)> agree = {};
+
+  /// Asked after each step, with the rays at that time and the effort so far, the same for all who
+  /// share: whether to end, as with `stop`. Empty: never.
+  std::function<bool(std::uint64_t rays, const Effort& effort)> give_up = {};
+};
+
 /// All extremal rays of C_r that satisfy u_n^T r_n = 0 (Algorithm 4.2).
-/// @param most_rays at one time: with more, nothing is returned
-/// @param stop asked now and then whether to end: then nothing is returned, too; empty: never
-std::optional<Enumeration> complementary_rays(const ReactionCone& cone, std::uint64_t most_rays,
-                                              const std::function<bool()>& stop = {});
+std::optional<Enumeration> complementary_rays(const ReactionCone& cone, const Conduct& conduct);
 Enumeration complementary_rays(const ReactionCone& cone);
 
 /// How many rays at one time fit into so many bytes.

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include <Eigen/LU>
-
 namespace kusabi::rays {
 
 ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const double> friction)
@@ -33,48 +31,59 @@ ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const doub
       gaps_(i, 2 * k + 1) = by_normal + by_tangential;
     }
   }
+  // Rows of one unit, by the size of all their entries: what is left in the columns of a ray may be
+  // no more than the rounding of zeros, and full pivoting must see that.
+  scaled_gaps_ = gaps_;
+  for (Eigen::Index i = 0; i < m; ++i)
+    scaled_gaps_.row(i) /= gaps_.row(i).lpNorm<Eigen::Infinity>();
+  rounded_gaps_ = scaled_gaps_.cast<double>();
 }
 
-// There is one null vector up to scale, so the rank is known and need not be guessed: all pivots
-// but the last are used.
-PreciseVector ReactionCone::null_vector(const std::vector<int>& rows,
-                                        const std::vector<int>& columns) const {
-  const auto unknowns = static_cast<Eigen::Index>(columns.size());
-  PreciseVector x = PreciseVector::Ones(unknowns);
-  const Eigen::Index rank = unknowns - 1;
-  if (rank == 0 || static_cast<Eigen::Index>(rows.size()) < rank) return x;
-  PreciseMatrix equalities = gaps_(rows, columns);
-  // Rows of one unit, by the size of all their entries: what is left in these columns may be no
-  // more than the rounding of zeros, and full pivoting must see that.
-  for (std::size_t place = 0; place < rows.size(); ++place) {
-    equalities.row(static_cast<Eigen::Index>(place)) /=
-        gaps_.row(rows[place]).lpNorm<Eigen::Infinity>();
-  }
-  const Eigen::FullPivLU<PreciseMatrix> factorised(equalities);
-  const auto& lu = factorised.matrixLU();
-  PreciseVector permuted(unknowns);
-  permuted(rank) = 1;
-  permuted.head(rank) =
-      -lu.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(lu.col(rank).head(rank));
-  x = factorised.permutationQ() * permuted;
-  return x / x.sum();
-}
+namespace {
 
-PreciseVector ReactionCone::coordinates(const ZeroSet& zero) const {
-  const int m = candidates();
+/// Which equalities and which unknowns a zero set leaves.
+struct Remaining {
   std::vector<int> rows;
   std::vector<int> columns;
-  for (int i = 0; i < m; ++i) {
-    if ((zero.u & bit(i)) != 0) rows.push_back(i);
-    if ((zero.p & bit(i)) == 0) columns.push_back(2 * i);
-    if ((zero.q & bit(i)) == 0) columns.push_back(2 * i + 1);
+
+  Remaining(const ZeroSet& zero, int candidates) {
+    for (int i = 0; i < candidates; ++i) {
+      if ((zero.u & bit(i)) != 0) rows.push_back(i);
+      if ((zero.p & bit(i)) == 0) columns.push_back(2 * i);
+      if ((zero.q & bit(i)) == 0) columns.push_back(2 * i + 1);
+    }
   }
-  PreciseVector x = PreciseVector::Zero(2 * m);
-  const PreciseVector nonzero = null_vector(rows, columns);
+
+  /// Whether there are enough equalities to leave one unknown free, and not just one unknown.
+  bool determined() const { return columns.size() > 1 && rows.size() + 1 >= columns.size(); }
+};
+
+template <class Vector>
+Vector among_all(const Vector& nonzero, const std::vector<int>& columns, int candidates) {
+  Vector x = Vector::Zero(2 * candidates);
   for (std::size_t place = 0; place < columns.size(); ++place) {
     x(columns[place]) = nonzero(static_cast<Eigen::Index>(place));
   }
   return x;
+}
+
+}  // namespace
+
+PreciseVector ReactionCone::coordinates(const ZeroSet& zero) const {
+  const Remaining left(zero, candidates());
+  PreciseVector nonzero = PreciseVector::Ones(static_cast<Eigen::Index>(left.columns.size()));
+  if (left.determined()) nonzero = null_vector(scaled_gaps_(left.rows, left.columns));
+  return among_all(nonzero, left.columns, candidates());
+}
+
+Eigen::VectorXd ReactionCone::rounded_coordinates(const ZeroSet& zero) const {
+  const Remaining left(zero, candidates());
+  if (left.determined()) {
+    const auto rounded = rounded_null_vector(scaled_gaps_(left.rows, left.columns),
+                                             rounded_gaps_(left.rows, left.columns));
+    if (rounded) return among_all(*rounded, left.columns, candidates());
+  }
+  return coordinates(zero).cast<double>();
 }
 
 Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {

@@ -15,13 +15,10 @@
 #include <Eigen/Core>
 
 #include "solvers/rays/health.hpp"
+#include "solvers/rays/null_vector.hpp"
 #include "solvers/rays/zero_set.hpp"
 
 namespace kusabi::rays {
-
-/// F and A are kept with more digits than a double has: see problems/wedged/precise_compliance.hpp.
-using PreciseMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-using PreciseVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
 /// The numbers of one ray.
 struct Ray {
@@ -48,16 +45,19 @@ class ReactionCone {
   /// x of the ray with this zero set, 2m, with sum 1: the null vector of its equalities.
   PreciseVector coordinates(const ZeroSet& zero) const;
 
+  /// The same to the digits of a double, in a fraction of the time.
+  Eigen::VectorXd rounded_coordinates(const ZeroSet& zero) const;
+
   /// The ray with this zero set, made of its `coordinates`. All methods call this, so that equal
   /// zero sets give equal bits. `health` is told the largest displacement that should vanish and
   /// the smallest that should not; a ray whose numbers contradict its zero set counts as doubtful.
   Ray ray(const ZeroSet& zero, Health& health) const;
 
  private:
-  PreciseVector null_vector(const std::vector<int>& rows, const std::vector<int>& columns) const;
-
   PreciseMatrix compliance_;
   PreciseMatrix gaps_;
+  PreciseMatrix scaled_gaps_;     // the rows of A divided by their largest entries
+  Eigen::MatrixXd rounded_gaps_;  // the same in doubles
   std::vector<double> friction_;
 };
 

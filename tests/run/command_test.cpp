@@ -309,6 +309,8 @@ TEST_F(Command, RefusesWrongCalls) {
        "--node-limit: '99999999999999999999', expected"},
       {good + " --method simplex", "--method: 'simplex', expected one of cones, polyhedral"},
       {good + " --facets 8", "--facets requires --method"},
+      {good + " --candidates --method cones", "expected --method polyhedral"},
+      {good + " --order sideways", "expected one of depth-first, breadth-first"},
       {good + " --facets 8 --method cones", "expected --method polyhedral"},
       {good + " --method polyhedral --facets 7",
        "--facets: '7', expected an even number from 4 to 64"},
@@ -513,6 +515,29 @@ TEST_F(Command, FindsTheSamePatternsByPolyhedralFriction) {
     return contact;
   };
   EXPECT_EQ(patterns("--method polyhedral --facets 8"), patterns(""));
+}
+
+// Algorithm 5.8.
+TEST_F(Command, ListsTheCandidatesOfPolyhedralFriction) {
+  const auto file = in_folder("result.json");
+  const auto run =
+      shell(ranks(2) + command + " patterns " + truss +
+            " --mu 0.65 --method polyhedral --facets 8 --candidates --order breadth-first" +
+            " --output " + quoted(file));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("polyhedral t*  t* of (23)"));
+  const auto result = nlohmann::json::parse(content(file))["result"];
+  const auto& candidates = result["candidates"];
+  EXPECT_EQ(candidates.size(), result["tree"]["candidates"]);
+  std::set<nlohmann::json> kept;
+  for (const auto& candidate : candidates) {
+    EXPECT_EQ(candidate["discarded"], candidate["margin_upper"] < 0);
+    if (candidate["discarded"] == false) kept.insert(candidate["contact"]);
+  }
+  std::set<nlohmann::json> patterns;
+  for (const auto& pattern : result["patterns"]) patterns.insert(pattern["contact"]);
+  EXPECT_EQ(kept, patterns);
+  EXPECT_GT(kept.size(), 20U);
 }
 
 TEST_F(Command, StopsAtALimitAndGoesOnFromItsCheckpoint) {
@@ -977,7 +1002,6 @@ TEST_F(Command, FindsTheSameRaysByBothMethodsOnAnyNumberOfRanks) {
   EXPECT_EQ(rays_and_cones(serial), rays_and_cones(whole));
   for (int count = 2; count <= 3; ++count) {
     for (const std::string method : {"tree", "double-description"}) {
-      if (count == 3 && method != "tree") continue;  // one rank does it all
       const auto parallel = in_folder("parallel.json");
       const auto run = shell(ranks(count) + call + quoted(parallel) + " --method " + method);
       ASSERT_EQ(run.exit_code, 0) << run.output;
@@ -991,6 +1015,27 @@ TEST_F(Command, FindsTheSameRaysByBothMethodsOnAnyNumberOfRanks) {
   EXPECT_EQ(result["cones"].size(), 82U);
   std::size_t number = 0;
   for (const auto& ray : result["rays"]) EXPECT_EQ(ray["number"], ++number);
+}
+
+// The first is large enough for steps to be shared; of the second the tree is faster, as its trial
+// shows, so both ways come to an end there.
+TEST_F(Command, FindsTheSameRaysTheSameWayOnAnyNumberOfRanks) {
+  const auto file = in_folder("truss.toml");
+  const std::vector<std::pair<std::string, std::string>> trusses{
+      {"--paper --rows 19", "double-description"}, {"--brace all --rows 13", "tree"}};
+  for (const auto& [size, method] : trusses) {
+    ASSERT_EQ(shell(command + " example plane-truss " + size + " > " + quoted(file)).exit_code, 0);
+    const std::string call = command + " rays " + quoted(file) + " --mu 0.65 --quiet --output ";
+    const auto alone = in_folder("alone.json");
+    ASSERT_EQ(shell(call + quoted(alone)).exit_code, 0);
+    EXPECT_EQ(nlohmann::json::parse(content(alone))["options"]["method"], method);
+    for (int count = 2; count <= 3; ++count) {
+      const auto parallel = in_folder("parallel.json");
+      const auto run = shell(ranks(count) + call + quoted(parallel));
+      ASSERT_EQ(run.exit_code, 0) << run.output;
+      EXPECT_EQ(without_statistics(parallel), without_statistics(alone));
+    }
+  }
 }
 
 TEST_F(Command, GivesTheRaysOfEachConeAndWhatEachNodeDoes) {
@@ -1154,9 +1199,13 @@ std::string example_file(const std::string& name) {
 }
 
 TEST_F(Command, FindsTheSameWorstCaseOnOneAndTwoRanks) {
-  // One that the root closes, with enough columns for ranks to share, and one for the tree.
-  for (const std::string& call : {example_file("paper/limit-4x4.toml") + " --alpha 40",
-                                  example_file("static-gap.toml") + " --alpha 0.45"}) {
+  // One that the root closes, with enough columns for ranks to share, and one for the tree; the
+  // same of loads that act on several nodes at once.
+  for (const std::string& call :
+       {example_file("paper/limit-4x4.toml") + " --alpha 40",
+        example_file("static-gap.toml") + " --alpha 0.45",
+        example_file("gust.toml") + " --alpha 0.5",
+        example_file("../tests/cases/correlated_gap.toml") + " --alpha 0.16368"}) {
     const auto options = " limit " + call + " --samples 40 --curve --output " +
                          argument("out.json") + " --certificate " + argument("cert");
     nlohmann::json alone;

@@ -1,5 +1,6 @@
 // `kusabi limit` on trusses that once came out wrong, with the truth; and stopped half-way.
 #include <cmath>
+#include <map>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -50,6 +51,28 @@ TEST_F(LimitCommand, ProvesATrussWithAnIdleCable) {
 TEST_F(LimitCommand, ProvesATrussWithAChainOfIdleBars) {
   const auto json = result_of(case_file("idle_chain.toml") + " --alpha 0.1");
   expect_proved(json, 0.6 * 0.0307, 1e-8);
+}
+
+TEST_F(LimitCommand, NamesTheUncertainLoadsOfTheWorstCase) {
+  const auto call = example("gust.toml") + " --alpha 0.5";
+  EXPECT_THAT(shell(command + " limit " + call).output,
+              HasSubstr("\n    -x at b1 b2\n    -gust\n    +where the load stands\n"));
+  const auto json = result_of(call);
+  EXPECT_EQ(json["problem"]["m"], 4);
+  const auto& parameters = json["result"]["critical_parameters"];
+  ASSERT_EQ(parameters.size(), 4U);
+  std::map<std::string, double> value;
+  for (const auto& each : parameters) value[each["name"]] = each["value"];
+  EXPECT_EQ(
+      value,
+      (std::map<std::string, double>{
+          {"gust", -0.5}, {"where the load stands", 0.5}, {"x at b1", -0.5}, {"x at b2", -0.5}}));
+  // f_D + T zeta at the top of the mast.
+  for (const auto& each : json["result"]["critical_load"]) {
+    if (each["node"] == "a3") {
+      EXPECT_EQ(each["force"], Json::parse("[-0.75, -1.0]"));
+    }
+  }
 }
 
 // One yield force of 8e12 stands for "never": the others do not change their answer for it, which

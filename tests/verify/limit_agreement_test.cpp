@@ -127,12 +127,11 @@ TEST(LimitAgreement, AnotherTrussIsRefused) {
   EXPECT_THAT(refusal([](Structure& s) { s.dead = {{2, {0, 1e-9, 0}}}; }), HasSubstr("dead load"));
   EXPECT_THAT(refusal([](Structure& s) { s.reference[0].components[1] = -1.5; }),
               HasSubstr("reference load"));
-  EXPECT_THAT(refusal([](Structure& s) { s.uncertain.emplace(); }),
-              HasSubstr("uncertain components"));
+  EXPECT_THAT(refusal([](Structure& s) { s.uncertain.emplace(); }), HasSubstr("uncertain loads"));
   EXPECT_THAT(refusal([](Structure& s) {
                 s.uncertain = {{{2, 0, 0.5}}};
               }),
-              HasSubstr("uncertain components"));
+              HasSubstr("uncertain loads"));
   EXPECT_EQ(refusal([](Structure& s) { s.uncertain = {{{2, 0, 1}}}; }), "");
   EXPECT_THAT(refusal([](Structure& s) { s.fixed[2][0] = true; }), HasSubstr("displacements"));
   EXPECT_THAT(refusal([](Structure& s) { s.bars.pop_back(); }), HasSubstr("members"));
@@ -178,6 +177,10 @@ TEST(LimitCertificate, NoMemoryIsTakenForWhatTheFileCannotHold) {
        "the place of one of the entries of B"},
       {"member 0x1p+0 0x1p+0 1 0 0x1p+0", "member 0x1p+0 0x1p+0 2 0", "that the line holds"},
       {"uncertain 1", "uncertain 4000000", "expected 'uncertain' and a number that the rest"},
+      {"column 0 0x1p+0", "column 0 0x0p+0", "displacements with a number that is not 0"},
+      {"column 0 0x1p+0", "column 0 0x1p+0 2 0x1p+0", "below 2"},
+      {"column 0 0x1p+0", "column 0 0x1p+0 1", "a number that is not 0"},
+      {"column 0 0x1p+0", "column", "displacements with a number"},
       {"cuts 1", "cuts 4000000", "expected 'cuts' and a number that the rest of the file holds"},
       {"nodes 1", "nodes 4000000", "expected 'nodes' and a number that the rest of the file holds"},
   };
@@ -187,6 +190,17 @@ TEST(LimitCertificate, NoMemoryIsTakenForWhatTheFileCannotHold) {
     wrong.replace(wrong.find(what), std::string(what).size(), with);
     EXPECT_THAT(complaint(sealed(wrong)), HasSubstr(said)) << with;
   }
+}
+
+// More columns of T than displacements are no harm; nodes that say nothing of them would be.
+TEST(LimitCertificate, NoMemoryIsTakenForSignsThatNoLineHolds) {
+  auto certificate = evidence();
+  certificate.uncertain.assign(5000, {{0, 1.0}});
+  certificate.load.assign(5000, 0.5);
+  EXPECT_EQ(complaint(limit_certificate_text(certificate)), "");
+  certificate.nodes.assign(1000, certificate.nodes.front());
+  EXPECT_THAT(complaint(limit_certificate_text(certificate)),
+              HasSubstr("expected a sign or a share for each column of T"));
 }
 
 // A motion on which the reference load does 2^-1060 of work: the upper end is beyond all doubles.

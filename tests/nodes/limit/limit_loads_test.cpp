@@ -3,6 +3,7 @@
 // begin.
 #include "nodes/limit/limit_loads.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -209,6 +210,56 @@ TEST(LimitLoads, ProvesTheWorstCornerOfRandomTrusses) {
   EXPECT_LE(open, count / 100);  // strengths of 1e12 beside 1e-10 are too much for doubles at times
   EXPECT_GE(compared, count / 5);
   EXPECT_GE(not_carried, count / 20);
+}
+
+/// What a curve says of a place; minus infinity: not carried.
+double value_of(const LoadCurve& curve, double beta) {
+  for (const auto& piece : curve.pieces) {
+    if (beta <= piece.to) return piece.from.factor + piece.from.slope * (beta - piece.from.at);
+  }
+  return -infinity;
+}
+
+TEST(LimitLoads, ProvesTheCurveOfTheWorstCornersOfRandomTrusses) {
+  engine::SingleProcess alone;
+  const unsigned first = from_environment("KUSABI_SEED", 1);
+  const unsigned count = from_environment("KUSABI_TRUSSES", 80);
+  unsigned compared = 0;
+  unsigned open = 0;
+  for (unsigned seed = first; seed < first + count; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto [truss, alpha, wide] = random_truss(seed);
+    std::optional<LimitProblem> problem;
+    try {
+      problem = problems::limit_problem(truss);
+    } catch (const support::InputError&) {
+      continue;
+    }
+    engine::Campaign campaign(alone);
+    const LimitQuestion question{.alpha = alpha, .curve = true, .curve_to = 3};
+    const auto found = limit_loads(campaign, truss, *problem, question).answer;
+    if (!found.worst_curve) continue;
+    if (!found.whole()) {
+      ++open;
+      continue;
+    }
+    double error = 2e-8 * problems::limit_model(*problem).factor_unit;
+    for (const auto& piece : found.worst_curve->pieces) error = std::max(error, *piece.error);
+    for (const double beta : {0.31, 1.77, 2.9}) {
+      const auto expected = worst_corner(*problem, beta * alpha);
+      const double said = value_of(*found.worst_curve, beta);
+      if (wide && said == -infinity) continue;  // as above
+      const double near = error + 1e-6 * (std::abs(expected.factor) + expected.dissipation);
+      if (expected.status == LoadStatus::collapses) {
+        EXPECT_NEAR(said, expected.factor, near) << beta;
+      } else {
+        EXPECT_EQ(said, -infinity) << beta;
+      }
+    }
+    ++compared;
+  }
+  EXPECT_LE(open, count / 20);  // where next to nothing is carried but the nominal load
+  EXPECT_GE(compared, count / 3);
 }
 
 }  // namespace

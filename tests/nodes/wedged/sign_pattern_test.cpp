@@ -2,14 +2,18 @@
 // against the definition of a wedged configuration.
 #include "nodes/wedged/sign_pattern.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -226,6 +230,70 @@ TEST(Polyhedral, FindsThePatternsOfTheConesFromFewerCandidatesWithMoreFacets) {
       fewer = tally.candidates;
     }
   }
+}
+
+// Step 1 and step 2 of Algorithm 5.8, each on all 2^10 leaves one by one.
+TEST(Polyhedral, ListsTheCandidatesAndWhatTheTestSaysOfEach) {
+  const auto problem = example("space-truss.toml");
+  const std::vector<double> friction(10, 0.65);
+  const int facets = 4;
+  SignPatternTree tree(problem, friction, {.tolerances = {}, .facets = facets});
+  const auto alive = contact_sets(engine::search(tree));
+  std::map<std::uint64_t, bool> discarded;
+  for (const auto& candidate : tree.tally().tested) {
+    EXPECT_EQ(candidate.pattern.contact ^ candidate.pattern.separated, 1023U);
+    EXPECT_TRUE(discarded.emplace(candidate.pattern.contact, candidate.discarded()).second);
+    EXPECT_GT(candidate.polyhedral, 0);
+  }
+  const Eigen::MatrixXd scaled = problem.compliance / problems::mean_normal_compliance(problem);
+  FacetBound polyhedral(scaled, friction, facets, {});
+  conic::NodeSolver<3> cones(scaled, friction);
+  std::map<std::uint64_t, bool> expected;
+  for (std::uint64_t contact = 1; contact < 1024; ++contact) {
+    if (polyhedral.solve(contact, 1023 & ~contact, {}).sign == conic::Sign::dead) continue;
+    expected[contact] = cones.solve(contact, 1023 & ~contact).sign == conic::Sign::dead;
+  }
+  EXPECT_EQ(discarded, expected);
+  EXPECT_GT(discarded.size(), alive.size()) << "some are discarded";
+}
+
+// The tree, and how deep each node lies that it opens.
+struct Watched {
+  using Node = SignPatternTree::Node;
+  using Solution = SignPatternTree::Solution;
+
+  SignPatternTree tree;
+  std::vector<double> depths{};
+
+  Node root() const { return tree.root(); }
+  double objective(const Solution& leaf) const { return tree.objective(leaf); }
+  double bound(const Node& node) const { return tree.bound(node); }
+  void expand(Node&& node, engine::Expansion<Watched>& out) {
+    depths.push_back(tree.bound(node));
+    auto fate = tree.decide(node);
+    if (fate.leaf) out.solution(std::move(*fate.leaf));
+    for (const Node& child : fate.children) out.branch(child);
+  }
+};
+
+// Remark 5.2: the order is free.
+TEST(Order, BreadthFirstOpensTheSameNodesLevelByLevel) {
+  const auto problem = example("space-truss.toml");
+  const auto depths = [&](engine::Order order) {
+    Watched watched{tree_of(problem, 0.65)};
+    engine::Options options;
+    options.order = order;
+    const auto outcome = engine::search(watched, options);
+    EXPECT_EQ(outcome.solutions.size(), reference("space-truss.json")["counts"]["0.65"]);
+    return std::pair(watched.depths, outcome.fingerprint());
+  };
+  auto [deep, of_deep] = depths(engine::Order::depth_first);
+  const auto [broad, of_broad] = depths(engine::Order::best_first);
+  EXPECT_TRUE(std::ranges::is_sorted(broad));
+  EXPECT_FALSE(std::ranges::is_sorted(deep));
+  std::ranges::sort(deep);
+  EXPECT_EQ(deep, broad);
+  EXPECT_EQ(of_deep, of_broad);
 }
 
 // Pruning and branching against all leaves one by one, in the plane and in space.

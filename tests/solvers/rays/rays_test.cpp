@@ -1,5 +1,7 @@
 // Rays and cones against the reference, brute force, lrs, Bron and Kerbosch, and the definition.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <fstream>
 #include <set>
 #include <string>
@@ -81,11 +83,40 @@ TEST(DoubleDescription, EndsWhenItHasTooManyRaysOrIsTold) {
   const auto cone = cone_of(problems::paper_plane_truss(9), 0.65);
   const auto whole = complementary_rays(cone);
   const auto peak = whole.effort.peak_rays;
-  EXPECT_EQ(complementary_rays(cone, peak)->rays, whole.rays);
-  EXPECT_FALSE(complementary_rays(cone, peak - 1).has_value());
-  EXPECT_FALSE(complementary_rays(cone, peak, [] { return true; }).has_value());
-  EXPECT_TRUE(complementary_rays(cone, peak, [] { return false; }).has_value());
+  const auto ends = [&](const Conduct& conduct) { return !complementary_rays(cone, conduct); };
+  EXPECT_EQ(complementary_rays(cone, {.most_rays = peak})->rays, whole.rays);
+  EXPECT_TRUE(ends({.most_rays = peak - 1}));
+  EXPECT_TRUE(ends({.stop = [] { return true; }}));
+  EXPECT_FALSE(ends({.stop = [] { return false; }}));
+  // What those who share the work agree on counts, whatever one was told.
+  EXPECT_TRUE(ends({.agree = [](bool) { return true; }}));
+  EXPECT_FALSE(ends({.stop = [] { return true; }, .agree = [](bool) { return false; }}));
   EXPECT_GT(rays_that_fit(1U << 30U, 10), rays_that_fit(1U << 30U, 20));
+}
+
+// Pieces done in any order and by themselves give the list that comes of the whole, in its order.
+TEST(DoubleDescription, MayBeSharedWithoutATrace) {
+  const auto cone = cone_of(problems::paper_plane_truss(21), 0.65);
+  const auto whole = complementary_rays(cone);
+  std::uint64_t pieces = 0;
+  const auto backwards = [&](std::uint64_t count, const auto& piece) {
+    std::vector<NewRays> results(count);
+    for (std::uint64_t at = count; at-- > 0;) results[at] = piece(at);
+    pieces += count;
+    return results;
+  };
+  const auto shared = complementary_rays(cone, {.share = backwards});
+  EXPECT_GT(pieces, 100U);
+  EXPECT_EQ(shared->rays, whole.rays);
+  EXPECT_EQ(shared->effort.peak_rays, whole.effort.peak_rays);
+  EXPECT_EQ(shared->effort.pairs, whole.effort.pairs);
+  EXPECT_EQ(shared->effort.adjacent, whole.effort.adjacent);
+  EXPECT_EQ(shared->health.smallest_nonzero, whole.health.smallest_nonzero);
+  EXPECT_FALSE(complementary_rays(cone, {.share = [&](std::uint64_t count, const auto& piece) {
+                                    auto results = backwards(count, piece);
+                                    results.front().stopped = true;
+                                    return results;
+                                  }}));
 }
 
 std::vector<Row> table_rows() {
@@ -366,7 +397,7 @@ TEST(MaximalCones, AreTheMaximalCliquesOfAnySupports) {
   }
 }
 
-TEST(BitPatternTree, FindsAsManySupersetsAsAreThere) {
+TEST(BitPatternTree, FindsASupersetIfThereIsOne) {
   std::mt19937_64 bits(3);
   std::vector<ZeroSet> sets;
   std::vector<int> members;
@@ -380,12 +411,24 @@ TEST(BitPatternTree, FindsAsManySupersetsAsAreThere) {
     for (auto* word : {&smaller.p, &smaller.q, &smaller.u}) {
       for (int more = trial % 7; more > 0; --more) *word &= bits();
     }
-    const auto count = static_cast<int>(std::count_if(
-        sets.begin(), sets.end(), [&](const ZeroSet& set) { return contains(set, smaller); }));
-    EXPECT_FALSE(tree.more_than(count, smaller));
-    if (count > 0) {
-      EXPECT_TRUE(tree.more_than(count - 1, smaller));
-    }
+    const std::array<int, 2> but_for{trial, trial / 2};
+    const auto fits = [&](int member) {
+      return member != but_for[0] && member != but_for[1] &&
+             contains(sets[static_cast<std::size_t>(member)], smaller);
+    };
+    const auto found = tree.superset(smaller, but_for);
+    EXPECT_EQ(found.has_value(), std::any_of(members.begin(), members.end(), fits));
+    EXPECT_TRUE(!found || fits(*found));
+  }
+}
+
+TEST(ZeroSet, HasAsManyEqualitiesAsBits) {
+  std::mt19937_64 bits(7);
+  EXPECT_EQ(size({}), 0);
+  EXPECT_EQ(size({.p = ~0UL, .q = ~0UL, .u = ~0UL}), 192);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const ZeroSet zero{.p = bits(), .q = bits() | bits(), .u = bits() & bits()};
+    EXPECT_EQ(size(zero), std::popcount(zero.p) + std::popcount(zero.q) + std::popcount(zero.u));
   }
 }
 

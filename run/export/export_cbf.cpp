@@ -1,0 +1,143 @@
+// The cone program whose optimum is the margin t* of a node, in the scaled units of that margin.
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "problems/files/structure_file.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "run/command/command_run.hpp"
+#include "run/export/export.hpp"
+#include "run/export/exported_file.hpp"
+#include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
+#include "run/wedged/agreement.hpp"
+#include "run/wedged/problem_summary.hpp"
+#include "solvers/conic/benchmark_format.hpp"
+#include "solvers/conic/cone_program.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr std::string_view separators = ", ";
+
+class ExportCbf final : public ExportedFile {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "export cbf"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "the cone program of a node of the sign patterns in the Conic Benchmark Format, for "
+           "solvers of second-order cone programs";
+  }
+  void describe(OptionTable& table) override;
+  void prepare(CommandRun& run) override;
+  void search(CommandRun& /*run*/) override {}
+
+ protected:
+  void write(std::ostream& out) const override;
+
+ private:
+  [[nodiscard]] std::uint64_t set_of(std::string_view text, std::string_view option) const;
+  [[nodiscard]] Names comments(double unit) const;
+
+  double coefficient_ = 0;
+  std::string contact_names_, separated_names_;
+  problems::WedgedProblem problem_;
+  std::vector<double> friction_;
+  std::uint64_t contact_ = 0, separated_ = 0;
+};
+
+void ExportCbf::describe(OptionTable& table) {
+  describe_input(table);
+  table.number("--mu", &coefficient_, above(0), "friction coefficient").required();
+  table.text("--contact", contact_names_, "NODE,NODE,...",
+             "the candidates held in contact: U of the node; none of the root");
+  table.text("--separated", separated_names_, "NODE,NODE,...",
+             "those held separated: R of the node");
+  describe_output(table);
+}
+
+// Names may have commas and blanks in them: of those that the text begins with the longest is
+// meant.
+std::uint64_t ExportCbf::set_of(std::string_view text, std::string_view option) const {
+  const auto begins = [&](const std::string& name) {
+    return text.starts_with(name) &&
+           (text.size() == name.size() || separators.find(text[name.size()]) != std::string::npos);
+  };
+  const auto& names = problem_.contact_names;
+  std::uint64_t set = 0;
+  while (!text.empty()) {
+    std::size_t longest = names.size();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const bool longer = longest == names.size() || names[i].size() > names[longest].size();
+      if (longer && begins(names[i])) longest = i;
+    }
+    if (longest == names.size()) {
+      throw WrongInput(fmt::format("{}: no contact candidate of {} is called '{}'; expected {}",
+                                   option, file(), text.substr(0, text.find_first_of(separators)),
+                                   fmt::join(names, " or ")));
+    }
+    set |= std::uint64_t{1} << longest;
+    text.remove_prefix(std::min(text.size(), names[longest].size() + 1));
+  }
+  return set;
+}
+
+void ExportCbf::prepare(CommandRun& run) {
+  problem_ = problems::wedged_problem(problems::read_structure(text(), file()));
+  friction_ = friction_at(problem_, coefficient_, file());
+  agree(run.session(), problem_);
+  contact_ = set_of(contact_names_, "--contact");
+  separated_ = set_of(separated_names_, "--separated");
+  if ((contact_ & separated_) != 0) {
+    throw WrongInput(fmt::format("--separated: {} is in --contact, too; expected it in one of them",
+                                 candidate_names(problem_, contact_ & separated_).front()));
+  }
+  if (candidate_names(problem_, separated_).size() == problem_.contact_names.size()) {
+    throw WrongInput(
+        "--separated: all candidates, and none is left to carry a reaction; expected fewer");
+  }
+}
+
+Names ExportCbf::comments(double unit) const {
+  const auto d = static_cast<std::size_t>(problem_.dimension);
+  Names lines{
+      fmt::format("{}, from {}, fingerprint {}", problem_.name, file(),
+                  hexadecimal(problem_.fingerprint)),
+      fmt::format("The cone program of the sign pattern with contact: {}; separated: {}; friction "
+                  "coefficient {}.",
+                  listed(candidate_names(problem_, contact_)),
+                  listed(candidate_names(problem_, separated_)), coefficient_),
+      "Maximise t: the optimal objective is the margin t*. Above zero: there may be wedged "
+      "configurations; below: there are none.",
+      fmt::format("F is divided by its mean normal part, {} {}/{}; so t has no unit.", unit,
+                  problem_.units.length, problem_.units.force)};
+  for (std::size_t i = 0; i < problem_.contact_names.size(); ++i) {
+    lines.push_back(fmt::format("columns {} to {}: reaction at {}: n, {}; friction {}", d * i,
+                                d * i + d - 1, problem_.contact_names[i], d == 2 ? "t1" : "t1, t2",
+                                friction_[i]));
+  }
+  lines.push_back(fmt::format("column {}: t", d * problem_.contact_names.size()));
+  return lines;
+}
+
+void ExportCbf::write(std::ostream& out) const {
+  const double unit = mean_normal_compliance(problem_);
+  write_benchmark_format(
+      out, conic::node_cone_program(problem_.compliance / unit, friction_, contact_, separated_),
+      comments(unit));
+}
+
+}  // namespace
+
+std::unique_ptr<Subcommand> export_cbf_subcommand() {
+  return std::make_unique<ExportCbf>();
+}
+
+}  // namespace kusabi::run

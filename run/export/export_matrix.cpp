@@ -1,0 +1,92 @@
+// The matrices of the wedged problem, in the units of the problem file.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "problems/files/matrix_market.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "run/command/command_run.hpp"
+#include "run/export/export.hpp"
+#include "run/export/exported_file.hpp"
+#include "run/output/values.hpp"
+#include "run/wedged/agreement.hpp"
+
+namespace kusabi::run {
+namespace {
+
+enum class Matrix { stiffness, compliance };
+
+class ExportMatrix final : public ExportedFile {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "export matrix"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "the stiffness condensed onto the contact candidates, or its inverse, as a Matrix "
+           "Market file";
+  }
+  void describe(OptionTable& table) override;
+  void prepare(CommandRun& run) override;
+  void search(CommandRun& /*run*/) override {}
+
+ protected:
+  void write(std::ostream& out) const override;
+
+ private:
+  [[nodiscard]] std::vector<std::string> comments() const;
+
+  Matrix choice_ = Matrix::stiffness;
+  problems::WedgedProblem problem_;
+};
+
+void ExportMatrix::describe(OptionTable& table) {
+  describe_input(table);
+  table.choice("--matrix", choice_,
+               {{"stiffness", Matrix::stiffness}, {"compliance", Matrix::compliance}},
+               "K of r = K u, or F = K^-1, both of the displacements and reactions of the contact "
+               "candidates");
+  describe_output(table);
+}
+
+void ExportMatrix::prepare(CommandRun& run) {
+  problem_ = problems::wedged_problem(problems::read_structure(text(), file()));
+  agree(run.session(), problem_);
+}
+
+std::vector<std::string> ExportMatrix::comments() const {
+  const bool stiffness = choice_ == Matrix::stiffness;
+  std::vector<std::string> lines{
+      fmt::format("{}, from {}, fingerprint {}", problem_.name, file(),
+                  hexadecimal(problem_.fingerprint)),
+      stiffness ? fmt::format("The stiffness K condensed onto the contact candidates: r = K u, in "
+                              "{}/{}.",
+                              problem_.units.force, problem_.units.length)
+                : fmt::format("The compliance F of the contact candidates: u = F r, in {}/{}.",
+                              problem_.units.length, problem_.units.force),
+      "Each has its displacements in its own frame: n out of the obstacle, t along it."};
+  constexpr const char* axes[] = {"n", "t1", "t2"};
+  int row = 0;
+  for (std::size_t i = 0; i < problem_.contact_names.size(); ++i) {
+    for (int axis = 0; axis < problem_.dimension; ++axis) {
+      const Eigen::VectorXd direction = problem_.frames[i].col(axis);
+      lines.push_back(fmt::format("row {}: {} of {}, along ({})", ++row, axes[axis],
+                                  problem_.contact_names[i], fmt::join(direction, ", ")));
+    }
+  }
+  return lines;
+}
+
+void ExportMatrix::write(std::ostream& out) const {
+  problems::write_matrix_market(
+      out, choice_ == Matrix::stiffness ? problem_.stiffness : problem_.compliance, comments());
+}
+
+}  // namespace
+
+std::unique_ptr<Subcommand> export_matrix_subcommand() {
+  return std::make_unique<ExportMatrix>();
+}
+
+}  // namespace kusabi::run

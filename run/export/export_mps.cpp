@@ -1,0 +1,188 @@
+// The programs of limit analysis, in the units of the problem file: so another solver's optimum is
+// the load factor itself.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "engine/campaign.hpp"
+#include "engine/together.hpp"
+#include "nodes/limit/safe_big_m.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/limit/limit_analysis.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "problems/limit/mixed_limit.hpp"
+#include "problems/limit/program_names.hpp"
+#include "run/command/command_run.hpp"
+#include "run/export/export.hpp"
+#include "run/export/exported_file.hpp"
+#include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
+#include "run/session/supervision.hpp"
+#include "solvers/linear/mps_writer.hpp"
+
+namespace kusabi::run {
+namespace {
+
+enum class Program { worst_case, kinematic, statics };
+
+class ExportMps final : public ExportedFile {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "export mps"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "the programs of limit analysis as free MPS, for solvers of (0-1) linear programs";
+  }
+  void describe(OptionTable& table) override;
+  void check() const override;
+  void prepare(CommandRun& run) override;
+  void search(CommandRun& run) override;
+
+ protected:
+  void write(std::ostream& out) const override;
+
+ private:
+  [[nodiscard]] linear::MixedProgram program() const;
+  [[nodiscard]] std::vector<std::string> comments() const;
+  [[nodiscard]] std::vector<std::string> comments_on_worst_case() const;
+
+  Program choice_ = Program::worst_case;
+  std::optional<double> alpha_;
+  std::optional<double> asked_m_;
+  std::optional<problems::LimitProblem> problem_;
+  Eigen::VectorXd big_m_;  // of the worst case: one an uncertain component
+};
+
+void ExportMps::describe(OptionTable& table) {
+  describe_input(table);
+  table.choice("--program", choice_,
+               {{"worst-case", Program::worst_case},
+                {"kinematic", Program::kinematic},
+                {"static", Program::statics}},
+               "the 0-1 program (29) of the worst case, or the linear programs of the dead load as "
+               "it is: (15), or (5), whose optimum is minus the load factor");
+  table
+      .number("--alpha", &alpha_, above(0),
+              "of the worst case: the uncertain components of the dead load are known up to +- "
+              "this")
+      .unit("in the file's unit of force");
+  table
+      .number("--big-m", &asked_m_, above(0),
+              "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
+              "Without it a safe one is derived for each component")
+      .needs("--alpha");
+  describe_output(table);
+}
+
+void ExportMps::check() const {
+  const bool of_worst_case = choice_ == Program::worst_case;
+  if (of_worst_case && !alpha_) {
+    throw WrongInput("--program worst-case: of no uncertainty; expected --alpha");
+  }
+  if (!of_worst_case && alpha_) {
+    throw WrongInput(
+        "--alpha: of a program without uncertainty; expected --program worst-case, or no --alpha");
+  }
+}
+
+void ExportMps::prepare(CommandRun& run) {
+  problem_ = problems::limit_problem(problems::read_structure(text(), file()));
+  engine::agree(run.session().transport(), problem_->fingerprint);
+}
+
+void ExportMps::search(CommandRun& run) {
+  if (choice_ != Program::worst_case) return;
+  if (asked_m_) {
+    big_m_.setConstant(problem_->uncertain_count(), *asked_m_);
+    return;
+  }
+  engine::Campaign campaign(run.session().transport(), supervision({}, false));
+  const auto derived = limit::safe_big_m(campaign, *problem_, *alpha_);
+  if (!derived) throw WrongInput("--alpha: no safe M of (29) was found; expected --big-m as well");
+  big_m_ = *derived;
+}
+
+linear::MixedProgram ExportMps::program() const {
+  const auto model = problems::unscaled_model(*problem_);
+  linear::MixedProgram mixed;
+  switch (choice_) {
+    case Program::statics:
+      mixed.program = static_program(model, model.dead);
+      name_static_program(*problem_, mixed.program);
+      break;
+    case Program::kinematic:
+      mixed.program = kinematic_program(model, model.dead);
+      name_kinematic_program(*problem_, mixed.program);
+      break;
+    case Program::worst_case: {
+      const auto unlimited = [](int size) {
+        return Eigen::VectorXd::Constant(size, linear::infinity).eval();
+      };
+      mixed = worst_case_program(model, *alpha_, big_m_, unlimited(model.free_count()),
+                                 unlimited(model.member_count()));
+      name_worst_case_program(*problem_, mixed.program);
+    }
+  }
+  return mixed;
+}
+
+std::vector<std::string> ExportMps::comments_on_worst_case() const {
+  std::vector<std::string> lines{
+      fmt::format("Its uncertain components are known up to +- {} {} times their weights.", *alpha_,
+                  problem_->units.force),
+      "Minimise: the optimal objective is the worst-case load factor, lambda_min.",
+      "u: the collapse mode, with f_R'u = 1; z: how much each member is stretched or shortened; "
+      "gamma: the size of each uncertain",
+      "component's displacement; tau: 1 if that is positive, 0 if it is negative."};
+  if (asked_m_) {
+    lines.push_back(
+        fmt::format("M is {}, as asked for; too small a one cuts the optimum off.", *asked_m_));
+  } else if (big_m_.size() > 0) {
+    lines.push_back(fmt::format(
+        "M is {:g} to {:g}, component by component: derived, so that no optimum is cut off.",
+        big_m_.minCoeff(), big_m_.maxCoeff()));
+  }
+  return lines;
+}
+
+std::vector<std::string> ExportMps::comments() const {
+  std::vector<std::string> lines{
+      fmt::format("{}, from {}, fingerprint {}", problem_->name, file(),
+                  hexadecimal(problem_->fingerprint)),
+      fmt::format("Forces are in {}, lengths in {}, as in the problem file.", problem_->units.force,
+                  problem_->units.length)};
+  switch (choice_) {
+    case Program::statics:
+      lines.emplace_back(
+          "The static principle (5) of limit analysis, with the dead load as it is.");
+      lines.emplace_back("Minimise: the optimal objective is minus the load factor; q: forces.");
+      break;
+    case Program::kinematic:
+      lines.emplace_back(
+          "The kinematic principle (15) of limit analysis, with the dead load as it is.");
+      lines.emplace_back(
+          "Minimise: the optimal objective is the load factor. u: the collapse mode, with "
+          "f_R'u = 1; z: how much each member is stretched or shortened.");
+      break;
+    case Program::worst_case: {
+      lines.emplace_back(
+          "The 0-1 program (29) of limit analysis with a dead load that is not known exactly.");
+      const auto more = comments_on_worst_case();
+      lines.insert(lines.end(), more.begin(), more.end());
+    }
+  }
+  return lines;
+}
+
+void ExportMps::write(std::ostream& out) const {
+  write_mps(out, program(), comments());
+}
+
+}  // namespace
+
+std::unique_ptr<Subcommand> export_mps_subcommand() {
+  return std::make_unique<ExportMps>();
+}
+
+}  // namespace kusabi::run

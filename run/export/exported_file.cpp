@@ -1,0 +1,34 @@
+// Reading and writing.
+#include "run/export/exported_file.hpp"
+
+#include <ostream>
+#include <sstream>
+
+#include "problems/files/structure_file.hpp"
+#include "run/command/command_run.hpp"
+
+namespace kusabi::run {
+
+void ExportedFile::describe_input(OptionTable& table) {
+  table.file("file", file_, Role::input, "the problem, a TOML file").required();
+}
+
+void ExportedFile::describe_output(OptionTable& table) {
+  table.output("--output", "write to this file instead of standard output");
+  table.serial();
+}
+
+void ExportedFile::read(CommandRun& run) {
+  text_ = run.session().from_first_rank([&] { return problems::file_text(file_); });
+}
+
+std::vector<Step> ExportedFile::results(CommandRun& run) {
+  if (run.wants("--output")) {
+    return {run.file("--output", [this](std::ostream& out) { write(out); })};
+  }
+  std::ostringstream text;
+  write(text);
+  return {CommandRun::print(text.str())};
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,35 @@
+// What all of `kusabi export` have alike: a problem file is read, and a file is written, to
+// standard output unless it is given a name.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "run/command/subcommand.hpp"
+
+namespace kusabi::run {
+
+class ExportedFile : public Subcommand {
+ public:
+  void read(CommandRun& run) final;
+  std::vector<Step> results(CommandRun& run) final;
+  Verdict verdict(CommandRun& /*run*/) final { return {}; }
+
+ protected:
+  /// The rows that all have: first the problem file, last the options of the run.
+  void describe_input(OptionTable& table);
+  static void describe_output(OptionTable& table);
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+  /// On rank 0, when all is known.
+  virtual void write(std::ostream& out) const = 0;
+
+ private:
+  std::string file_;
+  std::string text_;
+};
+
+}  // namespace kusabi::run

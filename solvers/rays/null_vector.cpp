@@ -1,0 +1,154 @@
+// Elimination in either precision, and the refinement of what it gives in doubles.
+#include "solvers/rays/null_vector.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace kusabi::rays {
+namespace {
+
+/// A correction in doubles is right to about its own size, relative to what it corrects. So after
+/// one that changes no number by more than this share what is left is below the last digit of a
+/// double.
+constexpr double small_correction = 1e-9;
+
+/// Where elimination in doubles has got some digits right, the second correction is small enough.
+constexpr int most_corrections = 3;
+
+template <class Scalar>
+using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Scalar>
+using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+/// P A Q = L U, of which the leading n - 1 rows and columns are used.
+template <class Scalar>
+class Elimination {
+ public:
+  explicit Elimination(Matrix<Scalar> equalities)
+      : lu_(std::move(equalities)),
+        rank_(lu_.cols() - 1),
+        rows_(static_cast<std::size_t>(lu_.rows())),
+        columns_(static_cast<std::size_t>(lu_.cols())) {
+    std::iota(rows_.begin(), rows_.end(), 0);
+    std::iota(columns_.begin(), columns_.end(), 0);
+    eliminate();
+  }
+
+  Eigen::Index rank() const { return rank_; }
+  /// Whether as many pivots were found as there should be.
+  bool complete() const { return pivots_ == rank_; }
+  /// Which row, or column, of A came to a place.
+  Eigen::Index row(Eigen::Index place) const { return rows_[static_cast<std::size_t>(place)]; }
+  Eigen::Index column(Eigen::Index place) const {
+    return columns_[static_cast<std::size_t>(place)];
+  }
+
+  /// The null vector by places, with 1 at the last.
+  Vector<Scalar> null_vector() const {
+    Vector<Scalar> x(rank_ + 1);
+    x(rank_) = 1;
+    x.head(rank_) = -upper().solve(lu_.col(rank_).head(rank_));
+    return x;
+  }
+
+  /// What to take from the first numbers of x, by places, so that `residual` of the first rows of
+  /// A x, by places, vanishes.
+  Vector<Scalar> correction(const Vector<Scalar>& residual) const {
+    return upper().solve(square().template triangularView<Eigen::UnitLower>().solve(residual));
+  }
+
+ private:
+  auto square() const { return lu_.topLeftCorner(rank_, rank_); }
+  auto upper() const {
+    return lu_.topLeftCorner(rank_, rank_).template triangularView<Eigen::Upper>();
+  }
+
+  struct Pivot {
+    Eigen::Index row = 0;
+    Eigen::Index column = 0;
+    Scalar size = 0;
+  };
+
+  // The largest of the entries from `step` on, each of which `entry` gives, column by column.
+  template <class Entry>
+  Pivot largest(Eigen::Index step, const Entry& entry) const {
+    Pivot pivot;
+    for (Eigen::Index j = step; j < lu_.cols(); ++j) {
+      for (Eigen::Index i = step; i < lu_.rows(); ++i) {
+        const Scalar size = std::abs(entry(i, j));
+        if (size > pivot.size) pivot = {i, j, size};
+      }
+    }
+    return pivot;
+  }
+
+  void eliminate() {
+    Pivot pivot = largest(0, [&](auto i, auto j) { return lu_(i, j); });
+    for (Eigen::Index step = 0; step < rank_ && pivot.size > 0; ++step, ++pivots_) {
+      exchange(step, pivot);
+      const Eigen::Index below = lu_.rows() - step - 1;
+      lu_.col(step).tail(below) /= lu_(step, step);
+      pivot = largest(step + 1,
+                      [&](auto i, auto j) { return lu_(i, j) -= lu_(i, step) * lu_(step, j); });
+    }
+  }
+
+  void exchange(Eigen::Index step, const Pivot& pivot) {
+    if (pivot.row != step) lu_.row(step).swap(lu_.row(pivot.row));
+    if (pivot.column != step) lu_.col(step).swap(lu_.col(pivot.column));
+    const auto at = static_cast<std::size_t>(step);
+    std::swap(rows_[at], rows_[static_cast<std::size_t>(pivot.row)]);
+    std::swap(columns_[at], columns_[static_cast<std::size_t>(pivot.column)]);
+  }
+
+  Matrix<Scalar> lu_;
+  Eigen::Index rank_;
+  Eigen::Index pivots_ = 0;
+  std::vector<Eigen::Index> rows_;
+  std::vector<Eigen::Index> columns_;
+};
+
+// From places back to columns, with sum 1.
+template <class Scalar>
+PreciseVector in_order(const Elimination<Scalar>& elimination, const PreciseVector& by_place) {
+  PreciseVector x(by_place.size());
+  for (Eigen::Index place = 0; place < x.size(); ++place) {
+    x(elimination.column(place)) = by_place(place);
+  }
+  return x / x.sum();
+}
+
+}  // namespace
+
+PreciseVector null_vector(const PreciseMatrix& equalities) {
+  const Elimination<long double> elimination(equalities);
+  return in_order(elimination, elimination.null_vector());
+}
+
+std::optional<Eigen::VectorXd> rounded_null_vector(const PreciseMatrix& equalities,
+                                                   const Eigen::MatrixXd& rounded) {
+  const Elimination<double> elimination(rounded);
+  if (!elimination.complete()) return std::nullopt;
+  const Eigen::Index rank = elimination.rank();
+  PreciseVector x = elimination.null_vector().cast<long double>();
+  PreciseMatrix used(rank, rank + 1);
+  for (Eigen::Index j = 0; j <= rank; ++j) {
+    for (Eigen::Index i = 0; i < rank; ++i) {
+      used(i, j) = equalities(elimination.row(i), elimination.column(j));
+    }
+  }
+  for (int done = 0; done < most_corrections; ++done) {
+    const PreciseVector residual = used * x;
+    const Eigen::VectorXd correction = elimination.correction(residual.cast<double>());
+    x.head(rank) -= correction.cast<long double>();
+    const Eigen::ArrayXd size = x.head(rank).cast<double>().array().abs();
+    if ((correction.array().abs() <= small_correction * size).all()) {
+      return in_order(elimination, x).cast<double>();
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace kusabi::rays

@@ -1,0 +1,170 @@
+// The load model f_D + T zeta with columns of any direction: worst cases and certificates of random
+// trusses against all corners, which are solved by a route of their own. KUSABI_TRUSSES sets how
+// many, KUSABI_SEED where to begin.
+#include "tests/nodes/limit/load_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "nodes/evidence/verified_structure.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/files/structure_writer.hpp"
+#include "verify/limit_agreement.hpp"
+#include "verify/limit_proof.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+using problems::LimitProblem;
+using problems::Structure;
+using test::findings;
+using test::near;
+using test::PlainTruss;
+using test::problem_of;
+
+unsigned from_environment(const char* name, unsigned otherwise) {
+  const char* const text = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+  return text == nullptr ? otherwise : static_cast<unsigned>(std::stoul(text));
+}
+
+// What the certificate shows of the truss; an empty interval: nothing.
+struct Shown {
+  double lower = std::numeric_limits<double>::infinity();
+  double upper = -std::numeric_limits<double>::infinity();
+  std::string why;
+};
+
+Shown shown(const verify::LimitCertificate& certificate, const Structure& truss) {
+  auto agreed = verify::limit_agreement(certificate, evidence::verified_structure(truss));
+  if (const auto* why = std::get_if<std::string>(&agreed)) return {.why = *why};
+  const verify::LimitProof proof(certificate, std::get<verify::LimitTruss>(std::move(agreed)));
+  Shown result;
+  if (const auto flaw = verify::flaw_of_sign_cover(certificate)) return {.why = *flaw};
+  for (const auto& node : certificate.nodes) {
+    const auto lower = proof.lower(node);
+    if (const auto* why = std::get_if<std::string>(&lower)) return {.why = *why};
+    result.lower = std::min(result.lower, verify::rounded_down(std::get<mpq_class>(lower)));
+  }
+  result.upper = verify::rounded_up(std::get<mpq_class>(proof.upper()));
+  return result;
+}
+
+// Another column of T in the certificate is not that of the truss.
+void expect_other_columns_refused(const verify::LimitCertificate& certificate,
+                                  const Structure& truss) {
+  const auto refused = [&](const auto& change) {
+    for (std::size_t j = 0; j < certificate.uncertain.size(); ++j) {
+      auto other = certificate;
+      change(other.uncertain[j]);
+      // Of two columns that are opposite, or one, this makes what was there before.
+      if (shown(other, truss).why.find("uncertain loads") == std::string::npos) return false;
+    }
+    return true;
+  };
+  EXPECT_TRUE(refused([](verify::Sparse& t) { t[0].second = std::nextafter(t[0].second, 9); }));
+  EXPECT_TRUE(refused([](verify::Sparse& t) { t[0].second = -t[0].second; }));
+  EXPECT_TRUE(refused([](verify::Sparse& t) { t.emplace_back(t[0].first, 0.5); }));
+  EXPECT_TRUE(refused([&](verify::Sparse& t) {
+    t.back().first = (t.back().first + 1) % certificate.displacements;
+  }));
+  EXPECT_TRUE(refused([](verify::Sparse& t) { t.pop_back(); }));
+}
+
+std::vector<verify::Sparse> columns_of(const LimitProblem& problem) {
+  std::vector<verify::Sparse> columns;
+  for (const auto& column : problem.uncertain) {
+    auto& load = columns.emplace_back();
+    for (const auto& [degree, value] : column.direction) {
+      load.emplace_back(static_cast<std::size_t>(degree), column.weight * value);
+    }
+  }
+  return columns;
+}
+
+// Evidence of one T, put forward for another in truss and certificate: whatever it shows must hold.
+void expect_nothing_wrong_is_shown(const verify::LimitCertificate& certificate,
+                                   const Structure& truss) {
+  for (std::size_t j = 0; j < certificate.uncertain.size(); ++j) {
+    auto other = truss;
+    for (auto& component : (*other.uncertain)[j].components) component.weight *= 1.25;
+    auto moved = certificate;
+    moved.uncertain = columns_of(limit_problem(other));
+    const auto claim = shown(moved, other);
+    const auto least = PlainTruss(other).least_of_all_corners(certificate.alpha);
+    if (!least || !claim.why.empty()) continue;
+    EXPECT_LE(claim.lower, *least + near);
+    EXPECT_GE(claim.upper, *least - near);
+  }
+}
+
+TEST(LoadModel, ProvesTheWorstCornerOfColumnsOfAnyDirection) {
+  const unsigned first = from_environment("KUSABI_SEED", 1);
+  const unsigned count = from_environment("KUSABI_TRUSSES", 150);
+  unsigned compared = 0;
+  unsigned not_carried = 0;
+  unsigned trees = 0;
+  for (unsigned seed = first; seed < first + count; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto [truss, alpha] = test::correlated_truss(seed);
+    const auto problem = problem_of(truss);
+    if (!problem) continue;
+    const auto written = problems::read_structure(problems::structure_text(truss), "written");
+    EXPECT_EQ(limit_problem(written).fingerprint, problem->fingerprint);
+    const PlainTruss plain(truss);
+    const auto nominal = plain.factor(Eigen::VectorXd::Zero(plain.uncertain.cols()));
+    const auto [answer, certificate] = findings(truss, {.alpha = alpha});
+    EXPECT_TRUE(answer.whole());
+    ASSERT_EQ(answer.nominal.has_value(), nominal.has_value());
+    if (!nominal) continue;
+    EXPECT_NEAR(answer.nominal->factor, *nominal, near);
+    const auto& worst = *answer.worst;
+    const auto least = plain.least_of_all_corners(alpha);
+    if (!least) {
+      EXPECT_EQ(worst.status, RootStatus::not_carried);
+      ++not_carried;
+      continue;
+    }
+    EXPECT_NEAR(worst.ends.upper, *least, near);
+    EXPECT_NEAR(worst.ends.lower, *least, near);
+    trees += worst.nodes > 1 ? 1 : 0;
+    ++compared;
+    ASSERT_TRUE(certificate);
+    const auto text = verify::limit_certificate_text(*certificate);
+    const auto read = verify::read_limit_certificate(text, "certificate");
+    const auto claim = shown(read, truss);
+    EXPECT_EQ(claim.why, "");
+    EXPECT_GE(claim.lower, worst.ends.lower);
+    EXPECT_EQ(claim.upper, worst.ends.upper);
+    expect_other_columns_refused(read, truss);
+    expect_nothing_wrong_is_shown(read, truss);
+  }
+  RecordProperty("compared", static_cast<int>(compared));
+  RecordProperty("not_carried", static_cast<int>(not_carried));
+  RecordProperty("trees", static_cast<int>(trees));
+  EXPECT_GE(compared, count / 2);
+  EXPECT_GE(not_carried, count / 50);
+}
+
+// Found among random trusses: static cuts leave a gap, and the tree decides on the signs of columns
+// of several components, and of columns that share theirs. In the plane and in space.
+TEST(LoadModel, TheTreeClosesTheGapsOfStaticCuts) {
+  for (const std::uint32_t seed : {1807U, 2041U, 2064U, 2685U, 3981U}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto [truss, alpha] = test::correlated_truss(seed);
+    const auto [answer, certificate] = findings(truss, {.alpha = alpha});
+    EXPECT_GT(answer.worst->nodes, 1U);
+    EXPECT_NEAR(answer.worst->ends.upper, PlainTruss(truss).least_of_all_corners(alpha).value(),
+                near);
+    ASSERT_TRUE(certificate);
+    EXPECT_GT(certificate->nodes.size(), 1U);
+    expect_other_columns_refused(*certificate, truss);
+    expect_nothing_wrong_is_shown(*certificate, truss);
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::limit

@@ -1,0 +1,195 @@
+// The load model f_D + T zeta by other ways to the same numbers: all signs decided, the 0-1
+// program, parameters that are one, an example corner by corner, a truss by hand.
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "nodes/limit/limit_evidence.hpp"
+#include "nodes/limit/master.hpp"
+#include "problems/files/structure_file.hpp"
+#include "tests/nodes/limit/load_model.hpp"
+#include "verify/limit_proof.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+using test::findings;
+using test::near;
+using test::PlainTruss;
+using test::problem_of;
+
+TEST(LoadModel, OfTheExampleIsThatOfAllCorners) {
+  const auto truss = problems::load_structure(KUSABI_SOURCE_DIR "/examples/gust.toml");
+  const PlainTruss plain(truss);
+  for (const double alpha : {0.1, 0.5, 1.0, 2.0}) {
+    const auto answer = findings(truss, {.alpha = alpha}).answer;
+    EXPECT_TRUE(answer.whole());
+    const auto least = plain.least_of_all_corners(alpha);
+    EXPECT_EQ(answer.worst->status, least ? RootStatus::closed : RootStatus::not_carried) << alpha;
+    if (least) {
+      EXPECT_NEAR(answer.worst->ends.upper, *least, near);
+    }
+  }
+}
+
+// With all signs decided there is nothing left to cut: the least of 2^m linear programs is that of
+// 2^m corners, and their duals prove it.
+TEST(LoadModel, AllSignsDecidedAreAsManyProofs) {
+  unsigned compared = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto [truss, alpha] = test::correlated_truss(seed);
+    const auto problem = problem_of(truss);
+    if (!problem) continue;
+    const auto least = PlainTruss(truss).least_of_all_corners(alpha);
+    if (!least) continue;
+    const auto model = limit_model(*problem);
+    const auto m = static_cast<unsigned>(problem->uncertain_count());
+    Master master(model, alpha / model.force_unit);
+    double bound = std::numeric_limits<double>::infinity();
+    std::vector<ClosedNode> nodes;
+    for (unsigned corner = 0; corner < 1U << m; ++corner) {
+      Signs signs(m);
+      for (unsigned j = 0; j < m; ++j) signs[j] = ((corner >> j) & 1U) != 0 ? 1 : -1;
+      master.decide(signs);
+      const auto status = master.solve();
+      if (status == linear::LinearStatus::infeasible) break;  // no motion has these signs
+      ASSERT_EQ(status, linear::LinearStatus::optimal);
+      bound = std::min(bound, master.objective() * model.factor_unit);
+      ASSERT_TRUE(master.make_room(first_room));
+      nodes.push_back(closed_node(master.proof(), {}));
+    }
+    if (nodes.size() < 1U << m) continue;
+    EXPECT_NEAR(bound, *least, near);
+    const Worst worst{Eigen::VectorXd::Zero(m),
+                      {0, {}, Eigen::VectorXd::Zero(problem->free_count())}};
+    const auto certificate = limit_certificate(*problem, model, alpha, worst, {}, nodes);
+    EXPECT_FALSE(verify::flaw_of_sign_cover(certificate));
+    const verify::LimitProof proof(certificate);
+    for (const auto& node : certificate.nodes) {
+      const auto lower = proof.lower(node);
+      ASSERT_TRUE(std::holds_alternative<mpq_class>(lower)) << std::get<std::string>(lower);
+      EXPECT_GE(std::get<mpq_class>(lower).get_d(), *least - near);
+    }
+    ++compared;
+  }
+  EXPECT_GE(compared, 5U);
+}
+
+TEST(LoadModel, TheZeroOneProgramFindsTheSame) {
+  unsigned compared = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto [truss, alpha] = test::correlated_truss(seed);
+    if (!problem_of(truss)) continue;
+    const auto least = PlainTruss(truss).least_of_all_corners(alpha);
+    if (!least) continue;
+    for (const auto method :
+         {LimitMethod::fixed, LimitMethod::disjunctive, LimitMethod::tightened, LimitMethod::all}) {
+      const auto found = findings(truss, {.alpha = alpha, .method = method}).answer;
+      ASSERT_TRUE(found.worst);
+      EXPECT_NEAR(found.worst->ends.upper, *least, near);
+      if (!found.worst->zero_one_bound) continue;
+      EXPECT_NEAR(*found.worst->zero_one_bound, *least, near);
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 60U);
+}
+
+double factor_at(const LoadCurve& curve, double beta) {
+  for (const auto& piece : curve.pieces) {
+    if (beta <= piece.to) return piece.from.factor + piece.from.slope * (beta - piece.from.at);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+TEST(LoadModel, CurvesAndSamplesAreOfTheSameLoads) {
+  unsigned compared = 0;
+  for (unsigned seed = 1; seed <= 15; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto [truss, alpha] = test::correlated_truss(seed);
+    if (!problem_of(truss)) continue;
+    const PlainTruss plain(truss);
+    if (!plain.least_of_all_corners(alpha)) continue;
+    const auto found = findings(truss, {.alpha = alpha, .samples = 20, .curve = true}).answer;
+    ASSERT_TRUE(found.curve && found.worst_curve);
+    for (const double beta : {0.0, 0.3, 0.7, 1.0}) {
+      const auto least = plain.least_of_all_corners(beta * alpha).value();
+      EXPECT_NEAR(factor_at(*found.worst_curve, beta), least, near);
+      EXPECT_GE(factor_at(*found.curve, beta), least - near);
+    }
+    EXPECT_NEAR(factor_at(*found.curve, 1), found.worst->ends.upper, near);
+    ASSERT_EQ(found.samples.size(), 20U);
+    EXPECT_GE(std::ranges::min(found.samples), found.worst->ends.lower - near);
+    ++compared;
+  }
+  EXPECT_GE(compared, 5U);
+}
+
+// A parameter that comes twice counts twice, whatever its sign: T need not be of full rank.
+TEST(LoadModel, ParametersThatAreOneAddUp) {
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    auto [truss, alpha] = test::correlated_truss(seed);
+    if (!problem_of(truss)) continue;
+    auto twice = truss;
+    auto opposite = twice.uncertain->front();
+    opposite.name = "opposite";
+    for (auto& component : opposite.components) component.weight *= -1;
+    twice.uncertain->push_back(opposite);
+    for (auto& component : truss.uncertain->front().components) component.weight *= 2;
+    const auto one = findings(truss, {.alpha = alpha}).answer;
+    const auto two = findings(twice, {.alpha = alpha}).answer;
+    ASSERT_EQ(one.worst.has_value(), two.worst.has_value());
+    if (!one.worst) continue;
+    EXPECT_EQ(one.worst->status, two.worst->status);
+    if (one.worst->status != RootStatus::closed) continue;
+    EXPECT_NEAR(one.worst->ends.upper, two.worst->ends.upper, near);
+  }
+}
+
+// A tip on a level bar, which carries from -2 to 3, and an upright one, from -5 to 5: with the
+// reference load (1, 1) and zeta (1, -1) the factor is min(3 - zeta, 5 + zeta).
+std::string two_bars(const std::string& uncertainty) {
+  return R"(name = "two bars"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+left = [0, 0]
+top = [1, 1]
+tip = [1, 0]
+[[members]]
+yield = { tension = 3, compression = 2 }
+between = [["left", "tip"]]
+[[members]]
+yield = 5
+between = [["top", "tip"]]
+[[supports]]
+nodes = ["left", "top"]
+[[loads]]
+kind = "reference"
+nodes = ["tip"]
+force = [1, 1]
+)" + uncertainty;
+}
+
+TEST(LoadModel, OfTwoBarsIsThatOfTheHandCalculation) {
+  const auto least = [](const std::string& uncertainty, double alpha) {
+    const auto truss = problems::read_structure(two_bars(uncertainty), "two-bars.toml");
+    const auto answer = findings(truss, {.alpha = alpha}).answer;
+    EXPECT_TRUE(answer.whole());
+    return answer.worst->ends.upper;
+  };
+  const std::string across =
+      "[[uncertainty]]\nname = \"across\"\nforces = [{ nodes = [\"tip\"], force = [1, -1] }]\n";
+  const std::string more =
+      "[[uncertainty]]\nname = \"more\"\nforces = [{ nodes = [\"tip\"], force = [-0.5, 0.5] }]\n";
+  EXPECT_NEAR(least(across, 0.5), 2.5, 1e-9);
+  EXPECT_NEAR(least(across, 2), 1, 1e-9);
+  EXPECT_NEAR(least(across + more, 1), 1.5, 1e-9);
+}
+
+}  // namespace
+}  // namespace kusabi::limit
