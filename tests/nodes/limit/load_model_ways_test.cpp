@@ -90,8 +90,8 @@ TEST(LoadModel, TheZeroOneProgramFindsTheSame) {
       const auto found = findings(truss, {.alpha = alpha, .method = method}).answer;
       ASSERT_TRUE(found.worst);
       EXPECT_NEAR(found.worst->ends.upper, *least, near);
-      if (!found.worst->zero_one_bound) continue;
-      EXPECT_NEAR(*found.worst->zero_one_bound, *least, near);
+      if (!found.worst->zero_one) continue;
+      EXPECT_NEAR(found.worst->zero_one->lower, *least, near);
       ++compared;
     }
   }
