@@ -170,7 +170,9 @@ LimitWorstCase WorstCaseSearch::by_zero_one_program() {
 // The load that belongs to the best point of (29), and how it collapses: one program (5).
 void WorstCaseSearch::show_critical_load(const Eigen::VectorXd& motion, LimitWorstCase& worst) {
   const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model().uncertain_count());
-  const auto zeta = worst_for(model(), search_.scaled(alpha()), motion, plus);
+  // The sign of t_j'u is that of the motion in the model's units, where t_j has several components.
+  const Eigen::VectorXd scaled = motion.cwiseQuotient(model().displacement_unit);
+  const auto zeta = worst_for(model(), search_.scaled(alpha()), scaled, plus);
   worst.zeta = zeta * model().force_unit;
   const auto dead = dead_load(model(), zeta);
   auto& load_factor = search_.load_factor();

@@ -24,8 +24,8 @@ struct ZeroOneStart {
 /// What came of it, the same on every rank but for counts.
 struct ZeroOneWorst {
   LimitZeroOne found;
-  /// Of the best point, n^d, in units that differ from those of the problem by positive factors:
-  /// its signs are the critical load. Empty: no point was found.
+  /// Of the best point, n^d: the signs of t_j'u are the critical load. In the units of the problem
+  /// by printed_worst(), in those of the model by zero_one_worst(). Empty: no point was found.
   Eigen::VectorXd motion;
   engine::Status status = engine::Status::solved;  ///< why the search ended
 };
