@@ -186,6 +186,12 @@ def exact_cliques():
                   f"python3 tests/reference/exact_cliques.py {number}", printed, exact_cones, CLIQUES, "slow")
 
 
+def cliques_by_patterns():
+    for number, printed in ((15, "30"), (17, "57"), (19, "108")):
+        yield Row(f"Table 2, N = {number}: cliques by the tree of sign patterns",
+                  f"kusabi patterns plane-{number}.toml --mu 0.65", printed, count, CLIQUES)
+
+
 def table_2_seconds():
     for number, (_, _, printed) in PRINTED_TABLE_2.items():
         yield Row(f"W Table 2, N = {number}", f"kusabi rays plane-{number}.toml --mu 0.65",
@@ -225,6 +231,7 @@ TABLES = {
     "wedged-plane": [
         *table_2(),
         *exact_cliques(),
+        *cliques_by_patterns(),
         Row("Figures 8, 9: rays, N = 5, μ = 1", "kusabi rays plane-5.toml --mu 1", "25",
             lambda run: str(len(run.result["rays"]))),
         Row("Figure 5: t̂", "kusabi rays plane-5.toml --mu 1", "5", lambda run: str(len(run.result["cones"]))),
