@@ -1,4 +1,4 @@
-// The answer for a person and for a program.
+// The answer for a person.
 #include "run/limit/limit_report.hpp"
 
 #include <algorithm>
@@ -11,7 +11,6 @@
 #include "problems/limit/collapse_mode.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/zero_one_report.hpp"
-#include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 
 namespace kusabi::run {
@@ -20,94 +19,6 @@ namespace {
 using limit::RootStatus;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
-
-const std::string& node_name(const LimitProblem& problem, int node) {
-  return problem.node_names[static_cast<std::size_t>(node)];
-}
-
-// What zeta is, parameter by parameter.
-ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
-  auto list = ordered_json::array();
-  for (int j = 0; j < problem.uncertain_count(); ++j) {
-    list.push_back({{"name", problems::parameter_name(problem, j)}, {"value", zeta(j)}});
-  }
-  return list;
-}
-
-// A load node by node, where it is not zero.
-ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load) {
-  auto list = ordered_json::array();
-  for (int node = 0; node < static_cast<int>(problem.node_names.size()); ++node) {
-    std::vector<double> force;
-    for (int axis = 0; axis < problem.dimension; ++axis) {
-      const int degree = problem.degrees.number(axis, node);
-      force.push_back(degree < 0 ? 0 : load(degree));
-    }
-    if (std::ranges::any_of(force, [](double each) { return each != 0; })) {
-      list.push_back({{"node", node_name(problem, node)}, {"force", force}});
-    }
-  }
-  return list;
-}
-
-// All null if no critical load is known.
-void add_critical_load(ordered_json& result, const LimitProblem& problem,
-                       const Eigen::VectorXd& zeta) {
-  const bool known = zeta.size() == problem.uncertain_count();
-  const Eigen::VectorXd load = known ? problems::dead_load(problem, zeta) : problem.dead;
-  result["critical_load"] = known ? load_json(problem, load) : ordered_json();
-  result["critical_part"] = known ? load_json(problem, load - problem.dead) : ordered_json();
-  result["critical_parameters"] = known ? parameters_json(problem, zeta) : ordered_json();
-}
-
-ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& collapse) {
-  const auto mode = problems::collapse_mode(problem, collapse.motion);
-  auto moving = ordered_json::array();
-  for (const auto& [node, velocity] : mode.moving) {
-    moving.push_back({{"node", node_name(problem, node)}, {"velocity", numbers(velocity)}});
-  }
-  auto yielding = ordered_json::array();
-  for (const auto& [member, elongation] : mode.yielding) {
-    const auto& bar = problem.members[static_cast<std::size_t>(member)];
-    yielding.push_back({{"member", {node_name(problem, bar.first), node_name(problem, bar.second)}},
-                        {"in", elongation > 0 ? "tension" : "compression"},
-                        {"elongation", elongation}});
-  }
-  return {{"sway", mode.sway}, {"moving", moving}, {"yielding", yielding}};
-}
-
-const char* status_text(RootStatus status) {
-  switch (status) {
-    case RootStatus::closed:
-      return "solved";
-    case RootStatus::not_carried:
-      return "not-carried";
-    default:
-      break;
-  }
-  return "open";
-}
-
-const char* method_name(limit::LimitMethod method) {
-  switch (method) {
-    case limit::LimitMethod::fixed:
-      return "none";
-    case limit::LimitMethod::disjunctive:
-      return "disjunctive";
-    case limit::LimitMethod::tightened:
-      return "tighten";
-    case limit::LimitMethod::all:
-      return "all";
-    case limit::LimitMethod::static_cuts:
-      break;
-  }
-  return "static";
-}
-
-// The factors at which the load is carried.
-ordered_json interval_json(const limit::LimitCollapse& collapse) {
-  return {number_or_null(collapse.least), collapse.factor};
-}
 
 void write_mode(std::string& text, const LimitProblem& problem,
                 const limit::LimitCollapse& collapse) {
@@ -118,8 +29,10 @@ void write_mode(std::string& text, const LimitProblem& problem,
     (elongation > 0 ? tension : compression).push_back(problems::member_name(problem, member));
   }
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "  collapse mode: {}, {} nodes move, {} members yield\n",
-                 mode.sway ? "sway" : "not sway", mode.moving.size(), mode.yielding.size());
+  fmt::format_to(out, "  collapse mode: {}, {} {}, {} {}\n", mode.sway ? "sway" : "not sway",
+                 counted(mode.moving.size(), "node"), mode.moving.size() == 1 ? "moves" : "move",
+                 counted(mode.yielding.size(), "member"),
+                 mode.yielding.size() == 1 ? "yields" : "yield");
   if (!tension.empty()) fmt::format_to(out, "    in tension:     {}\n", fmt::join(tension, " "));
   if (!compression.empty()) {
     fmt::format_to(out, "    in compression: {}\n", fmt::join(compression, " "));
@@ -139,7 +52,7 @@ void write_critical_load(std::string& text, const LimitProblem& problem,
         const auto degree = static_cast<std::size_t>(column.direction.front().degree);
         const auto& free = problem.degrees.free[degree];
         if (free.axis == axis && (zeta(j) >= 0) == positive) {
-          names.push_back(node_name(problem, free.node));
+          names.push_back(problem.node_names[static_cast<std::size_t>(free.node)]);
         }
       }
       if (names.empty()) continue;
@@ -263,90 +176,6 @@ std::string LimitReport::table() const {
                    status_name(answer.rest));
   }
   return text;
-}
-
-ordered_json LimitReport::json() const {
-  ordered_json result;
-  std::string status = answer.nominal ? "solved" : "open";
-  if (answer.status == limit::LoadStatus::not_carried && answer.no_factor_proved) {
-    status = "not-carried";
-  }
-  if (answer.rest != engine::Status::solved) status = status_name(answer.rest);
-  result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
-  if (answer.nominal) {
-    result["nominal_interval"] = interval_json(*answer.nominal);
-    result["nominal_mode"] = mode_json(problem, *answer.nominal);
-    result["nominal_forces"] = numbers(answer.nominal->forces);
-  }
-  if (answer.worst) {
-    const auto& worst = *answer.worst;
-    if (worst.search != engine::Status::solved) {
-      status = status_name(worst.search);
-    } else if (answer.rest == engine::Status::solved) {
-      status = worst.proved ? status_text(worst.status) : "open";
-    }
-    result["alpha"] = *options.question.alpha;
-    result["uncertain_components"] = problem.uncertain_count();
-    result["worst_case"] = {{"lower", number_or_null(worst.ends.lower)},
-                            {"upper", number_or_null(worst.ends.upper)},
-                            {"proved", worst.proved},
-                            {"lower_proved", worst.ends.lower_proved},
-                            {"upper_proved", worst.ends.upper_proved},
-                            {"from", worst.as_printed ? "zero-one" : "static-evidence"}};
-    if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
-    add_critical_load(result, problem, worst.zeta);
-    if (worst.collapse) {
-      result["critical_interval"] = interval_json(*worst.collapse);
-      result["collapse_mode"] = mode_json(problem, *worst.collapse);
-      result["forces"] = numbers(worst.collapse->forces);
-    }
-    result["cuts"] = worst.cuts;
-    result["programs"] = {{"load_factors", worst.counts.load_factors},
-                          {"relaxations", worst.counts.relaxations},
-                          {"cuts", worst.counts.pricings},
-                          {"rounds", worst.counts.rounds}};
-  }
-  if (!answer.samples.empty()) {
-    auto factors = ordered_json::array();
-    for (const double factor : answer.samples) factors.push_back(number_or_null(factor));
-    result["samples"] = {{"seed", options.question.seed},
-                         {"least", number_or_null(*std::ranges::min_element(answer.samples))},
-                         {"factors", std::move(factors)}};
-  }
-  CurveReport{options, problem, answer}.add_to(result);
-  if (status == "solved" && !answer.whole()) status = "open";  // a curve
-  ordered_json statistics{{"ranks", ranks}};
-  if (answer.worst) {
-    statistics["nodes"] = answer.worst->nodes;
-    statistics["tree_programs"] = answer.worst->tree_programs;
-    if (const auto& zero_one = answer.worst->zero_one) {
-      statistics["zero_one"] = {{"nodes", zero_one->nodes}, {"programs", zero_one->programs}};
-    }
-  }
-  ordered_json chosen = ordered_json::object();
-  chosen["alpha"] = number_or_null(options.question.alpha);
-  chosen["cuts"] = method_name(options.question.method);
-  chosen["big_m"] = number_or_null(options.question.big_m);
-  chosen["samples"] = options.question.samples;
-  chosen["seed"] = options.question.seed;
-  chosen["curve"] = options.question.curve;
-  if (!options.curve_load.empty()) chosen["curve_load"] = options.curve_load;
-  chosen["curve_to"] = options.question.curve_to;
-  return {{"command", "limit"},
-          {"version", KUSABI_VERSION},
-          {"problem",
-           {{"file", options.file},
-            {"name", problem.name},
-            {"d", problem.dimension},
-            {"m", problem.uncertain_count()},
-            {"nodes", problem.node_names.size()},
-            {"members", problem.member_count()},
-            {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-            {"fingerprint", hexadecimal(problem.fingerprint)}}},
-          {"options", std::move(chosen)},
-          {"status", status},
-          {"result", std::move(result)},
-          {"statistics", std::move(statistics)}};
 }
 
 }  // namespace kusabi::run

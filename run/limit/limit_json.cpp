@@ -1,0 +1,217 @@
+// The answer for a program.
+#include <algorithm>
+#include <utility>
+
+#include "problems/limit/collapse_mode.hpp"
+#include "run/limit/curve_report.hpp"
+#include "run/limit/limit_report.hpp"
+#include "run/limit/zero_one_report.hpp"
+#include "run/output/values.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using limit::RootStatus;
+using nlohmann::ordered_json;
+using problems::LimitProblem;
+
+const std::string& node_name(const LimitProblem& problem, int node) {
+  return problem.node_names[static_cast<std::size_t>(node)];
+}
+
+// What zeta is, parameter by parameter.
+ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
+  auto list = ordered_json::array();
+  for (int j = 0; j < problem.uncertain_count(); ++j) {
+    list.push_back({{"name", problems::parameter_name(problem, j)}, {"value", zeta(j)}});
+  }
+  return list;
+}
+
+// A load node by node, where it is not zero.
+ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load) {
+  auto list = ordered_json::array();
+  for (int node = 0; node < static_cast<int>(problem.node_names.size()); ++node) {
+    std::vector<double> force;
+    for (int axis = 0; axis < problem.dimension; ++axis) {
+      const int degree = problem.degrees.number(axis, node);
+      force.push_back(degree < 0 ? 0 : load(degree));
+    }
+    if (std::ranges::any_of(force, [](double each) { return each != 0; })) {
+      list.push_back({{"node", node_name(problem, node)}, {"force", force}});
+    }
+  }
+  return list;
+}
+
+// All null if no critical load is known.
+void add_critical_load(ordered_json& result, const LimitProblem& problem,
+                       const Eigen::VectorXd& zeta) {
+  const bool known = zeta.size() == problem.uncertain_count();
+  const Eigen::VectorXd load = known ? problems::dead_load(problem, zeta) : problem.dead;
+  result["critical_load"] = known ? load_json(problem, load) : ordered_json();
+  result["critical_part"] = known ? load_json(problem, load - problem.dead) : ordered_json();
+  result["critical_parameters"] = known ? parameters_json(problem, zeta) : ordered_json();
+}
+
+ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& collapse) {
+  const auto mode = problems::collapse_mode(problem, collapse.motion);
+  auto moving = ordered_json::array();
+  for (const auto& [node, velocity] : mode.moving) {
+    moving.push_back({{"node", node_name(problem, node)}, {"velocity", numbers(velocity)}});
+  }
+  auto yielding = ordered_json::array();
+  for (const auto& [member, elongation] : mode.yielding) {
+    const auto& bar = problem.members[static_cast<std::size_t>(member)];
+    yielding.push_back({{"member", {node_name(problem, bar.first), node_name(problem, bar.second)}},
+                        {"in", elongation > 0 ? "tension" : "compression"},
+                        {"elongation", elongation}});
+  }
+  return {{"sway", mode.sway}, {"moving", moving}, {"yielding", yielding}};
+}
+
+const char* status_text(RootStatus status) {
+  switch (status) {
+    case RootStatus::closed:
+      return "solved";
+    case RootStatus::not_carried:
+      return "not-carried";
+    default:
+      break;
+  }
+  return "open";
+}
+
+const char* method_name(limit::LimitMethod method) {
+  switch (method) {
+    case limit::LimitMethod::fixed:
+      return "none";
+    case limit::LimitMethod::disjunctive:
+      return "disjunctive";
+    case limit::LimitMethod::tightened:
+      return "tighten";
+    case limit::LimitMethod::all:
+      return "all";
+    case limit::LimitMethod::static_cuts:
+      break;
+  }
+  return "static";
+}
+
+// The factors at which the load is carried.
+ordered_json interval_json(const limit::LimitCollapse& collapse) {
+  return {number_or_null(collapse.least), collapse.factor};
+}
+
+ordered_json problem_json(const LimitReport& report) {
+  const auto& problem = report.problem;
+  return {{"file", report.options.file},
+          {"name", problem.name},
+          {"d", problem.dimension},
+          {"m", problem.uncertain_count()},
+          {"nodes", problem.node_names.size()},
+          {"members", problem.member_count()},
+          {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
+          {"fingerprint", hexadecimal(problem.fingerprint)}};
+}
+
+ordered_json options_json(const LimitOptions& options) {
+  const auto& question = options.question;
+  ordered_json chosen{{"alpha", number_or_null(question.alpha)},
+                      {"cuts", method_name(question.method)},
+                      {"big_m", number_or_null(question.big_m)},
+                      {"samples", question.samples},
+                      {"seed", question.seed},
+                      {"curve", question.curve}};
+  if (!options.curve_load.empty()) chosen["curve_load"] = options.curve_load;
+  chosen["curve_to"] = question.curve_to;
+  return chosen;
+}
+
+void add_worst_case(ordered_json& result, const LimitReport& report,
+                    const limit::LimitWorstCase& worst) {
+  result["alpha"] = *report.options.question.alpha;
+  result["uncertain_components"] = report.problem.uncertain_count();
+  result["worst_case"] = {{"lower", number_or_null(worst.ends.lower)},
+                          {"upper", number_or_null(worst.ends.upper)},
+                          {"proved", worst.proved},
+                          {"lower_proved", worst.ends.lower_proved},
+                          {"upper_proved", worst.ends.upper_proved},
+                          {"from", worst.as_printed ? "zero-one" : "static-evidence"}};
+  if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
+  add_critical_load(result, report.problem, worst.zeta);
+  if (worst.collapse) {
+    result["critical_interval"] = interval_json(*worst.collapse);
+    result["collapse_mode"] = mode_json(report.problem, *worst.collapse);
+    result["forces"] = numbers(worst.collapse->forces);
+  }
+  result["cuts"] = worst.cuts;
+  result["programs"] = {{"load_factors", worst.counts.load_factors},
+                        {"relaxations", worst.counts.relaxations},
+                        {"cuts", worst.counts.pricings},
+                        {"rounds", worst.counts.rounds}};
+}
+
+ordered_json samples_json(const LimitReport& report) {
+  auto factors = ordered_json::array();
+  for (const double factor : report.answer.samples) factors.push_back(number_or_null(factor));
+  return {{"seed", report.options.question.seed},
+          {"least", number_or_null(*std::ranges::min_element(report.answer.samples))},
+          {"factors", std::move(factors)}};
+}
+
+ordered_json result_json(const LimitReport& report) {
+  const auto& [options, problem, answer, ranks] = report;
+  ordered_json result;
+  result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
+  if (answer.nominal) {
+    result["nominal_interval"] = interval_json(*answer.nominal);
+    result["nominal_mode"] = mode_json(problem, *answer.nominal);
+    result["nominal_forces"] = numbers(answer.nominal->forces);
+  }
+  if (answer.worst) add_worst_case(result, report, *answer.worst);
+  if (!answer.samples.empty()) result["samples"] = samples_json(report);
+  CurveReport{options, problem, answer}.add_to(result);
+  return result;
+}
+
+// What ended the work early comes first.
+std::string status_of(const limit::LimitAnswer& answer) {
+  if (answer.worst && answer.worst->search != engine::Status::solved) {
+    return status_name(answer.worst->search);
+  }
+  if (answer.rest != engine::Status::solved) return status_name(answer.rest);
+  std::string status = answer.nominal ? "solved" : "open";
+  if (answer.status == limit::LoadStatus::not_carried && answer.no_factor_proved) {
+    status = "not-carried";
+  }
+  if (answer.worst) status = answer.worst->proved ? status_text(answer.worst->status) : "open";
+  if (status == "solved" && !answer.whole()) status = "open";  // a curve
+  return status;
+}
+
+ordered_json statistics_json(const LimitReport& report) {
+  ordered_json statistics{{"ranks", report.ranks}};
+  if (const auto& worst = report.answer.worst) {
+    statistics["nodes"] = worst->nodes;
+    statistics["tree_programs"] = worst->tree_programs;
+    if (const auto& zero_one = worst->zero_one) {
+      statistics["zero_one"] = {{"nodes", zero_one->nodes}, {"programs", zero_one->programs}};
+    }
+  }
+  return statistics;
+}
+
+}  // namespace
+
+ordered_json LimitReport::json() const {
+  return {{"command", "limit"},
+          {"version", KUSABI_VERSION},
+          {"problem", problem_json(*this)},
+          {"options", options_json(options)},
+          {"status", status_of(answer)},
+          {"result", result_json(*this)},
+          {"statistics", statistics_json(*this)}};
+}
+
+}  // namespace kusabi::run
