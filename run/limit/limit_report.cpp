@@ -17,7 +17,6 @@ namespace kusabi::run {
 namespace {
 
 using limit::RootStatus;
-using nlohmann::ordered_json;
 using problems::LimitProblem;
 
 void write_mode(std::string& text, const LimitProblem& problem,
