@@ -38,7 +38,7 @@ int CommandRun::execute() {
     }
     const auto verdict = command_.verdict(*this);
     for (const auto& remark : verdict.remarks) tell("{}\n", remark);
-    code = verdict.code;
+    code = static_cast<std::uint64_t>(verdict.code);
   }
   // A survey adds up, and only rank 0 has something to add; the others sleep until it is written.
   return static_cast<int>(engine::meet(session_.transport(), {.ranks = 1, .found = code}).found);
