@@ -2,12 +2,33 @@
 # (GCC 12 warns of Eigen's own code then.)
 set(KUSABI_TEST_OPTIONS $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>)
 
+# What nearly all tests include, compiled once where sources are joined. (A compiler cache, which is for
+# those who compile again and again, takes sources that have seen precompiled headers for new ones.)
+function(kusabi_share_headers name)
+  if(NOT KUSABI_JOINED)
+    return()
+  endif()
+  if(NOT TARGET kusabi_test_headers)
+    set(source ${PROJECT_BINARY_DIR}/test_headers.cpp)
+    file(WRITE ${source}.new "// Holds nothing: it is there for the headers before it.\n")
+    configure_file(${source}.new ${source} COPYONLY)
+    add_library(kusabi_test_headers OBJECT ${source})
+    target_compile_options(kusabi_test_headers PRIVATE ${KUSABI_TEST_OPTIONS})
+    target_link_libraries(kusabi_test_headers PRIVATE kusabi_build GTest::gmock Eigen3::Eigen)
+    target_precompile_headers(kusabi_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core>)
+  endif()
+  target_precompile_headers(${name} REUSE_FROM kusabi_test_headers)
+  # GCC 12 forgets that what is precompiled are headers of the system, and warns of std::string.
+  target_compile_options(${name} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+endfunction()
+
 # One GoogleTest executable a folder of tests:  kusabi_test(NAME SOURCES a.cpp b.cpp LIBRARIES x y)
 # JOINED: which sources may be compiled together, as in kusabi_join; without it, all.
 # PROCESSES: it starts others, so it is not among those labelled `fast`, which take seconds in all.
+# OWN_OPTIONS: it is compiled with others, and shares no headers with the rest.
 # LONG: those that take a minute; they begin first, and the sanitizers leave them to Release.
 function(kusabi_test name)
-  cmake_parse_arguments(TEST "PROCESSES" "LONG" "SOURCES;LIBRARIES;JOINED" ${ARGN})
+  cmake_parse_arguments(TEST "PROCESSES;OWN_OPTIONS" "LONG" "SOURCES;LIBRARIES;JOINED" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   if(NOT TEST_JOINED)
     set(TEST_JOINED ".")
@@ -15,6 +36,9 @@ function(kusabi_test name)
   kusabi_join(${name} ${TEST_JOINED})
   target_compile_options(${name} PRIVATE ${KUSABI_TEST_OPTIONS})
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} kusabi_build GTest::gmock GTest::gtest_main)
+  if(NOT TEST_OWN_OPTIONS)
+    kusabi_share_headers(${name})
+  endif()
   target_compile_definitions(${name} PRIVATE
     KUSABI_SOURCE_DIR="${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")
   include(GoogleTest)

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <random>
 #include <utility>
 
@@ -13,11 +12,10 @@
 
 #include "engine/shared_work.hpp"
 #include "engine/together.hpp"
+#include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::limit {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Samples in one piece of work: some milliseconds.
 constexpr std::uint64_t samples_a_piece = 16;
@@ -57,7 +55,7 @@ SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
       if (status == LoadStatus::undetermined) continue;
       factors.emplace_back(sample, status == LoadStatus::collapses
                                        ? load_factor.collapse().factor * model.factor_unit
-                                       : -infinity);
+                                       : -linear::infinity);
     }
     return factors;
   };

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -14,13 +13,12 @@
 #include "engine/together.hpp"
 #include "nodes/limit/proved_ends.hpp"
 #include "nodes/limit/worst_case_search.hpp"
+#include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::limit {
 namespace {
 
 using problems::LimitProblem;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Factors on a curve that differ by less are one, relative to the nominal one (at least 1 in
 /// scaled units): a mode's line is known to 1e-12 or so.
@@ -41,7 +39,7 @@ double dissipation_on(const LimitProblem& problem, const Eigen::VectorXd& motion
 // for infeasibility may have either sign.
 double carried_up_to(const LimitProblem& problem, Eigen::VectorXd motion,
                      const std::function<double(const Eigen::VectorXd&)>& growth) {
-  double last = infinity;
+  double last = linear::infinity;
   if (motion.size() == 0) return last;
   for (int turn = 0; turn < 2; ++turn) {
     const double work = growth(motion);
@@ -110,7 +108,7 @@ double WorstCurve::upper_at(double beta, const Eigen::VectorXd& scaled_motion) c
   const Eigen::VectorXd zeta =
       worst_for(model_, 1, scaled_motion, Eigen::VectorXd::Zero(model_.uncertain_count()));
   return proved_upper(truss_, search_.problem(), model_, beta * alpha_, zeta, scaled_motion)
-      .value_or(infinity);
+      .value_or(linear::infinity);
 }
 
 double WorstCurve::error_of(const CurvePiece& piece) const {
@@ -119,7 +117,7 @@ double WorstCurve::error_of(const CurvePiece& piece) const {
   for (const auto& [beta, factor] :
        {std::pair(piece.from.at, piece.from.factor), std::pair(piece.to, piece.factor_at_end)}) {
     const auto lower = lower_.find(beta);
-    if (lower == lower_.end()) return infinity;
+    if (lower == lower_.end()) return linear::infinity;
     error = std::max({error, factor - lower->second, upper_at(beta, motion) - factor});
   }
   return error;
