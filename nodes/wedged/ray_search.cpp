@@ -12,6 +12,7 @@
 
 #include "engine/shared_work.hpp"
 #include "engine/together.hpp"
+#include "nodes/wedged/ray_trial.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -22,13 +23,6 @@ namespace {
 /// tenth of them (bench/README.md). By the number of rays met, so that the method does not depend
 /// on ranks or clocks.
 constexpr std::uint64_t memory_for_double_description = std::uint64_t{2} << 30U;
-
-/// `automatic` tries the tree when double description has looked at so many pairs of rays, which
-/// takes it a tenth of a second.
-constexpr std::uint64_t first_trial = 250'000;
-
-/// Rays at one time that have cost double description what a node costs the tree (bench/README.md).
-constexpr std::uint64_t rays_for_a_node = 8;
 
 /// What comes after double description.
 enum class Way { done, stopped, by_tree };
@@ -69,56 +63,19 @@ RayFindings by_tree(engine::Campaign& campaign, const problems::WedgedProblem& p
   return {};
 }
 
-/// The tree on trial, on rank 0, while double description waits: each time this has looked at twice
-/// as many pairs of rays, for half as many. So all trials together look at no more than it does.
-/// Whether the trial comes to its end is a
-/// question of nodes and pairs, so it does not depend on ranks or clocks.
-class Trial {
- public:
-  Trial(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-        std::span<const double> friction, const rays::ReactionCone& cone)
-      : campaign_(campaign), problem_(problem), friction_(friction), cone_(cone) {}
-
-  /// @return whether the tree has found all rays; every rank makes the same call
-  bool succeeds(std::uint64_t rays, const rays::Effort& effort) {
-    if (effort.pairs < next_) return false;
-    next_ = 2 * effort.pairs;
-    return engine::from_first_rank(campaign_.transport(), [&] {
-      RayTree tree(whole_tree(problem_, friction_), cone_,
-                   {.nodes = rays / rays_for_a_node,
-                    .pairs = effort.pairs / 2,
-                    .stop = campaign_.budget().stop()});
-      auto outcome = engine::search(tree);
-      if (!tree.gave_up()) found_ = gathered(outcome);
-      return found_.has_value();
-    });
-  }
-
-  /// What the tree has found, on rank 0.
-  std::optional<RayFindings> found() && { return std::move(found_); }
-
- private:
-  engine::Campaign& campaign_;
-  const problems::WedgedProblem& problem_;
-  std::span<const double> friction_;
-  const rays::ReactionCone& cone_;
-  std::uint64_t next_ = first_trial;
-  std::optional<RayFindings> found_;
-};
-
 // Nothing if it was stopped, which is for rank 0 to say, or there are too many rays at one time.
 std::optional<RayFindings> by_double_description(engine::Campaign& campaign,
                                                  const rays::ReactionCone& cone,
-                                                 std::uint64_t most_rays, Trial* trial) {
+                                                 std::uint64_t most_rays, RayTrial* trial) {
   const auto start = std::chrono::steady_clock::now();
+  auto& transport = campaign.transport();
   rays::Conduct conduct{.most_rays = most_rays};
   if (campaign.is_first()) conduct.stop = campaign.budget().stop();
   if (trial != nullptr) {
-    conduct.give_up = [trial](std::uint64_t rays, const rays::Effort& effort) {
-      return trial->succeeds(rays, effort);
+    conduct.give_up = [&transport, trial](std::uint64_t /*rays*/, const rays::Effort& effort) {
+      return engine::from_first_rank(transport, [&] { return trial->succeeds(effort.pairs); });
     };
   }
-  auto& transport = campaign.transport();
   if (transport.size() > 1) {
     conduct.share = [&](std::uint64_t count, const auto& piece) {
       return engine::share_work<rays::NewRays>(transport, count, piece);
@@ -160,9 +117,9 @@ RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem&
     const bool either = method == RayMethod::automatic;
     const auto most = either ? rays::rays_that_fit(memory_for_double_description, cone.candidates())
                              : std::numeric_limits<std::uint64_t>::max();
-    Trial trial(campaign, problem, friction, cone);
+    RayTrial trial([&] { return whole_tree(problem, friction); }, cone, budget.stop());
     auto all = by_double_description(campaign, cone, most, either ? &trial : nullptr);
-    if (!all) all = std::move(trial).found();
+    if (!all && trial.has_succeeded()) all = std::move(trial).found();
     const Way way = engine::from_first_rank(campaign.transport(), [&] {
       return all ? Way::done : budget.spent() ? Way::stopped : Way::by_tree;
     });

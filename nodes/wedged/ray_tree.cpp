@@ -12,8 +12,24 @@ RayTally& RayTally::operator+=(const RayTally& other) {
   return *this;
 }
 
-RayTree::RayTree(SignPatternTree tree, rays::ReactionCone cone, RayTreeBudget budget)
-    : tree_(std::move(tree)), cone_(std::move(cone)), budget_(std::move(budget)) {}
+RayLeaf RayLeaf::of(const PatternNode& node, const SignPatternTree::Fate& fate) {
+  const bool flat = fate.leaf->state == LeafState::flat;
+  return {node.pattern, flat ? fate.leaf->pattern.contact : node.pattern.contact};
+}
+
+std::vector<rays::ZeroSet> RayLeaf::own(const std::vector<rays::ZeroSet>& rays,
+                                        rays::Candidates all) const {
+  std::vector<rays::ZeroSet> own;
+  for (const rays::ZeroSet& zero : rays) {
+    // Those with a reaction just at the candidates in contact of a sign pattern below the node.
+    const auto loaded = rays::Supports(zero, all).reaction();
+    if ((pattern.contact & ~loaded) == 0 && (pattern.separated & loaded) == 0) own.push_back(zero);
+  }
+  return own;
+}
+
+RayTree::RayTree(SignPatternTree tree, rays::ReactionCone cone)
+    : tree_(std::move(tree)), cone_(std::move(cone)) {}
 
 RayTally RayTree::tally() const {
   RayTally all = tally_;
@@ -22,25 +38,15 @@ RayTally RayTree::tally() const {
 }
 
 void RayTree::expand(Node&& node, engine::Expansion<RayTree>& out) {
-  gave_up_ = gave_up_ || opened_ >= budget_.nodes || tally_.effort.pairs > budget_.pairs ||
-             (budget_.stop && budget_.stop());
-  if (gave_up_) return;
-  ++opened_;
   const auto fate = tree_.decide(node);
   for (const Node& child : fate.children) out.branch(child);
   if (!fate.leaf) return;
   out.poll();
-  const auto& [contact, separated, at_rest] = node.pattern;
-  const bool flat = fate.leaf->state == LeafState::flat;
-  const auto found = rays::rays_of_pattern(cone_, flat ? fate.leaf->pattern.contact : contact);
+  const auto leaf = RayLeaf::of(node, fate);
+  const auto found = rays::rays_of_pattern(cone_, leaf.in_contact);
   tally_.effort += found.effort;
   tally_.health += found.health;
-  PatternRays own;
-  for (const rays::ZeroSet& zero : found.rays) {
-    // Those with a reaction just at the candidates in contact of a sign pattern below this node.
-    const auto loaded = rays::Supports(zero, cone_.all()).reaction();
-    if ((contact & ~loaded) == 0 && (separated & loaded) == 0) own.rays.push_back(zero);
-  }
+  PatternRays own{leaf.own(found.rays, cone_.all())};
   if (!own.rays.empty()) out.solution(std::move(own));
 }
 

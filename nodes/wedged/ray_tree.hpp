@@ -12,8 +12,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
@@ -48,11 +46,22 @@ struct RayTally {
   }
 };
 
-/// What a tree on trial may cost; a tree that is searched for good may cost what it will.
-struct RayTreeBudget {
-  std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t pairs = std::numeric_limits<std::uint64_t>::max();  ///< of Effort
-  std::function<bool()> stop = {};  ///< asked at each node whether to end; empty: never
+/// A leaf that may report rays.
+struct RayLeaf {
+  SignPattern pattern;          ///< of the node; where it has no sign, all are stood for
+  rays::Candidates in_contact;  ///< of the cone D(Y) that the rays are of
+
+  /// @param fate of a node that is a leaf
+  static RayLeaf of(const PatternNode& node, const SignPatternTree::Fate& fate);
+
+  /// Those rays of D(Y) that this leaf reports, and no other.
+  [[nodiscard]] std::vector<rays::ZeroSet> own(const std::vector<rays::ZeroSet>& rays,
+                                               rays::Candidates all) const;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& pattern& in_contact;
+  }
 };
 
 /// The problem type that engine::search searches.
@@ -64,23 +73,16 @@ class RayTree {
 
   /// @param tree  of a plane problem, taken as one block
   /// @param cone  of the same problem and friction
-  /// @param budget of this object: beyond it nodes are dropped unopened
-  RayTree(SignPatternTree tree, rays::ReactionCone cone, RayTreeBudget budget = {});
+  RayTree(SignPatternTree tree, rays::ReactionCone cone);
 
   Node root() const { return tree_.root(); }
   void expand(Node&& node, engine::Expansion<RayTree>& out);
   Tally tally() const;
 
-  /// Whether nodes were dropped, so that rays may be missing.
-  bool gave_up() const { return gave_up_; }
-
  private:
   SignPatternTree tree_;
   rays::ReactionCone cone_;
-  RayTreeBudget budget_;
   RayTally tally_;
-  std::uint64_t opened_ = 0;
-  bool gave_up_ = false;
 };
 
 }  // namespace kusabi::wedged

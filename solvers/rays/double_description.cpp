@@ -39,8 +39,10 @@ class DoubleDescription {
   DoubleDescription(const ReactionCone& cone, Candidates active, Conduct conduct = {});
 
   /// Cuts by all rows of `rows`, in the order that makes the fewest pairs. @return false if it was
-  /// stopped, or there came to be too many rays
+  /// stopped, or there came to be too many rays; `give_up` leaves it such that it can go on
   bool cut_by(Candidates rows, Keep keep);
+  Candidates processed() const { return processed_; }
+  const Effort& effort() const { return effort_; }
 
   Enumeration result() &&;
 
@@ -260,11 +262,45 @@ std::uint64_t rays_that_fit(std::uint64_t bytes, int candidates) {
   return bytes / (10 * ray);
 }
 
+struct PatternRaysByTurns::State {
+  State(const ReactionCone& cone, Candidates in_contact)
+      : contact(in_contact),
+        separated(cone.all() & ~in_contact),
+        description(cone, in_contact, {.give_up = [this](auto, const Effort& effort) {
+                      return effort.pairs > most_pairs;
+                    }}) {}
+
+  bool cut_by(Candidates rows, Keep keep) {
+    return description.cut_by(rows & ~description.processed(), keep);
+  }
+
+  std::uint64_t most_pairs = 0;
+  Candidates contact;
+  Candidates separated;
+  DoubleDescription description;
+};
+
+PatternRaysByTurns::PatternRaysByTurns(const ReactionCone& cone, Candidates contact)
+    : state_(std::make_unique<State>(cone, contact)) {}
+PatternRaysByTurns::PatternRaysByTurns(PatternRaysByTurns&&) noexcept = default;
+PatternRaysByTurns& PatternRaysByTurns::operator=(PatternRaysByTurns&&) noexcept = default;
+PatternRaysByTurns::~PatternRaysByTurns() = default;
+
+bool PatternRaysByTurns::go_on(std::uint64_t most_pairs) {
+  if (state_->description.effort().pairs > most_pairs) return false;
+  state_->most_pairs = most_pairs;
+  return state_->cut_by(state_->contact, Keep::zero) &&
+         state_->cut_by(state_->separated, Keep::nonnegative);
+}
+
+Enumeration PatternRaysByTurns::result() && {
+  return std::move(state_->description).result();
+}
+
 Enumeration rays_of_pattern(const ReactionCone& cone, Candidates contact) {
-  DoubleDescription description(cone, contact);
-  description.cut_by(contact, Keep::zero);
-  description.cut_by(cone.all() & ~contact, Keep::nonnegative);
-  return std::move(description).result();
+  PatternRaysByTurns turns(cone, contact);
+  turns.go_on(std::numeric_limits<std::uint64_t>::max());
+  return std::move(turns).result();
 }
 
 }  // namespace kusabi::rays

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -85,5 +86,26 @@ std::uint64_t rays_that_fit(std::uint64_t bytes, int candidates);
 /// All extremal rays of D(Y) = {r in C_r: u_n = 0 on `contact`, r = 0 elsewhere}. They are extremal
 /// rays of C_r, since D(Y) is one of its faces.
 Enumeration rays_of_pattern(const ReactionCone& cone, Candidates contact);
+
+/// The same, with pauses, for whoever does not know whether it is worth its cost.
+class PatternRaysByTurns {
+ public:
+  /// @param cone outlives this object
+  PatternRaysByTurns(const ReactionCone& cone, Candidates contact);
+  PatternRaysByTurns(PatternRaysByTurns&&) noexcept;
+  PatternRaysByTurns& operator=(PatternRaysByTurns&&) noexcept;
+  ~PatternRaysByTurns();
+
+  /// Goes on until it has looked at more than so many pairs, all turns together, or has all rays.
+  /// A step is not broken off. @return whether it has all rays
+  bool go_on(std::uint64_t most_pairs);
+
+  /// @pre go_on has returned true
+  Enumeration result() &&;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace kusabi::rays
