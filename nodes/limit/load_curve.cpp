@@ -13,6 +13,10 @@ using Sample = std::function<CurveSample(double)>;
 /// Breakpoints nearer to each other than this share of the range are one.
 constexpr double same_place = 1e-9;
 
+/// A load that is carried nowhere above this share of the range is carried at zero only: the range
+/// may have been asked for a thousand million times too wide.
+constexpr double no_place = 1e-18;
+
 double line(const CurvePoint& point, double at) {
   return point.factor + point.slope * (at - point.at);
 }
@@ -23,7 +27,7 @@ std::optional<std::pair<CurvePoint, CurveEnd>> last_carried(const Sample& sample
                                                             double end_width) {
   CurveEnd bracket{first.at, end, beyond.proved};
   for (;;) {
-    const double width = std::max(end_width * bracket.not_carried_at, same_place * end);
+    const double width = std::max(end_width * bracket.not_carried_at, no_place * end);
     if (bracket.not_carried_at - bracket.carried_at <= width) break;
     const auto inside = [&](double at) {
       return bracket.carried_at < at && at < bracket.not_carried_at;

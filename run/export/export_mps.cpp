@@ -99,7 +99,10 @@ void ExportMps::search(CommandRun& run) {
   }
   engine::Campaign campaign(run.session().transport(), supervision({}, false));
   const auto derived = limit::safe_big_m(campaign, *problem_, *alpha_);
-  if (!derived) throw WrongInput("--alpha: no safe M of (29) was found; expected --big-m as well");
+  if (!derived)
+    throw WrongInput(
+        "--alpha: no safe M of (29) was found, as where a load is carried at no factor "
+        "(kusabi limit says whether); expected a smaller one, or --big-m as well");
   big_m_ = *derived;
 }
 

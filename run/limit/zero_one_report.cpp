@@ -29,8 +29,10 @@ std::string ends_text(const LimitZeroOne& zero_one) {
 }  // namespace
 
 std::string printed_ends_text(const LimitWorstCase& worst) {
-  return fmt::format("  load factor {}: the ends of the 0-1 program (29) with {}, not proved\n",
-                     ends_text(*worst.zero_one), m_text(*worst.zero_one));
+  return fmt::format(
+      "  load factor {}: the ends of the 0-1 program (29) with {}, not "
+      "proved: right if its M is large enough\n",
+      ends_text(*worst.zero_one), m_text(*worst.zero_one));
 }
 
 std::string zero_one_text(const LimitWorstCase& worst) {

@@ -2,10 +2,14 @@
 #include "nodes/wedged/ray_tree.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
+#include "nodes/wedged/ray_trial.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 
@@ -42,6 +46,72 @@ TEST(RayTree, FindsTheRaysOfTheDoubleDescription) {
       EXPECT_TRUE(tree.tally().health.sound());
       EXPECT_LE(tree.tally().effort.peak_rays, whole.effort.peak_rays);
     }
+  }
+}
+
+/// A problem of rays, and what double description says of it.
+struct RayProblem {
+  explicit RayProblem(const problems::Structure& truss, double mu = 0.65)
+      : problem(problems::wedged_problem(truss)),
+        friction(problem.friction.size(), mu),
+        cone(problems::precise_compliance(truss), friction) {
+    problem.blocks.clear();
+  }
+
+  [[nodiscard]] RayTrial trial() const {
+    return {[this] { return SignPatternTree(problem, friction); }, cone, {}};
+  }
+
+  problems::WedgedProblem problem;
+  std::vector<double> friction;
+  rays::ReactionCone cone;
+};
+
+constexpr std::uint64_t no_end = std::uint64_t{1} << 40U;
+
+TEST(RayTrial, HasAllRaysIfItIsWorthAnything) {
+  for (const auto& truss : {problems::plane_truss({.rows = 9}), problems::paper_plane_truss(11)}) {
+    const RayProblem given(truss);
+    auto trial = given.trial();
+    ASSERT_TRUE(trial.succeeds(no_end));
+    ASSERT_TRUE(trial.has_succeeded());
+    const auto found = std::move(trial).found();
+    EXPECT_EQ(sorted(found.rays), sorted(rays::complementary_rays(given.cone).rays));
+    EXPECT_TRUE(found.health.sound());
+  }
+}
+
+TEST(RayTrial, IsTakenWhereTheTreeIsSmallAndRefusedWhereItIsNot) {
+  // With all bars nearly nothing lives, and double description meets many rays on the way; of the
+  // paper's truss there are many ties, and few rays more on the way than in the end.
+  const auto outlasts = [](const problems::Structure& truss) {
+    const RayProblem given(truss);
+    auto trial = given.trial();
+    rays::Conduct conduct;
+    conduct.give_up = [&](auto /*rays*/, const rays::Effort& effort) {
+      return trial.succeeds(effort.pairs);
+    };
+    const bool ended = rays::complementary_rays(given.cone, conduct).has_value();
+    EXPECT_NE(ended, trial.has_succeeded());
+    return ended;
+  };
+  EXPECT_FALSE(
+      outlasts(problems::plane_truss({.rows = 14, .verticals = problems::Verticals::all})));
+  EXPECT_TRUE(outlasts(problems::paper_plane_truss(16)));
+}
+
+TEST(PatternRaysByTurns, AreThoseOfOneTurn) {
+  const RayProblem given(problems::plane_truss({.rows = 10}));
+  const rays::Candidates all = given.cone.all();
+  for (const rays::Candidates contact : {all, all & ~rays::bit(3), rays::Candidates{0b111}}) {
+    rays::PatternRaysByTurns turns(given.cone, contact);
+    int pauses = 0;
+    for (std::uint64_t most = 0; !turns.go_on(most); most += 20) ++pauses;
+    if (contact == all) {
+      EXPECT_GT(pauses, 5);
+    }
+    const auto once = rays::rays_of_pattern(given.cone, contact);
+    EXPECT_EQ(sorted(std::move(turns).result().rays), sorted(once.rays));
   }
 }
 
