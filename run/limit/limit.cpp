@@ -89,8 +89,7 @@ void Limit::describe(OptionTable& table) {
   table.file("--curve-load", options_.curve_load, Role::input,
              "how it falls as the load in this file grows: [[loads]] of nodes and force, or an "
              "earlier result, of which it is the critical part");
-  table.number("--curve-to", &options_.question.curve_to,
-               {.least = 0, .most = 1e9, .least_is_out = true},
+  table.number("--curve-to", &options_.question.curve_to, between(1e-9, 1e9),
                "how far curves go, in multiples of that load or of alpha");
   table.file("--curve-csv", curve_csv_, Role::output,
              "write the curves to this file, a line a breakpoint");
