@@ -26,7 +26,8 @@ endfunction()
 # JOINED: which sources may be compiled together, as in kusabi_join; without it, all.
 # PROCESSES: it starts others, so it is not among those labelled `fast`, which take seconds in all.
 # OWN_OPTIONS: it is compiled with others, and shares no headers with the rest.
-# LONG: those that take a minute; they begin first, and the sanitizers leave them to Release.
+# LONG: those that take a minute, be it under the sanitizers, which leave them to Release; they begin first. A filter
+# of GoogleTest.
 function(kusabi_test name)
   cmake_parse_arguments(TEST "PROCESSES;OWN_OPTIONS" "LONG" "SOURCES;LIBRARIES;JOINED" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
