@@ -72,7 +72,7 @@ std::optional<RayFindings> by_double_description(engine::Campaign& campaign,
   rays::Conduct conduct{.most_rays = most_rays};
   if (campaign.is_first()) conduct.stop = campaign.budget().stop();
   if (trial != nullptr) {
-    conduct.give_up = [&transport, trial](std::uint64_t /*rays*/, const rays::Effort& effort) {
+    conduct.give_up = [&transport, trial](const rays::Effort& effort) {
       return engine::from_first_rank(transport, [&] { return trial->succeeds(effort.pairs); });
     };
   }

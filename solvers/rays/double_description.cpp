@@ -105,7 +105,7 @@ bool DoubleDescription::cut_by(Candidates rows, Keep keep) {
     if (conduct_.agree ? conduct_.agree(told) : told) return false;
     effort_ += std::exchange(next_.effort, {});
     if (zeros_.size() > conduct_.most_rays) return false;
-    if (!left.empty() && conduct_.give_up && conduct_.give_up(zeros_.size(), effort_)) return false;
+    if (!left.empty() && conduct_.give_up && conduct_.give_up(effort_)) return false;
   }
   return true;
 }
@@ -266,7 +266,7 @@ struct PatternRaysByTurns::State {
   State(const ReactionCone& cone, Candidates in_contact)
       : contact(in_contact),
         separated(cone.all() & ~in_contact),
-        description(cone, in_contact, {.give_up = [this](auto, const Effort& effort) {
+        description(cone, in_contact, {.give_up = [this](const Effort& effort) {
                       return effort.pairs > most_pairs;
                     }}) {}
 

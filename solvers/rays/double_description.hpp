@@ -71,9 +71,9 @@ struct Conduct {
   /// Where work is shared: makes one answer of what each of those who share it was told by `stop`.
   std::function<bool(bool)> agree = {};
 
-  /// Asked after each step, with the rays at that time and the effort so far, the same for all who
-  /// share: whether to end, as with `stop`. Empty: never.
-  std::function<bool(std::uint64_t rays, const Effort& effort)> give_up = {};
+  /// Asked after each step, with the effort so far, the same for all who share: whether to end, as
+  /// with `stop`. Empty: never.
+  std::function<bool(const Effort& effort)> give_up = {};
 };
 
 /// All extremal rays of C_r that satisfy u_n^T r_n = 0 (Algorithm 4.2).

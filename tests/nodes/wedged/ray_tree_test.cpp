@@ -88,9 +88,7 @@ TEST(RayTrial, IsTakenWhereTheTreeIsSmallAndRefusedWhereItIsNot) {
     const RayProblem given(truss);
     auto trial = given.trial();
     rays::Conduct conduct;
-    conduct.give_up = [&](auto /*rays*/, const rays::Effort& effort) {
-      return trial.succeeds(effort.pairs);
-    };
+    conduct.give_up = [&](const rays::Effort& effort) { return trial.succeeds(effort.pairs); };
     const bool ended = rays::complementary_rays(given.cone, conduct).has_value();
     EXPECT_NE(ended, trial.has_succeeded());
     return ended;
