@@ -29,7 +29,6 @@ class ExportMatrix final : public ExportedFile {
   }
   void describe(OptionTable& table) override;
   void prepare(CommandRun& run) override;
-  void search(CommandRun& /*run*/) override {}
 
  protected:
   void write(std::ostream& out) const override;

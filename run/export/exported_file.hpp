@@ -13,6 +13,8 @@ namespace kusabi::run {
 class ExportedFile : public Subcommand {
  public:
   void read(CommandRun& run) final;
+  /// Most have nothing to search for.
+  void search(CommandRun& /*run*/) override {}
   std::vector<Step> results(CommandRun& run) final;
   Verdict verdict(CommandRun& /*run*/) final { return {}; }
 
