@@ -6,9 +6,9 @@
 //                                     beside it
 //   bench_cones --walk ROWS DEPTH BAYS MU    writes an instance
 //
-// An instance is a space truss (problems/families/space_truss) and 200 nodes of its tree, those of
-// random walks from the root. Run it on a quiet machine; the best of several rounds counts.
-#include <bit>
+// An instance is a space truss (problems/families/space_truss) and nodes of its tree, those of
+// random walks from the root: 200, or 24 of more than 60 candidates. Run it on a quiet machine; the
+// best of several rounds counts.
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -24,6 +24,7 @@
 #include "problems/families/space_truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "solvers/conic/node_solver.hpp"
+#include "support/index_set.hpp"
 
 namespace {
 
@@ -32,12 +33,35 @@ using conic::Sign;
 using nlohmann::json;
 
 constexpr int dimension = 3;
-constexpr int node_count = 200;
-constexpr int rounds = 15;
+
+// Of instances of more than `most_small` candidates there are fewer nodes, and fewer rounds.
+constexpr int most_small = 60;
+constexpr std::size_t node_count = 200, large_node_count = 24;
+constexpr int rounds = 15, large_rounds = 3;
+
+using support::IndexSet;
 
 struct Node {
-  std::uint64_t contact, separated;
+  IndexSet contact, separated;
 };
+
+// A set as the instance has it: a number in hexadecimal digits, or in decimals where it fits.
+IndexSet set_of(const json& word) {
+  if (word.is_number()) return IndexSet(word.get<std::uint64_t>());
+  const auto digits = word.get<std::string>();
+  IndexSet set;
+  for (std::size_t place = 0; place < digits.size(); ++place) {
+    const int digit = std::stoi(digits.substr(digits.size() - 1 - place, 1), nullptr, 16);
+    for (int bit = 0; bit < 4; ++bit)
+      if ((digit >> bit & 1) != 0) set.insert(static_cast<int>(4 * place) + bit);
+  }
+  return set;
+}
+
+json word_of(const IndexSet& set, int m) {
+  if (m <= most_small) return set.word(0);
+  return support::hexadecimal(set);
+}
 
 struct Instance {
   problems::SpaceTrussSize size;
@@ -50,7 +74,8 @@ Instance read(const std::string& file) {
   if (!stream) throw std::runtime_error(file + ": cannot be read");
   const auto data = json::parse(stream);
   Instance instance{{data.at("rows"), data.at("depth"), data.at("bays")}, data.at("friction"), {}};
-  for (const auto& node : data.at("nodes")) instance.nodes.push_back({node.at(0), node.at(1)});
+  for (const auto& node : data.at("nodes"))
+    instance.nodes.push_back({set_of(node.at(0)), set_of(node.at(1))});
   return instance;
 }
 
@@ -69,26 +94,26 @@ conic::NodeSolver<dimension> solver_of(const Eigen::MatrixXd& compliance, double
 // branches where u_n r_n is largest (the wedged paper, Remark 5.5) and takes a random child.
 std::vector<Node> walked_nodes(conic::NodeSolver<dimension>& solver, int m) {
   std::mt19937_64 generator(static_cast<std::uint64_t>(m));
-  const std::uint64_t all = (std::uint64_t{1} << static_cast<unsigned>(m)) - 1;
+  const IndexSet all = IndexSet::below(m);
   std::vector<Node> nodes;
-  Node node{0, 0};
-  while (nodes.size() < node_count) {
+  Node node;
+  while (nodes.size() < (m <= most_small ? node_count : large_node_count)) {
     nodes.push_back(node);
-    auto open = all & ~(node.contact | node.separated);
-    if (solver.solve(node.contact, node.separated).sign == Sign::dead || open == 0) {
-      node = {0, 0};
+    const IndexSet open = all - (node.contact | node.separated);
+    if (solver.solve(node.contact, node.separated).sign == Sign::dead || open.empty()) {
+      node = {};
       continue;
     }
-    std::uint64_t split = 0;
+    int split = 0;
     double most = -1;
-    for (; open != 0; open &= open - 1) {
-      const Eigen::Index normal = dimension * std::countr_zero(open);
+    for (const int i : open) {
+      const Eigen::Index normal = dimension * i;
       const double product = solver.displacement()[normal] * solver.reaction()[normal];
       if (product <= most) continue;
       most = product;
-      split = open & ~(open - 1);
+      split = i;
     }
-    (generator() % 2 == 0 ? node.contact : node.separated) |= split;
+    (generator() % 2 == 0 ? node.contact : node.separated).insert(split);
   }
   return nodes;
 }
@@ -101,7 +126,8 @@ struct Figures {
 Figures measure(conic::NodeSolver<dimension>& solver, const std::vector<Node>& nodes,
                 conic::StopEarly stop) {
   Figures best;
-  for (int round = 0; round < rounds; ++round) {
+  const int turns = nodes.size() == node_count ? rounds : large_rounds;
+  for (int round = 0; round < turns; ++round) {
     Figures figures;
     const auto start = std::chrono::steady_clock::now();
     for (const Node& node : nodes) {
@@ -138,7 +164,8 @@ json data_of(const Instance& instance) {
   for (const auto& row : compliance.rowwise())
     data["compliance"].push_back(std::vector<double>(row.begin(), row.end()));
   for (const auto& [contact, separated] : instance.nodes) {
-    data["nodes"].push_back({contact, separated});
+    const int m = instance.size.rows * instance.size.depth;
+    data["nodes"].push_back({word_of(contact, m), word_of(separated, m)});
     const auto answer = solver.solve(contact, separated, never);
     data["brackets"].push_back({answer.lower, answer.upper});
   }
@@ -153,7 +180,8 @@ void walk(const problems::SpaceTrussSize& size, double friction) {
   auto solver = solver_of(scaled_compliance(size), friction);
   auto nodes = json::array();
   for (const auto& node : walked_nodes(solver, size.rows * size.depth))
-    nodes.push_back({node.contact, node.separated});
+    nodes.push_back({word_of(node.contact, size.rows * size.depth),
+                     word_of(node.separated, size.rows * size.depth)});
   fmt::print(R"({{"rows": {}, "depth": {}, "bays": {}, "friction": {}, "nodes": {}}})"
              "\n",
              size.rows, size.depth, size.bays, friction, nodes.dump());

@@ -56,7 +56,8 @@ def main():
         answer = subprocess.run([program_file, "--json", instance], check=True, capture_output=True, text=True)
         data = json.loads(answer.stdout)
         seconds = iterations = solved = failed = wrong = 0
-        for (contact, separated), (lower, upper) in zip(data["nodes"], data["brackets"]):
+        for sets, (lower, upper) in zip(data["nodes"], data["brackets"]):
+            contact, separated = (int(word, 16) if isinstance(word, str) else word for word in sets)
             if separated == (1 << len(data["compliance"]) // DIMENSION) - 1:
                 continue
             given = program(data["compliance"], data["friction"], contact, separated)

@@ -12,6 +12,7 @@ namespace kusabi::support {
 struct SourcePosition {
   int line = 0;
   int column = 0;
+  int file = 0;  ///< 0: the file that is read; from 1 on: those that it names
 };
 
 /// The input is wrong. `what()` is `FILE:LINE:COLUMN: what is wrong; expected ...`, or

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "verify/certificate.hpp"
+#include "verify/contact_motions.hpp"
 #include "verify/exact.hpp"
 #include "verify/structure.hpp"
 
@@ -16,9 +17,13 @@ namespace kusabi::verify {
 /// smaller than this does no harm.
 inline constexpr double stiffness_tolerance = 1e-6;
 
+/// The same for the motions of loose bodies, relative to the largest entry of each.
+inline constexpr double motion_tolerance = 1e-6;
+
 /// What a certificate and a structure have in common.
 struct Agreement {
   EnclosedMatrix stiffness;  ///< of the structure
+  ContactMotions motions;    ///< of its bodies that nothing holds
   double friction = 0;       ///< the coefficient that those of the candidates are relative to
 };
 

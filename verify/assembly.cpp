@@ -1,8 +1,9 @@
-// Bars, frames, and what belongs together; verify/plane_element.cpp has the elements.
+// Bars, springs, given stiffnesses, frames, and what belongs together; verify/solid_element.cpp has
+// the elements.
 #include "verify/assembly.hpp"
 
 #include "verify/disjoint_sets.hpp"
-#include "verify/plane_element.hpp"
+#include "verify/solid_element.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -45,16 +46,36 @@ void add_bar(const Structure& structure, const Freedom& freedom, const Bar& bar,
     for (std::size_t l = 0; l < d; ++l) {
       const auto entry = stiffness * cosines[k] * cosines[l];
       if (entry.is_zero()) continue;
-      for (const auto row_node : {bar.first, bar.second}) {
-        const auto row = freedom.number[row_node][k];
-        if (row == Freedom::none) continue;
-        for (const auto column_node : {bar.first, bar.second}) {
-          const auto column = freedom.number[column_node][l];
-          if (column == Freedom::none) continue;
-          auto& sum = matrix[row][column];
-          sum = row_node == column_node ? sum + entry : sum - entry;
-        }
+      for (const auto row : {bar.first, bar.second}) {
+        for (const auto column : {bar.first, bar.second})
+          freedom.add({row, k}, {column, l}, row == column ? entry : -entry, matrix);
       }
+    }
+  }
+}
+
+// By row of a stiffness of another program: the free displacements in it, and their weights.
+std::vector<std::vector<std::pair<std::size_t, Enclosure>>> rows_of(const Structure& structure,
+                                                                    const Freedom& freedom,
+                                                                    std::size_t index) {
+  std::vector<std::vector<std::pair<std::size_t, Enclosure>>> rows;
+  for (const auto& [node, axis] : structure.given[index].rows) {
+    if (node) {
+      rows.push_back(freedom.weighted(*node, axis));
+    } else {
+      rows.push_back({{freedom.own[index][rows.size()], Enclosure(1)}});
+    }
+  }
+  return rows;
+}
+
+void add_given(const Structure& structure, const Freedom& freedom, std::size_t index,
+               SparseEnclosure& matrix) {
+  const auto rows = rows_of(structure, freedom, index);
+  for (const auto& entry : structure.given[index].entries) {
+    for (const auto& [row, weight] : rows[entry.row]) {
+      for (const auto& [column, other] : rows[entry.column])
+        matrix[row][column] += Enclosure(entry.value) * weight * other;
     }
   }
 }
@@ -73,6 +94,10 @@ SparseEnclosure enclosed_stiffness(const Structure& structure, const Freedom& fr
   SparseEnclosure matrix(freedom.count);
   for (const auto& bar : structure.bars) add_bar(structure, freedom, bar, matrix);
   for (const auto& element : structure.elements) add_element(structure, freedom, element, matrix);
+  for (const auto& [node, axis, stiffness] : structure.springs)
+    freedom.add({node, axis}, {node, axis}, Enclosure(stiffness), matrix);
+  for (std::size_t index = 0; index < structure.given.size(); ++index)
+    add_given(structure, freedom, index, matrix);
   return matrix;
 }
 
@@ -95,20 +120,12 @@ std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freed
   const auto join = [&](const std::vector<std::size_t>& numbers) {
     for (const auto number : numbers) sets.join(number, numbers.front());
   };
-  const auto free_of = [&](std::size_t node) {
-    std::vector<std::size_t> numbers;
-    for (const auto number : freedom.number[node]) {
-      if (number != Freedom::none) numbers.push_back(number);
-    }
-    return numbers;
-  };
   for (const auto& bar : structure.bars) {
     std::vector<std::size_t> straining;
     for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
       if (structure.places[bar.first][axis] == structure.places[bar.second][axis]) continue;
       for (const auto node : {bar.first, bar.second}) {
-        const auto number = freedom.number[node][axis];
-        if (number != Freedom::none) straining.push_back(number);
+        for (const auto number : freedom.parts(node, axis)) straining.push_back(number);
       }
     }
     join(straining);
@@ -116,15 +133,36 @@ std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freed
   for (const auto& element : structure.elements) {
     std::vector<std::size_t> moving;
     for (const auto node : element.nodes) {
-      for (const auto number : free_of(node)) moving.push_back(number);
+      for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+        for (const auto number : freedom.parts(node, axis)) moving.push_back(number);
+      }
     }
     join(moving);
   }
-  for (const auto& point : structure.contact) join(free_of(point.node));
+  for (const auto& spring : structure.springs) join(freedom.parts(spring.node, spring.axis));
+  for (std::size_t index = 0; index < structure.given.size(); ++index) {
+    const auto rows = rows_of(structure, freedom, index);
+    for (const auto& entry : structure.given[index].entries) {
+      std::vector<std::size_t> resisted;
+      for (const auto place : {entry.row, entry.column}) {
+        for (const auto& [number, weight] : rows[place]) resisted.push_back(number);
+      }
+      if (!rows[entry.row].empty() && !rows[entry.column].empty()) join(resisted);
+    }
+  }
+  std::vector<std::size_t> own;  // a displacement of each candidate
+  for (const auto& point : structure.contact) {
+    std::vector<std::size_t> moving;
+    for (const auto number : freedom.number[point.node]) {
+      if (number != Freedom::none) moving.push_back(number);
+    }
+    join(moving);
+    own.push_back(moving.front());
+  }
   std::map<std::size_t, std::size_t> first;  // candidate of each set
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
-    const auto set = sets.of(freedom.number[structure.contact[i].node][0]);
+    const auto set = sets.of(own[i]);
     result.push_back(first.emplace(set, i).first->second);
   }
   return result;

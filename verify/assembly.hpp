@@ -8,14 +8,13 @@
 #include <vector>
 
 #include "verify/enclosure.hpp"
+#include "verify/freedom.hpp"
 #include "verify/structure.hpp"
 
 namespace kusabi::verify {
 
-/// A symmetric matrix, row by row; entries that are not there are zero.
-using SparseEnclosure = std::vector<std::map<std::size_t, Enclosure>>;
-
-/// K^0. Not all finite if a bar has no length or an element no area.
+/// H' K^0 H over the free displacements. Not all finite if a bar has no length or an element no
+/// area.
 SparseEnclosure enclosed_stiffness(const Structure& structure, const Freedom& freedom);
 
 /// The direction of a bar, a unit vector; its length.
@@ -34,7 +33,8 @@ Frame frame(const ContactPoint& point, std::size_t dimension);
 
 /// For each candidate, which piece of the structure it belongs to: the number of another candidate
 /// or its own. Displacements belong together if a bar strains by both (which takes a difference of
-/// coordinates that is not zero), if they are of one element, or of one candidate.
+/// coordinates that is not zero), if they are of one element, of one spring, of one entry of a
+/// given stiffness, or of one candidate.
 std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freedom);
 
 }  // namespace kusabi::verify

@@ -1,78 +1,109 @@
-// Guesses in double precision, checks without rounding.
+// What all proofs of a block need; verify/dead_proof.cpp has dead nodes, verify/leaf_proof.cpp
+// living leaves.
 #include "verify/block_proof.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "verify/least_squares.hpp"
+
 namespace kusabi::verify {
+
+using support::IndexSet;
+
 namespace {
 
-// A step of a guess loses nothing by being cut off so far below its largest number, and what is not
-// there need not be multiplied.
-constexpr int guessed_bits = 64;
+// More stiffnesses with springs than this are not kept: each is as large as K.
+constexpr std::size_t most_kept = 6;
 
-bool finite(std::span<const double> values) {
-  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
-}
-
-bool holds(std::uint64_t set, std::size_t candidate) {
-  return ((set >> candidate) & 1U) != 0;
-}
-
-Dyadic norm_above(const DyadicList& list) {
-  mpz_class sum;
-  for (const auto& value : list.mantissas) {
-    mpz_addmul(sum.get_mpz_t(), value.get_mpz_t(), value.get_mpz_t());
-  }
-  return sqrt_above(Dyadic(std::move(sum), 2 * list.exponent));
-}
-
-// The lower triangle of a matrix, row by row.
-DyadicList lower_triangle(const DyadicMatrix& matrix) {
-  DyadicList result;
-  result.exponent = matrix.entries.exponent;
-  for (std::size_t i = 0; i < matrix.size; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      result.mantissas.push_back(matrix.entries.mantissas[matrix.size * i + j]);
-    }
-  }
-  return result;
-}
-
-std::optional<Cholesky> factor_of(const std::vector<double>& matrix, std::size_t size,
-                                  std::span<const std::size_t> unknowns) {
-  std::vector<double> lower;
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    for (std::size_t j = 0; j <= i; ++j) lower.push_back(matrix[size * unknowns[i] + unknowns[j]]);
-  }
-  return Cholesky::of(Profile::full(unknowns.size()), lower);
-}
-
-std::vector<std::size_t> first_numbers(std::size_t count) {
-  std::vector<std::size_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-  return numbers;
-}
+// A motion that moves no candidate of U along its normal by more than this share of what others do
+// slides along U: that of a plug around its axis, whose normals were rounded.
+constexpr double nearly_sliding = 0x1p-40;
 
 }  // namespace
 
 BlockProof::BlockProof(ContactBlock block) : block_(std::move(block)) {
-  const auto& [middle, radius] = block_.stiffness;
   Dyadic steepest(1.0);
   for (const double mu : block_.friction) {
     friction_.emplace_back(mu);
     steepest = larger(steepest, Dyadic(1.0) + square(friction_.back()));
   }
   steepest_ = sqrt_above(steepest);
-  for (std::size_t i = 0; i < middle.entries.size(); ++i) {
-    rounded_.push_back(middle.entries[i].nearest());
+  near_motions_ = block_.motions.nearest();
+  const auto p = motions();
+  const auto [springs, sliding] = hold({});
+  if (springs.size() != p) return;  // the motions are not independent
+  // Column by column: the recorded motion as a combination of the own ones.
+  own_of_recorded_.resize(p * p);
+  for (std::size_t column = 0; column < p; ++column) {
+    std::vector<double> motion;
+    for (std::size_t at = column; at < block_.recorded_motions.size(); at += p)
+      motion.push_back(block_.recorded_motions[at]);
+    const auto own = least_squares(near_motions_, motion);
+    if (!own) return;
+    for (std::size_t k = 0; k < p; ++k) own_of_recorded_[p * k + column] = (*own)[k];
   }
-  size_of_stiffness_ = norm_above(middle.entries) + radius;
-  factor_ = factor_of(rounded_, middle.size, first_numbers(middle.size));
-  const auto least = verify::least_eigenvalue(Profile::full(middle.size), lower_triangle(middle));
-  if (factor_ && least && *least > radius) least_ = *least - radius;
+  least_ = held(springs).least_eigenvalue();
+}
+
+void BlockProof::demand_largest(const std::vector<std::size_t>& rows, double negligible,
+                                Elimination& rest, std::vector<std::size_t>& chosen) const {
+  std::optional<double> first;
+  while (!rest.left().empty()) {
+    std::optional<double> most;
+    std::size_t best = 0;
+    for (const auto row : rows) {
+      for (const auto& product : rest.products(block_.motions.rows[row])) {
+        const double size = std::abs(product.get_d()) / block_.motions.lengths[row].nearest();
+        if (sgn(product) == 0 || (most && size <= *most)) continue;
+        most = size;
+        best = row;
+      }
+    }
+    if (!most || (first && *most <= negligible * *first)) return;
+    if (!first) first = most;
+    rest.demand(block_.motions.rows[best]);
+    chosen.push_back(best);
+  }
+}
+
+BlockProof::Hold BlockProof::hold(const IndexSet& contact) const {
+  const auto d = block_.dimension;
+  Hold result;
+  if (motions() == 0) return result;
+  std::vector<std::size_t> normals;
+  std::vector<std::size_t> others;
+  for (std::size_t row = 0; row < d * candidates(); ++row) {
+    auto& list = row % d == 0 && holds(contact, row / d) ? normals : others;
+    list.push_back(row);
+  }
+  Elimination rest(motions());
+  demand_largest(normals, nearly_sliding, rest, result.springs);
+  result.sliding = rest.left();
+  demand_largest(others, 0, rest, result.springs);
+  std::sort(result.springs.begin(), result.springs.end());
+  return result;
+}
+
+const HeldStiffness& BlockProof::held(const std::vector<std::size_t>& springs) const {
+  for (const auto& each : held_) {
+    if (each.springs() == springs) return each;
+  }
+  if (held_.size() == most_kept) held_.pop_back();
+  held_.emplace_back(block_.stiffness, springs);
+  return held_.back();
+}
+
+// The springs are at normal displacements of U: no motion leaves all of these alone.
+const HeldStiffness* BlockProof::held_at_normals(const IndexSet& contact) const {
+  const auto d = block_.dimension;
+  for (const auto& each : held_) {
+    const bool all = std::all_of(each.springs().begin(), each.springs().end(),
+                                 [&](auto row) { return row % d == 0 && holds(contact, row / d); });
+    if (all) return &each;
+  }
+  return nullptr;
 }
 
 Dyadic BlockProof::tangential_square(const DyadicList& vector, std::size_t candidate) const {
@@ -82,130 +113,38 @@ Dyadic BlockProof::tangential_square(const DyadicList& vector, std::size_t candi
   return sum;
 }
 
-// What K x may be off by, K being anywhere within its enclosure.
-Dyadic BlockProof::spread(const DyadicList& x) const {
-  if (block_.stiffness.radius.sign() == 0) return {};
-  return block_.stiffness.radius * norm_above(x);
+std::vector<double> BlockProof::own_coefficients(std::span<const double> recorded) const {
+  const auto p = motions();
+  std::vector<double> own(p, 0);
+  for (std::size_t i = 0; i < p; ++i) {
+    for (std::size_t j = 0; j < p; ++j) own[i] += own_of_recorded_[p * i + j] * recorded[j];
+  }
+  return own;
 }
 
-// Solves for the unknowns, the others being zero: K x = right in their rows. Solved again for what
-// is left, x has more digits than a double, as many as a badly scaled K needs.
-std::optional<std::string> BlockProof::guess(const Cholesky& factor,
-                                             std::span<const std::size_t> unknowns,
-                                             const DyadicList& right, const Check& check) const {
-  constexpr int most_rounds = 10;
-  const auto& middle = block_.stiffness.middle;
-  DyadicList x(middle.size);
-  DyadicList kx(middle.size);
-  std::optional<std::string> refusal;
-  std::vector<double> step(unknowns.size());
-  std::vector<double> everywhere(middle.size, 0);
-  for (int round = 0; round < most_rounds; ++round) {
-    for (std::size_t k = 0; k < unknowns.size(); ++k) {
-      step[k] = (right[unknowns[k]] - kx[unknowns[k]]).nearest();
-    }
-    factor.solve(step);
-    if (!finite(step)) return "its numbers are too large to compute with";
-    for (std::size_t k = 0; k < unknowns.size(); ++k) everywhere[unknowns[k]] = step[k];
-    x += DyadicList(everywhere, guessed_bits);
-    kx = middle * x;
-    refusal = check(x, kx);
-    if (!refusal) break;
-  }
-  return refusal;
-}
-
-std::optional<std::string> BlockProof::refusal_of_dead(std::uint64_t contact,
-                                                       std::uint64_t separated,
-                                                       std::span<const double> multipliers) const {
-  if (separated == ~std::uint64_t{0} >> (64 - candidates())) return {};  // r = 0, nothing else
-  const auto all = first_numbers(block_.stiffness.middle.size);
-  std::vector<double> y(all.size(), 0);
-  for (std::size_t i = 0; i < candidates(); ++i) y[block_.dimension * i] = multipliers[i];
-  return guess(*factor_, all, DyadicList(y), [&](const auto& w, const auto& nu) {
-    return check_dead(contact, separated, w, nu);
-  });
-}
-
-std::optional<std::string> BlockProof::check_dead(std::uint64_t contact, std::uint64_t separated,
-                                                  const DyadicList& w, const DyadicList& nu) const {
-  const auto d = block_.dimension;
-  std::optional<Dyadic> delta;
-  Dyadic epsilon_squared;
-  for (std::size_t i = 0; i < candidates(); ++i) {
-    epsilon_squared = epsilon_squared + tangential_square(nu, i);
-    const auto normal = nu[d * i];
-    if (!holds(contact, i) && normal.sign() < 0) {
-      epsilon_squared = epsilon_squared + square(normal);
-    }
-    if (holds(separated, i)) continue;
-    const auto slip = sqrt_above(square(friction_[i]) * tangential_square(w, i));
-    const auto margin = Dyadic{} - w[d * i] - slip;
-    if (margin.sign() <= 0) {
-      return "its multipliers do not rule out a reaction at " + block_.names[i];
-    }
-    if (!delta || margin < *delta) delta = margin;
-  }
-  const auto epsilon = sqrt_above(epsilon_squared) + spread(w);
-  if (*delta * *least_ > epsilon * steepest_) return {};
-  return "its multipliers rule out too little, or ask for what u_n >= 0 does not give";
-}
-
-std::optional<std::string> BlockProof::refusal_of_alive(std::uint64_t contact,
-                                                        std::uint64_t separated,
-                                                        std::span<const double> tangential) const {
-  if (contact == 0) return "no candidate is in contact";
-  const auto d = block_.dimension;
-  const auto size = block_.stiffness.middle.size;
-  std::vector<double> right(size, 0);
-  std::vector<std::size_t> loose;  // all displacements but the normal ones of U
-  auto number = tangential.begin();
-  for (std::size_t i = 0; i < candidates(); ++i) {
-    const bool touches = holds(contact, i);
-    for (std::size_t k = touches ? 1 : 0; k < d; ++k) {
-      loose.push_back(d * i + k);
-      if (!touches) continue;
-      if (block_.friction[i] == 0 && *number != 0) {
-        return block_.names[i] + " has no friction, but a tangential reaction";
-      }
-      right[d * i + k] = *number++;
+Rationals BlockProof::missing(const std::vector<double>& mean, const DyadicList& x,
+                              const std::vector<Rationals>& among) const {
+  const auto p = motions();
+  const auto rows = block_.motions.rows.size();
+  std::vector<double> moves;  // of the given motions, row by row
+  std::vector<double> rest(rows, 0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto own = std::span(near_motions_).subspan(p * row, p);
+    rest[row] = -x[row].nearest();
+    for (std::size_t k = 0; k < p; ++k) rest[row] += own[k] * mean[k];
+    for (const auto& motion : among) {
+      double sum = 0;
+      for (std::size_t k = 0; k < p; ++k) sum += own[k] * motion[k].get_d();
+      moves.push_back(sum);
     }
   }
-  const auto factor = factor_of(rounded_, size, loose);
-  if (!factor) return "K is too badly conditioned to compute its displacements";
-  const DyadicList reaction(right);
-  return guess(*factor, loose, reaction, [&](const auto& u, const auto& r) {
-    return check_alive(contact, separated, reaction, u, r);
-  });
-}
-
-std::optional<std::string> BlockProof::check_alive(std::uint64_t contact, std::uint64_t separated,
-                                                   const DyadicList& right, const DyadicList& u,
-                                                   const DyadicList& r) const {
-  const auto d = block_.dimension;
-  const auto& s = *least_;
-  Dyadic rest_squared;
-  for (std::size_t i = 0; i < candidates(); ++i) {
-    for (std::size_t k = holds(contact, i) ? 1 : 0; k < d; ++k) {
-      rest_squared = rest_squared + square(r[d * i + k] - right[d * i + k]);
-    }
+  const auto shares = least_squares(moves, rest);
+  Rationals result(p);
+  for (std::size_t j = 0; shares && j < among.size(); ++j) {
+    if (!std::isfinite((*shares)[j])) continue;
+    for (std::size_t k = 0; k < p; ++k) result[k] += mpq_class((*shares)[j]) * among[j][k];
   }
-  const auto unknown = spread(u);
-  const auto rest = sqrt_above(rest_squared) + unknown;        // s times the error of u
-  const auto error = size_of_stiffness_ * rest + s * unknown;  // s times that of r_n
-  for (std::size_t i = 0; i < candidates(); ++i) {
-    const auto& name = block_.names[i];
-    if (holds(separated, i)) {
-      if (!(s * u[d * i] > rest)) return name + " does not separate";
-      continue;
-    }
-    const auto pressure = s * r[d * i] - error;
-    if (pressure.sign() <= 0) return name + " is not pressed against the obstacle";
-    if (friction_[i].sign() == 0) continue;  // r_t = 0, as it must be
-    const auto shear = s * sqrt_above(tangential_square(right, i));
-    if (!(friction_[i] * pressure > shear)) return name + " slips, or is about to";
-  }
-  return {};
+  return result;
 }
 
 }  // namespace kusabi::verify

@@ -1,73 +1,189 @@
-// The proofs of one block of contact candidates: that its K is positive definite, that nothing is
-// wedged below a dead node, and that a living leaf has a configuration; for every K that an
-// enclosure holds. docs/theory/proofs.md has the same letters.
+// The proofs of one block of contact candidates: that its K is positive definite but for the
+// motions of bodies that nothing holds, that nothing is wedged below a dead node, and that a living
+// leaf has a configuration; for every K that an enclosure holds. docs/theory/proofs.md has the same
+// letters.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <functional>
+#include <list>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "verify/cholesky.hpp"
+#include "support/index_set.hpp"
+#include "verify/contact_motions.hpp"
 #include "verify/exact.hpp"
+#include "verify/held_stiffness.hpp"
 
 namespace kusabi::verify {
 
-/// What is to be proved something of. Sets of candidates have bit i for candidate i of the block.
+/// What is to be proved something of. Candidates are numbered as in the block.
 struct ContactBlock {
   std::size_t dimension = 0;       ///< d
-  EnclosedMatrix stiffness;        ///< K, dm x dm
+  EnclosedMatrix stiffness;        ///< K, dm x dm; K G = 0 for the motions below
   std::vector<double> friction;    ///< mu, m, >= 0
   std::vector<std::string> names;  ///< m, for messages
+  ContactMotions motions{};        ///< p of bodies that nothing holds; none: K is definite
+  /// G as a certificate has it, dm x p, row by row: what its numbers are coefficients of.
+  std::vector<double> recorded_motions{};
+};
+
+/// A configuration *moves far* if its displacements are more than so many times as large as what
+/// is left of them without rigid motion: |u| > farthest_motion min_a |u - G a|. The directions of
+/// a file have sixteen digits, so on a way that long nobody knows whether two walls are parallel.
+inline constexpr double farthest_motion = 0x1p20;
+
+/// What became of a claim.
+struct Judgement {
+  std::optional<std::string> refusal{};  ///< why it is not proved; nothing if it is
+  bool but_for_far_motion = false;       ///< proved of all configurations that do not move far
+  /// Of a marginal node: proved that its configurations are those of others with fewer contacts.
+  bool unloaded = false;
 };
 
 class BlockProof {
  public:
   explicit BlockProof(ContactBlock block);
 
-  /// A lower bound s > 0 of the least eigenvalue of every K; nothing if it was not shown.
+  /// A lower bound s > 0 of the least eigenvalue of every K, with a spring for each motion; nothing
+  /// if it was not shown.
   [[nodiscard]] const std::optional<Dyadic>& least_eigenvalue() const { return least_; }
 
-  /// Whether nothing is wedged below the node (U, R). @return why not; nothing if it is proved
-  /// @param multipliers m @pre least_eigenvalue()
-  [[nodiscard]] std::optional<std::string> refusal_of_dead(
-      std::uint64_t contact, std::uint64_t separated, std::span<const double> multipliers) const;
+  [[nodiscard]] std::size_t motions() const { return block_.motions.count; }
+
+  /// Whether nothing is wedged below the node (U, R).
+  /// @param numbers m multipliers, and p coefficients of the mean motion of w
+  /// @pre least_eigenvalue()
+  [[nodiscard]] Judgement judge_dead(const support::IndexSet& contact,
+                                     const support::IndexSet& separated,
+                                     std::span<const double> numbers) const;
+
+  /// Whether equilibrium leaves some contact of U without a reaction, whatever is below the node
+  /// (U, R).
+  [[nodiscard]] bool leaves_a_contact_unloaded(const support::IndexSet& contact,
+                                               const support::IndexSet& separated) const;
 
   /// Whether the leaf (U, R) has a configuration in its interior. @return why not
-  /// @param tangential reactions of U, d - 1 each @pre least_eigenvalue()
-  [[nodiscard]] std::optional<std::string> refusal_of_alive(
-      std::uint64_t contact, std::uint64_t separated, std::span<const double> tangential) const;
+  /// @param numbers tangential reactions of U, d - 1 each, and p coefficients of the mean motion
+  /// @pre least_eigenvalue()
+  [[nodiscard]] std::optional<std::string> refusal_of_alive(const support::IndexSet& contact,
+                                                            const support::IndexSet& separated,
+                                                            std::span<const double> numbers) const;
 
  private:
-  // What is wrong with a guess x, given the product of the middle of K with it; nothing if it
-  // proves what it is to prove.
-  using Check =
-      std::function<std::optional<std::string>(const DyadicList& x, const DyadicList& kx)>;
+  // Springs that hold the motions, and the motions that leave all normal displacements of U alone,
+  // or nearly so.
+  struct Hold {
+    std::vector<std::size_t> springs;
+    std::vector<Rationals> sliding;
+  };
+  [[nodiscard]] Hold hold(const support::IndexSet& contact) const;
+  // Demands rows of G, those of the largest products first, until what is left of them is no more
+  // than a share of the first.
+  void demand_largest(const std::vector<std::size_t>& rows, double negligible, Elimination& rest,
+                      std::vector<std::size_t>& chosen) const;
+  [[nodiscard]] const HeldStiffness& held(const std::vector<std::size_t>& springs) const;
+  [[nodiscard]] const HeldStiffness* held_at_normals(const support::IndexSet& contact) const;
 
-  [[nodiscard]] std::optional<std::string> check_dead(std::uint64_t contact,
-                                                      std::uint64_t separated, const DyadicList& w,
-                                                      const DyadicList& nu) const;
-  [[nodiscard]] std::optional<std::string> check_alive(std::uint64_t contact,
-                                                       std::uint64_t separated,
-                                                       const DyadicList& right, const DyadicList& u,
+  // A leaf, and what is asked of it.
+  struct Leaf {
+    const support::IndexSet& contact;
+    std::vector<std::size_t> unknowns;  // all displacements but the normal ones of U
+    DyadicList right;                   // r there, given for the tangents of U
+    Dyadic right_error;                 // what r may be off by, as a vector
+    std::vector<Rationals> sliding;
+    Dyadic lift;               // the size of their normal displacements on U, as a matrix
+    Dyadic mend;               // and of tangential reactions that carry a load of 1 on each of them
+    std::vector<double> mean;  // the motion that is meant, in own coefficients
+  };
+  [[nodiscard]] std::optional<std::string> read_leaf(std::span<const double> numbers,
+                                                     Leaf& leaf) const;
+  // Makes the tangential reactions of a leaf orthogonal to the motions that slide.
+  [[nodiscard]] std::optional<std::string> balance_sliding(const std::vector<double>& room,
+                                                           Leaf& leaf) const;
+  // The size of normal displacements on a set, or more.
+  [[nodiscard]] Dyadic normal_size(const NearList& displacements,
+                                   const support::IndexSet& contact) const;
+  // What the tangential reactions may be off by since sliding motions, one of which is part of the
+  // displacements, lift U a little; nothing if it is too much. `pressures` is the size of r_n.
+  [[nodiscard]] std::optional<Dyadic> error_of_lift(const HeldStiffness& held, const Leaf& leaf,
+                                                    const NearList& shift,
+                                                    const Dyadic& pressures) const;
+  [[nodiscard]] std::optional<std::string> check_alive(const HeldStiffness& held, const Leaf& leaf,
+                                                       const DyadicList& u,
                                                        const DyadicList& r) const;
-  [[nodiscard]] std::optional<std::string> guess(const Cholesky& factor,
-                                                 std::span<const std::size_t> unknowns,
-                                                 const DyadicList& right, const Check& check) const;
+
+  [[nodiscard]] std::optional<std::string> refusal_of_held(const support::IndexSet& contact,
+                                                           const support::IndexSet& separated,
+                                                           std::span<const double> recorded) const;
+
+  // Multipliers as they were recorded, over the lengths of normals, with the rows of their normals
+  // and by how much each may change.
+  struct Recorded {
+    std::vector<Rationals> rows;
+    Rationals forces;
+    std::vector<double> room;
+  };
+  [[nodiscard]] Recorded recorded_forces(const support::IndexSet& contact,
+                                         std::span<const double> recorded, double raised) const;
+  // Forces along the normals, not negative where u_n >= 0.
+  struct Multipliers {
+    NearList near;
+    Dyadic carried;  // the size of forces at the springs that would bring them into equilibrium
+  };
+  // In exact equilibrium; nothing if there are none.
+  [[nodiscard]] std::optional<Multipliers> multipliers(const support::IndexSet& contact,
+                                                       std::span<const double> recorded,
+                                                       double raised) const;
+  // In equilibrium but for rounding.
+  [[nodiscard]] std::optional<Multipliers> near_multipliers(const support::IndexSet& contact,
+                                                            std::span<const double> recorded) const;
+  [[nodiscard]] std::optional<Dyadic> carried_by_springs(const std::vector<Rationals>& rows,
+                                                         const Rationals& forces) const;
+  [[nodiscard]] NearList along_normals(const Rationals& forces) const;
+  [[nodiscard]] std::optional<std::string> check_dead(const support::IndexSet& separated,
+                                                      const Multipliers& y,
+                                                      const std::vector<double>& mean,
+                                                      const DyadicList& w,
+                                                      const DyadicList& nu) const;
+  [[nodiscard]] std::optional<std::string> check_dead_held(const support::IndexSet& contact,
+                                                           const support::IndexSet& separated,
+                                                           const DyadicList& w,
+                                                           const DyadicList& nu) const;
+  [[nodiscard]] std::optional<std::string> check_margins(const support::IndexSet& separated,
+                                                         const DyadicList& w, const Dyadic& error,
+                                                         const Dyadic& epsilon) const;
+
+  // Whether the reactions of all candidates that a motion moves work against it, one way or the
+  // other, and one of U is among these.
+  [[nodiscard]] bool all_work_against(const Rationals& motion,
+                                      const std::vector<std::size_t>& carrying,
+                                      const support::IndexSet& contact) const;
+  // mu |w_t| or more, and what w_n may be off by.
+  [[nodiscard]] Dyadic slip_above(const DyadicList& w, std::size_t candidate,
+                                  const Dyadic& error) const;
+
+  [[nodiscard]] std::vector<double> own_coefficients(std::span<const double> recorded) const;
+  // The coefficients of motions, a combination of given ones, which make the mean motion of x + G a
+  // what it should be.
+  [[nodiscard]] Rationals missing(const std::vector<double>& mean, const DyadicList& x,
+                                  const std::vector<Rationals>& among) const;
   [[nodiscard]] Dyadic tangential_square(const DyadicList& vector, std::size_t candidate) const;
-  [[nodiscard]] Dyadic spread(const DyadicList& x) const;
   [[nodiscard]] std::size_t candidates() const { return block_.names.size(); }
 
   ContactBlock block_;
-  std::vector<double> rounded_;     // K, to guess with
-  std::vector<Dyadic> friction_;    // mu
-  Dyadic steepest_;                 // the root of 1 + the largest mu^2, or more
-  std::optional<Dyadic> least_;     // s
-  Dyadic size_of_stiffness_;        // above the Frobenius norm of K
-  std::optional<Cholesky> factor_;  // of K, to guess with
+  std::vector<double> near_motions_;       // G, dm x p, to guess with
+  std::vector<double> own_of_recorded_;    // p x p: own coefficients of the recorded motions
+  std::vector<Dyadic> friction_;           // mu
+  Dyadic steepest_;                        // the root of 1 + the largest mu^2, or more
+  std::optional<Dyadic> least_;            // s
+  mutable std::list<HeldStiffness> held_;  // the first for dead nodes; others for leaves
 };
+
+/// Whether a candidate is in a set of them.
+inline bool holds(const support::IndexSet& set, std::size_t candidate) {
+  return set.contains(static_cast<int>(candidate));
+}
 
 }  // namespace kusabi::verify

@@ -2,7 +2,6 @@
 #include "verify/certificate.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <tuple>
 
@@ -11,13 +10,16 @@
 namespace kusabi::verify {
 namespace {
 
-constexpr std::size_t most_candidates = 64;
+// More than a search could ever decide; K of so many has 10^8 entries.
+constexpr std::size_t most_candidates = 4096;
 constexpr std::string_view first_line = "kusabi certificate 1";
 constexpr std::string_view second_version = "kusabi certificate 2";
+constexpr std::string_view third_version = "kusabi certificate 3";
 
 // How a file of one version says what another says in other words.
 struct Version {
   bool names_blocks = false;  // lists them, and begins a node with the number of its block
+  bool has_motions = false;   // of loose bodies
 };
 
 void read_names(Lines& lines, std::size_t count, Certificate& certificate) {
@@ -41,7 +43,8 @@ void read_header(Lines& lines, Certificate& certificate) {
   if (certificate.dimension != 2 && certificate.dimension != 3) lines.refuse(dimension);
   lines.end_of_line(dimension);
   lines.next();
-  const std::string candidates = "'candidates' and a number from 1 to 64";
+  const std::string candidates =
+      "'candidates' and a number from 1 to " + std::to_string(most_candidates);
   lines.expect_word("candidates", candidates);
   const auto m = lines.integer(10, candidates);
   if (m < 1 || m > most_candidates) lines.refuse(candidates);
@@ -67,20 +70,19 @@ void read_blocks(Lines& lines, Certificate& certificate) {
     lines.next();
     const std::string what = "'block' and its contact candidates, in hexadecimal digits";
     lines.expect_word("block", what);
-    const auto block = lines.integer(16, what);
+    const auto block = lines.set(what);
     lines.end_of_line(what);
-    if (block == 0 || (block & ~left) != 0) {
+    if (block.empty() || !left.includes(block)) {
       lines.refuse("contact candidates that no other block has");
     }
-    if (std::countr_zero(block) != std::countr_zero(left)) {
-      lines.refuse("the block of " +
-                   certificate.names[static_cast<std::size_t>(std::countr_zero(left))] +
+    if (block.lowest() != left.lowest()) {
+      lines.refuse("the block of " + certificate.names[static_cast<std::size_t>(left.lowest())] +
                    ", the first candidate without one");
     }
-    left &= ~block;
+    left -= block;
     certificate.blocks.push_back(block);
   }
-  if (left != 0)
+  if (!left.empty())
     lines.refuse("all contact candidates in the blocks, but " + certificate.names_of(left) +
                  " are in none");
 }
@@ -89,8 +91,8 @@ void read_blocks(Lines& lines, Certificate& certificate) {
 std::vector<std::size_t> block_numbers(const Certificate& certificate) {
   std::vector<std::size_t> numbers(certificate.candidates());
   for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
-    for (auto set = certificate.blocks[b]; set != 0; set &= set - 1) {
-      numbers[static_cast<std::size_t>(std::countr_zero(set))] = b;
+    for (const int candidate : certificate.blocks[b]) {
+      numbers[static_cast<std::size_t>(candidate)] = b;
     }
   }
   return numbers;
@@ -116,6 +118,34 @@ void read_stiffness(Lines& lines, Certificate& certificate) {
   }
 }
 
+void read_motions(Lines& lines, Certificate& certificate) {
+  lines.next();
+  const std::string motions =
+      "'motions' and how many there are, from 0 to " + std::to_string(certificate.displacements());
+  lines.expect_word("motions", motions);
+  const auto count = lines.integer(10, motions);
+  if (count > certificate.displacements()) lines.refuse(motions);
+  lines.end_of_line(motions);
+  certificate.motions = count;
+  if (count == 0) return;
+  const auto numbers = block_numbers(certificate);
+  std::vector<std::size_t> block_of(count, certificate.blocks.size());
+  std::vector<double> row;
+  for (std::size_t i = 0; i < certificate.displacements(); ++i) {
+    lines.next();
+    row.clear();
+    lines.numbers(count, row, "entries of row " + std::to_string(i + 1) + " of the motions");
+    const auto own = numbers[i / certificate.dimension];
+    for (std::size_t k = 0; k < count; ++k) {
+      if (row[k] == 0) continue;
+      if (block_of[k] == certificate.blocks.size()) block_of[k] = own;
+      if (block_of[k] != own)
+        lines.refuse("0x0p+0 as entry " + std::to_string(k + 1) + ", a motion of another block");
+    }
+    certificate.motion_values.insert(certificate.motion_values.end(), row.begin(), row.end());
+  }
+}
+
 std::size_t read_block_number(Lines& lines, const Certificate& certificate) {
   const auto what = "the number of a block, from 1 to " + std::to_string(certificate.blocks.size());
   const auto number = lines.integer(10, what);
@@ -128,25 +158,29 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
   record.line = lines.number();
   record.claim = claim;
   if (version.names_blocks) record.block = read_block_number(lines, certificate);
-  const auto block = certificate.blocks[record.block];
+  const auto& block = certificate.blocks[record.block];
   const std::string sets =
       version.names_blocks ? "two disjoint sets of candidates of the block, in hexadecimal digits"
                            : "two disjoint sets of the contact candidates, in hexadecimal digits";
-  record.contact = lines.integer(16, sets);
-  record.separated = lines.integer(16, sets);
+  record.contact = lines.set(sets);
+  record.separated = lines.set(sets);
   const auto known = record.contact | record.separated;
-  if ((record.contact & record.separated) != 0 || (known & ~block) != 0) lines.refuse(sets);
+  if (record.contact.meets(record.separated) || !block.includes(known)) lines.refuse(sets);
   const bool leaf = claim == Claim::alive || (claim == Claim::marginal && !version.names_blocks);
   if (leaf && known != block) {
     lines.refuse("a leaf: every contact candidate in one of the two sets");
   }
-  const auto touching = static_cast<std::size_t>(std::popcount(record.contact));
+  const auto touching = static_cast<std::size_t>(record.contact.size());
+  const auto moving = certificate.motions_of(block).size();
+  const std::string parts = moving > 0 ? " and parts of motions" : "";
   switch (claim) {
     case Claim::dead:
-      lines.numbers(static_cast<std::size_t>(std::popcount(block)), record.numbers, "multipliers");
+      lines.numbers(static_cast<std::size_t>(block.size()) + moving, record.numbers,
+                    "multipliers" + parts);
       break;
     case Claim::alive:
-      lines.numbers((certificate.dimension - 1) * touching, record.numbers, "tangential reactions");
+      lines.numbers((certificate.dimension - 1) * touching + moving, record.numbers,
+                    "tangential reactions" + parts);
       break;
     case Claim::marginal:
       lines.numbers(0, record.numbers, "numbers");
@@ -206,21 +240,37 @@ const char* claim_name(Claim claim) {
   }
 }
 
-std::string Certificate::names_of(std::uint64_t set) const {
+std::string Certificate::names_of(const support::IndexSet& set) const {
   std::string text = "{";
   const char* separator = "";
-  for (; set != 0; set &= set - 1) {
-    text += separator + names[static_cast<std::size_t>(std::countr_zero(set))];
+  for (const int candidate : set) {
+    text += separator + names[static_cast<std::size_t>(candidate)];
     separator = " ";
   }
   return text + "}";
+}
+
+std::vector<std::size_t> Certificate::motions_of(const support::IndexSet& block) const {
+  std::vector<std::size_t> columns;
+  for (std::size_t k = 0; k < motions; ++k) {
+    bool own = false;
+    for (const int candidate : block) {
+      const auto first = dimension * static_cast<std::size_t>(candidate);
+      for (std::size_t row = first; row < first + dimension; ++row)
+        own = own || motion_values[motions * row + k] != 0;
+    }
+    if (own) columns.push_back(k);
+  }
+  return columns;
 }
 
 Certificate read_certificate(std::string_view text, const std::string& file) {
   // Something else altogether is not called damaged.
   Lines beginning(text, file);
   beginning.next();
-  const Version version{.names_blocks = beginning.text() == second_version};
+  const bool third = beginning.text() == third_version;
+  const Version version{.names_blocks = third || beginning.text() == second_version,
+                        .has_motions = third};
   if (!version.names_blocks && beginning.text() != first_line) {
     beginning.refuse("'" + std::string(second_version) + "'");
   }
@@ -234,6 +284,7 @@ Certificate read_certificate(std::string_view text, const std::string& file) {
     certificate.blocks = {certificate.all_candidates()};
   }
   read_stiffness(lines, certificate);
+  if (version.has_motions) read_motions(lines, certificate);
   read_records(lines, version, certificate);
   leave_out_repeated(certificate.records);
   return certificate;

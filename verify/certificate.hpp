@@ -4,11 +4,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "support/index_set.hpp"
 
 namespace kusabi::verify {
 
@@ -27,29 +28,34 @@ struct Record {
   std::size_t line = 0;  ///< of the file, the first being 1
   Claim claim = Claim::marginal;
   std::size_t block = 0;        ///< which block's node it is, the first being 0
-  std::uint64_t contact = 0;    ///< U, bit i for candidate i: u_n = 0
-  std::uint64_t separated = 0;  ///< R: r = 0
+  support::IndexSet contact;    ///< U: u_n = 0
+  support::IndexSet separated;  ///< R: r = 0
   /// dead: multipliers of the normal displacements, one a candidate of the block. alive: the
-  /// tangential reactions of the candidates in U, in their order, d - 1 each.
+  /// tangential reactions of the candidates in U, in their order, d - 1 each. After them, for each
+  /// motion of the block, its part in the mean motion of w (dead), of u (alive).
   std::vector<double> numbers;
 };
 
 /// What a file holds; all numbers are finite.
 struct Certificate {
-  std::size_t dimension = 0;          ///< d: 2 or 3
-  std::vector<std::string> names;     ///< of the m candidates, 1 <= m <= 64; all different
-  std::vector<double> friction;       ///< m, each >= 0
-  std::vector<std::uint64_t> blocks;  ///< a partition of the candidates; K is zero between two
-  std::vector<double> stiffness;      ///< K, dm x dm, row by row, symmetric
-  std::vector<Record> records;        ///< in the order of the file, repeated ones left out
+  std::size_t dimension = 0;              ///< d: 2 or 3
+  std::vector<std::string> names;         ///< of the m candidates, m >= 1; all different
+  std::vector<double> friction;           ///< m, each >= 0
+  std::vector<support::IndexSet> blocks;  ///< a partition of the candidates; K is zero between two
+  std::vector<double> stiffness;          ///< K, dm x dm, row by row, symmetric
+  std::size_t motions = 0;                ///< p, of bodies that nothing holds
+  std::vector<double> motion_values;      ///< G, dm x p, row by row; each column of one block
+  std::vector<Record> records;            ///< in the order of the file, repeated ones left out
 
   [[nodiscard]] std::size_t candidates() const { return names.size(); }
   [[nodiscard]] std::size_t displacements() const { return dimension * names.size(); }
-  [[nodiscard]] std::uint64_t all_candidates() const {  ///< a bit for each
-    return ~std::uint64_t{0} >> (64 - names.size());
+  [[nodiscard]] support::IndexSet all_candidates() const {
+    return support::IndexSet::below(static_cast<int>(names.size()));
   }
+  /// Which columns of G belong to a block.
+  [[nodiscard]] std::vector<std::size_t> motions_of(const support::IndexSet& block) const;
   /// The names of a set of candidates in braces.
-  [[nodiscard]] std::string names_of(std::uint64_t set) const;
+  [[nodiscard]] std::string names_of(const support::IndexSet& set) const;
 };
 
 /// Something is wrong with the file itself: "LINE: what, expected what", or "was altered: …".

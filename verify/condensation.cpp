@@ -46,11 +46,13 @@ long half_exponent(const Dyadic& value) {
 
 class Condensation {
  public:
-  explicit Condensation(const Structure& structure) : structure_(structure), freedom_(structure) {}
+  Condensation(const Structure& structure, double springs)
+      : structure_(structure), springs_(springs), freedom_(structure) {}
 
   std::variant<EnclosedMatrix, std::string> result();
 
  private:
+  void release_rollers(SparseEnclosure& stiffness);
   std::optional<std::string> cut();
   void order_unknowns(const SparseEnclosure& stiffness);
   std::optional<std::string> factorise();
@@ -64,6 +66,7 @@ class Condensation {
   }
 
   const Structure& structure_;
+  double springs_;
   Freedom freedom_;
   std::vector<std::size_t> place_;  // of each free displacement, in C or in N
   std::vector<bool> is_contact_;
@@ -106,8 +109,31 @@ void Condensation::order_unknowns(const SparseEnclosure& stiffness) {
   parts_.rest = rest.size();
 }
 
+// A displacement of a candidate that a roller holds is given a spring of its own, as stiff as the
+// node is along the axis nearest to its normal, and nothing else: so that K has d rows for each.
+// What the obstacle does along it, the roller takes (docs/theory/wedged.md, "Rollers").
+void Condensation::release_rollers(SparseEnclosure& stiffness) {
+  for (const auto& point : structure_.contact) {
+    auto& numbers = freedom_.number[point.node];
+    const auto normal = numbers[steepest_axis(point.normal)];
+    for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
+      if (numbers[axis] != Freedom::none) continue;
+      const auto spring = stiffness[normal][normal];
+      numbers[axis] = freedom_.count++;
+      stiffness.emplace_back()[numbers[axis]] = spring;
+    }
+  }
+}
+
 std::optional<std::string> Condensation::cut() {
-  const auto stiffness = enclosed_stiffness(structure_, freedom_);
+  auto stiffness = enclosed_stiffness(structure_, freedom_);
+  for (const auto& point : structure_.contact) {
+    for (const auto number : freedom_.number[point.node]) {
+      if (springs_ != 0 && number != Freedom::none)
+        stiffness[number][number] += Enclosure(springs_);
+    }
+  }
+  release_rollers(stiffness);
   for (std::size_t row = 0; row < stiffness.size(); ++row) {
     const auto diagonal = stiffness[row].find(row);
     if (diagonal == stiffness[row].end()) return too_ill;
@@ -339,8 +365,9 @@ std::variant<EnclosedMatrix, std::string> Condensation::result() {
 
 }  // namespace
 
-std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure) {
-  return Condensation(structure).result();
+std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure,
+                                                              double springs) {
+  return Condensation(structure, springs).result();
 }
 
 }  // namespace kusabi::verify

@@ -13,7 +13,11 @@ namespace kusabi::verify {
 
 /// K, dm x dm, candidate by candidate, in each n, t1[, t2]; exactly zero between candidates that
 /// nothing connects. Or a sentence that says why it could not be enclosed.
-/// @pre no candidate is supported
-std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure);
+/// A displacement along which a roller holds a candidate has a spring of its own (K is definite
+/// so).
+/// @param springs added to K along every displacement of a candidate, but for those held
+/// @pre no candidate is held along its normal
+std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure,
+                                                              double springs = 0);
 
 }  // namespace kusabi::verify

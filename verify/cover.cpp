@@ -2,44 +2,47 @@
 #include "verify/cover.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <span>
 #include <vector>
 
 namespace kusabi::verify {
+
+using support::IndexSet;
+
 namespace {
 
 class Cover {
  public:
-  Cover(const Certificate& certificate, std::uint64_t block)
+  Cover(const Certificate& certificate, const IndexSet& block)
       : certificate_(certificate), block_(block) {}
 
   // Whether `records` cover all patterns below a node (contact, separated) that all of them lie
   // below. A candidate that all of them decide splits the patterns and the records alike, so it
   // does not matter which one is taken. No deeper than there are candidates.
-  std::optional<std::string> flaw(std::span<const Record*> records, std::uint64_t contact,
-                                  std::uint64_t separated) {
+  std::optional<std::string> flaw(std::span<const Record*> records, const IndexSet& contact,
+                                  const IndexSet& separated) {
     if (records.empty()) {
       return "no node covers " + node_name(contact, separated) + "; expected one dead or one alive";
     }
-    auto common = block_ & ~(contact | separated);
+    auto common = block_ - (contact | separated);
     for (const auto* record : records) common &= record->contact | record->separated;
-    if (common == 0) return flaw_of_one(records, contact, separated);
-    const auto candidate = std::uint64_t{1} << static_cast<unsigned>(std::countr_zero(common));
+    if (common.empty()) return flaw_of_one(records, contact, separated);
+    const int candidate = common.lowest();
+    const auto one = IndexSet::single(candidate);
     const auto middle = std::partition(
         records.begin(), records.end(),
-        [candidate](const Record* record) { return (record->contact & candidate) != 0; });
+        [candidate](const Record* record) { return record->contact.contains(candidate); });
     const auto touching = static_cast<std::size_t>(middle - records.begin());
-    auto found = flaw(records.first(touching), contact | candidate, separated);
-    if (!found) found = flaw(records.subspan(touching), contact, separated | candidate);
+    auto found = flaw(records.first(touching), contact | one, separated);
+    if (!found) found = flaw(records.subspan(touching), contact, separated | one);
     return found;
   }
 
  private:
   // They have no candidate in common but those decided already.
   [[nodiscard]] std::optional<std::string> flaw_of_one(std::span<const Record*> records,
-                                                       std::uint64_t contact,
-                                                       std::uint64_t separated) const {
+                                                       const IndexSet& contact,
+                                                       const IndexSet& separated) const {
     const auto whole = [&](const Record* record) {
       return (record->contact | record->separated) == (contact | separated);
     };
@@ -58,13 +61,13 @@ class Cover {
            node_name(contact, separated);
   }
 
-  [[nodiscard]] std::string node_name(std::uint64_t contact, std::uint64_t separated) const {
+  [[nodiscard]] std::string node_name(const IndexSet& contact, const IndexSet& separated) const {
     return "contact " + certificate_.names_of(contact) + " separated " +
            certificate_.names_of(separated);
   }
 
   const Certificate& certificate_;
-  std::uint64_t block_;
+  const IndexSet& block_;
 };
 
 }  // namespace
@@ -75,7 +78,7 @@ std::optional<std::string> flaw_of_cover(const Certificate& certificate) {
     for (const auto& record : certificate.records) {
       if (record.block == b) records.push_back(&record);
     }
-    auto flaw = Cover(certificate, certificate.blocks[b]).flaw(records, 0, 0);
+    auto flaw = Cover(certificate, certificate.blocks[b]).flaw(records, {}, {});
     if (flaw && certificate.blocks.size() > 1) {
       *flaw = "block " + std::to_string(b + 1) + ": " + *flaw;
     }

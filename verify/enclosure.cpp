@@ -107,8 +107,34 @@ Enclosure operator*(const Enclosure& a, const Enclosure& b) {
     return product;
   }
   if (mpfr_sgn(a.upper_) <= 0 && mpfr_sgn(b.lower_) >= 0) return b * a;
+  if (mpfr_sgn(a.upper_) <= 0 && mpfr_sgn(b.upper_) <= 0) {
+    mpfr_mul(product.lower_, a.upper_, b.upper_, MPFR_RNDD);
+    mpfr_mul(product.upper_, a.lower_, b.lower_, MPFR_RNDU);
+    return product;
+  }
   extremes(mpfr_mul, {a.lower_, a.upper_}, {b.lower_, b.upper_}, product.lower_, product.upper_);
   return product;
+}
+
+void Enclosure::add_product(const Enclosure& a, const Enclosure& b) {
+  const auto add = [this](mpfr_srcptr below_a, mpfr_srcptr below_b, mpfr_srcptr above_a,
+                          mpfr_srcptr above_b) {
+    mpfr_fma(lower_, below_a, below_b, lower_, MPFR_RNDD);
+    mpfr_fma(upper_, above_a, above_b, upper_, MPFR_RNDU);
+  };
+  if (!a.finite() || !b.finite()) {
+    *this += a * b;
+  } else if (mpfr_sgn(a.lower_) >= 0 && mpfr_sgn(b.lower_) >= 0) {
+    add(a.lower_, b.lower_, a.upper_, b.upper_);
+  } else if (mpfr_sgn(a.lower_) >= 0 && mpfr_sgn(b.upper_) <= 0) {
+    add(a.upper_, b.lower_, a.lower_, b.upper_);
+  } else if (mpfr_sgn(a.upper_) <= 0 && mpfr_sgn(b.lower_) >= 0) {
+    add(a.lower_, b.upper_, a.upper_, b.lower_);
+  } else if (mpfr_sgn(a.upper_) <= 0 && mpfr_sgn(b.upper_) <= 0) {
+    add(a.upper_, b.upper_, a.lower_, b.lower_);
+  } else {
+    *this += a * b;
+  }
 }
 
 Enclosure operator/(const Enclosure& a, const Enclosure& b) {

@@ -32,6 +32,9 @@ class Enclosure {
   Enclosure& operator+=(const Enclosure& other) { return *this = *this + other; }
   Enclosure& operator-=(const Enclosure& other) { return *this = *this - other; }
 
+  /// Adds a * b, the sum alone rounded.
+  void add_product(const Enclosure& a, const Enclosure& b);
+
   [[nodiscard]] bool finite() const;
   [[nodiscard]] bool is_zero() const;  ///< exactly [0, 0]
 

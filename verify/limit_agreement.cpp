@@ -126,6 +126,8 @@ std::optional<std::string> other_bars(const LimitCertificate& certificate,
 std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& certificate,
                                                       const Structure& structure) {
   const Freedom freedom(structure);
+  if (!freedom.others.empty() || !structure.ties.empty())
+    return "the structure has ties, inclined supports or pairs of bodies, which limit loads do not";
   if (certificate.displacements != freedom.count ||
       certificate.members() != structure.bars.size()) {
     return "it has " + std::to_string(certificate.displacements) + " displacements and " +

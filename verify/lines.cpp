@@ -1,6 +1,7 @@
 // The reader: line by line, word by word.
 #include "verify/lines.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -70,6 +71,22 @@ std::uint64_t Lines::integer(int base, const std::string& what) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
   if (text.empty() || error != std::errc{} || end != text.data() + text.size()) refuse(what);
   return value;
+}
+
+support::IndexSet Lines::set(const std::string& what) {
+  auto text = word();
+  if (text.empty()) refuse(what);
+  support::IndexSet set;
+  constexpr std::size_t digits = 16;  // of a word
+  for (std::size_t k = 0; !text.empty(); ++k) {
+    const auto part = text.substr(text.size() - std::min(digits, text.size()));
+    text.remove_suffix(part.size());
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value, 16);
+    if (error != std::errc{} || end != part.data() + part.size()) refuse(what);
+    set.set_word(k, value);
+  }
+  return set;
 }
 
 double Lines::number(const std::string& what) {

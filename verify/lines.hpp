@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "support/index_set.hpp"
+
 namespace kusabi::verify {
 
 /// What to show of a line that is not as it should be: not all of a long one, and nothing that a
@@ -39,6 +41,8 @@ class Lines {
   void expect(std::string_view text);
   void expect_word(std::string_view text, const std::string& what);
   std::uint64_t integer(int base, const std::string& what);
+  /// A set of candidates as a hexadecimal number, whose ones are its numbers.
+  support::IndexSet set(const std::string& what);
 
   /// One finite number like -0x1.8p+3.
   double number(const std::string& what);

@@ -1,37 +1,35 @@
 // A proof for each block, and which of them a node needs.
 #include "verify/proof.hpp"
 
-#include <bit>
 #include <utility>
 
+#include "verify/freed_stiffness.hpp"
+
 namespace kusabi::verify {
+
+using support::IndexSet;
+
 namespace {
 
-std::vector<std::size_t> members_of(std::uint64_t set) {
-  std::vector<std::size_t> members;
-  for (; set != 0; set &= set - 1) {
-    members.push_back(static_cast<std::size_t>(std::countr_zero(set)));
-  }
-  return members;
-}
-
-// A set of candidates as bits of the block.
-std::uint64_t within(std::uint64_t block, std::uint64_t set) {
-  std::uint64_t result = 0;
-  std::uint64_t bit = 1;
-  for (; block != 0; block &= block - 1, bit <<= 1U) {
-    if ((set & block & (~block + 1)) != 0) result |= bit;
+// A set of candidates as the block numbers them.
+IndexSet within(const IndexSet& block, const IndexSet& set) {
+  IndexSet result;
+  int number = 0;
+  for (const int candidate : block) {
+    if (set.contains(candidate)) result.insert(number);
+    ++number;
   }
   return result;
 }
 
 ContactBlock part(const Certificate& certificate, const EnclosedMatrix& stiffness,
-                  std::uint64_t block) {
+                  const ContactMotions& motions, const IndexSet& block) {
   const auto d = certificate.dimension;
   ContactBlock result;
   result.dimension = d;
   std::vector<std::size_t> rows;
-  for (const auto candidate : members_of(block)) {
+  for (const int number : block) {
+    const auto candidate = static_cast<std::size_t>(number);
     result.friction.push_back(certificate.friction[candidate]);
     result.names.push_back(certificate.names[candidate]);
     for (std::size_t k = 0; k < d; ++k) rows.push_back(d * candidate + k);
@@ -46,22 +44,38 @@ ContactBlock part(const Certificate& certificate, const EnclosedMatrix& stiffnes
       entries.mantissas.push_back(middle.entries.mantissas[middle.size * row + column]);
     }
   }
+  result.motions = part_of(motions, rows);
+  const auto columns = certificate.motions_of(block);
+  for (const auto row : rows) {
+    for (const auto k : columns)
+      result.recorded_motions.push_back(certificate.motion_values[certificate.motions * row + k]);
+  }
   return result;
 }
 
 }  // namespace
 
 EnclosedMatrix recorded_stiffness(const Certificate& certificate) {
-  return {{certificate.displacements(), DyadicList(certificate.stiffness)}, Dyadic()};
+  EnclosedMatrix recorded{{certificate.displacements(), DyadicList(certificate.stiffness)},
+                          Dyadic()};
+  if (certificate.motions == 0) return recorded;
+  return freed(recorded, recorded_motions(certificate.motion_values, certificate.motions));
 }
 
 Proof::Proof(const Certificate& certificate)
-    : Proof(certificate, recorded_stiffness(certificate)) {}
+    : Proof(certificate, recorded_stiffness(certificate),
+            recorded_motions(certificate.motion_values, certificate.motions)) {}
 
-Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness)
+Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
+             const ContactMotions& motions)
     : certificate_(certificate) {
-  for (const auto block : certificate.blocks) {
-    blocks_.emplace_back(part(certificate, stiffness, block));
+  for (const auto& block : certificate.blocks) {
+    auto own_part = part(certificate, stiffness, motions, block);
+    if (own_part.motions.count != certificate.motions_of(block).size()) {
+      least_.reset();
+      return;
+    }
+    blocks_.emplace_back(std::move(own_part));
     const auto& own = blocks_.back().least_eigenvalue();
     if (!own) {
       least_.reset();
@@ -71,18 +85,18 @@ Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness)
   }
 }
 
-std::optional<std::string> Proof::refusal(const Record& record) const {
-  const auto block = certificate_.blocks[record.block];
+Judgement Proof::judgement(const Record& record) const {
+  const auto& block = certificate_.blocks[record.block];
   const auto contact = within(block, record.contact);
   const auto separated = within(block, record.separated);
   const auto& proof = blocks_[record.block];
   switch (record.claim) {
     case Claim::dead:
-      return proof.refusal_of_dead(contact, separated, record.numbers);
+      return proof.judge_dead(contact, separated, record.numbers);
     case Claim::alive:
-      return proof.refusal_of_alive(contact, separated, record.numbers);
+      return {proof.refusal_of_alive(contact, separated, record.numbers)};
     default:
-      return {};
+      return {.unloaded = proof.leaves_a_contact_unloaded(contact, separated)};
   }
 }
 

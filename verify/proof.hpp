@@ -15,22 +15,25 @@ namespace kusabi::verify {
 
 class Proof {
  public:
-  /// Begins with the proof that K, that of the certificate, is positive definite. The certificate
-  /// must outlive this.
+  /// Begins with the proof that K, that of the certificate, is positive definite but for its
+  /// motions. The certificate must outlive this.
   explicit Proof(const Certificate& certificate);
 
   /// The same for every K that `stiffness` encloses, whatever the certificate says of it. Between
   /// the blocks of the certificate K must be known to be zero.
-  Proof(const Certificate& certificate, const EnclosedMatrix& stiffness);
+  /// @param motions of bodies that nothing holds, G with K G = 0: as many as the certificate has,
+  ///        each of one block
+  Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
+        const ContactMotions& motions = {});
 
-  /// A lower bound s > 0 of the least eigenvalue of K, proved; nothing if K was not shown to be
-  /// positive definite, and then nothing else can be shown either.
+  /// A lower bound s > 0 of the least eigenvalue of K, with a spring for each motion, proved;
+  /// nothing if K was not shown to be positive definite but for these, and then nothing else can be
+  /// shown either.
   [[nodiscard]] const std::optional<Dyadic>& least_eigenvalue() const { return least_; }
 
-  /// Checks what is claimed of a node. @return why it is not proved; nothing if it is, or if
-  /// nothing is claimed
+  /// Checks what is claimed of a node; where nothing is claimed, nothing is refused.
   /// @pre least_eigenvalue()
-  [[nodiscard]] std::optional<std::string> refusal(const Record& record) const;
+  [[nodiscard]] Judgement judgement(const Record& record) const;
 
  private:
   const Certificate& certificate_;
@@ -38,7 +41,8 @@ class Proof {
   std::optional<Dyadic> least_;
 };
 
-/// K of a certificate, as its doubles say.
+/// K of a certificate, as its doubles say; with motions, P'K P with the orthogonal projection P on
+/// what is across them.
 EnclosedMatrix recorded_stiffness(const Certificate& certificate);
 
 }  // namespace kusabi::verify

@@ -1,16 +1,18 @@
-// Numbers for the displacements that no support takes.
+// Names of candidates.
 #include "verify/structure.hpp"
 
 namespace kusabi::verify {
 
-Freedom::Freedom(const Structure& structure) {
-  for (const auto& axes : structure.fixed) {
-    auto& own = number.emplace_back();
-    own.fill(none);
-    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
-      if (!axes[axis]) own[axis] = count++;
-    }
+std::string name_of(const Structure& structure, const ContactPoint& point) {
+  auto name = structure.names[point.node];
+  if (point.against.empty()) return name;
+  auto nearest = point.against.front();
+  for (const auto& part : point.against) {
+    if (part.weight > nearest.weight) nearest = part;
   }
+  name += "|" + structure.names[nearest.node];
+  if (point.against.size() > 1) name += "+";
+  return name;
 }
 
 }  // namespace kusabi::verify

@@ -24,16 +24,58 @@ struct Bar {
   double compression = 0;
 };
 
-/// A four-node element in the plane, integrated at 2 x 2 Gauss points.
-struct PlaneElement {
-  std::array<std::size_t, 4> nodes{};  ///< going round, either way
-  double modulus = 0;                  ///< E
-  double ratio = 0;                    ///< nu
-  double thickness = 0;
-  bool plane_strain = false;  ///< otherwise plane stress
+/// An isoparametric element, fully integrated; its shape is told by the number of its nodes.
+struct Element {
+  std::vector<std::size_t> nodes;  ///< corners, then middles of edges (docs/problem-files.md)
+  double modulus = 0;              ///< E
+  double ratio = 0;                ///< nu
+  double thickness = 0;            ///< in the plane only, like the next
+  bool plane_strain = false;       ///< otherwise plane stress
 };
 
-/// A node that may touch the obstacle.
+/// A spring between a node and the ground.
+struct GroundSpring {
+  std::size_t node = 0;
+  std::size_t axis = 0;
+  double stiffness = 0;  ///< force/length
+};
+
+/// A symmetric stiffness that another program has computed.
+struct GivenStiffness {
+  /// What a row is: the displacement of a node along an axis, or an unknown that nothing else
+  /// speaks of.
+  struct Row {
+    std::optional<std::size_t> node;
+    std::size_t axis = 0;
+  };
+  struct Entry {
+    std::size_t row = 0;
+    std::size_t column = 0;
+    double value = 0;
+  };
+  std::vector<Row> rows;
+  std::vector<Entry> entries;  ///< of both triangles, those that are not zero
+};
+
+/// What part a node has in a displacement that is made of those of others.
+struct Part {
+  std::size_t node = 0;
+  double weight = 1;
+};
+
+/// A node whose displacement is the sum of weight times those of others.
+struct TiedNode {
+  std::size_t node = 0;
+  std::vector<Part> to;
+};
+
+/// A node of which the displacement u has u . direction = 0.
+struct InclinedNode {
+  std::size_t node = 0;
+  Vector direction{};  ///< any length but zero
+};
+
+/// A node that may touch the obstacle, or another body.
 struct ContactPoint {
   std::size_t node = 0;
   Vector normal{};                  ///< outward, any length but zero
@@ -41,6 +83,9 @@ struct ContactPoint {
   /// The axis whose projection across the normal is t1 if nothing is wished for, d = 3.
   std::size_t tangent_axis = 0;
   double friction = 1;  ///< relative to the coefficient of a search
+  /// The place of the other body: displacements of the candidate are relative to the sum of
+  /// weight times those of these nodes. Empty: a rigid obstacle.
+  std::vector<Part> against{};
 };
 
 /// A force on the nodes of a truss.
@@ -62,23 +107,21 @@ struct Structure {
   std::vector<Vector> places;              ///< one a node
   std::vector<std::array<bool, 3>> fixed;  ///< one a node
   std::vector<Bar> bars;
-  std::vector<PlaneElement> elements;
+  std::vector<Element> elements;
+  std::vector<TiedNode> ties;
+  std::vector<InclinedNode> inclined;
   std::vector<ContactPoint> contact;  ///< in the order of every answer
   std::vector<Force> dead;
   std::vector<Force> reference;
   /// Nothing: every free component without dead and reference load, with weight 1.
   /// Otherwise by parameter: all components of one grow together.
   std::optional<std::vector<std::vector<UncertainForce>>> uncertain;
+  std::vector<GroundSpring> springs;
+  std::vector<GivenStiffness> given;
 };
 
-/// The free displacements, node by node and axis by axis.
-struct Freedom {
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  std::size_t count = 0;
-  std::vector<std::array<std::size_t, 3>> number;  ///< by node and axis; `none` if fixed
-
-  explicit Freedom(const Structure& structure);
-};
+/// What an answer calls a candidate: its node, and the one that is against it: "a|b"; "a|b+" if
+/// that one, of the largest weight, has others beside it.
+std::string name_of(const Structure& structure, const ContactPoint& point);
 
 }  // namespace kusabi::verify

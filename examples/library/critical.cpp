@@ -6,6 +6,7 @@
 #include "engine/signals.hpp"
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/critical_search.hpp"
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -13,7 +14,7 @@ using namespace kusabi;
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  const auto structure = problems::read_structure(problems::file_text(argv[1]), argv[1]);
+  const auto structure = problems::read_structure(problems::problem_text(argv[1]), argv[1]);
   const auto problem = problems::wedged_problem(structure);
 
   engine::heed_signals();

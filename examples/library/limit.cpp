@@ -10,13 +10,15 @@
 #include "engine/transport/mpi.hpp"
 #include "engine/transport/single_process.hpp"
 #include "nodes/limit/limit_loads.hpp"
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 
 using namespace kusabi;
 
 int answer(engine::Transport& transport, const char* file, double alpha) {
-  const auto text = engine::from_first_rank(transport, [&] { return problems::file_text(file); });
+  const auto text =
+      engine::from_first_rank(transport, [&] { return problems::problem_text(file); });
   const auto truss = problems::read_structure(text, file);
   const auto problem = problems::limit_problem(truss);
   engine::agree(transport, problem.fingerprint);

@@ -10,6 +10,7 @@
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/pattern_search.hpp"
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -17,7 +18,8 @@ using namespace kusabi;
 
 int answer(engine::Transport& transport, const char* file, double coefficient) {
   // One rank reads; each works the problem out by itself, and all must have come to the same.
-  const auto text = engine::from_first_rank(transport, [&] { return problems::file_text(file); });
+  const auto text =
+      engine::from_first_rank(transport, [&] { return problems::problem_text(file); });
   const auto problem = problems::wedged_problem(problems::read_structure(text, file));
   engine::agree(transport, problem.fingerprint);
 
@@ -27,10 +29,8 @@ int answer(engine::Transport& transport, const char* file, double coefficient) {
   if (!campaign.is_first()) return 0;
   for (const auto& leaf : found.leaves) {
     std::printf("t* = %.3e, in contact:", leaf.lower);
-    for (std::size_t i = 0; i < problem.contact_names.size(); ++i) {
-      if ((leaf.pattern.contact >> i & 1) != 0)
-        std::printf(" %s", problem.contact_names[i].c_str());
-    }
+    for (const int i : leaf.pattern.contact)
+      std::printf(" %s", problem.contact_names[static_cast<std::size_t>(i)].c_str());
     std::printf("\n");
   }
   std::printf("%llu sign patterns, %zu open, on %zu ranks\n",

@@ -6,18 +6,18 @@
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/ray_search.hpp"
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/wedged/precise_compliance.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 using namespace kusabi;
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
-  const auto structure = problems::read_structure(problems::file_text(argv[1]), argv[1]);
+  const auto structure = problems::read_structure(problems::problem_text(argv[1]), argv[1]);
   const auto problem = problems::wedged_problem(structure);
   const auto friction = wedged::candidate_friction(problem, std::atof(argv[2]));
-  const rays::ReactionCone cone(problems::precise_compliance(structure), friction);
+  const auto cone = wedged::reaction_cone(structure, problem, friction);
 
   engine::SingleProcess alone;
   engine::Campaign campaign(alone);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace kusabi::evidence {
 namespace {
@@ -29,6 +30,13 @@ std::size_t farthest_axis(const Eigen::VectorXd& normal) {
   return static_cast<std::size_t>(farthest);
 }
 
+std::vector<verify::Part> parts(const std::vector<problems::Share>& shares) {
+  std::vector<verify::Part> result;
+  result.reserve(shares.size());
+  for (const auto& [node, weight] : shares) result.push_back({number(node), weight});
+  return result;
+}
+
 verify::ContactPoint contact_point(const problems::ContactCandidate& candidate) {
   verify::ContactPoint point;
   point.node = number(candidate.node);
@@ -36,7 +44,25 @@ verify::ContactPoint contact_point(const problems::ContactCandidate& candidate) 
   if (candidate.tangent) point.tangent = vector(*candidate.tangent);
   point.tangent_axis = farthest_axis(candidate.normal);
   point.friction = candidate.friction;
+  point.against = parts(candidate.against);
   return point;
+}
+
+verify::GivenStiffness given_stiffness(const problems::Superelement& superelement) {
+  verify::GivenStiffness result;
+  for (const auto& [node, axis] : superelement.rows) {
+    auto& row = result.rows.emplace_back();
+    if (node >= 0) row = {number(node), number(axis)};
+  }
+  const auto& matrix = superelement.stiffness;
+  for (int column = 0; column < static_cast<int>(matrix.outerSize()); ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry) {
+      if (entry.value() == 0) continue;
+      result.entries.push_back(
+          {number(static_cast<int>(entry.row())), number(column), entry.value()});
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -54,16 +80,22 @@ verify::Structure verified_structure(const problems::Structure& structure) {
                            yield.tension, yield.compression});
   }
   for (const auto& element : structure.elements) {
-    verify::PlaneElement plane;
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      plane.nodes[corner] = number(element.nodes[corner]);
-    }
-    plane.modulus = element.modulus;
-    plane.ratio = element.ratio;
-    plane.thickness = element.thickness;
-    plane.plane_strain = element.state == problems::PlaneState::strain;
-    result.elements.push_back(plane);
+    verify::Element solid;
+    for (const int node : element.nodes) solid.nodes.push_back(number(node));
+    solid.modulus = element.modulus;
+    solid.ratio = element.ratio;
+    solid.thickness = element.thickness;
+    solid.plane_strain = element.state == problems::PlaneState::strain;
+    result.elements.push_back(std::move(solid));
   }
+  for (const auto& [node, to] : structure.ties) result.ties.push_back({number(node), parts(to)});
+  for (const auto& [node, direction] : structure.inclined)
+    result.inclined.push_back({number(node), vector(direction)});
+  for (const auto& spring : structure.springs) {
+    result.springs.push_back({number(spring.node), number(spring.axis), spring.stiffness});
+  }
+  for (const auto& superelement : structure.superelements)
+    result.given.push_back(given_stiffness(superelement));
   for (const auto& candidate : structure.contact) {
     result.contact.push_back(contact_point(candidate));
   }

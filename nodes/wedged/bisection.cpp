@@ -13,7 +13,7 @@ PatternBisection::PatternBisection(const problems::WedgedProblem& problem, doubl
       start_(start),
       method_(method),
       sections_(std::max<std::int64_t>(1, sections)) {
-  for (const auto candidates : problems::blocks_of(problem))
+  for (const auto& candidates : problems::blocks_of(problem))
     critical_.emplace_back(problems::block_problem(problem, candidates), width);
 }
 

@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
+#include <utility>
 
 namespace kusabi::wedged {
+
+using support::IndexSet;
+
 namespace {
 
 // A margin of a leaf is given to three digits.
@@ -13,6 +18,17 @@ constexpr double three_digits = 1e-3;
 
 // The quotient of F and its unit.
 constexpr double scaling_roundings = 1.01;
+
+/// G with 104 bits, and combined as the solvers want it.
+conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem) {
+  const bool precise = problem.precise_motions.size() != 0;
+  const numbers::PreciseMatrix given =
+      precise ? problem.precise_motions
+              : numbers::PreciseMatrix(problem.motions.cast<numbers::Precise>());
+  const double error = precise ? problem.precise_motion_error : problem.motion_error;
+  if (problem.dimension == 2) return conic::ordered_motions<2, numbers::Precise>(given, error);
+  return conic::ordered_motions<3, numbers::Precise>(given, error);
+}
 
 template <class Real>
 constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>;
@@ -29,13 +45,22 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
       precise_compliance_(problem.precise_compliance),
       compliance_error_(problem.compliance_error),
       precise_error_(problem.precise_error),
+      motions_(combined(problem)),
       solver_([&]() -> decltype(solver_) {
         const Eigen::MatrixXd scaled = problem.compliance / unit_;
         const double error = problem.compliance_error + scaling_error<double>;
+        std::vector<int> owners(friction.size());
+        std::iota(owners.begin(), owners.end(), 0);
         if (problem.dimension == 2)
-          return conic::NodeSolver<2>(scaled, friction, tolerances, error);
-        return conic::NodeSolver<3>(scaled, friction, tolerances, error);
+          return conic::NodeSolver<2>(scaled, friction, std::move(owners), tolerances, error,
+                                      motions<double>());
+        return conic::NodeSolver<3>(scaled, friction, std::move(owners), tolerances, error,
+                                    motions<double>());
       }()) {}
+
+Eigen::VectorXd ContactSolver::motion() const {
+  return motions_.combination.cast<double>().leftCols(motion_.size()) * motion_;
+}
 
 void ContactSolver::set_friction(std::span<const double> friction) {
   std::visit([&](auto& solver) { solver.set_friction(friction); }, solver_);
@@ -52,6 +77,22 @@ Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> ContactSolver::scaled_compli
 }
 
 template <class Real>
+conic::Motions<Real> ContactSolver::motions() const {
+  const double largest =
+      motions_.count() == 0 ? 0 : motions_.at_cones.template cast<double>().cwiseAbs().maxCoeff();
+  return motions_.template cast<Real>(largest * numbers::unit_roundoff<Real>);
+}
+
+template <class Vector>
+Eigen::VectorXd ContactSolver::given(const Vector& multipliers) const {
+  Eigen::VectorXd result = multipliers.template cast<double>();
+  const Eigen::Index p = motions_.count();
+  if (p > 0)
+    result.tail(p) = motions_.combination.template cast<double>() * Eigen::VectorXd(result.tail(p));
+  return result;
+}
+
+template <class Real>
 double ContactSolver::scaled_error() const {
   if (precise_compliance_.size() == 0) return compliance_error_ + scaling_error<Real>;
   return precise_error_ + 2 * scaling_error<Real>;
@@ -62,10 +103,10 @@ auto ContactSolver::made(Rung<Real>& rung) -> Rung<Real>& {
   if (!std::holds_alternative<std::monostate>(rung)) return rung;
   if (dimension_ == 2)
     rung.template emplace<1>(scaled_compliance<Real>(), friction_, tolerances_,
-                             scaled_error<Real>());
+                             scaled_error<Real>(), motions<Real>());
   else
     rung.template emplace<2>(scaled_compliance<Real>(), friction_, tolerances_,
-                             scaled_error<Real>());
+                             scaled_error<Real>(), motions<Real>());
   return rung;
 }
 
@@ -81,8 +122,8 @@ auto with(Rung& rung, Function function) {
 }  // namespace
 
 template <class Real>
-void ContactSolver::climb(Rung<Real>& rung, int number, std::uint64_t contact,
-                          std::uint64_t separated, std::uint64_t ignored, conic::StopEarly stop,
+void ContactSolver::climb(Rung<Real>& rung, int number, const IndexSet& contact,
+                          const IndexSet& separated, const IndexSet& ignored, conic::StopEarly stop,
                           conic::Answer& answer) {
   with(made(rung), [&](auto& solver) {
     solver.set_friction(friction_);
@@ -96,10 +137,11 @@ void ContactSolver::climb(Rung<Real>& rung, int number, std::uint64_t contact,
       answer.primal_residual = again.primal_residual;
       reaction_ = solver.reaction().template cast<double>();
       displacement_ = solver.displacement().template cast<double>();
+      motion_ = solver.motion().template cast<double>();
     }
     if (again.upper < answer.upper) {
       answer.upper = again.upper;
-      multipliers_ = solver.multipliers().template cast<double>();
+      multipliers_ = given(solver.multipliers());
     }
     answer.sign = conic::sign_of(answer, tolerances_);
     answer.gap = answer.upper - answer.lower;
@@ -112,30 +154,39 @@ bool ContactSolver::is_open(const conic::Answer& answer, conic::StopEarly stop) 
          answer.upper - answer.lower > three_digits * answer.lower;
 }
 
-conic::Answer ContactSolver::solve(std::uint64_t contact, std::uint64_t separated,
-                                   conic::StopEarly stop, std::uint64_t ignored) {
+conic::Answer ContactSolver::solve(const IndexSet& contact, const IndexSet& separated,
+                                   conic::StopEarly stop, const IndexSet& ignored) {
   conic::Answer answer = std::visit(
       [&](auto& solver) {
         const conic::Answer first = solver.solve(contact, separated, stop, ignored);
         reaction_ = solver.reaction();
         displacement_ = solver.displacement();
+        motion_ = solver.motion();
         multipliers_ = solver.multipliers();
+        if (motions_.count() > 0) multipliers_ = given(solver.multipliers());
         return first;
       },
       solver_);
+  has_centre_ = answer.sign == conic::Sign::alive && stop.when_alive && motions_.count() == 0;
   if (is_open(answer, stop)) climb(long_rung_, 1, contact, separated, ignored, stop, answer);
   if (is_open(answer, stop)) climb(precise_rung_, 2, contact, separated, ignored, stop, answer);
   return answer;
 }
 
-std::optional<conic::RelativeInterior> ContactSolver::relative_interior(std::uint64_t contact,
-                                                                        std::uint64_t separated,
-                                                                        std::uint64_t ignored) {
+std::span<const conic::FaceDistances> ContactSolver::face_distances() {
+  if (!std::exchange(has_centre_, false)) return {};
+  return std::visit([](auto& solver) { return solver.face_distances(); }, solver_);
+}
+
+std::optional<conic::RelativeInterior> ContactSolver::relative_interior(const IndexSet& contact,
+                                                                        const IndexSet& separated,
+                                                                        const IndexSet& ignored) {
   return with(made(precise_rung_), [&](auto& solver) {
     solver.set_friction(friction_);
     auto found = solver.relative_interior(contact, separated, ignored);
     reaction_ = solver.reaction().template cast<double>();
     displacement_ = solver.displacement().template cast<double>();
+    motion_ = solver.motion().template cast<double>();
     multipliers_.setZero();
     if (found) found->moved &= moved_by(found->loaded);
     return found;
@@ -145,17 +196,16 @@ std::optional<conic::RelativeInterior> ContactSolver::relative_interior(std::uin
 // Reactions that vanish move others all the same as long as they are not quite zero. What is left
 // counts as zero if it is no more than cancellation leaves, than a direction in sixteen digits
 // takes from the others of its block of F, or than the error of F.
-std::uint64_t ContactSolver::moved_by(std::uint64_t loaded) const {
+IndexSet ContactSolver::moved_by(const IndexSet& loaded) const {
   constexpr double cancelled = 1e-12;
   const double unknown = precise_compliance_.size() == 0 ? compliance_error_ : precise_error_;
   const auto own = [&](Eigen::Index row) { return std::sqrt(compliance_(row, row)); };
   const Eigen::Index d = dimension_;
-  std::uint64_t moved = 0;
+  IndexSet moved;
   for (int i = 0; normal(i) < reaction_.size(); ++i) {
     double displacement = 0;
     double least = 0;
-    for (int k = 0; normal(k) < reaction_.size(); ++k) {
-      if ((loaded >> static_cast<unsigned>(k) & 1) == 0) continue;
+    for (const int k : loaded) {
       const double together = compliance_.block(normal(i), normal(k), d, d).cwiseAbs().maxCoeff();
       for (Eigen::Index column = normal(k); column < normal(k + 1); ++column) {
         const double size = std::abs(reaction_[column]);
@@ -163,7 +213,12 @@ std::uint64_t ContactSolver::moved_by(std::uint64_t loaded) const {
         least += (cancelled * together + unknown * own(normal(i)) * own(column)) * size;
       }
     }
-    if (displacement > least) moved |= std::uint64_t{1} << static_cast<unsigned>(i);
+    for (Eigen::Index l = 0; l < motion_.size(); ++l) {
+      const double lift = unit_ * numbers::rounded(motions_.at_cones(normal(i), l)) * motion_[l];
+      displacement += lift;
+      least += cancelled * std::abs(lift);
+    }
+    if (displacement > least) moved.insert(i);
   }
   return moved;
 }

@@ -10,7 +10,6 @@
 // All bounds hold for the F of the structure, whatever they were computed with.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <variant>
@@ -44,24 +43,28 @@ class ContactSolver {
   /// Bounds the node with the candidates `contact` in U and `separated` in R. The candidates of
   /// `ignored` have neither a reaction nor a row: r = 0, and u_n is free.
   /// @throws std::invalid_argument if the sets overlap or name a candidate that does not exist
-  conic::Answer solve(std::uint64_t contact, std::uint64_t separated, conic::StopEarly stop,
-                      std::uint64_t ignored = 0);
+  conic::Answer solve(const support::IndexSet& contact, const support::IndexSet& separated,
+                      conic::StopEarly stop, const support::IndexSet& ignored = {});
 
   /// Which candidates have a reaction, and which a gap, at a point of the relative interior of the
   /// solutions of a node whose t* is zero up to the tolerance:
   ///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
   /// That point is then reaction() and displacement(); multipliers() are zero. Nothing if t* is
   /// not zero, or if it cannot be told of each reaction and gap whether it vanishes.
-  std::optional<conic::RelativeInterior> relative_interior(std::uint64_t contact,
-                                                           std::uint64_t separated,
-                                                           std::uint64_t ignored = 0);
+  std::optional<conic::RelativeInterior> relative_interior(const support::IndexSet& contact,
+                                                           const support::IndexSet& separated,
+                                                           const support::IndexSet& ignored = {});
 
   /// r, dm, of the rung that gave the better lower bound; see conic::NodeSolver.
   [[nodiscard]] const Eigen::VectorXd& reaction() const { return reaction_; }
-  /// u = F r with the scaled F, dm.
+  /// u = F r with the scaled F, dm; of a loose body with G alpha.
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return displacement_; }
-  /// y, m.
+  /// y, m, and of a loose body beta of its p motions: w = sum_i y_i (row (n, i) of F) + G beta.
   [[nodiscard]] const Eigen::VectorXd& multipliers() const { return multipliers_; }
+  /// Those of the motions: the last p of these.
+  [[nodiscard]] auto motion_multipliers() const { return multipliers_.tail(motions_.count()); }
+  /// alpha, p numbers: displacement() is F r + G alpha.
+  [[nodiscard]] Eigen::VectorXd motion() const;
 
   [[nodiscard]] double normal_reaction(int candidate) const {
     return reaction()[normal(candidate)];
@@ -73,6 +76,12 @@ class ContactSolver {
   [[nodiscard]] double violation(int candidate) const {
     return normal_displacement(candidate) * normal_reaction(candidate);
   }
+
+  /// How far the centre of the relaxation is from what either sign of a candidate would leave of it
+  /// (conic::FaceDistances): by candidate, zero for those that have a sign. Nothing if the last
+  /// node was not proved alive in doubles and left at that, and for loose bodies. The references
+  /// above stay as they are.
+  std::span<const conic::FaceDistances> face_distances();
 
   [[nodiscard]] int dimension() const { return dimension_; }
   /// By what the compliance is divided, length/force.
@@ -87,6 +96,12 @@ class ContactSolver {
   using Rung =
       std::variant<std::monostate, conic::PlainSolver<2, Real>, conic::PlainSolver<3, Real>>;
 
+  /// G, combined as the solvers want it, with the digits of Real.
+  template <class Real>
+  [[nodiscard]] conic::Motions<Real> motions() const;
+  /// y and beta of the motions as they were given.
+  template <class Vector>
+  [[nodiscard]] Eigen::VectorXd given(const Vector& multipliers) const;
   /// The scaled F with the digits of Real, and its error.
   template <class Real>
   [[nodiscard]] Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> scaled_compliance() const;
@@ -96,10 +111,11 @@ class ContactSolver {
   template <class Real>
   Rung<Real>& made(Rung<Real>& rung);
   template <class Real>
-  void climb(Rung<Real>& rung, int number, std::uint64_t contact, std::uint64_t separated,
-             std::uint64_t ignored, conic::StopEarly stop, conic::Answer& answer);
+  void climb(Rung<Real>& rung, int number, const support::IndexSet& contact,
+             const support::IndexSet& separated, const support::IndexSet& ignored,
+             conic::StopEarly stop, conic::Answer& answer);
   /// Which candidates move if these have reactions and no others.
-  [[nodiscard]] std::uint64_t moved_by(std::uint64_t loaded) const;
+  [[nodiscard]] support::IndexSet moved_by(const support::IndexSet& loaded) const;
   [[nodiscard]] bool is_open(const conic::Answer& answer, conic::StopEarly stop) const;
 
   int dimension_;
@@ -109,10 +125,13 @@ class ContactSolver {
   Eigen::MatrixXd compliance_;                 // unscaled, like the next
   numbers::PreciseMatrix precise_compliance_;  // empty: the doubles are exact
   double compliance_error_, precise_error_;
+  conic::Motions<numbers::Precise> motions_;  // combined
   std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>> solver_;
   Rung<long double> long_rung_;
   Rung<numbers::Precise> precise_rung_;
   Eigen::VectorXd reaction_, displacement_, multipliers_;
+  Eigen::VectorXd motion_;   // of the combined motions, those that lift
+  bool has_centre_ = false;  // of the node that was solved last
 };
 
 }  // namespace kusabi::wedged

@@ -79,7 +79,7 @@ class Ends {
   const EndsQuestion& question_;
   const EndRecorder& recorder_;
   /// Or why the ends cannot be put to the verifier's test.
-  std::variant<verify::EnclosedMatrix, std::string> stiffness_;
+  std::variant<verify::EnclosedProblem, std::string> stiffness_;
 };
 
 template <class Wanted>
@@ -89,7 +89,7 @@ Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted) {
                        {.tolerances = CriticalFriction::tolerances, .thorough = true});
   const auto record = recorder_ ? recorder_(end, factor, friction) : nullptr;
   std::optional<EvidenceCheck> check;
-  if (const auto* const stiffness = std::get_if<verify::EnclosedMatrix>(&stiffness_)) {
+  if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&stiffness_)) {
     check.emplace(problem_, *stiffness, friction);
   }
   Proved own;

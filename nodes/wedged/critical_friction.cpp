@@ -89,9 +89,11 @@ CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, doubl
       solver_(problem, own_, tolerances) {
   if (!(width > 0)) throw std::invalid_argument("the width of a bracket must be positive");
   const auto m = static_cast<Eigen::Index>(own_.size());
-  normal_compliance_.resize(m, problem.compliance.cols());
+  normal_compliance_.resize(m + problem.motions.cols(), problem.compliance.cols());
   for (Eigen::Index i = 0; i < m; ++i)
     normal_compliance_.row(i) = problem.compliance.row(problem.dimension * i) / solver_.unit();
+  if (problem.motions.cols() > 0)
+    normal_compliance_.bottomRows(problem.motions.cols()) = problem.motions.transpose();
 }
 
 void CriticalFriction::set_friction(double factor) {
@@ -102,9 +104,9 @@ void CriticalFriction::set_friction(double factor) {
 bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   set_friction(factor);
   const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
-  if (!inside || inside->loaded == 0 || (inside->loaded & inside->moved) != 0) return false;
-  const auto at_rest = (pattern.contact | pattern.separated) & ~(inside->loaded | inside->moved);
-  if (at_rest == 0) return false;
+  if (!inside || inside->loaded.empty() || inside->loaded.meets(inside->moved)) return false;
+  const auto at_rest = (pattern.contact | pattern.separated) - (inside->loaded | inside->moved);
+  if (at_rest.empty()) return false;
   ++programs_;
   if (solver_.solve(inside->loaded, inside->moved, {}, at_rest).sign != conic::Sign::alive)
     return false;
@@ -136,7 +138,7 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   double weighted = 0;
   bool carries = answer.has_point;
   for (std::size_t i = 0; i < own_.size(); ++i) {
-    if ((node.separated >> i & 1U) != 0) continue;
+    if (node.separated.contains(static_cast<int>(i))) continue;
     const auto at = solver_.normal(static_cast<int>(i));
     const auto tangents = solver_.dimension() - 1;
     const double normal = solver_.reaction()[at];
@@ -152,7 +154,7 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
                               (own_[i] * normal));
   }
   for (std::size_t i = 0; i < own_.size() && carries; ++i) {
-    if ((node.contact >> i & 1U) == 0)
+    if (!node.contact.contains(static_cast<int>(i)))
       carries = solver_.normal_displacement(static_cast<int>(i)) > tolerances.sign;
   }
   if (!carries) probe.alive_from = infinity;

@@ -123,7 +123,7 @@ class CriticalFriction {
   double width_;
   Range range_;
   std::vector<double> own_, friction_;  // phi_i; mu_i of the last probe
-  Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, m x dm
+  Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, then G': (m + p) x dm
   ContactSolver solver_;
   Eigen::VectorXd pull_;  // w of the multipliers, dm
   std::uint64_t programs_ = 0;

@@ -49,12 +49,13 @@ Living living_patterns(engine::Campaign& campaign, const problems::WedgedProblem
 
 // A leaf of the block's tree whose cone it is: candidates at rest may be called separated.
 PatternBisection::Pattern pattern_of(const Configuration& leaf,
-                                     const std::vector<std::uint64_t>& blocks) {
-  const auto block = blocks[leaf.block];
+                                     const std::vector<support::IndexSet>& blocks) {
+  const auto& block = blocks[leaf.block];
   const auto contact = leaf.pattern.contact;
   return {.leaf = {.block = leaf.block,
                    .pattern = {.contact = problems::in_block(contact, block),
-                               .separated = problems::in_block(block & ~contact, block)}},
+                               .separated = problems::in_block(block - contact, block),
+                               .at_rest = {}}},
           .lives = leaf.state == LeafState::alive || leaf.state == LeafState::flat};
 }
 

@@ -15,12 +15,11 @@ constexpr double rounding = 1e-15;
 CriticalTree::Block::Block(const problems::WedgedProblem& problem, double width)
     : critical(problem, width),
       candidates(problems::all_candidates(problem)),
-      weight(branching_weights(problem, std::vector<double>(problem.contact_names.size(), 1),
-                               Branching::relative)) {}
+      rule(problem, std::vector<double>(problem.contact_names.size(), 1), Branching::relative) {}
 
 CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most)
     : width_(width), most_(most) {
-  for (const auto candidates : problems::blocks_of(problem))
+  for (const auto& candidates : problems::blocks_of(problem))
     blocks_.emplace_back(problems::block_problem(problem, candidates), width);
 }
 
@@ -56,16 +55,15 @@ void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
     ++tally_.dead;
     return;
   }
-  const auto free = block.candidates & ~(contact | separated);
-  if (free == 0) return close_leaf({node.place, bound}, out);
+  const auto free = block.candidates - (contact | separated);
+  if (free.empty()) return close_leaf({node.place, bound}, out);
   ++tally_.branched;
   // By the point at the last coefficient of the bound.
   const auto& solver = block.critical.solver();
-  const int candidate =
-      branching_candidate(free, block.weight, [&solver](int i) { return solver.violation(i); });
-  const auto split = std::uint64_t{1} << static_cast<unsigned>(candidate);
-  out.branch({{node.place.block, {contact | split, separated}}, bound});
-  out.branch({{node.place.block, {contact, separated | split}}, bound});
+  const auto split = support::IndexSet::single(
+      block.rule.most_violated(free, [&solver](int i) { return solver.violation(i); }));
+  out.branch({{node.place.block, {contact | split, separated, {}}}, bound});
+  out.branch({{node.place.block, {contact, separated | split, {}}}, bound});
 }
 
 void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>& out) {

@@ -75,8 +75,8 @@ class CriticalTree {
     Block(const problems::WedgedProblem& problem, double width);
 
     CriticalFriction critical;
-    std::uint64_t candidates;
-    std::vector<double> weight;  // of u_n r_n when a node is split, by candidate
+    support::IndexSet candidates;
+    BranchingRule rule;
   };
 
   void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);

@@ -3,25 +3,27 @@
 
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/problem_block.hpp"
-#include "verify/condensation.hpp"
 
 namespace kusabi::wedged {
 
-std::variant<verify::EnclosedMatrix, std::string> enclosed_stiffness(
+std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
     const problems::Structure& structure) {
   if (structure.coordinates.size() > most_enclosed_displacements)
     return "the structure is too large to enclose its stiffness on the way; verify does it";
-  return verify::condensed_stiffness(evidence::verified_structure(structure));
+  return verify::enclosed_problem(evidence::verified_structure(structure));
 }
 
 EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
-                             const verify::EnclosedMatrix& stiffness,
+                             const verify::EnclosedProblem& enclosed,
                              std::span<const double> friction) {
   certificate_.dimension = static_cast<std::size_t>(problem.dimension);
   certificate_.names = problem.contact_names;
   certificate_.friction = {friction.begin(), friction.end()};
   certificate_.blocks = problems::blocks_of(problem);
-  proof_.emplace(certificate_, stiffness);
+  certificate_.motions = static_cast<std::size_t>(problem.motions.cols());
+  for (const auto& row : problem.motions.rowwise())
+    certificate_.motion_values.insert(certificate_.motion_values.end(), row.begin(), row.end());
+  proof_.emplace(certificate_, enclosed.stiffness, enclosed.motions);
 }
 
 bool EvidenceCheck::holds(const Evidence& evidence) const {
@@ -32,7 +34,7 @@ bool EvidenceCheck::holds(const Evidence& evidence) const {
   record.contact = evidence.node.contact;
   record.separated = evidence.node.separated;
   record.numbers = {evidence.numbers.begin(), evidence.numbers.end()};
-  return !proof_->refusal(record);
+  return !proof_->judgement(record).refusal;
 }
 
 }  // namespace kusabi::wedged

@@ -11,7 +11,7 @@
 #include "problems/structure/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "verify/certificate.hpp"
-#include "verify/exact.hpp"
+#include "verify/loose_stiffness.hpp"
 #include "verify/proof.hpp"
 
 namespace kusabi::wedged {
@@ -20,15 +20,16 @@ namespace kusabi::wedged {
 /// second.
 inline constexpr int most_enclosed_displacements = 2000;
 
-/// K of the structure with a proved bound, computed by the verifier; or why not, a sentence.
-std::variant<verify::EnclosedMatrix, std::string> enclosed_stiffness(
+/// K of the structure with a proved bound and the motions of its loose bodies, computed by the
+/// verifier; or why not, a sentence.
+std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
     const problems::Structure& structure);
 
 class EvidenceCheck {
  public:
-  /// Begins with the proof that K is positive definite.
+  /// Begins with the proof that K is positive definite but for the motions.
   /// @param friction of each candidate
-  EvidenceCheck(const problems::WedgedProblem& problem, const verify::EnclosedMatrix& stiffness,
+  EvidenceCheck(const problems::WedgedProblem& problem, const verify::EnclosedProblem& enclosed,
                 std::span<const double> friction);
   EvidenceCheck(const EvidenceCheck&) = delete;
   EvidenceCheck& operator=(const EvidenceCheck&) = delete;

@@ -20,17 +20,11 @@ int checked(int facets) {
   return facets;
 }
 
-conic::NodeSolver<2> solver_of(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                               int facets, conic::Tolerances tolerances, double error) {
-  const auto m = static_cast<Eigen::Index>(friction.size());
-  if (compliance.rows() != 3 * m || compliance.cols() != 3 * m)
-    throw std::invalid_argument("polyhedral friction is for contact in space");
+// Row 2k of the spread is the normal of cone k, row 2k + 1 its tangent, both as displacements of
+// its candidate: the cones have the compliance spread F spread'.
+Eigen::MatrixXd spread_of(Eigen::Index m, int facets) {
   const int each = facets / 2;
-  // Row 2k of `spread` is the normal of cone k, row 2k + 1 its tangent, both as displacements of
-  // its candidate: the cones have the compliance spread F spread'.
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(2 * each * m, 3 * m);
-  std::vector<double> widened;
-  std::vector<int> owners;
   for (Eigen::Index i = 0; i < m; ++i) {
     for (int k = 0; k < each; ++k) {
       const double angle = std::numbers::pi * (2 * k + 1) / facets;
@@ -38,27 +32,76 @@ conic::NodeSolver<2> solver_of(const Eigen::MatrixXd& compliance, std::span<cons
       spread(row, 3 * i) = 1;
       spread(row + 1, 3 * i + 1) = std::cos(angle);
       spread(row + 1, 3 * i + 2) = std::sin(angle);
-      widened.push_back(friction[static_cast<std::size_t>(i)] /
-                        std::cos(std::numbers::pi / facets));
+    }
+  }
+  return spread;
+}
+
+// The roundings of the spread and of the products come on top of what F and G are wrong by.
+constexpr double spread_roundings = 32 * 0x1p-53;
+
+conic::NodeSolver<2> solver_of(const Eigen::MatrixXd& spread, const Eigen::MatrixXd& compliance,
+                               std::span<const double> friction, int facets,
+                               conic::Tolerances tolerances, double error,
+                               const conic::Motions<double>& motions) {
+  std::vector<double> widened;
+  std::vector<int> owners;
+  for (std::size_t i = 0; i < friction.size(); ++i) {
+    for (int k = 0; k < facets / 2; ++k) {
+      widened.push_back(friction[i] / std::cos(std::numbers::pi / facets));
       owners.push_back(static_cast<int>(i));
     }
   }
   const Eigen::MatrixXd product = spread * compliance * spread.transpose();
-  // The roundings of the spread and of the products come on top of what F is wrong by.
-  constexpr double spread_roundings = 32 * 0x1p-53;
-  return {0.5 * (product + product.transpose()), widened, std::move(owners), tolerances,
-          error + spread_roundings};
+  return {0.5 * (product + product.transpose()),
+          widened,
+          std::move(owners),
+          tolerances,
+          error + spread_roundings,
+          motions};
+}
+
+Eigen::MatrixXd checked_spread(const Eigen::MatrixXd& compliance, std::size_t candidates,
+                               int facets) {
+  const auto m = static_cast<Eigen::Index>(candidates);
+  if (compliance.rows() != 3 * m || compliance.cols() != 3 * m)
+    throw std::invalid_argument("polyhedral friction is for contact in space");
+  return spread_of(m, checked(facets));
+}
+
+conic::Motions<double> spread_motions(const Eigen::MatrixXd& spread, const Eigen::MatrixXd& motions,
+                                      double error) {
+  if (motions.cols() == 0) return {};
+  return conic::ordered_motions<2, double>(spread * motions, 2 * error + spread_roundings);
 }
 
 }  // namespace
 
 FacetBound::FacetBound(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                       int facets, conic::Tolerances tolerances, double error)
-    : cones_each_(checked(facets) / 2),
-      solver_(solver_of(compliance, friction, facets, tolerances, error)) {}
+                       int facets, conic::Tolerances tolerances, double error,
+                       const Eigen::MatrixXd& motions, double motion_error)
+    : FacetBound(facets, checked_spread(compliance, friction.size(), facets), compliance, friction,
+                 tolerances, error,
+                 spread_motions(checked_spread(compliance, friction.size(), facets), motions,
+                                motion_error)) {}
 
-conic::Answer FacetBound::solve(std::uint64_t contact, std::uint64_t separated,
-                                conic::StopEarly stop, std::uint64_t ignored) {
+FacetBound::FacetBound(int facets, const Eigen::MatrixXd& spread, const Eigen::MatrixXd& compliance,
+                       std::span<const double> friction, conic::Tolerances tolerances, double error,
+                       const conic::Motions<double>& motions)
+    : cones_each_(facets / 2),
+      combination_(motions.combination),
+      solver_(solver_of(spread, compliance, friction, facets, tolerances, error, motions)) {}
+
+Eigen::VectorXd FacetBound::multipliers() const {
+  Eigen::VectorXd result = solver_.multipliers();
+  const Eigen::Index p = combination_.cols();
+  if (p > 0) result.tail(p) = combination_ * Eigen::VectorXd(result.tail(p));
+  return result;
+}
+
+conic::Answer FacetBound::solve(const support::IndexSet& contact,
+                                const support::IndexSet& separated, conic::StopEarly stop,
+                                const support::IndexSet& ignored) {
   return solver_.solve(contact, separated, stop, ignored);
 }
 

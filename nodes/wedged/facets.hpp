@@ -9,7 +9,6 @@
 // value.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include <Eigen/Core>
@@ -28,24 +27,31 @@ class FacetBound {
   /// @param friction mu, m numbers: 0 or 1e-6 to 1e6
   /// @param facets F of each cone: even, `fewest` to `most`
   /// @param error of F: |F_ij - F*_ij| <= error sqrt(F*_ii F*_jj)
+  /// @param motions G of a loose body, 3m x p, and what an entry may be wrong by
   /// @throws std::invalid_argument when the sizes disagree or a number is out of range
   FacetBound(const Eigen::MatrixXd& compliance, std::span<const double> friction, int facets,
-             conic::Tolerances tolerances, double error = 0);
+             conic::Tolerances tolerances, double error = 0, const Eigen::MatrixXd& motions = {},
+             double motion_error = 0);
 
   /// The sign of t* under polyhedral friction: what is dead is dead with the friction cones
   /// themselves, since those are contained, and by the same multipliers().
   /// `ignored`: see ContactSolver.
-  conic::Answer solve(std::uint64_t contact, std::uint64_t separated, conic::StopEarly stop,
-                      std::uint64_t ignored = 0);
+  conic::Answer solve(const support::IndexSet& contact, const support::IndexSet& separated,
+                      conic::StopEarly stop, const support::IndexSet& ignored = {});
 
   /// r_n and u_n of a candidate at the node that was solved last.
   [[nodiscard]] double normal_reaction(int candidate) const;
   [[nodiscard]] double normal_displacement(int candidate) const;
-  /// y, m: normal forces that prove the upper bound.
-  [[nodiscard]] const Eigen::VectorXd& multipliers() const { return solver_.multipliers(); }
+  /// y, m, and beta: see ContactSolver.
+  [[nodiscard]] Eigen::VectorXd multipliers() const;
 
  private:
+  FacetBound(int facets, const Eigen::MatrixXd& spread, const Eigen::MatrixXd& compliance,
+             std::span<const double> friction, conic::Tolerances tolerances, double error,
+             const conic::Motions<double>& motions);
+
   int cones_each_;
+  Eigen::MatrixXd combination_;  // T of the motions
   conic::NodeSolver<2> solver_;
 };
 

@@ -2,23 +2,14 @@
 #include "nodes/wedged/maximal_cones.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 namespace kusabi::wedged {
 namespace {
 
-bool includes(std::uint64_t set, std::uint64_t part) {
-  return (part & ~set) == 0;
-}
-
-/// Of two sets, read as increasing lists: less than 0 if `a` comes first in a dictionary.
-int compare(std::uint64_t a, std::uint64_t b) {
-  for (; a != 0 && b != 0; a &= a - 1, b &= b - 1) {
-    const int difference = std::countr_zero(a) - std::countr_zero(b);
-    if (difference != 0) return difference;
-  }
-  return (a != 0 ? 1 : 0) - (b != 0 ? 1 : 0);
+/// Whether, as increasing lists, the first comes before the second in a dictionary.
+bool precedes(const support::IndexSet& a, const support::IndexSet& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
 bool is_cone(const Configuration& leaf) {
@@ -39,13 +30,12 @@ bool in_order(const Configuration& a, const Configuration& b) {
 }  // namespace
 
 bool comes_before(const SignPattern& first, const SignPattern& second) {
-  const int by_contact = compare(first.contact, second.contact);
-  if (by_contact != 0) return by_contact < 0;
-  return compare(first.separated, second.separated) < 0;
+  if (first.contact != second.contact) return precedes(first.contact, second.contact);
+  return precedes(first.separated, second.separated);
 }
 
 bool within(const SignPattern& first, const SignPattern& second) {
-  return includes(second.contact, first.contact) && includes(second.separated, first.separated);
+  return second.contact.includes(first.contact) && second.separated.includes(first.separated);
 }
 
 std::vector<Configuration> maximal_cones(std::vector<Configuration> leaves) {

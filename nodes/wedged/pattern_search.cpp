@@ -21,7 +21,7 @@ PatternFindings find_patterns(engine::Campaign& campaign, const problems::Wedged
   std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {
     return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
   });
-  for (const auto candidates : problems::blocks_of(problem)) {
+  for (const auto& candidates : problems::blocks_of(problem)) {
     findings.blocks.push_back({.candidates = candidates});
   }
   for (const auto& leaf : findings.leaves) {
@@ -52,10 +52,12 @@ std::uint64_t PatternFindings::count() const {
   return combinations(cones);
 }
 
-std::uint64_t PatternFindings::idle() const {
-  std::uint64_t candidates = 0;
+support::IndexSet PatternFindings::idle() const {
+  support::IndexSet candidates;
   if (!whole()) return candidates;
-  for (const auto& block : blocks) candidates |= block.rests() ? block.candidates : 0;
+  for (const auto& block : blocks) {
+    if (block.rests()) candidates |= block.candidates;
+  }
   return candidates;
 }
 

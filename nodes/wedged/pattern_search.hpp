@@ -16,7 +16,7 @@ namespace kusabi::wedged {
 
 /// The candidates of a block, and how many maximal cones it has.
 struct PatternBlock {
-  std::uint64_t candidates = 0;
+  support::IndexSet candidates;
   std::uint64_t cones = 0;
   std::uint64_t open = 0;  ///< leaves of which it could not be told whether they are patterns
 
@@ -42,7 +42,7 @@ struct PatternFindings {
 
   /// The candidates of blocks that cannot wedge: at rest whatever the others do. None if the
   /// search stopped early, since some may come.
-  [[nodiscard]] std::uint64_t idle() const;
+  [[nodiscard]] support::IndexSet idle() const;
 };
 
 /// What can be chosen beside the problem.

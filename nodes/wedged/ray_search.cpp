@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "engine/shared_work.hpp"
 #include "engine/together.hpp"
 #include "nodes/wedged/ray_trial.hpp"
+#include "problems/wedged/precise_compliance.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -95,6 +97,26 @@ std::optional<RayFindings> by_double_description(engine::Campaign& campaign,
   return found;
 }
 
+// Double description has them among its rays, the tree does not come to them.
+void find_motions(RayFindings& found, const rays::ReactionCone& cone) {
+  if (cone.pivots().empty()) return;
+  std::erase_if(found.rays, [&](const rays::ZeroSet& zero) {
+    return rays::Supports(zero, cone.all()).reaction() == 0;
+  });
+  auto motions = rays::rays_of_pattern(cone, 0);
+  found.health += motions.health;
+  found.motions = std::move(motions.rays);
+  std::sort(found.motions.begin(), found.motions.end(), rays::comes_before);
+}
+
+// A cone of configurations may have gaps that a motion opens; one of motions alone is not wedged.
+void find_cones(RayFindings& found, const rays::ReactionCone& cone) {
+  auto all = found.rays;
+  all.insert(all.end(), found.motions.begin(), found.motions.end());
+  found.cones = rays::maximal_cones(all, cone.all());
+  std::erase_if(found.cones, [](const rays::Cone& each) { return each.reaction == 0; });
+}
+
 }  // namespace
 
 bool limited(const engine::Limits& limits) {
@@ -107,9 +129,18 @@ RayMethod first_method(RayMethod asked, const engine::Limits& limits) {
   return limited(limits) ? RayMethod::tree : RayMethod::double_description;
 }
 
+rays::ReactionCone reaction_cone(const problems::Structure& structure,
+                                 const problems::WedgedProblem& problem,
+                                 std::span<const double> friction) {
+  return {problems::precise_compliance(structure), friction,
+          problem.precise_motions.cast<long double>()};
+}
+
 RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                       std::span<const double> friction, const rays::ReactionCone& cone,
                       RayMethod method) {
+  if (cone.equations() != problem.motions.cols())
+    throw std::invalid_argument("the cone of reactions is not that of the loose bodies");
   RayFindings found;
   const auto& budget = campaign.budget();
   bool by_all = first_method(method, budget.left()) == RayMethod::tree;
@@ -133,10 +164,9 @@ RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem&
   }
   if (by_all) found = by_tree(campaign, problem, friction, cone);
   if (!campaign.is_first()) return found;
+  find_motions(found, cone);
   std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
-  if (found.status == engine::Status::solved) {
-    found.cones = rays::maximal_cones(found.rays, cone.all());
-  }
+  if (found.status == engine::Status::solved) find_cones(found, cone);
   return found;
 }
 

@@ -43,7 +43,10 @@ struct RayTreeReport {
 /// What has been found, and how; on rank 0.
 struct RayFindings {
   engine::Status status = engine::Status::solved;
-  std::vector<rays::ZeroSet> rays;                   ///< in the order of every answer
+  std::vector<rays::ZeroSet> rays;  ///< in the order of every answer
+  /// Of bodies that nothing holds: the ways to move off without any reaction. With these and the
+  /// rays every configuration is a sum; by themselves they are not wedged.
+  std::vector<rays::ZeroSet> motions;
   std::vector<rays::Cone> cones;                     ///< maximal; none if the search stopped early
   rays::Health health;                               ///< of the search
   RayMethod method = RayMethod::double_description;  ///< which was taken
@@ -52,7 +55,15 @@ struct RayFindings {
   double seconds = 0;                                ///< its time
 };
 
+/// The cone of reactions of a structure in the plane, loose bodies included.
+/// @param problem of the structure  @param friction of each candidate
+/// @throws std::invalid_argument if there are more than 64 candidates
+rays::ReactionCone reaction_cone(const problems::Structure& structure,
+                                 const problems::WedgedProblem& problem,
+                                 std::span<const double> friction);
+
 /// Every rank makes the same call.
+/// @throws std::invalid_argument if the cone knows nothing of the loose bodies of the problem
 /// @param problem in the plane  @param friction of each candidate
 /// @param cone of the same problem and friction, which makes rays of zero sets
 /// @param method double description heeds no limits

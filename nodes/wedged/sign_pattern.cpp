@@ -2,25 +2,24 @@
 #include "nodes/wedged/sign_pattern.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 namespace kusabi::wedged {
+
+using support::IndexSet;
+
 namespace {
 
-std::uint64_t bit(int candidate) {
-  return std::uint64_t{1} << static_cast<unsigned>(candidate);
-}
-
-std::vector<double> part_of(std::span<const double> numbers, std::uint64_t candidates) {
+std::vector<double> part_of(std::span<const double> numbers, const IndexSet& candidates) {
   std::vector<double> part;
-  for (; candidates != 0; candidates &= candidates - 1)
-    part.push_back(numbers[static_cast<std::size_t>(std::countr_zero(candidates))]);
+  for (const int candidate : candidates)
+    part.push_back(numbers[static_cast<std::size_t>(candidate)]);
   return part;
 }
 
-SignPattern in_whole(const SignPattern& own, std::uint64_t block) {
+SignPattern in_whole(const SignPattern& own, const IndexSet& block) {
   return {.contact = problems::in_whole(own.contact, block),
           .separated = problems::in_whole(own.separated, block),
           .at_rest = problems::in_whole(own.at_rest, block)};
@@ -28,15 +27,16 @@ SignPattern in_whole(const SignPattern& own, std::uint64_t block) {
 
 }  // namespace
 
-SignPatternTree::Block::Block(const problems::WedgedProblem& problem, std::uint64_t within_whole,
+SignPatternTree::Block::Block(const problems::WedgedProblem& problem, IndexSet within_whole,
                               std::span<const double> friction, const SignPatternOptions& options)
-    : candidates(within_whole),
+    : candidates(std::move(within_whole)),
       all(problems::all_candidates(problem)),
-      weight(branching_weights(problem, friction, options.branching)),
-      solver(problem, friction, options.tolerances) {
+      rule(problem, friction, options.branching),
+      solver(problem, friction, options.tolerances),
+      mean_motion(problem) {
   if (options.facets != 0)
     outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances,
-                  problem.compliance_error);
+                  problem.compliance_error, problem.motions, problem.motion_error);
 }
 
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
@@ -44,7 +44,7 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
     : tolerances_(options.tolerances), thorough_(options.thorough) {
   if (friction.size() != problem.contact_names.size())
     throw std::invalid_argument("every candidate needs a friction coefficient");
-  for (const auto candidates : problems::blocks_of(problem)) {
+  for (const auto& candidates : problems::blocks_of(problem)) {
     blocks_.emplace_back(problems::block_problem(problem, candidates), candidates,
                          part_of(friction, candidates), options);
   }
@@ -52,11 +52,11 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
 
 double SignPatternTree::objective(const Solution& leaf) const {
   const auto& [contact, separated, at_rest] = leaf.pattern;
-  return std::popcount(contact | separated | at_rest);
+  return (contact | separated | at_rest).size();
 }
 
 double SignPatternTree::bound(const Node& node) const {
-  return std::popcount(node.pattern.contact | node.pattern.separated);
+  return (node.pattern.contact | node.pattern.separated).size();
 }
 
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
@@ -74,7 +74,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   }
   Block& block = blocks_[node.block];
   const auto& [contact, separated, at_rest] = node.pattern;
-  const bool leaf = block.free(node.pattern) == 0;
+  const bool leaf = block.free(node.pattern).empty();
   // A leaf that lives is worth its full accuracy: its margin is part of the answer.
   const conic::StopEarly stop{.when_dead = true, .when_alive = !leaf};
   double polyhedral = 0;
@@ -84,9 +84,9 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
     if (answer.sign == conic::Sign::dead) return prune(node, block.outer->multipliers());
     polyhedral = answer.lower;
     if (!leaf && answer.sign == conic::Sign::alive)
-      return branch(node, block.free(node.pattern), [&block](int i) {
+      return split(node, block.rule.most_violated(block.free(node.pattern), [&block](int i) {
         return block.outer->normal_displacement(i) * block.outer->normal_reaction(i);
-      });
+      }));
   }
   const auto answer = block.solver.solve(contact, separated, stop);
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
@@ -125,58 +125,67 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node, const coni
     const Eigen::VectorXd multipliers = block.solver.multipliers();
     const auto inside =
         block.solver.relative_interior(node.pattern.contact, node.pattern.separated);
-    if (inside && inside->loaded == 0) {  // dead, though by less than the tolerance
+    if (inside && inside->loaded.empty()) {  // dead, though by less than the tolerance
       if (answer.upper < 0) return prune(node, multipliers);
       ++tally_.dead;
       if (witness_) report_open(node);
       return {};
     }
-    const bool repeated = inside && (node.pattern.contact & ~inside->loaded) != 0;
-    if (repeated && (!thorough_ || free == 0)) {
+    const bool repeated = inside && !inside->loaded.includes(node.pattern.contact);
+    if (repeated && (!thorough_ || free.empty())) {
       ++tally_.faces;
       if (witness_) report_open(node);
       return {};
     }
-    if (inside && !repeated && (inside->loaded & inside->moved) == 0) {
+    if (inside && !repeated && !inside->loaded.meets(inside->moved)) {
       const SignPattern cone{.contact = inside->loaded,
                              .separated = inside->moved,
-                             .at_rest = block.all & ~(inside->loaded | inside->moved)};
+                             .at_rest = block.all - (inside->loaded | inside->moved)};
+      // Where equilibrium leaves the free candidates nothing, the node is a tie, and the one leaf
+      // below it that has configurations can be solid all the same.
+      if (cone.at_rest.empty() && !free.empty()) {
+        if (thorough_ || witness_) return branch(node, free);
+        const auto own = block.solver.solve(cone.contact, cone.separated,
+                                            {.when_dead = true, .when_alive = false});
+        tally_.iterations += static_cast<std::uint64_t>(own.iterations);
+        if (own.sign == conic::Sign::alive)
+          return close(node, configuration({node.block, cone}, LeafState::alive, own));
+        if (!conic::is_tie(own, tolerances_)) return branch(node, free);
+      }
       return close(node, configuration({node.block, cone}, LeafState::flat, answer));
     }
-    const auto both = inside ? inside->loaded & inside->moved : 0;
-    if (both != 0 || repeated) return branch(node, both != 0 ? both : free);
+    const auto both = inside ? inside->loaded & inside->moved : IndexSet();
+    if (!both.empty() || repeated) return branch(node, both.empty() ? free : both);
   }
-  if (free == 0)
+  if (free.empty())
     return close(node,
                  configuration(node, tie ? LeafState::marginal : LeafState::undecided, answer));
   ++tally_.doubtful;
   return branch(node, free);
 }
 
-SignPatternTree::Fate SignPatternTree::branch(const Node& node, std::uint64_t open) {
-  const auto& solver = blocks_[node.block].solver;
-  return branch(node, open, [&solver](int i) { return solver.violation(i); });
+SignPatternTree::Fate SignPatternTree::branch(const Node& node, const IndexSet& open) {
+  Block& block = blocks_[node.block];
+  return split(node, block.rule.candidate(open, block.solver));
 }
 
-template <class Violation>
-SignPatternTree::Fate SignPatternTree::branch(const Node& node, std::uint64_t open,
-                                              Violation violation) {
+SignPatternTree::Fate SignPatternTree::split(const Node& node, int candidate) {
   ++tally_.branched;
-  const auto split = bit(branching_candidate(open, blocks_[node.block].weight, violation));
+  const auto own = IndexSet::single(candidate);
   const auto& [contact, separated, at_rest] = node.pattern;
-  return {.children = {{node.block, {contact | split, separated}},
-                       {node.block, {contact, separated | split}}},
+  return {.children = {{node.block, {contact | own, separated, {}}},
+                       {node.block, {contact, separated | own, {}}}},
           .leaf = {}};
 }
 
 SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {
   ++tally_.dead;
   if (!witness_) return {};
-  const std::span<const double> numbers(multipliers.data(),
-                                        static_cast<std::size_t>(multipliers.size()));
+  const Block& block = blocks_[node.block];
+  const auto numbers = block.mean_motion.with_multipliers(multipliers, block.solver.unit());
   witness_({.kind = Evidence::Kind::dead,
             .block = node.block,
-            .node = in_whole(node.pattern, blocks_[node.block].candidates),
+            .node = in_whole(node.pattern, block.candidates),
             .numbers = numbers});
   return {};
 }
@@ -217,16 +226,19 @@ Configuration SignPatternTree::configuration(const Node& node, LeafState state,
 void SignPatternTree::report_leaf(const Node& node, const Configuration& leaf) const {
   if (leaf.state != LeafState::alive) return report_open(node);
   const Block& block = blocks_[node.block];
-  std::vector<double> tangential;
-  for (auto touching = node.pattern.contact; touching != 0; touching &= touching - 1) {
-    const auto* const normal =
-        leaf.reaction.data() + block.solver.normal(std::countr_zero(touching));
-    tangential.insert(tangential.end(), normal + 1, normal + block.solver.dimension());
+  std::vector<double> numbers;  // tangential reactions first
+  for (const int touching : node.pattern.contact) {
+    const auto* const normal = leaf.reaction.data() + block.solver.normal(touching);
+    numbers.insert(numbers.end(), normal + 1, normal + block.solver.dimension());
   }
+  const Eigen::Map<const Eigen::VectorXd> u(leaf.displacement.data(),
+                                            static_cast<Eigen::Index>(leaf.displacement.size()));
+  const auto mean = block.mean_motion.of(u);
+  numbers.insert(numbers.end(), mean.begin(), mean.end());
   witness_({.kind = Evidence::Kind::alive,
             .block = node.block,
             .node = in_whole(node.pattern, block.candidates),
-            .numbers = tangential});
+            .numbers = numbers});
 }
 
 void SignPatternTree::report_open(const Node& node) const {

@@ -36,16 +36,18 @@
 #include "nodes/wedged/branching.hpp"
 #include "nodes/wedged/contact_solver.hpp"
 #include "nodes/wedged/facets.hpp"
+#include "nodes/wedged/mean_motion.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "support/index_set.hpp"
 
 namespace kusabi::wedged {
 
-/// What is asked of each candidate, as bit sets; bit i is contact candidate i.
+/// What is asked of each candidate.
 struct SignPattern {
-  std::uint64_t contact = 0;    ///< U: u_n = 0
-  std::uint64_t separated = 0;  ///< R: r = 0
-  std::uint64_t at_rest = 0;    ///< both, throughout a flat cone; empty at the nodes of a tree
+  support::IndexSet contact;    ///< U: u_n = 0
+  support::IndexSet separated;  ///< R: r = 0
+  support::IndexSet at_rest;    ///< both, throughout a flat cone; empty at the nodes of a tree
 
   friend bool operator==(const SignPattern&, const SignPattern&) = default;
 
@@ -61,7 +63,7 @@ struct PatternNode {
   static constexpr std::uint32_t all_blocks = UINT32_MAX;
 
   std::uint32_t block = 0;
-  SignPattern pattern;  ///< of the block's own candidates, from bit 0 on
+  SignPattern pattern;  ///< of the block's own candidates, from 0 on
 
   friend bool operator==(const PatternNode&, const PatternNode&) = default;
 
@@ -116,8 +118,9 @@ struct PolyhedralCandidate {
 /// Why a node was closed: what a certificate says of it (docs/certificates.md).
 struct Evidence {
   enum class Kind {
-    dead,      ///< numbers: the multipliers that prove it, one a candidate of the block
-    alive,     ///< a leaf; numbers: the tangential reactions of the candidates in U
+    dead,   ///< numbers: the multipliers that prove it, one a candidate of the block
+    alive,  ///< a leaf; numbers: the tangential reactions of the candidates in U. Of loose bodies
+            ///< both go on with the mean motion of w, of u (mean_motion.hpp)
     marginal,  ///< flat, marginal or undecided: nothing is claimed; no numbers
   };
   Kind kind = Kind::marginal;
@@ -226,25 +229,25 @@ class SignPatternTree {
   // What it takes to bound the nodes of one block.
   struct Block {
     /// @param problem of the block alone  @param within_whole its candidates in the whole
-    Block(const problems::WedgedProblem& problem, std::uint64_t within_whole,
+    Block(const problems::WedgedProblem& problem, support::IndexSet within_whole,
           std::span<const double> friction, const SignPatternOptions& options);
 
-    [[nodiscard]] std::uint64_t free(const SignPattern& node) const {
-      return all & ~(node.contact | node.separated);
+    [[nodiscard]] support::IndexSet free(const SignPattern& node) const {
+      return all - (node.contact | node.separated);
     }
 
-    std::uint64_t candidates;    // as bits of the whole problem
-    std::uint64_t all;           // the same as bits of the block
-    std::vector<double> weight;  // of u_n r_n when a node is split, by candidate
+    support::IndexSet candidates;  // as the whole problem numbers them
+    support::IndexSet all;         // the same as the block does
+    BranchingRule rule;
     ContactSolver solver;
+    MeanMotion mean_motion;
     std::optional<FacetBound> outer;  // of Algorithm 5.8
   };
 
   Fate decide_doubt(const Node& node, const conic::Answer& answer);
   void note_tested(const Node& leaf, double polyhedral, const conic::Answer& answer);
-  Fate branch(const Node& node, std::uint64_t open);
-  template <class Violation>
-  Fate branch(const Node& node, std::uint64_t open, Violation violation);
+  Fate branch(const Node& node, const support::IndexSet& open);
+  Fate split(const Node& node, int candidate);
   Fate prune(const Node& node, const Eigen::VectorXd& multipliers);
   Fate close(const Node& node, Configuration leaf);
   [[nodiscard]] Configuration configuration(const Node& node, LeafState state,

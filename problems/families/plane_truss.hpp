@@ -26,16 +26,17 @@ struct PlaneTrussSize {
 
 /// The truss: EA = 1 kN everywhere, the first column fixed, the last one against the surface. Its
 /// candidates come from below. Node r<i>c<j> is in row i = 1, ... and column j = 0, ...
-/// @throws std::invalid_argument if there are fewer than 2 rows or 1 bay, more than 64 candidates,
-///         more than `most_bays` bays, a width that is not positive, or a lean that is not from 0
-///         to 80 degrees
+/// @throws std::invalid_argument if there are fewer than 2 rows or 1 bay, more than
+///         `most_contact_candidates` or `most_bays`, a width that is not positive, or a lean that
+///         is not from 0 to 80 degrees
 Structure plane_truss(const PlaneTrussSize& size);
 
 /// The truss of the wedged paper's section 7.2 with that many rows, N, as its computations have it,
 /// by whose numbers it is known: one bay of 5 m at the lowest row, a face that leans by 30 degrees,
 /// both diagonals and bars along the face. In two things they differ from the text: all bars have
 /// the same EA/L = 1 kN/m, not the same EA; and the normal is that of the mirrored face.
-/// @throws std::invalid_argument if there are fewer than 2 rows or more than 64
+/// @throws std::invalid_argument if there are fewer than 2 rows or more than
+///         `most_contact_candidates`
 Structure paper_plane_truss(int rows);
 
 /// Most bays, far more than such a truss is ever given.

@@ -17,8 +17,8 @@ struct SpaceTrussSize {
 /// The truss: EA = 1 kN everywhere, the first column fixed, the last one against a surface inclined
 /// by 30 degrees to the vertical. Its rows x depth contact candidates come row by row, in each row
 /// the lower planes first.
-/// @throws std::invalid_argument if there are fewer than 2 rows, 2 planes or 1 bay, more than 64
-///         candidates, or more bays than rows (which would be a mechanism)
+/// @throws std::invalid_argument if there are fewer than 2 rows, 2 planes or 1 bay, more than
+///         `most_contact_candidates`, or more bays than rows (which would be a mechanism)
 Structure space_truss(const SpaceTrussSize& size);
 
 }  // namespace kusabi::problems

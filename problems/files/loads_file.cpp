@@ -54,21 +54,21 @@ void LoadsFile::read_loads(const toml::node& section, Structure& structure) cons
 }
 
 void LoadsFile::load_group(const TomlTable& group, Structure& structure) const {
-  reader_.allow_only(group, {"kind", "nodes", "force"});
+  reader_.allow_only(group, {"kind", "nodes", "except", "every", "force"});
   const TomlText kind =
       reader_.text(reader_.require(group, "kind", "kind = \"dead\" or \"reference\""), "kind");
   if (kind.text != "dead" && kind.text != "reference") {
     reader_.fail(kind.position, fmt::format("kind is {}; expected \"dead\" or \"reference\"",
                                             support::in_quotes(kind.text)));
   }
-  const auto& names = reader_.require(group, "nodes", "nodes = [\"a\", ...]");
+  reader_.require(group, "nodes", "nodes = [\"a\", ...]");
   const Eigen::VectorXd force =
       reader_.vector(reader_.require(group, "force", "force = [...], at each of the nodes"),
                      "the force", structure.dimension);
-  for (const TomlText& name : reader_.texts(names, "nodes")) {
-    structure.loads.push_back({kind.text == "dead" ? Load::Kind::dead : Load::Kind::reference,
-                               node_number_(name), force});
-    structure.sources.loads.push_back(name.position);
+  for (const ListedNode& listed : nodes_(group)) {
+    structure.loads.push_back(
+        {kind.text == "dead" ? Load::Kind::dead : Load::Kind::reference, listed.node, force});
+    structure.sources.loads.push_back(listed.position);
   }
 }
 
@@ -89,17 +89,16 @@ void LoadsFile::uncertain_load(const TomlTable& group, Structure& structure) con
   UncertainParameter parameter{name.text, {}};
   for (const toml::node* each : reader_.elements(forces, "forces")) {
     const TomlTable entry = reader_.table(*each, "one of the forces");
-    reader_.allow_only(entry, {"nodes", "force"});
-    const auto& names = reader_.require(entry, "nodes", "nodes = [\"a\", ...]");
+    reader_.allow_only(entry, {"nodes", "except", "every", "force"});
+    reader_.require(entry, "nodes", "nodes = [\"a\", ...]");
     const Eigen::VectorXd force =
         reader_.vector(reader_.require(entry, "force", "force = [...], at each of the nodes"),
                        "the force", structure.dimension);
-    for (const TomlText& node : reader_.texts(names, "nodes")) {
-      const int number = node_number_(node);
+    for (const ListedNode& listed : nodes_(entry)) {
       for (int axis = 0; axis < structure.dimension; ++axis) {
         if (force(axis) == 0) continue;
-        parameter.components.push_back({number, axis, force(axis)});
-        structure.sources.uncertain.push_back(node.position);
+        parameter.components.push_back({listed.node, axis, force(axis)});
+        structure.sources.uncertain.push_back(listed.position);
       }
     }
   }
@@ -116,19 +115,19 @@ void LoadsFile::uncertainty_group(const TomlTable& group, Structure& structure) 
     uncertain_load(group, structure);
     return;
   }
-  reader_.allow_only(group, {"nodes", "axes", "weight"});
-  const auto& names = reader_.require(group, "nodes", "nodes = [\"a\", ...]");
+  reader_.allow_only(group, {"nodes", "except", "every", "axes", "weight"});
+  reader_.require(group, "nodes", "nodes = [\"a\", ...]");
   const auto axes = axes_in(reader_, reader_.require(group, "axes", "axes = [\"x\", ...]"), "axes",
                             structure.dimension);
   double weight = 1;
   if (const toml::node* entry = group.table->get("weight"); entry != nullptr) {
     weight = reader_.number(*entry, "weight");
   }
-  for (const TomlText& name : reader_.texts(names, "nodes")) {
+  for (const ListedNode& listed : nodes_(group)) {
     for (int axis = 0; axis < structure.dimension; ++axis) {
       if (!axes[static_cast<std::size_t>(axis)]) continue;
-      structure.uncertain->push_back({{}, {{node_number_(name), axis, weight}}});
-      structure.sources.uncertain.push_back(name.position);
+      structure.uncertain->push_back({{}, {{listed.node, axis, weight}}});
+      structure.sources.uncertain.push_back(listed.position);
     }
   }
 }

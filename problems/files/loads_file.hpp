@@ -5,7 +5,9 @@
 #include <array>
 #include <functional>
 #include <string_view>
+#include <vector>
 
+#include "problems/files/problem_draft.hpp"
 #include "problems/files/toml_reader.hpp"
 #include "problems/structure/structure.hpp"
 
@@ -21,9 +23,10 @@ YieldForces yield_in(const TomlReader& reader, const toml::node& node);
 
 class LoadsFile {
  public:
-  /// @param node_number from the name of a node to its number, or an InputError
-  LoadsFile(const TomlReader& reader, std::function<int(const TomlText&)> node_number)
-      : reader_(reader), node_number_(std::move(node_number)) {}
+  /// @param nodes from a table to the nodes that it lists, or an InputError
+  LoadsFile(const TomlReader& reader,
+            std::function<std::vector<ListedNode>(const TomlTable&)> nodes)
+      : reader_(reader), nodes_(std::move(nodes)) {}
 
   /// Adds the loads of [[loads]] to the structure.
   void read_loads(const toml::node& section, Structure& structure) const;
@@ -37,7 +40,7 @@ class LoadsFile {
   void uncertain_load(const TomlTable& group, Structure& structure) const;
 
   const TomlReader& reader_;
-  std::function<int(const TomlText&)> node_number_;
+  std::function<std::vector<ListedNode>(const TomlTable&)> nodes_;
 };
 
 }  // namespace kusabi::problems

@@ -11,20 +11,25 @@
 
 namespace kusabi::problems {
 
+struct ProblemText;  // problem_text.hpp
+
 /// Largest problem file, in bytes. A million members take half of it; more is no problem file.
 inline constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20U;
 
-/// Reads the text of a problem file. Nodes, members and contact candidates keep the order of the
-/// file; normals come out as unit vectors.
+/// Reads the text of a problem file that names no mesh files. Nodes, members and contact candidates
+/// keep the order of the file; normals come out as unit vectors.
 /// @param file_name how errors name the file
 /// @throws InputError at the first fault of spelling, and then whatever `check_structure` finds
 Structure read_structure(std::string_view toml_text, const std::string& file_name);
+
+/// The same, with the mesh files that the text names.
+Structure read_structure(const ProblemText& text, const std::string& file_name);
 
 /// The text of a problem file.
 /// @throws InputError if it cannot be read or is larger than `largest_file`
 std::string file_text(const std::filesystem::path& file);
 
-/// `read_structure` of `file_text`.
+/// `read_structure` of `problem_text`.
 Structure load_structure(const std::filesystem::path& file);
 
 }  // namespace kusabi::problems

@@ -102,16 +102,19 @@ void write_elements(const Structure& structure, std::string& text) {
   by_runs(
       elements.size(), [&](auto a, auto b) { return material(a) == material(b); },
       [&](auto first, auto last) {
-        std::vector<std::string> corners;
+        std::vector<std::string> groups;
         for (auto i = first; i < last; ++i) {
-          const auto& nodes = elements[i].nodes;
-          corners.push_back(fmt::format("[{}, {}, {}, {}]", name(nodes[0]), name(nodes[1]),
-                                        name(nodes[2]), name(nodes[3])));
+          std::vector<std::string> names;
+          for (const int node : elements[i].nodes) names.push_back(name(node));
+          groups.push_back(fmt::format("[{}]", fmt::join(names, ", ")));
         }
-        text += fmt::format(
-            "\n[[elements]]\nE = {}\nnu = {}\nthickness = {}\nplane = \"{}\"\nbetween = {}\n",
-            elements[first].modulus, elements[first].ratio, elements[first].thickness,
-            elements[first].state == PlaneState::stress ? "stress" : "strain", list(corners));
+        text += fmt::format("\n[[elements]]\nE = {}\nnu = {}\n", elements[first].modulus,
+                            elements[first].ratio);
+        if (structure.dimension == 2) {
+          text += fmt::format("thickness = {}\nplane = \"{}\"\n", elements[first].thickness,
+                              elements[first].state == PlaneState::stress ? "stress" : "strain");
+        }
+        text += fmt::format("between = {}\n", list(groups));
       });
 }
 
@@ -138,21 +141,70 @@ void write_supports(const Structure& structure, std::string& text) {
   }
 }
 
+std::string place_text(const Structure& structure, const std::vector<Share>& place) {
+  std::vector<std::string> names;
+  std::vector<double> weights;
+  for (const auto& [node, weight] : place) {
+    names.push_back(quoted(structure.node_names[static_cast<std::size_t>(node)]));
+    weights.push_back(weight);
+  }
+  return fmt::format("{{ nodes = [{}], weights = [{}] }}", fmt::join(names, ", "),
+                     fmt::join(weights, ", "));
+}
+
+// A group an entry: directions and places differ from node to node.
+void write_inclined(const Structure& structure, std::string& text) {
+  for (const auto& [node, direction] : structure.inclined) {
+    text += fmt::format("\n[[supports]]\nnodes = [{}]\ndirection = {}\n",
+                        quoted(structure.node_names[static_cast<std::size_t>(node)]),
+                        vector_text(direction));
+  }
+}
+
+void write_ties(const Structure& structure, std::string& text) {
+  for (const auto& [node, to] : structure.ties) {
+    text += fmt::format("\n[[ties]]\nnodes = [{}]\nto = [{}]\n",
+                        quoted(structure.node_names[static_cast<std::size_t>(node)]),
+                        place_text(structure, to));
+  }
+}
+
+void write_springs(const Structure& structure, std::string& text) {
+  const auto& springs = structure.springs;
+  by_runs(
+      springs.size(),
+      [&](auto a, auto b) {
+        return springs[a].axis == springs[b].axis && springs[a].stiffness == springs[b].stiffness;
+      },
+      [&](auto first, auto last) {
+        std::vector<std::string> names;
+        for (auto i = first; i < last; ++i) {
+          names.push_back(quoted(structure.node_names[static_cast<std::size_t>(springs[i].node)]));
+        }
+        text += fmt::format("\n[[springs]]\nnodes = {}\naxes = [\"{}\"]\nstiffness = {}\n",
+                            list(names), axis_name(springs[first].axis), springs[first].stiffness);
+      });
+}
+
 void write_contact(const Structure& structure, std::string& text) {
   const auto& contact = structure.contact;
   by_runs(
       contact.size(),
       [&](auto a, auto b) {
         return contact[a].normal == contact[b].normal && contact[a].tangent == contact[b].tangent &&
-               contact[a].friction == contact[b].friction;
+               contact[a].friction == contact[b].friction &&
+               contact[a].against.empty() == contact[b].against.empty();
       },
       [&](auto first, auto last) {
         std::vector<std::string> names;
+        std::vector<std::string> places;
         for (auto i = first; i < last; ++i) {
           names.push_back(quoted(structure.node_names[static_cast<std::size_t>(contact[i].node)]));
+          places.push_back(place_text(structure, contact[i].against));
         }
         text += fmt::format("\n[[contact]]\nnodes = {}\nnormal = {}\n", list(names),
                             vector_text(contact[first].normal));
+        if (!contact[first].against.empty()) text += fmt::format("against = {}\n", list(places));
         if (contact[first].tangent) {
           text += fmt::format("tangent = {}\n", vector_text(*contact[first].tangent));
         }
@@ -226,6 +278,9 @@ std::string structure_text(const Structure& structure) {
   write_members(structure, text);
   write_elements(structure, text);
   write_supports(structure, text);
+  write_inclined(structure, text);
+  write_ties(structure, text);
+  write_springs(structure, text);
   write_contact(structure, text);
   write_loads(structure, text);
   write_uncertainty(structure, text);

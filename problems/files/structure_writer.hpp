@@ -8,6 +8,7 @@
 namespace kusabi::problems {
 
 /// The text of a problem file. Numbers are written so that they are read back to the last bit.
+/// @pre the structure has no superelements, whose matrices are files of their own
 std::string structure_text(const Structure& structure);
 
 }  // namespace kusabi::problems

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "problems/structure/constraints.hpp"
 #include "problems/structure/mechanism.hpp"
 #include "problems/structure/structure_check.hpp"
 #include "support/fingerprint.hpp"
@@ -22,8 +23,23 @@ support::SourcePosition top_of(const Structure& structure) {
 void require_bars_with_yield_and_reference(const Structure& structure) {
   if (!structure.elements.empty()) {
     throw structure_error(structure, position_of(structure.sources.elements, 0),
-                          "a plane element has no yield force; expected a truss: limit analysis is "
+                          "an element has no yield force; expected a truss: limit analysis is "
                           "for bars only");
+  }
+  if (has_constraints(structure)) {
+    throw structure_error(structure, top_of(structure),
+                          "limit analysis knows no pairs of bodies, ties and inclined supports; "
+                          "expected supports along axes and bars only");
+  }
+  if (!structure.springs.empty()) {
+    throw structure_error(structure, position_of(structure.sources.springs, 0),
+                          "a spring has no yield force; expected supports: limit analysis is for "
+                          "bars only");
+  }
+  if (!structure.superelements.empty()) {
+    throw structure_error(structure, position_of(structure.sources.superelements, 0),
+                          "a stiffness of another program has no yield force; expected a truss: "
+                          "limit analysis is for bars only");
   }
   for (std::size_t index = 0; index < structure.members.size(); ++index) {
     if (structure.members[index].yield) continue;

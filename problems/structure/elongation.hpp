@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "problems/structure/structure.hpp"
@@ -17,8 +18,43 @@ struct Elongation {
   Scalar value;
 };
 
+/// Where displacements are made of others, a number may occur more than once: the entries add up.
 template <class Scalar>
 using StrainVector = std::vector<Elongation<Scalar>>;
+
+namespace detail {
+
+template <class Scalar>
+Scalar times(const Scalar& value, const numbers::Precise& weight) {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return value * numbers::rounded(weight);
+  } else {
+    return value * weight;
+  }
+}
+
+}  // namespace detail
+
+/// Adds the entry of a node's displacement along an axis, at the free displacements that it is
+/// made of: none if it is fixed.
+template <class Scalar>
+void add_entry(const FreeDegrees& degrees, int axis, int node, const Scalar& value,
+               StrainVector<Scalar>& vector) {
+  if (const int number = degrees.number(axis, node); number >= 0) vector.push_back({number, value});
+  if (degrees.leaders.empty()) return;
+  const auto place = static_cast<std::size_t>(degrees.number.rows() * node + axis);
+  for (const auto& [number, weight] : degrees.leaders[place]) {
+    vector.push_back({number, detail::times(value, weight)});
+  }
+}
+
+/// What the displacement of a node along an axis is made of, and with which weights.
+template <class Scalar>
+StrainVector<Scalar> parts_of(const FreeDegrees& degrees, int axis, int node) {
+  StrainVector<Scalar> parts;
+  add_entry(degrees, axis, node, Scalar(1.0), parts);
+  return parts;
+}
 
 /// From the first to the second end, length. Coordinates are taken as exact.
 template <class Scalar>
@@ -35,10 +71,8 @@ StrainVector<Scalar> elongation_vector(const Structure& structure, const FreeDeg
   const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> direction = along / along.stableNorm();
   StrainVector<Scalar> entries;
   for (int axis = 0; axis < structure.dimension; ++axis) {
-    const int first = degrees.number(axis, member.first);
-    const int second = degrees.number(axis, member.second);
-    if (first >= 0) entries.push_back({first, -direction(axis)});
-    if (second >= 0) entries.push_back({second, direction(axis)});
+    add_entry(degrees, axis, member.first, Scalar(-direction(axis)), entries);
+    add_entry(degrees, axis, member.second, Scalar(direction(axis)), entries);
   }
   return entries;
 }

@@ -13,7 +13,7 @@
 #include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
-#include "problems/structure/quadrilateral.hpp"
+#include "problems/structure/solid_element.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -39,42 +39,88 @@ Eigen::VectorXd arbitrary_motion(Eigen::Index size) {
   return motion.normalized();
 }
 
-using Shapes = std::vector<StrainVector<double>>;
-
-/// The vectors b of all elements, as if of unit material.
-Shapes element_shapes(const Structure& structure, const FreeDegrees& degrees) {
-  Shapes all;
-  for (const Quadrilateral& element : structure.elements) {
-    for (auto& vector : shape_vectors(structure, degrees, element))
-      all.push_back(std::move(vector));
-  }
-  return all;
-}
-
-/// Sum of b b^T.
-Eigen::SparseMatrix<double> squares(const Shapes& shapes, int size) {
+/// The stiffness of all elements and springs, as if of unit material.
+Eigen::SparseMatrix<double> shape_stiffness(const Structure& structure,
+                                            const FreeDegrees& degrees) {
   std::vector<Eigen::Triplet<double>> entries;
-  for (const auto& vector : shapes) add_square(vector, 1.0, entries);
-  Eigen::SparseMatrix<double> sum(size, size);
+  for (const Element& element : structure.elements) {
+    add_matrix(shape_matrix(structure, element), element_parts<double>(degrees, element), entries);
+  }
+  for (const Spring& spring : structure.springs) {
+    add_square(parts_of<double>(degrees, spring.axis, spring.node), 1.0, entries);
+  }
+  Eigen::SparseMatrix<double> sum(degrees.size(), degrees.size());
   sum.setFromTriplets(entries.begin(), entries.end());
   return sum;
 }
 
-/// Sum of (b^T v)^2.
-double energy(const Shapes& shapes, const Eigen::VectorXd& motion) {
+/// Sum of (b^T v)^2 over the vectors b of all elements and springs.
+double energy(const Structure& structure, const FreeDegrees& degrees,
+              const Eigen::VectorXd& motion) {
   double sum = 0;
-  for (const auto& vector : shapes) {
+  for (const Element& element : structure.elements) {
+    for (const auto& vector : shape_vectors(structure, degrees, element)) {
+      double strain = 0;
+      for (const auto& entry : vector) strain += entry.value * motion(entry.number);
+      sum += strain * strain;
+    }
+  }
+  for (const Spring& spring : structure.springs) {
     double strain = 0;
-    for (const auto& entry : vector) strain += entry.value * motion(entry.number);
+    for (const auto& part : parts_of<double>(degrees, spring.axis, spring.node))
+      strain += part.value * motion(part.number);
     sum += strain * strain;
   }
   return sum;
 }
 
-/// An error names at most so many nodes: enough to find the place, and still one line.
+/// An error names at most so many nodes.
 constexpr std::size_t most_names = 6;
 
-std::string listed(const Structure& structure, const std::vector<int>& nodes) {
+}  // namespace
+
+std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& degrees) {
+  const auto members = static_cast<Eigen::Index>(structure.members.size());
+  Eigen::SparseMatrix<double> shifted =
+      truss_stiffness(structure, degrees, Eigen::VectorXd::Ones(members));
+  shifted += shape_stiffness(structure, degrees);
+  Eigen::SparseMatrix<double> identity(degrees.size(), degrees.size());
+  identity.setIdentity();
+  shifted += shift * identity;
+  const Eigen::VectorXd motion = softest_motion(shifted);
+  // The elongations, not v^T G v: squares of small numbers keep their digits.
+  const double strain =
+      elongations(structure, degrees, motion).squaredNorm() + energy(structure, degrees, motion);
+  if (strain > strainless) return {};
+  return nodes_moved(degrees, motion, visible);
+}
+
+Eigen::VectorXd softest_motion(const Eigen::SparseMatrix<double>& shifted) {
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorised(shifted);
+  if (factorised.info() != Eigen::Success) {
+    throw std::logic_error("the shifted stiffness of a structure has no factorisation");
+  }
+  Eigen::VectorXd motion = arbitrary_motion(shifted.rows());
+  for (int step = 0; step < most_steps; ++step) {
+    motion = Eigen::VectorXd(factorised.solve(motion)).normalized();
+  }
+  return motion;
+}
+
+std::vector<int> nodes_moved(const FreeDegrees& degrees, const Eigen::VectorXd& motion,
+                             double visible) {
+  const double least = visible * motion.cwiseAbs().maxCoeff();
+  std::vector<int> nodes;
+  for (int number = 0; number < degrees.of_nodes(); ++number) {
+    const int node = degrees.free[static_cast<std::size_t>(number)].node;
+    if (std::abs(motion(number)) > least && (nodes.empty() || nodes.back() != node)) {
+      nodes.push_back(node);
+    }
+  }
+  return nodes;
+}
+
+std::string some_names(const Structure& structure, const std::vector<int>& nodes) {
   const std::size_t shown = std::min(nodes.size(), most_names);
   std::string list;
   for (std::size_t place = 0; place < shown; ++place) {
@@ -85,40 +131,6 @@ std::string listed(const Structure& structure, const std::vector<int>& nodes) {
   return list;
 }
 
-}  // namespace
-
-std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& degrees) {
-  const auto members = static_cast<Eigen::Index>(structure.members.size());
-  Eigen::SparseMatrix<double> shifted =
-      truss_stiffness(structure, degrees, Eigen::VectorXd::Ones(members));
-  const auto shapes = element_shapes(structure, degrees);
-  shifted += squares(shapes, degrees.size());
-  Eigen::SparseMatrix<double> identity(degrees.size(), degrees.size());
-  identity.setIdentity();
-  shifted += shift * identity;
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorised(shifted);
-  if (factorised.info() != Eigen::Success) {
-    throw std::logic_error("the shifted stiffness of a truss has no factorisation");
-  }
-  Eigen::VectorXd motion = arbitrary_motion(degrees.size());
-  for (int step = 0; step < most_steps; ++step) {
-    motion = Eigen::VectorXd(factorised.solve(motion)).normalized();
-  }
-  // The elongations, not v^T G v: squares of small numbers keep their digits.
-  if (elongations(structure, degrees, motion).squaredNorm() + energy(shapes, motion) > strainless) {
-    return {};
-  }
-  const double least = visible * motion.cwiseAbs().maxCoeff();
-  std::vector<int> nodes;
-  for (int number = 0; number < degrees.size(); ++number) {
-    const int node = degrees.free[static_cast<std::size_t>(number)].node;
-    if (std::abs(motion(number)) > least && (nodes.empty() || nodes.back() != node)) {
-      nodes.push_back(node);
-    }
-  }
-  return nodes;
-}
-
 void refuse_mechanism(const Structure& structure, const FreeDegrees& degrees) {
   const std::vector<int> moving = moving_nodes(structure, degrees);
   if (moving.empty()) return;
@@ -126,7 +138,7 @@ void refuse_mechanism(const Structure& structure, const FreeDegrees& degrees) {
       structure, position_of(structure.sources.nodes, moving.front()),
       fmt::format("the structure is a mechanism: {} {} without straining any member; expected "
                   "supports and members that hold every node",
-                  listed(structure, moving), moving.size() == 1 ? "moves" : "move"));
+                  some_names(structure, moving), moving.size() == 1 ? "moves" : "move"));
 }
 
 }  // namespace kusabi::problems

@@ -6,7 +6,11 @@
 // size, or of sizes far apart, changes nothing.
 #pragma once
 
+#include <string>
 #include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include "problems/structure/structure.hpp"
 #include "problems/structure/truss.hpp"
@@ -22,6 +26,18 @@ inline constexpr double strainless = 1e-14;
 /// The nodes that move in a mechanism, in increasing order; empty if the truss is stable. If there
 /// are several independent mechanisms, the nodes of all of them.
 std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& degrees);
+
+/// The motion that a stiffness resists least, of length one, found by inverse iteration.
+/// @param shifted the stiffness plus a multiple of the unit matrix that makes it definite and is
+///        far below all that is not to be found
+Eigen::VectorXd softest_motion(const Eigen::SparseMatrix<double>& shifted);
+
+/// The nodes that move by more than a part `visible` of the largest motion, in increasing order.
+std::vector<int> nodes_moved(const FreeDegrees& degrees, const Eigen::VectorXd& motion,
+                             double visible);
+
+/// "a", "b" and 4 more: enough of them to find the place, and still one line.
+std::string some_names(const Structure& structure, const std::vector<int>& nodes);
 
 /// Refuses a structure that is a mechanism.
 /// @throws InputError with the names of the nodes that move

@@ -4,12 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "problems/structure/constraint_check.hpp"
 #include "problems/structure/contact_frame.hpp"
-#include "problems/structure/quadrilateral.hpp"
+#include "problems/structure/element_check.hpp"
+#include "problems/structure/superelement.hpp"
+#include "problems/structure/superelement_check.hpp"
+#include "problems/structure/surface.hpp"
 #include "problems/structure/uncertainty_check.hpp"
 
 namespace kusabi::problems {
@@ -26,8 +31,8 @@ class StructureCheck {
   void sizes() const;
   void coordinates() const;
   void members() const;
-  void elements() const;
   void every_node_hangs_on_something() const;
+  void springs() const;
   void contact_count() const;
   void contact_nodes() const;
   void contact_directions() const;
@@ -44,8 +49,6 @@ class StructureCheck {
   }
   int fixed_axes(int node) const;
   void member(int index) const;
-  void material(int index) const;
-  void shape(int index) const;
   void yield_forces(int index) const;
   [[noreturn]] void fail(support::SourcePosition position, std::string_view message) const {
     throw structure_error(structure_, position, message);
@@ -65,7 +68,8 @@ void StructureCheck::sizes() const {
     fail({}, fmt::format("dimension is {}; expected 2 or 3", structure_.dimension));
   }
   if (node_count() == 0) fail({}, "no nodes; expected at least two");
-  if (structure_.members.empty() && structure_.elements.empty()) {
+  if (structure_.members.empty() && structure_.elements.empty() &&
+      structure_.superelements.empty()) {
     fail({}, "no members; expected at least one");
   }
   if (structure_.coordinates.rows() != structure_.dimension ||
@@ -149,72 +153,26 @@ void StructureCheck::members() const {
   }
 }
 
-void StructureCheck::material(int index) const {
-  const Quadrilateral& element = structure_.elements[static_cast<std::size_t>(index)];
-  const support::SourcePosition position = position_of(structure_.sources.materials, index);
-  const auto in_range = [](double value) {
-    return value >= smallest_magnitude && value <= largest_magnitude;
-  };
-  // Written so that NaN fails too.
-  if (!in_range(element.modulus)) {
-    fail(position, fmt::format("E is {:g}; expected a positive modulus between {:g} and {:g}",
-                               element.modulus, smallest_magnitude, largest_magnitude));
-  }
-  if (!in_range(element.thickness)) {
-    fail(position, fmt::format("thickness is {:g}; expected a length between {:g} and {:g}",
-                               element.thickness, smallest_magnitude, largest_magnitude));
-  }
-  const bool incompressible = element.state == PlaneState::stress && element.ratio == 0.5;
-  if (!((element.ratio > -1 && element.ratio < 0.5) || incompressible)) {
-    fail(position, fmt::format("nu is {:g}; expected a number above -1 and below 0.5 (in plane "
-                               "stress up to 0.5)",
-                               element.ratio));
-  }
-}
-
-void StructureCheck::shape(int index) const {
-  const Quadrilateral& element = structure_.elements[static_cast<std::size_t>(index)];
-  const support::SourcePosition position = position_of(structure_.sources.elements, index);
-  double size = 0;
-  for (const int node : element.nodes) {
-    if (!is_node(node)) {
-      fail(position, fmt::format("element {} names a node that does not exist", index));
-    }
-    if (std::ranges::count(element.nodes, node) > 1) {
-      fail(position,
-           fmt::format("element with node {} twice; expected four different nodes", name(node)));
-    }
-    size = std::max(size, structure_.coordinates.col(node).cwiseAbs().maxCoeff());
-  }
-  const Eigen::Vector4d areas = corner_areas(structure_, element);
-  const double least = zero_length * size * size;
-  if (!((areas.array() > least).all() || (areas.array() < -least).all())) {
-    fail(position, fmt::format("the element at {}, {}, {}, {} is no convex quadrilateral; expected "
-                               "corners that go round",
-                               name(element.nodes[0]), name(element.nodes[1]),
-                               name(element.nodes[2]), name(element.nodes[3])));
-  }
-}
-
-void StructureCheck::elements() const {
-  if (!structure_.elements.empty() && structure_.dimension != 2) {
-    fail(position_of(structure_.sources.elements, 0),
-         "elements in space; expected dimension = 2, or members only");
-  }
-  for (int index = 0; index < static_cast<int>(structure_.elements.size()); ++index) {
-    material(index);
-    shape(index);
-  }
-}
-
 void StructureCheck::every_node_hangs_on_something() const {
   std::vector<bool> held(structure_.node_names.size(), false);
   for (const Member& bar : structure_.members) {
     held[static_cast<std::size_t>(bar.first)] = true;
     held[static_cast<std::size_t>(bar.second)] = true;
   }
-  for (const Quadrilateral& element : structure_.elements) {
+  for (const Element& element : structure_.elements) {
     for (const int node : element.nodes) held[static_cast<std::size_t>(node)] = true;
+  }
+  for (const Superelement& each : structure_.superelements) {
+    for (const int node : nodes_of(each)) held[static_cast<std::size_t>(node)] = true;
+  }
+  for (int index = 0; index < static_cast<int>(structure_.contact.size()); ++index) {
+    const int node = structure_.contact[static_cast<std::size_t>(index)].node;
+    if (structure_.outlines.empty() || !is_node(node) || held[static_cast<std::size_t>(node)])
+      continue;
+    fail(position_of(structure_.sources.contact, index),
+         fmt::format("contact candidate {} has no row in a [[stiffness]]; expected rows of it, for "
+                     "its body has no other stiffness",
+                     name(node)));
   }
   for (int node = 0; node < node_count(); ++node) {
     if (!held[static_cast<std::size_t>(node)] && fixed_axes(node) < structure_.dimension) {
@@ -225,10 +183,35 @@ void StructureCheck::every_node_hangs_on_something() const {
   }
 }
 
+void StructureCheck::springs() const {
+  for (int index = 0; index < static_cast<int>(structure_.springs.size()); ++index) {
+    const auto& [node, axis, stiffness] = structure_.springs[static_cast<std::size_t>(index)];
+    const support::SourcePosition position = position_of(structure_.sources.springs, index);
+    if (!is_node(node)) {
+      fail(position, fmt::format("spring {} names a node that does not exist", index));
+    }
+    if (axis < 0 || axis >= structure_.dimension) {
+      fail(position, fmt::format("spring {} is along an axis that does not exist", index));
+    }
+    if (is_fixed(node, axis)) {
+      fail(position, fmt::format("a spring at {} along {}, where it is also supported; expected a "
+                                 "spring where the node is free",
+                                 name(node), axis_name(axis)));
+    }
+    // Written so that NaN fails too.
+    if (!(stiffness >= smallest_magnitude && stiffness <= largest_magnitude)) {
+      fail(position,
+           fmt::format("the stiffness of a spring is {:g}; expected a positive one between "
+                       "{:g} and {:g}",
+                       stiffness, smallest_magnitude, largest_magnitude));
+    }
+  }
+}
+
 void StructureCheck::contact_count() const {
   if (structure_.contact.size() <= static_cast<std::size_t>(most_contact_candidates)) return;
   fail(position_of(structure_.sources.contact, most_contact_candidates),
-       fmt::format("{} contact candidates; expected at most {}, the limit of a sign pattern",
+       fmt::format("{} contact candidates; expected at most {}, for K and F are full matrices",
                    structure_.contact.size(), most_contact_candidates));
 }
 
@@ -244,9 +227,9 @@ void StructureCheck::contact_nodes() const {
       fail(position,
            fmt::format("node {} is a contact candidate twice; expected once", name(node)));
     }
-    if (fixed_axes(node) > 0) {
-      fail(position, fmt::format("contact candidate {} is also supported; expected a node that is "
-                                 "free along every axis",
+    if (fixed_axes(node) == structure_.dimension) {
+      fail(position, fmt::format("contact candidate {} is also supported along every axis; "
+                                 "expected a node that can move",
                                  name(node)));
     }
   }
@@ -254,8 +237,9 @@ void StructureCheck::contact_nodes() const {
 
 void StructureCheck::contact_directions() const {
   for (int index = 0; index < static_cast<int>(structure_.contact.size()); ++index) {
-    const auto& [node, normal, tangent, friction, direction] =
-        structure_.contact[static_cast<std::size_t>(index)];
+    const ContactCandidate& candidate = structure_.contact[static_cast<std::size_t>(index)];
+    const auto& [node, normal, tangent, friction] =
+        std::tie(candidate.node, candidate.normal, candidate.tangent, candidate.friction);
     // Written so that NaN fails too.
     if (friction != 0 && !(friction >= smallest_friction && friction <= largest_friction)) {
       fail(position_of(structure_.sources.frictions, index),
@@ -310,11 +294,15 @@ void check_structure(const Structure& structure) {
   check.sizes();
   check.coordinates();
   check.members();
-  check.elements();
+  check_elements(structure);
+  check_superelements(structure);
   check.every_node_hangs_on_something();
+  check.springs();
   check.contact_count();
   check.contact_nodes();
   check.contact_directions();
+  check_constraints(structure);
+  check_normals(structure);
   check.loads();
   check_uncertainty(structure);
 }

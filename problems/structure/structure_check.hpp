@@ -14,8 +14,8 @@ namespace kusabi::problems {
 inline constexpr double smallest_magnitude = 1e-50;
 inline constexpr double largest_magnitude = 1e50;
 
-/// Most contact candidates of a problem: a sign pattern is two sets of candidates, 64 bits each.
-inline constexpr int most_contact_candidates = 64;
+/// Most contact candidates of a problem: F and K of more have over 10^8 entries.
+inline constexpr int most_contact_candidates = 4096;
 
 /// Smallest and largest friction of a contact candidate relative to the coefficient of a search,
 /// but for 0.
@@ -30,10 +30,11 @@ inline constexpr double zero_length = 1e-10;
 /// is left after projection would have lost six of its sixteen digits.
 inline constexpr double smallest_tangent_sine = 1e-6;
 
-/// Checks sizes, finiteness, members (ends, length, EA, no two alike), elements (material, convex
-/// shape), that every node that can move has a member or an element, the contact candidates (count,
-/// supports, normals, tangents), the loads and the uncertain components. Not whether a section is
-/// there that only some commands need.
+/// Checks sizes, finiteness, members (ends, length, EA, no two alike), elements (`check_elements`),
+/// superelements (`check_superelements`),
+/// that every node that can move has a member or an element, the springs, the contact candidates
+/// (count, supports, normals, tangents), what is made of others (`check_constraints`), the loads
+/// and the uncertain components. Not whether a section is there that only some commands need.
 /// @throws InputError at the first fault, in the order of the list above.
 void check_structure(const Structure& structure);
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "problems/structure/constraints.hpp"
 #include "problems/structure/elongation.hpp"
 
 namespace kusabi::problems {
@@ -17,12 +18,20 @@ double length(const Structure& structure, const Member& member) {
 FreeDegrees free_degrees(const Structure& structure) {
   FreeDegrees degrees;
   degrees.number.setConstant(structure.dimension, structure.coordinates.cols(), -1);
+  const auto made = made_of_others(structure);
   for (int node = 0; node < static_cast<int>(structure.coordinates.cols()); ++node) {
     for (int axis = 0; axis < structure.dimension; ++axis) {
       if (structure.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)]) continue;
-      degrees.number(axis, node) = degrees.size();
+      if (made.contains({node, axis})) continue;
+      degrees.number(axis, node) = degrees.of_nodes();
       degrees.free.push_back({node, axis});
     }
+  }
+  set_leaders(structure, degrees);
+  for (const Superelement& each : structure.superelements) {
+    auto& own = degrees.own_unknowns.emplace_back();
+    for (const SuperelementRow& row : each.rows)
+      own.push_back(row.node < 0 ? degrees.of_nodes() + degrees.own_count++ : -1);
   }
   return degrees;
 }

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 
 #include "problems/structure/structure.hpp"
+#include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {
 
@@ -17,12 +18,28 @@ struct DegreeOfFreedom {
   int axis;
 };
 
-/// The free displacements of a structure, node by node and axis by axis.
-struct FreeDegrees {
-  std::vector<DegreeOfFreedom> free;  ///< number -> node and axis
-  Eigen::MatrixXi number;             ///< d x nodes: node and axis -> number, or -1 if fixed
+/// A free displacement that has a share in another one.
+struct Leader {
+  int number;
+  numbers::Precise weight;  ///< right to 104 bits
+};
 
-  int size() const { return static_cast<int>(free.size()); }
+/// The free displacements of a structure, node by node and axis by axis, and after them the
+/// unknowns that superelements have of their own. Those of a candidate against another body are
+/// relative to it.
+struct FreeDegrees {
+  std::vector<DegreeOfFreedom> free;  ///< number -> node and axis, of all that are of a node
+  /// d x nodes: node and axis -> number, or -1 if fixed or made of others alone.
+  Eigen::MatrixXi number;
+  /// By d * node + axis, or empty if there are none: what the displacement has besides the free one
+  /// of its own number (problems/structure/constraints.hpp).
+  std::vector<std::vector<Leader>> leaders{};
+  /// By superelement and row: the number of an unknown of its own, or -1 for those of nodes.
+  std::vector<std::vector<int>> own_unknowns{};
+  int own_count = 0;  ///< how many of these there are
+
+  int of_nodes() const { return static_cast<int>(free.size()); }
+  int size() const { return of_nodes() + own_count; }
 };
 
 FreeDegrees free_degrees(const Structure& structure);
@@ -31,7 +48,8 @@ FreeDegrees free_degrees(const Structure& structure);
 Eigen::VectorXd member_stiffnesses(const Structure& structure);
 
 /// Sum over the members of k_e b_e b_e^T, where b_e^T u is the elongation of member e: the whole
-/// symmetric matrix, over the free displacements, symmetric to the last bit.
+/// symmetric matrix, over the free displacements, symmetric to the last bit where no displacement
+/// is made of others.
 /// @param member_stiffness k, one a member; `member_stiffnesses` gives the true one
 Eigen::SparseMatrix<double> truss_stiffness(const Structure& structure, const FreeDegrees& degrees,
                                             const Eigen::VectorXd& member_stiffness);

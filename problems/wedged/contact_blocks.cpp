@@ -6,6 +6,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include "problems/structure/elongation.hpp"
+#include "problems/structure/superelement.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -38,8 +39,20 @@ std::vector<int> free_of(const Structure& structure, const FreeDegrees& degrees,
 
 }  // namespace
 
-std::vector<std::uint64_t> contact_blocks(const Structure& structure, const FreeDegrees& degrees) {
+std::vector<support::IndexSet> contact_blocks(const Structure& structure,
+                                              const FreeDegrees& degrees,
+                                              std::span<const LooseBody> bodies) {
   Connections connections(degrees.size());
+  const auto join_nodes = [&](const std::vector<int>& nodes) {
+    std::vector<int> moving;
+    for (const int node : nodes) {
+      for (int axis = 0; axis < structure.dimension; ++axis) {
+        for (const auto& part : parts_of<double>(degrees, axis, node))
+          moving.push_back(part.number);
+      }
+    }
+    connections.join(moving);
+  };
   for (const Member& member : structure.members) {
     std::vector<int> stretching;
     for (const auto& entry : elongation_vector<double>(structure, degrees, member)) {
@@ -47,23 +60,29 @@ std::vector<std::uint64_t> contact_blocks(const Structure& structure, const Free
     }
     connections.join(stretching);
   }
-  for (const Quadrilateral& element : structure.elements) {
-    std::vector<int> moving;
-    for (const int node : element.nodes) {
-      for (const int number : free_of(structure, degrees, node)) moving.push_back(number);
-    }
-    connections.join(moving);
+  for (const Spring& spring : structure.springs) {
+    std::vector<int> stretching;
+    for (const auto& part : parts_of<double>(degrees, spring.axis, spring.node))
+      stretching.push_back(part.number);
+    connections.join(stretching);
   }
+  for (const Element& element : structure.elements) join_nodes(element.nodes);
+  for (std::size_t index = 0; index < structure.superelements.size(); ++index) {
+    for_each_entry<double>(structure, degrees, index, [&](int row, int column, double) {
+      connections.join({row, column});
+    });
+  }
+  for (const LooseBody& body : bodies) join_nodes(body.nodes);
   for (const ContactCandidate& candidate : structure.contact) {
     connections.join(free_of(structure, degrees, candidate.node));
   }
-  std::vector<std::uint64_t> blocks;
+  std::vector<support::IndexSet> blocks;
   std::map<std::size_t, std::size_t> place;  // of the block with this representative
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
     const int first = free_of(structure, degrees, structure.contact[i].node).front();
     const auto [entry, is_new] = place.emplace(connections.representative(first), blocks.size());
-    if (is_new) blocks.push_back(0);
-    blocks[entry->second] |= std::uint64_t{1} << i;
+    if (is_new) blocks.emplace_back();
+    blocks[entry->second].insert(static_cast<int>(i));
   }
   return blocks;
 }

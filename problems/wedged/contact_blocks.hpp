@@ -7,18 +7,23 @@
 // rounded.
 #pragma once
 
-#include <cstdint>
+#include <span>
 #include <vector>
 
+#include "problems/structure/rigid_motions.hpp"
 #include "problems/structure/structure.hpp"
 #include "problems/structure/truss.hpp"
+#include "support/index_set.hpp"
 
 namespace kusabi::problems {
 
-/// The candidates of each block, bit i for candidate i: a partition of all m <= 64, in the order of
-/// the first candidates. A bar connects the displacements that stretch it (one that lies along an
-/// axis leaves the others alone), an element those of all its nodes, a candidate its own.
+/// The candidates of each block: a partition of all, in the order of the first candidates. A bar
+/// connects the displacements that stretch it (one that lies along an axis leaves the others
+/// alone), an element those of all its nodes, a candidate its own, a loose body all of its own.
+/// @param bodies those of the structure
 /// @pre the structure passes `check_structure`
-std::vector<std::uint64_t> contact_blocks(const Structure& structure, const FreeDegrees& degrees);
+std::vector<support::IndexSet> contact_blocks(const Structure& structure,
+                                              const FreeDegrees& degrees,
+                                              std::span<const LooseBody> bodies);
 
 }  // namespace kusabi::problems

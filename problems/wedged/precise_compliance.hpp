@@ -28,8 +28,8 @@ struct EnclosedCompliance {
   numbers::PreciseMatrix response{};
 };
 
-/// F of a structure. The stiffness is scaled to a unit diagonal and factorised in long double
-/// precision; the displacements under unit loads are refined with residuals in 104 bits, and the
+/// F of a structure. The stiffness is scaled to a unit diagonal and factorised in doubles or long
+/// doubles; the displacements under unit loads are refined with residuals in 104 bits, and the
 /// last of these residuals, with the least eigenvalue that a Cholesky factorisation proves, is the
 /// bound.
 /// @pre the structure passes `check_structure` and is no mechanism
@@ -42,7 +42,8 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance);
 using PreciseMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// `enclosed_compliance` in long double precision, length/force. Zero exactly where an entry is not
-/// known to be anything else, or is no more than the rounding of the directions in the file.
+/// known to be anything else, or is no more than the rounding of the directions in the file. Of
+/// loose bodies with their temporary springs.
 /// @pre `wedged_problem` accepts the structure
 PreciseMatrix precise_compliance(const Structure& structure);
 

@@ -1,44 +1,53 @@
 // Rows, columns and bits picked out.
 #include "problems/wedged/problem_block.hpp"
 
-#include <bit>
-
 namespace kusabi::problems {
+using support::IndexSet;
+
 namespace {
 
-std::vector<Eigen::Index> displacements_of(std::uint64_t candidates, int dimension) {
+std::vector<Eigen::Index> displacements_of(const IndexSet& candidates, int dimension) {
   std::vector<Eigen::Index> numbers;
-  for (; candidates != 0; candidates &= candidates - 1) {
+  for (const int candidate : candidates) {
     for (int axis = 0; axis < dimension; ++axis)
-      numbers.push_back(Eigen::Index{dimension} * std::countr_zero(candidates) + axis);
+      numbers.push_back(Eigen::Index{dimension} * candidate + axis);
   }
   return numbers;
 }
 
+// The columns in which the rows have entries.
+std::vector<Eigen::Index> columns_of(const Eigen::MatrixXd& matrix,
+                                     const std::vector<Eigen::Index>& rows) {
+  std::vector<Eigen::Index> columns;
+  for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
+    if (!matrix(rows, k).isZero(0.0)) columns.push_back(k);
+  }
+  return columns;
+}
+
 // The first candidates are numbered alike in a block and in the whole.
-bool begins_the_whole(std::uint64_t block) {
-  return (block & (block + 1)) == 0;
+bool begins_the_whole(const IndexSet& block) {
+  return block == IndexSet::below(block.size());
 }
 
 }  // namespace
 
-std::uint64_t all_candidates(const WedgedProblem& problem) {
-  const auto count = problem.contact_names.size();
-  return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+IndexSet all_candidates(const WedgedProblem& problem) {
+  return IndexSet::below(static_cast<int>(problem.contact_names.size()));
 }
 
-std::vector<std::uint64_t> blocks_of(const WedgedProblem& problem) {
+std::vector<IndexSet> blocks_of(const WedgedProblem& problem) {
   return problem.blocks.empty() ? std::vector{all_candidates(problem)} : problem.blocks;
 }
 
-WedgedProblem block_problem(const WedgedProblem& problem, std::uint64_t candidates) {
+WedgedProblem block_problem(const WedgedProblem& problem, const IndexSet& candidates) {
   if (candidates == all_candidates(problem)) return problem;
   WedgedProblem part = problem;
   part.contact_names.clear();
   part.frames.clear();
   part.friction.clear();
-  for (auto rest = candidates; rest != 0; rest &= rest - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+  for (const int candidate : candidates) {
+    const auto i = static_cast<std::size_t>(candidate);
     part.contact_names.push_back(problem.contact_names[i]);
     if (!problem.frames.empty()) part.frames.push_back(problem.frames[i]);
     if (!problem.friction.empty()) part.friction.push_back(problem.friction[i]);
@@ -48,24 +57,33 @@ WedgedProblem block_problem(const WedgedProblem& problem, std::uint64_t candidat
   part.compliance = problem.compliance(own, own);
   if (problem.precise_compliance.size() != 0)
     part.precise_compliance = problem.precise_compliance(own, own);
+  if (problem.motions.cols() > 0) {
+    const auto moving = columns_of(problem.motions, own);
+    part.motions = problem.motions(own, moving);
+    if (problem.precise_motions.size() != 0)
+      part.precise_motions = problem.precise_motions(own, moving);
+  }
   part.blocks = {all_candidates(part)};
   return part;
 }
 
-std::uint64_t in_whole(std::uint64_t own, std::uint64_t block) {
+IndexSet in_whole(const IndexSet& own, const IndexSet& block) {
   if (begins_the_whole(block)) return own;
-  std::uint64_t set = 0;
-  for (; own != 0 && block != 0; own >>= 1, block &= block - 1) {
-    if ((own & 1) != 0) set |= block & ~(block - 1);
+  IndexSet set;
+  int number = 0;
+  for (const int candidate : block) {
+    if (own.contains(number++)) set.insert(candidate);
   }
   return set;
 }
 
-std::uint64_t in_block(std::uint64_t whole, std::uint64_t block) {
+IndexSet in_block(const IndexSet& whole, const IndexSet& block) {
   if (begins_the_whole(block)) return whole & block;
-  std::uint64_t set = 0;
-  for (std::uint64_t bit = 1; block != 0; bit <<= 1, block &= block - 1) {
-    if ((whole & block & ~(block - 1)) != 0) set |= bit;
+  IndexSet set;
+  int number = 0;
+  for (const int candidate : block) {
+    if (whole.contains(candidate)) set.insert(number);
+    ++number;
   }
   return set;
 }

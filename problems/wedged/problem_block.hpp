@@ -1,25 +1,26 @@
 // One block of a wedged problem as a problem of its own.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "problems/wedged/wedged_problem.hpp"
+#include "support/index_set.hpp"
 
 namespace kusabi::problems {
 
-/// All candidates, bit i for candidate i.
-std::uint64_t all_candidates(const WedgedProblem& problem);
+/// All candidates.
+support::IndexSet all_candidates(const WedgedProblem& problem);
 
 /// The blocks of the problem. One made by hand, which says nothing of blocks, is a single one.
-std::vector<std::uint64_t> blocks_of(const WedgedProblem& problem);
+std::vector<support::IndexSet> blocks_of(const WedgedProblem& problem);
 
-/// The problem of some candidates alone, in their order: their names, frames, friction, K and F.
+/// The problem of some candidates alone, in their order: their names, frames, friction, K, F and
+/// the motions of their bodies.
 /// @param candidates a block, or all
-WedgedProblem block_problem(const WedgedProblem& problem, std::uint64_t candidates);
+WedgedProblem block_problem(const WedgedProblem& problem, const support::IndexSet& candidates);
 
-/// A set of a block's own candidates (bit k for its k-th) as a set of the whole, and back.
-std::uint64_t in_whole(std::uint64_t own, std::uint64_t block);
-std::uint64_t in_block(std::uint64_t whole, std::uint64_t block);
+/// A set of a block's own candidates (k for its k-th) as a set of the whole, and back.
+support::IndexSet in_whole(const support::IndexSet& own, const support::IndexSet& block);
+support::IndexSet in_block(const support::IndexSet& whole, const support::IndexSet& block);
 
 }  // namespace kusabi::problems

@@ -4,15 +4,20 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "problems/structure/contact_frame.hpp"
 #include "problems/structure/mechanism.hpp"
+#include "problems/structure/rigid_motions.hpp"
 #include "problems/structure/structure_check.hpp"
+#include "problems/structure/superelement_check.hpp"
+#include "problems/structure/temporary_springs.hpp"
 #include "problems/structure/truss.hpp"
 #include "problems/wedged/contact_blocks.hpp"
+#include "problems/wedged/contact_motions.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "support/fingerprint.hpp"
 
@@ -60,6 +65,43 @@ void set_compliance(WedgedProblem& problem, const Structure& structure) {
   problem.compliance_error = error + 1.01 * numbers::unit_roundoff<double>;
 }
 
+// Nothing for a structure without any: its number stays.
+void add_constraints(const Structure& structure, support::Fingerprint& result) {
+  const auto add_place = [&](std::string_view kind, int node, const std::vector<Share>& place) {
+    result.add(kind);
+    result.add(node);
+    for (const Share& share : place) {
+      result.add(share.node);
+      result.add(share.weight);
+    }
+  };
+  for (const ContactCandidate& candidate : structure.contact) {
+    if (!candidate.against.empty()) add_place("pair", candidate.node, candidate.against);
+  }
+  for (const Tie& tie : structure.ties) add_place("tie", tie.node, tie.to);
+  for (const InclinedSupport& support : structure.inclined) {
+    result.add(std::string_view("inclined"));
+    result.add(support.node);
+    add(result, support.direction);
+  }
+}
+
+/// G and what is said of it.
+void set_motions(WedgedProblem& problem, const Structure& structure,
+                 std::span<const LooseBody> bodies) {
+  if (bodies.empty()) return;
+  auto [matrix, error] = contact_motions(structure, bodies);
+  problem.motions = matrix.cast<double>();
+  problem.precise_motions = std::move(matrix);
+  problem.precise_motion_error = error;
+  problem.motion_error = error + numbers::unit_roundoff<double>;  // of entries up to 1
+  for (const LooseBody& body : bodies) {
+    problem.loose_bodies.push_back(
+        {structure.node_names[static_cast<std::size_t>(body.nodes.front())],
+         static_cast<int>(body.nodes.size()), described(body)});
+  }
+}
+
 std::uint64_t fingerprint(const Structure& structure, const std::vector<Eigen::MatrixXd>& frames) {
   support::Fingerprint result;
   result.add(structure.dimension);
@@ -84,12 +126,35 @@ std::uint64_t fingerprint(const Structure& structure, const std::vector<Eigen::M
     result.add(candidate.friction);
   }
   for (const Eigen::MatrixXd& frame : frames) add(result, frame);
-  for (const Quadrilateral& element : structure.elements) {  // none: the number of a truss stays
+  for (const Element& element : structure.elements) {  // none: the number of a truss stays
     for (const int node : element.nodes) result.add(node);
     result.add(element.modulus);
     result.add(element.ratio);
-    result.add(element.thickness);
-    result.add(static_cast<int>(element.state));
+    if (structure.dimension == 2) {
+      result.add(element.thickness);
+      result.add(static_cast<int>(element.state));
+    }
+  }
+  for (const Spring& spring : structure.springs) {
+    result.add(spring.node);
+    result.add(spring.axis);
+    result.add(spring.stiffness);
+  }
+  add_constraints(structure, result);
+  for (const Superelement& each : structure.superelements) {
+    result.add(std::string_view("superelement"));
+    for (const auto& [node, axis] : each.rows) {
+      result.add(node);
+      result.add(axis);
+    }
+    for (int column = 0; column < static_cast<int>(each.stiffness.outerSize()); ++column) {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(each.stiffness, column); entry;
+           ++entry) {
+        result.add(static_cast<int>(entry.row()));
+        result.add(column);
+        result.add(entry.value());
+      }
+    }
   }
   return result.value();
 }
@@ -123,18 +188,25 @@ WedgedProblem wedged_problem(const Structure& structure) {
   check_structure(structure);
   require_contact_and_stiffness(structure);
   const FreeDegrees degrees = free_degrees(structure);
-  refuse_mechanism(structure, degrees);
+  const auto bodies = loose_bodies(structure);
+  const Structure held = held_structure(structure, bodies);
+  if (structure.superelements.empty()) {
+    refuse_mechanism(held, degrees);
+  } else {
+    refuse_unheld(held, degrees);
+  }
   WedgedProblem problem;
   problem.name = structure.name;
   problem.dimension = structure.dimension;
   problem.units = structure.units;
   for (const ContactCandidate& candidate : structure.contact) {
-    problem.contact_names.push_back(structure.node_names[static_cast<std::size_t>(candidate.node)]);
+    problem.contact_names.push_back(candidate_name(structure, candidate));
     problem.frames.push_back(contact_frame(candidate));
     problem.friction.push_back(candidate.friction);
   }
-  set_compliance(problem, structure);
-  problem.blocks = contact_blocks(structure, degrees);
+  set_motions(problem, structure, bodies);
+  set_compliance(problem, held);
+  problem.blocks = contact_blocks(structure, degrees, bodies);
   problem.nodes = static_cast<int>(structure.node_names.size());
   problem.members = static_cast<int>(structure.members.size());
   problem.elements = static_cast<int>(structure.elements.size());

@@ -8,27 +8,37 @@
 
 #include "problems/structure/contact_frame.hpp"
 #include "problems/structure/elongation.hpp"
-#include "problems/structure/quadrilateral.hpp"
+#include "problems/structure/rigid_motions.hpp"
+#include "problems/structure/solid_element.hpp"
+#include "problems/structure/superelement.hpp"
 #include "problems/structure/truss.hpp"
+#include "problems/wedged/contact_motions.hpp"
 
 namespace kusabi::problems {
 namespace {
 
 using numbers::Precise;
 
-/// All displacements, fixed ones included, node by node.
-FreeDegrees all_degrees(Structure structure) {
+/// All displacements that no tie makes of others, fixed ones included, node by node.
+FreeDegrees without_supports(Structure structure) {
   for (auto& axes : structure.fixed) axes = {};
+  structure.inclined.clear();
+  structure.contact.clear();
   return free_degrees(structure);
 }
 
-// The rows of a matrix over the free displacements, at their places among all.
-numbers::PreciseMatrix among_all(const numbers::PreciseMatrix& free, const FreeDegrees& degrees,
-                                 const FreeDegrees& all) {
-  numbers::PreciseMatrix result = numbers::PreciseMatrix::Zero(all.size(), free.cols());
-  for (int i = 0; i < degrees.size(); ++i) {
-    const auto& place = degrees.free[static_cast<std::size_t>(i)];
-    result.row(all.number(place.axis, place.node)) = free.row(i);
+// The displacements of all nodes, (d nodes) x columns, of those that are free.
+numbers::PreciseMatrix of_all_nodes(const numbers::PreciseMatrix& free,
+                                    const FreeDegrees& degrees) {
+  const Eigen::Index d = degrees.number.rows();
+  numbers::PreciseMatrix result = numbers::PreciseMatrix::Zero(degrees.number.size(), free.cols());
+  for (int node = 0; node < static_cast<int>(degrees.number.cols()); ++node) {
+    for (int axis = 0; axis < static_cast<int>(d); ++axis) {
+      StrainVector<Precise> parts;
+      add_entry(degrees, axis, node, Precise(1.0), parts);
+      for (const auto& [number, weight] : parts)
+        result.row(d * node + axis) += weight * free.row(number);
+    }
   }
   return result;
 }
@@ -44,20 +54,61 @@ void add_forces(const StrainVector<Precise>& vector, const Precise& weight,
   }
 }
 
-// K^0 u for every column u.
-numbers::PreciseMatrix forces_of(const Structure& structure, const FreeDegrees& all,
-                                 const numbers::PreciseMatrix& displacements) {
-  numbers::PreciseMatrix forces =
-      numbers::PreciseMatrix::Zero(displacements.rows(), displacements.cols());
-  for (const Member& member : structure.members) {
-    add_forces(elongation_vector<Precise>(structure, all, member),
-               bar_stiffness<Precise>(structure, member), displacements, forces);
-  }
-  for (const Quadrilateral& element : structure.elements) {
-    for (const auto& vector : strain_vectors<Precise>(structure, all, element)) {
-      add_forces(vector, Precise(1.0), displacements, forces);
+// Adds those rows of K u, for every column u, that belong to held displacements.
+void add_forces(const Structure& structure, const FreeDegrees& all, const std::vector<bool>& held,
+                const Element& element, const numbers::PreciseMatrix& displacements,
+                numbers::PreciseMatrix& forces) {
+  const auto parts = element_parts<Precise>(all, element);
+  const auto is_held = [&](const ElementPart<Precise>& part) {
+    return held[static_cast<std::size_t>(part.number)];
+  };
+  if (std::ranges::none_of(parts, is_held)) return;
+  const auto matrix = element_matrix<Precise>(structure, element);
+  for (const auto& row : parts) {
+    if (!is_held(row)) continue;
+    for (const auto& part : parts) {
+      forces.row(row.number) += matrix(row.place, part.place) * (row.weight * part.weight) *
+                                displacements.row(part.number);
     }
   }
+}
+
+// The same of superelements.
+void add_forces(const Structure& structure, const FreeDegrees& all, const std::vector<bool>& held,
+                const numbers::PreciseMatrix& displacements, numbers::PreciseMatrix& forces) {
+  for (std::size_t index = 0; index < structure.superelements.size(); ++index) {
+    for_each_entry<Precise>(structure, all, index, [&](int row, int column, const Precise& value) {
+      if (row < all.of_nodes() && held[static_cast<std::size_t>(row)])
+        forces.row(row) += value * displacements.row(column);
+    });
+  }
+}
+
+// K u, springs included, for every column u of the displacements of all nodes; of elements and
+// superelements only at held displacements. Ties hand on what acts on theirs.
+// @param own_unknowns those of superelements, likewise
+numbers::PreciseMatrix forces_of(const Structure& structure, const FreeDegrees& all,
+                                 const std::vector<bool>& held,
+                                 const numbers::PreciseMatrix& displacements,
+                                 const numbers::PreciseMatrix& own_unknowns) {
+  numbers::PreciseMatrix own(all.size(), displacements.cols());
+  for (int i = 0; i < all.of_nodes(); ++i) {
+    const auto& place = all.free[static_cast<std::size_t>(i)];
+    own.row(i) = displacements.row(structure.dimension * place.node + place.axis);
+  }
+  own.bottomRows(all.own_count) = own_unknowns;
+  numbers::PreciseMatrix forces = numbers::PreciseMatrix::Zero(all.size(), own.cols());
+  for (const Member& member : structure.members) {
+    add_forces(elongation_vector<Precise>(structure, all, member),
+               bar_stiffness<Precise>(structure, member), own, forces);
+  }
+  for (const Spring& spring : structure.springs) {
+    add_forces(parts_of<Precise>(all, spring.axis, spring.node), Precise(spring.stiffness), own,
+               forces);
+  }
+  for (const Element& element : structure.elements)
+    add_forces(structure, all, held, element, own, forces);
+  add_forces(structure, all, held, own, forces);
   return forces;
 }
 
@@ -65,37 +116,86 @@ numbers::PreciseMatrix forces_of(const Structure& structure, const FreeDegrees& 
 
 WholeStructure::WholeStructure(const Structure& structure, const WedgedProblem& problem)
     : dimension_(structure.dimension), coordinates_(structure.coordinates) {
-  const auto all = all_degrees(structure);
-  const auto displacements = among_all(*problem.response, free_degrees(structure), all);
+  const auto degrees = free_degrees(structure);
+  const auto displacements = of_all_nodes(*problem.response, degrees);
   displacements_ = displacements.cast<double>();
-  internal_forces_ = forces_of(structure, all, displacements).cast<double>();
-  for (std::size_t node = 0; node < structure.fixed.size(); ++node) {
-    bool any = false;
-    for (int axis = 0; axis < dimension_; ++axis) {
-      const bool fixed = structure.fixed[node][static_cast<std::size_t>(axis)];
-      any = any || fixed;
-      if (!fixed) internal_forces_.row(all.number(axis, static_cast<int>(node))).setZero();
-    }
-    supported_.push_back(any);
-  }
-  contact_forces_.setZero(all.size(), displacements_.cols());
+  contact_forces_.setZero(displacements.rows(), displacements.cols());
   Eigen::Index column = 0;
-  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
-    contact_forces_.block(dimension_ * structure.contact[i].node, column, dimension_, dimension_) =
-        problem.frames[i];
-    column += dimension_;
+  for (std::size_t i = 0; i < structure.contact.size(); ++i, column += dimension_) {
+    const ContactCandidate& candidate = structure.contact[i];
+    const auto at = [&](int node) {
+      return contact_forces_.block(dimension_ * node, column, dimension_, dimension_);
+    };
+    at(candidate.node) += problem.frames[i];
+    for (const auto& [node, weight] : candidate.against) at(node) -= weight * problem.frames[i];
+  }
+  set_reactions(structure, displacements, problem.response->bottomRows(degrees.own_count));
+  set_motions(structure, problem);
+}
+
+// What acts on a supported displacement besides the obstacle; and what springs do.
+// @param own_unknowns of superelements, under each unit reaction
+void WholeStructure::set_reactions(const Structure& structure,
+                                   const numbers::PreciseMatrix& displacements,
+                                   const numbers::PreciseMatrix& own_unknowns) {
+  const auto all = without_supports(structure);
+  auto fixed = structure.fixed;
+  for (const InclinedSupport& support : structure.inclined)
+    fixed[static_cast<std::size_t>(support.node)] = {true, true, true};
+  std::vector<bool> held;
+  for (const auto& [node, axis] : all.free)
+    held.push_back(fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)]);
+  const Eigen::MatrixXd internal =
+      forces_of(structure, all, held, displacements, own_unknowns).cast<double>();
+  support_forces_.setZero(displacements.rows(), displacements.cols());
+  for (const auto& axes : fixed)
+    supported_.push_back(axes[0] || axes[1] || (dimension_ == 3 && axes[2]));
+  for (int number = 0; number < all.of_nodes(); ++number) {
+    if (!held[static_cast<std::size_t>(number)]) continue;
+    const auto& [node, axis] = all.free[static_cast<std::size_t>(number)];
+    const Eigen::Index row = dimension_ * node + axis;
+    support_forces_.row(row) = internal.row(number) - contact_forces_.row(row);
+  }
+  for (const Spring& spring : structure.springs) {
+    const Eigen::Index row = dimension_ * spring.node + spring.axis;
+    support_forces_.row(row) -= spring.stiffness * displacements_.row(row);
+    supported_[static_cast<std::size_t>(spring.node)] = true;
   }
 }
 
-WholeState WholeStructure::under(std::span<const double> reactions) const {
+void WholeStructure::set_motions(const Structure& structure, const WedgedProblem& problem) {
+  const auto bodies = loose_bodies(structure);
+  if (bodies.empty()) return;
+  compliance_ = problem.compliance;
+  const Eigen::MatrixXd seen = seen_motions(structure, bodies).cast<double>();
+  seen_.compute(seen);
+  motions_.setZero(displacements_.rows(), seen.cols());
+  Eigen::Index column = 0;
+  for (const LooseBody& body : bodies) {
+    for (const int node : body.nodes) {
+      motions_.block(dimension_ * node, column, dimension_, body.count()) =
+          problems::displacements(body, structure.coordinates.col(node)).cast<double>();
+    }
+    column += body.count();
+  }
+}
+
+WholeState WholeStructure::under(std::span<const double> reactions,
+                                 std::span<const double> displacements) const {
   const Eigen::Map<const Eigen::VectorXd> r(reactions.data(),
                                             static_cast<Eigen::Index>(reactions.size()));
   const auto by_node = [this](const Eigen::VectorXd& values) -> Eigen::MatrixXd {
     return values.reshaped(dimension_, coordinates_.cols());
   };
   WholeState state;
-  state.displacements = by_node(displacements_ * r);
-  state.reactions = by_node(internal_forces_ * r);
+  Eigen::VectorXd everywhere = displacements_ * r;
+  if (motions_.cols() > 0 && !displacements.empty()) {
+    // u = F r + G alpha: of the motions that fit, the least, for what no candidate sees is free.
+    const Eigen::Map<const Eigen::VectorXd> u(displacements.data(), r.size());
+    everywhere += motions_ * seen_.solve(u - compliance_ * r);
+  }
+  state.displacements = by_node(everywhere);
+  state.reactions = by_node(support_forces_ * r);
   state.imbalance = imbalance(state.reactions + by_node(contact_forces_ * r));
   return state;
 }

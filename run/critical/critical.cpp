@@ -9,12 +9,14 @@
 
 #include "nodes/wedged/critical_friction.hpp"
 #include "nodes/wedged/critical_search.hpp"
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/critical/critical_certificate.hpp"
 #include "run/critical/critical_report.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -40,7 +42,7 @@ class Critical final : public Subcommand {
 
  private:
   CriticalOptions options_;
-  std::string text_;
+  problems::ProblemText text_;
   problems::Structure structure_;
   problems::WedgedProblem problem_;
   wedged::CriticalFindings findings_;
@@ -82,12 +84,13 @@ void Critical::check() const {
 }
 
 void Critical::read(CommandRun& run) {
-  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
+  text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
 }
 
 void Critical::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   structure_ = problems::read_structure(text_, options_.file);
+  warn_all(run.session(), structure_.warnings);
   problem_ = problems::wedged_problem(structure_);
   // No further than the roughest candidate can be computed with.
   const double most = wedged::CriticalFriction::range(problem_).most;

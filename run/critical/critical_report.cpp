@@ -34,7 +34,8 @@ ordered_json entry_json(const problems::WedgedProblem& problem, const wedged::Cr
   if (entry.reaction.empty()) return json;
   json["reaction"] = block_rows(problem, entry.block, entry.reaction);
   json["displacement"] = block_rows(problem, entry.block, entry.displacement);
-  whole.add_to(json, of_all_candidates(problem, entry.block, entry.reaction));
+  whole.add_to(json, of_all_candidates(problem, entry.block, entry.reaction),
+               of_all_candidates(problem, entry.block, entry.displacement));
   return json;
 }
 
@@ -109,7 +110,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
     fmt::format_to(out, "{:>5}  {:>16.12g}  {:>16}  {}{}\n", ++number, entry.lower,
                    entry.upper ? fmt::format("{:.12g}", *entry.upper) : "?",
                    listed(candidate_names(problem, contact)),
-                   at_rest == 0
+                   at_rest.empty()
                        ? ""
                        : fmt::format("  at rest: {}", listed(candidate_names(problem, at_rest))));
   }

@@ -19,6 +19,7 @@
 
 #include "engine/checkpoint.hpp"
 #include "engine/together.hpp"
+#include "problems/wedged/free_stiffness.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "run/output/values.hpp"
 #include "support/sha1.hpp"
@@ -128,20 +129,28 @@ class Writer {
 
 std::string certificate_header(const problems::WedgedProblem& problem,
                                std::span<const double> friction) {
-  auto text = fmt::format("kusabi certificate 2\ndimension {}\ncandidates {}\n", problem.dimension,
-                          problem.contact_names.size());
+  const auto& motions = problem.motions;
+  auto text =
+      fmt::format("kusabi certificate {}\ndimension {}\ncandidates {}\n",
+                  motions.cols() == 0 ? 2 : 3, problem.dimension, problem.contact_names.size());
   for (const auto& name : problem.contact_names) text += fmt::format("name {}\n", one_line(name));
   text += "friction";
   append(text, friction);
   const auto blocks = problems::blocks_of(problem);
   text += fmt::format("\nblocks {}\n", blocks.size());
-  for (const auto block : blocks) text += fmt::format("block {:x}\n", block);
+  for (const auto& block : blocks) text += fmt::format("block {}\n", support::hexadecimal(block));
   text += "stiffness\n";
-  const auto& stiffness = problem.stiffness;
+  const auto stiffness = problems::free_stiffness(problem);
   for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
     for (Eigen::Index j = 0; j <= i; ++j) {
       text += fmt::format("{}{:a}", j == 0 ? "" : " ", stiffness(i, j));
     }
+    text += '\n';
+  }
+  if (motions.cols() > 0) text += fmt::format("motions {}\n", motions.cols());
+  for (Eigen::Index i = 0; i < motions.rows() && motions.cols() > 0; ++i) {
+    for (Eigen::Index k = 0; k < motions.cols(); ++k)
+      text += fmt::format("{}{:a}", k == 0 ? "" : " ", motions(i, k));
     text += '\n';
   }
   return text + "nodes\n";
@@ -151,8 +160,9 @@ std::string certificate_line(const wedged::Evidence& evidence) {
   const auto* const kind = evidence.kind == wedged::Evidence::Kind::dead    ? "dead"
                            : evidence.kind == wedged::Evidence::Kind::alive ? "alive"
                                                                             : "marginal";
-  auto line = fmt::format("{} {} {:x} {:x}", kind, evidence.block + 1, evidence.node.contact,
-                          evidence.node.separated);
+  auto line = fmt::format("{} {} {} {}", kind, evidence.block + 1,
+                          support::hexadecimal(evidence.node.contact),
+                          support::hexadecimal(evidence.node.separated));
   append(line, evidence.numbers);
   return line + '\n';
 }

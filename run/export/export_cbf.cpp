@@ -1,6 +1,5 @@
 // The cone program whose optimum is the margin t* of a node, in the scaled units of that margin.
 #include <algorithm>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -42,14 +41,14 @@ class ExportCbf final : public ExportedFile {
   void write(std::ostream& out) const override;
 
  private:
-  [[nodiscard]] std::uint64_t set_of(std::string_view text, std::string_view option) const;
+  [[nodiscard]] support::IndexSet set_of(std::string_view text, std::string_view option) const;
   [[nodiscard]] Names comments(double unit) const;
 
   double coefficient_ = 0;
   std::string contact_names_, separated_names_;
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
-  std::uint64_t contact_ = 0, separated_ = 0;
+  support::IndexSet contact_, separated_;
 };
 
 void ExportCbf::describe(OptionTable& table) {
@@ -64,13 +63,13 @@ void ExportCbf::describe(OptionTable& table) {
 
 // Names may have commas and blanks in them: of those that the text begins with the longest is
 // meant.
-std::uint64_t ExportCbf::set_of(std::string_view text, std::string_view option) const {
+support::IndexSet ExportCbf::set_of(std::string_view text, std::string_view option) const {
   const auto begins = [&](const std::string& name) {
     return text.starts_with(name) &&
            (text.size() == name.size() || separators.find(text[name.size()]) != std::string::npos);
   };
   const auto& names = problem_.contact_names;
-  std::uint64_t set = 0;
+  support::IndexSet set;
   while (!text.empty()) {
     std::size_t longest = names.size();
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -82,7 +81,7 @@ std::uint64_t ExportCbf::set_of(std::string_view text, std::string_view option) 
                                    option, file(), text.substr(0, text.find_first_of(separators)),
                                    fmt::join(names, " or ")));
     }
-    set |= std::uint64_t{1} << longest;
+    set.insert(static_cast<int>(longest));
     text.remove_prefix(std::min(text.size(), names[longest].size() + 1));
   }
   return set;
@@ -94,7 +93,7 @@ void ExportCbf::prepare(CommandRun& run) {
   agree(run.session(), problem_);
   contact_ = set_of(contact_names_, "--contact");
   separated_ = set_of(separated_names_, "--separated");
-  if ((contact_ & separated_) != 0) {
+  if (contact_.meets(separated_)) {
     throw WrongInput(fmt::format("--separated: {} is in --contact, too; expected it in one of them",
                                  candidate_names(problem_, contact_ & separated_).front()));
   }

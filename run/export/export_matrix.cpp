@@ -8,6 +8,7 @@
 
 #include "problems/files/matrix_market.hpp"
 #include "problems/files/structure_file.hpp"
+#include "problems/wedged/free_stiffness.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/command/command_run.hpp"
 #include "run/export/export.hpp"
@@ -65,6 +66,12 @@ std::vector<std::string> ExportMatrix::comments() const {
                 : fmt::format("The compliance F of the contact candidates: u = F r, in {}/{}.",
                               problem_.units.length, problem_.units.force),
       "Each has its displacements in its own frame: n out of the obstacle, t along it."};
+  for (const auto& [node, nodes, motions] : problem_.loose_bodies) {
+    lines.push_back(fmt::format("The body of node {} {}: {}", node, motions,
+                                stiffness ? "K is only semidefinite."
+                                          : "F is that with springs that hold it, right for "
+                                            "reactions in equilibrium up to these motions."));
+  }
   constexpr const char* axes[] = {"n", "t1", "t2"};
   int row = 0;
   for (std::size_t i = 0; i < problem_.contact_names.size(); ++i) {
@@ -79,7 +86,8 @@ std::vector<std::string> ExportMatrix::comments() const {
 
 void ExportMatrix::write(std::ostream& out) const {
   problems::write_matrix_market(
-      out, choice_ == Matrix::stiffness ? problem_.stiffness : problem_.compliance, comments());
+      out, choice_ == Matrix::stiffness ? problems::free_stiffness(problem_) : problem_.compliance,
+      comments());
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <ostream>
 #include <sstream>
 
-#include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 
 namespace kusabi::run {
@@ -19,7 +18,7 @@ void ExportedFile::describe_output(OptionTable& table) {
 }
 
 void ExportedFile::read(CommandRun& run) {
-  text_ = run.session().from_first_rank([&] { return problems::file_text(file_); });
+  text_ = run.session().from_first_rank([&] { return problems::problem_text(file_); });
 }
 
 std::vector<Step> ExportedFile::results(CommandRun& run) {

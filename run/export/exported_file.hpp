@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/files/problem_text.hpp"
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
@@ -24,14 +25,14 @@ class ExportedFile : public Subcommand {
   static void describe_output(OptionTable& table);
 
   [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const problems::ProblemText& text() const { return text_; }
 
   /// On rank 0, when all is known.
   virtual void write(std::ostream& out) const = 0;
 
  private:
   std::string file_;
-  std::string text_;
+  problems::ProblemText text_;
 };
 
 }  // namespace kusabi::run

@@ -10,6 +10,7 @@
 
 #include "engine/together.hpp"
 #include "nodes/limit/limit_loads.hpp"
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/command/command_run.hpp"
@@ -18,6 +19,7 @@
 #include "run/limit/limit_report.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "verify/limit_certificate.hpp"
 
@@ -46,7 +48,7 @@ class Limit final : public Subcommand {
   LimitOptions options_;
   std::string certificate_;
   std::string curve_csv_;
-  std::string text_;
+  problems::ProblemText text_;
   std::string load_text_;
   problems::Structure truss_;
   std::optional<problems::LimitProblem> problem_;
@@ -115,7 +117,7 @@ void Limit::check() const {
 }
 
 void Limit::read(CommandRun& run) {
-  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
+  text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
   if (options_.curve_load.empty()) return;
   load_text_ =
       run.session().from_first_rank([&] { return problems::file_text(options_.curve_load); });
@@ -124,6 +126,7 @@ void Limit::read(CommandRun& run) {
 void Limit::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   truss_ = problems::read_structure(text_, options_.file);
+  warn_all(run.session(), truss_.warnings);
   problem_ = problems::limit_problem(truss_);
   engine::agree(run.session().transport(), problem_->fingerprint);
   if (!options_.curve_load.empty()) {

@@ -123,8 +123,7 @@ void Mip::prepare(CommandRun& run) {
   search_options_.checkpoint =
       run.checkpoint(options_.checkpoint, tree_fingerprint(fingerprint_, options_));
   search_options_.warn = warn;
-  if (!run.session().speaks()) return;
-  for (const auto& warning : program_.warnings) warn(warning);
+  warn_all(run.session(), program_.warnings);
 }
 
 std::string Mip::announcement(const std::string& ranks) const {

@@ -13,6 +13,7 @@
 #include "engine/checkpoint.hpp"
 #include "nodes/wedged/facets.hpp"
 #include "nodes/wedged/pattern_search.hpp"
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/evidence/certificate_file.hpp"
@@ -54,7 +55,7 @@ class Patterns final : public Subcommand {
 
   PatternsOptions options_;
   std::string trace_;
-  std::string text_;
+  problems::ProblemText text_;
   problems::Structure structure_;
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
@@ -72,10 +73,14 @@ void Patterns::describe(OptionTable& table) {
   // Doubles have no more digits in a margin, and above nothing would be left to find.
   table.number("--tolerance", &options_.tolerance, between(1e-12, 1e-3),
                "a margin t* up to this size is a tie, neither positive nor negative");
-  table.choice("--branching", options_.branching,
-               {{"paper", Branching::product}, {"relative", Branching::relative}},
-               "split nodes by the largest u_n r_n as the paper does, or by its size relative to "
-               "the candidate's compliance: the same patterns from fewer nodes");
+  table.choice(
+      "--branching", options_.branching,
+      {{"paper", Branching::product},
+       {"relative", Branching::relative},
+       {"deepest", Branching::deepest}},
+      "split nodes by the largest u_n r_n as the paper does, by its size relative to the "
+      "candidate's compliance, or where both children lose most (for some faces of meshes in "
+      "the plane): the same patterns from more or fewer nodes");
   table.choice("--method", options_.polyhedral, {{"cones", false}, {"polyhedral", true}},
                "bound nodes with the friction cones themselves, or with polyhedral ones around "
                "them, and put each pattern that these let live to the test of the cones");
@@ -116,7 +121,7 @@ void Patterns::check() const {
 }
 
 void Patterns::read(CommandRun& run) {
-  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
+  text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
 }
 
 // A checkpoint belongs to a tree, and the tree depends on the friction and the tolerance as well.
@@ -125,7 +130,7 @@ std::uint64_t Patterns::tree_fingerprint() const {
   fingerprint.add(problem_.fingerprint);
   fingerprint.add(options_.friction);
   fingerprint.add(options_.tolerance);
-  fingerprint.add(std::uint64_t{options_.branching == wedged::Branching::product});
+  fingerprint.add(static_cast<std::uint64_t>(options_.branching));
   fingerprint.add(static_cast<std::uint64_t>(options_.facets_in_use()));
   return fingerprint.value();
 }
@@ -133,6 +138,7 @@ std::uint64_t Patterns::tree_fingerprint() const {
 void Patterns::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   structure_ = problems::read_structure(text_, options_.file);
+  warn_all(run.session(), structure_.warnings);
   problem_ = problems::wedged_problem(structure_);
   friction_ = friction_at(problem_, options_.friction, options_.file);
   agree(run.session(), problem_);

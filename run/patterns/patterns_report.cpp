@@ -34,12 +34,26 @@ std::string patterns(std::uint64_t count) {
   return counted(count, "sign pattern");
 }
 
+const char* name_of(wedged::Branching branching) {
+  switch (branching) {
+    case wedged::Branching::product:
+      return "paper";
+    case wedged::Branching::relative:
+      return "relative";
+    case wedged::Branching::deepest:
+      return "deepest";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string PatternsReport::list() const {
   std::string text;
   auto out = std::back_inserter(text);
-  const auto names = [&](std::uint64_t set) { return listed(candidate_names(problem_, set)); };
+  const auto names = [&](const support::IndexSet& set) {
+    return listed(candidate_names(problem_, set));
+  };
   std::size_t contact_width = std::string_view("in contact (U)").size();
   for (const auto& leaf : findings_.leaves)
     contact_width = std::max(contact_width, names(leaf.pattern.contact).size());
@@ -54,7 +68,7 @@ std::string PatternsReport::list() const {
                    leaf.state == wedged::LeafState::alive ? fmt::format("{:.3e}", leaf.lower)
                                                           : state_name(leaf.state),
                    names(contact), contact_width, names(separated),
-                   at_rest == 0 ? "" : "  at rest: " + names(at_rest));
+                   at_rest.empty() ? "" : "  at rest: " + names(at_rest));
   }
   return text;
 }
@@ -64,7 +78,9 @@ std::string PatternsReport::candidates() const {
   std::string text;
   if (!options_.list_candidates) return text;
   auto out = std::back_inserter(text);
-  const auto names = [&](std::uint64_t set) { return listed(candidate_names(problem_, set)); };
+  const auto names = [&](const support::IndexSet& set) {
+    return listed(candidate_names(problem_, set));
+  };
   fmt::format_to(out, "\n{:>5}  {:>13}  {:>10}  {}\n", "", "polyhedral t*", "t* of (23)",
                  "in contact (U) | separated (R)");
   std::size_t number = 0;
@@ -155,7 +171,8 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
     pattern["margin_upper"] = leaf.upper;
     pattern["reaction"] = block_rows(problem_, leaf.block, leaf.reaction);
     pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
-    whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction));
+    whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction),
+                 of_all_candidates(problem_, leaf.block, leaf.displacement));
     patterns.push_back(std::move(pattern));
   }
   ordered_json blocks = ordered_json::array();
@@ -182,7 +199,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
         {"tolerance", options_.tolerance},
         {"method", options_.polyhedral ? "polyhedral" : "cones"},
         {"facets", options_.facets_in_use()},
-        {"branching", options_.branching == wedged::Branching::product ? "paper" : "relative"},
+        {"branching", name_of(options_.branching)},
         {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}}},
       {"status", status_name(findings_.outcome.status)},
       {"result", std::move(result)},

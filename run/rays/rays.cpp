@@ -1,6 +1,7 @@
 // From the file to the report: which way, on which ranks.
 #include "run/rays/rays.hpp"
 
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -10,13 +11,14 @@
 #include <fmt/format.h>
 
 #include "nodes/wedged/ray_search.hpp"
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/wedged/precise_compliance.hpp"
 #include "run/command/command_run.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/rays/rays_report.hpp"
+#include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -43,8 +45,10 @@ class Rays final : public Subcommand {
   Verdict verdict(CommandRun& run) override;
 
  private:
+  void check_problem() const;
+
   RaysOptions options_;
-  std::string text_;
+  problems::ProblemText text_;
   problems::Structure structure_;
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
@@ -87,23 +91,35 @@ void Rays::check() const {
 }
 
 void Rays::read(CommandRun& run) {
-  text_ = run.session().from_first_rank([&] { return problems::file_text(options_.file); });
+  text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
 }
 
 void Rays::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   structure_ = problems::read_structure(text_, options_.file);
+  warn_all(run.session(), structure_.warnings);
   problem_ = problems::wedged_problem(structure_);
   agree(run.session(), problem_);
+  check_problem();
+  friction_ = friction_at(problem_, options_.friction, options_.file);
+  cone_ = wedged::reaction_cone(structure_, problem_, friction_);
+  method_ = wedged::first_method(options_.method, options_.limits);
+}
+
+void Rays::check_problem() const {
   if (problem_.dimension != 2) {
     throw WrongInput(fmt::format(
         "{}: dimension is 3; expected 2: in space the friction cones are round, and there "
         "is no finite list of extremal rays; use kusabi patterns instead",
         options_.file));
   }
-  friction_ = friction_at(problem_, options_.friction, options_.file);
-  cone_.emplace(problems::precise_compliance(structure_), friction_);
-  method_ = wedged::first_method(options_.method, options_.limits);
+  const auto candidates = std::ssize(problem_.contact_names);
+  if (candidates > rays::most_candidates) {
+    throw WrongInput(fmt::format(
+        "{}: {} contact candidates; expected at most {}, which is what kusabi rays can tell apart; "
+        "use kusabi patterns instead",
+        options_.file, candidates, rays::most_candidates));
+  }
 }
 
 std::string Rays::announcement(const std::string& ranks) const {

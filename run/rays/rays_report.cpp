@@ -130,9 +130,13 @@ std::string RaysReport::summary() const {
     fmt::format_to(out, "        and {} more (--output)\n", found_.cones.size() - longest_table);
   }
   fmt::format_to(
-      out, "\n{} in {} at friction coefficient {}{}, by {}\n",
-      counted(found_.rays.size(), "extremal ray"), counted(found_.cones.size(), "maximal cone"),
-      options_.friction,
+      out, "\n{}{} in {} at friction coefficient {}{}, by {}\n",
+      counted(found_.rays.size(), "extremal ray"),
+      problem_.loose_bodies.empty()
+          ? ""
+          : fmt::format(" and {} without reactions",
+                        counted(found_.motions.size(), "extremal motion")),
+      counted(found_.cones.size(), "maximal cone"), options_.friction,
       problems::uniform_friction(problem_) ? "" : " times that of each candidate",
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
   fmt::format_to(out,
@@ -159,8 +163,14 @@ void RaysReport::begin(JsonWriter& json) const {
 }
 
 // The health is that of the numbers, too, which are made while the rays are written.
-void RaysReport::end_rays_and_all(JsonWriter& json) const {
+void RaysReport::end_rays_and_all(JsonWriter& json) {
   json.end_list();
+  if (!problem_.loose_bodies.empty()) {
+    json.key("motions");
+    json.begin_list();
+    for (std::size_t at = 0; at < found_.motions.size(); ++at) json.value(motion_json(at));
+    json.end_list();
+  }
   json.key("cones");
   json.begin_list();
   for (const auto& each : found_.cones) json.value(cone_json(each));
@@ -183,8 +193,17 @@ ordered_json RaysReport::ray_json(std::size_t number, const rays::Ray& ray) cons
                     {"state", std::move(words)},
                     {"reaction", candidate_rows(reactions, 2)},
                     {"displacement", candidate_rows(numbers(ray.displacement), 2)}};
-  if (whole_) whole_->add_to(json, reactions);
+  if (whole_) whole_->add_to(json, reactions, numbers(ray.displacement));
   return json;
+}
+
+ordered_json RaysReport::motion_json(std::size_t number) {
+  const auto& zero = found_.motions[number];
+  const rays::Supports supports(zero, cone_.all());
+  const auto displacement = numbers(cone_.ray(zero, found_.health).displacement);
+  return {{"number", number + 1},
+          {"separated", candidate_names(problem_, supports.separated())},
+          {"displacement", candidate_rows(displacement, 2)}};
 }
 
 ordered_json RaysReport::cone_json(const rays::Cone& each) const {
@@ -192,10 +211,18 @@ ordered_json RaysReport::cone_json(const rays::Cone& each) const {
   for (std::size_t number = 0; number < found_.rays.size(); ++number) {
     if (belongs(supports(number), each)) numbers.push_back(number + 1);
   }
-  return {{"contact", candidate_names(problem_, cone_.all() & ~each.separated)},
-          {"separated", candidate_names(problem_, each.separated)},
-          {"idle", candidate_names(problem_, cone_.all() & ~(each.separated | each.reaction))},
-          {"rays", numbers}};
+  ordered_json json{
+      {"contact", candidate_names(problem_, cone_.all() & ~each.separated)},
+      {"separated", candidate_names(problem_, each.separated)},
+      {"idle", candidate_names(problem_, cone_.all() & ~(each.separated | each.reaction))},
+      {"rays", numbers}};
+  if (problem_.loose_bodies.empty()) return json;
+  std::vector<std::size_t> motions;
+  for (std::size_t number = 0; number < found_.motions.size(); ++number) {
+    if (belongs({found_.motions[number], cone_.all()}, each)) motions.push_back(number + 1);
+  }
+  json["motions"] = motions;
+  return json;
 }
 
 std::string RaysReport::csv_head() const {

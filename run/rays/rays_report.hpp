@@ -50,9 +50,10 @@ class RaysReport {
   [[nodiscard]] std::string states(std::size_t number) const;
   /// The last lines of the table: cones, counts, health.
   [[nodiscard]] std::string summary() const;
-  void begin(JsonWriter& json) const;             // up to the list of rays, which is open then
-  void end_rays_and_all(JsonWriter& json) const;  // the rest
+  void begin(JsonWriter& json) const;       // up to the list of rays, which is open then
+  void end_rays_and_all(JsonWriter& json);  // the rest
   [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;
+  [[nodiscard]] nlohmann::ordered_json motion_json(std::size_t number);
   [[nodiscard]] nlohmann::ordered_json cone_json(const rays::Cone& cone) const;
   [[nodiscard]] std::string ray_lines(std::size_t number, const rays::Ray& ray) const;
   [[nodiscard]] std::string csv_head() const;

@@ -29,6 +29,11 @@ void warn(const std::string& line) {
   tell("kusabi: {}\n", line);
 }
 
+void warn_all(Session& session, const std::vector<std::string>& lines) {
+  if (!session.speaks()) return;
+  for (const auto& line : lines) warn(line);
+}
+
 std::string restart_from(Session& session, const std::string& checkpoint,
                          const std::string& restart, std::optional<std::uint64_t> tree) {
   return session.from_first_rank([&]() -> std::string {

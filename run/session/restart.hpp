@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "run/session/session.hpp"
 
@@ -11,6 +12,9 @@ namespace kusabi::run {
 
 /// One line on standard error.
 void warn(const std::string& line);
+
+/// The same of several, on rank 0 only.
+void warn_all(Session& session, const std::vector<std::string>& lines);
 
 /// The checkpoint to go on from, found on rank 0 and told to all; empty if none is asked for.
 /// @param checkpoint where the state will be kept; empty: nowhere

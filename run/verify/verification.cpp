@@ -15,10 +15,13 @@ void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
   }
   for (auto number = node.first; number < node.last; ++number) {
     const auto& record = certificate_.records[number];
-    if (auto reason = proof_.refusal(record)) {
-      out.solution({number, std::move(*reason)});
+    auto judgement = proof_.judgement(record);
+    if (judgement.refusal) {
+      out.solution({number, std::move(*judgement.refusal)});
       continue;
     }
+    if (judgement.but_for_far_motion) ++tally_.but_for_far_motion;
+    if (judgement.unloaded) ++tally_.unloaded;
     switch (record.claim) {
       case verify::Claim::dead:
         ++tally_.dead;

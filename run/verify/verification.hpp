@@ -35,10 +35,18 @@ class Verification {
     std::uint64_t dead = 0;
     std::uint64_t alive = 0;
     std::uint64_t marginal = 0;  ///< nothing is claimed of them
+    /// Of the dead ones: proved of what does not move far.
+    std::uint64_t but_for_far_motion = 0;
+    /// Of the marginal ones: proved to have what others have.
+    std::uint64_t unloaded = 0;
+
+    [[nodiscard]] std::uint64_t open() const { return marginal - unloaded; }
 
     static constexpr auto fields() {
       return std::tuple{field("dead", &Tally::dead), field("alive", &Tally::alive),
-                        field("marginal", &Tally::marginal)};
+                        field("marginal", &Tally::marginal),
+                        field("but for far motion", &Tally::but_for_far_motion),
+                        field("unloaded", &Tally::unloaded)};
     }
   };
 

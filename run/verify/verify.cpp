@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/output/wrong_input.hpp"
@@ -74,7 +75,7 @@ void Verify::read(CommandRun& run) {
   text_ = run.session().from_first_rank([&] { return content(options_.certificate); });
   if (options_.problem.empty()) return;
   const auto problem =
-      run.session().from_first_rank([&] { return problems::file_text(options_.problem); });
+      run.session().from_first_rank([&] { return problems::problem_text(options_.problem); });
   structure_ = problems::read_structure(problem, options_.problem);
 }
 

@@ -2,7 +2,6 @@
 #include "run/verify/verify_patterns.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <iterator>
 #include <variant>
@@ -33,10 +32,10 @@ verify::Certificate certificate_in(const std::string& text, const std::string& f
   }
 }
 
-std::string all_patterns(std::size_t candidates) {
-  constexpr std::size_t easily_read = 20;
+std::string all_patterns(int candidates) {
+  constexpr int easily_read = 20;
   if (candidates > easily_read) return fmt::format("2^{}", candidates);
-  return std::to_string(std::uint64_t{1} << candidates);
+  return std::to_string(1 << candidates);
 }
 
 void write_refusal(std::string& text, const VerifyOptions& options,
@@ -76,36 +75,45 @@ void write_subject(std::string& text, const VerifyOptions& options,
 // What was proved, in the order in which the proof needs it.
 void write_summary(std::string& text, const verify::Certificate& certificate,
                    const verify::Proof& proof, bool covered, const Verification::Tally& proved) {
-  fmt::format_to(std::back_inserter(text),
-                 "K is positive definite: its eigenvalues are above {:.3g}\n",
-                 proof.least_eigenvalue()->nearest());
+  fmt::format_to(
+      std::back_inserter(text), "K is positive definite{}: its eigenvalues are above {:.3g}\n",
+      certificate.motions == 0 ? ""
+                               : fmt::format(" but for {} of loose bodies, with a spring for each",
+                                             counted(certificate.motions, "motion")),
+      proof.least_eigenvalue()->nearest());
   if (covered) {
     for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
-      const auto block = certificate.blocks[b];
+      const auto& block = certificate.blocks[b];
       const auto nodes = std::ranges::count(certificate.records, b, &verify::Record::block);
       fmt::format_to(std::back_inserter(text), "{}{} cover all {} sign patterns{}, each once\n",
                      certificate.blocks.size() > 1 ? fmt::format("block {}: ", b + 1) : "",
-                     counted(static_cast<std::uint64_t>(nodes), "node"),
-                     all_patterns(static_cast<std::size_t>(std::popcount(block))),
+                     counted(static_cast<std::uint64_t>(nodes), "node"), all_patterns(block.size()),
                      certificate.blocks.size() > 1 ? " of " + certificate.names_of(block) : "");
     }
   }
-  fmt::format_to(std::back_inserter(text), "dead: {} proved\nalive: {} proved\n", proved.dead,
+  fmt::format_to(std::back_inserter(text), "dead: {} proved{}\nalive: {} proved\n", proved.dead,
+                 proved.but_for_far_motion == 0
+                     ? ""
+                     : fmt::format(", {} of them but for motions {:.2g} times as large as strains",
+                                   proved.but_for_far_motion, verify::farthest_motion),
                  proved.alive);
-  if (proved.marginal > 0)
-    fmt::format_to(std::back_inserter(text), "marginal: {} not proved\n", proved.marginal);
+  if (proved.unloaded > 0)
+    fmt::format_to(std::back_inserter(text), "a contact without a reaction: {} proved\n",
+                   proved.unloaded);
+  if (proved.open() > 0)
+    fmt::format_to(std::back_inserter(text), "marginal: {} not proved\n", proved.open());
 }
 
 void write_verdict(std::string& text, bool refused, const Verification::Tally& proved) {
   if (refused) {
     fmt::format_to(std::back_inserter(text), "NOT PROVED\n");
-  } else if (proved.marginal > 0 && proved.dead + proved.alive == 0) {
+  } else if (proved.open() > 0 && proved.dead + proved.alive + proved.unloaded == 0) {
     fmt::format_to(std::back_inserter(text),
                    "NOTHING PROVED: all nodes are marginal, and nothing is claimed of these\n");
-  } else if (proved.marginal > 0) {
+  } else if (proved.open() > 0) {
     fmt::format_to(std::back_inserter(text),
                    "PROVED but for {}: the list of {} is complete but for these\n",
-                   counted(proved.marginal, "marginal node"), counted(proved.alive, "pattern"));
+                   counted(proved.open(), "marginal node"), counted(proved.alive, "pattern"));
   } else {
     fmt::format_to(std::back_inserter(text), "PROVED: the list of {} is complete\n",
                    counted(proved.alive, "pattern"));
@@ -134,10 +142,14 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
     }
     agreement = std::move(std::get<verify::Agreement>(found));
   }
-  const verify::Proof proof(
-      certificate, agreement ? agreement->stiffness : verify::recorded_stiffness(certificate));
+  const auto proof = agreement
+                         ? verify::Proof(certificate, agreement->stiffness, agreement->motions)
+                         : verify::Proof(certificate);
   if (!proof.least_eigenvalue()) {
-    return refusal_of_all(options, "K was not shown to be positive definite");
+    return refusal_of_all(options, certificate.motions == 0
+                                       ? "K was not shown to be positive definite"
+                                       : "K was not shown to be positive definite but for motions "
+                                         "of loose bodies");
   }
 
   Verification verification(certificate, proof);
@@ -152,15 +164,13 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
 
   const auto flaw = verify::flaw_of_cover(certificate);
   const bool refused = flaw.has_value() || !outcome.solutions.empty();
-  const bool open =
-      std::ranges::count(certificate.records, verify::Claim::marginal, &verify::Record::claim) > 0;
-  VerifyFindings findings{.code = refused ? failed : open ? stopped_early : solved};
+  const auto proved = outcome.tally();
+  VerifyFindings findings{.code = refused ? failed : proved.open() > 0 ? stopped_early : solved};
   if (!run.session().speaks()) return findings;  // what was refused is known to rank 0 alone
   for (const auto& found : outcome.solutions) {
     write_refusal(findings.refusals, options, certificate, found.solution);
   }
   if (flaw) findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, *flaw);
-  const auto proved = outcome.tally();
   write_subject(findings.summary, options, certificate, structure, agreement);
   write_summary(findings.summary, certificate, proof, !flaw, proved);
   write_verdict(findings.summary, refused, proved);

@@ -2,7 +2,6 @@
 #include "run/wedged/problem_summary.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -35,28 +34,48 @@ ordered_json contact_frames(const problems::WedgedProblem& problem) {
   return list;
 }
 
+// Of each loose body its first node, how many nodes it has, and what is said of its motions.
+ordered_json rigid_motions_json(const problems::WedgedProblem& problem) {
+  auto list = ordered_json::array();
+  for (const auto& [node, nodes, motions] : problem.loose_bodies)
+    list.push_back({{"node", node}, {"nodes", nodes}, {"motions", motions}});
+  return list;
+}
+
 }  // namespace
 
 std::string problem_line(const problems::WedgedProblem& problem) {
   std::string sizes = fmt::format("{} nodes", problem.nodes);
   if (problem.members > 0) sizes += fmt::format(", {} members", problem.members);
   if (problem.elements > 0) sizes += fmt::format(", {} elements", problem.elements);
-  return fmt::format("{}: {}, {}, {} contact candidates", problem.name,
-                     problem.dimension == 2 ? "in the plane" : "in space", sizes,
-                     problem.contact_names.size());
+  auto line = fmt::format("{}: {}, {}, {} contact candidates", problem.name,
+                          problem.dimension == 2 ? "in the plane" : "in space", sizes,
+                          problem.contact_names.size());
+  const auto& loose = problem.loose_bodies;
+  constexpr std::size_t most_described = 3;
+  for (std::size_t k = 0; k < std::min(loose.size(), most_described); ++k) {
+    line +=
+        loose.size() == 1 ? "; loose: " : fmt::format("; loose, from node {} on: ", loose[k].node);
+    line += loose[k].motions;
+  }
+  if (loose.size() > most_described)
+    line += fmt::format("; and {} more loose bodies", loose.size() - most_described);
+  return line;
 }
 
 ordered_json problem_json(const problems::WedgedProblem& problem, const std::string& file) {
-  return {{"file", file},
-          {"name", problem.name},
-          {"d", problem.dimension},
-          {"m", problem.contact_names.size()},
-          {"nodes", problem.nodes},
-          {"members", problem.members},
-          {"elements", problem.elements},
-          {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-          {"contact", contact_frames(problem)},
-          {"fingerprint", hexadecimal(problem.fingerprint)}};
+  ordered_json json{{"file", file},
+                    {"name", problem.name},
+                    {"d", problem.dimension},
+                    {"m", problem.contact_names.size()},
+                    {"nodes", problem.nodes},
+                    {"members", problem.members},
+                    {"elements", problem.elements},
+                    {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
+                    {"contact", contact_frames(problem)},
+                    {"fingerprint", hexadecimal(problem.fingerprint)}};
+  if (!problem.loose_bodies.empty()) json["rigid_motions"] = rigid_motions_json(problem);
+  return json;
 }
 
 std::vector<double> friction_at(const problems::WedgedProblem& problem, double coefficient,
@@ -76,21 +95,21 @@ std::vector<double> friction_at(const problems::WedgedProblem& problem, double c
 }
 
 std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
-                                         std::uint64_t candidates) {
+                                         const support::IndexSet& candidates) {
   std::vector<std::string> names;
-  for (; candidates != 0; candidates &= candidates - 1)
-    names.push_back(problem.contact_names[static_cast<std::size_t>(std::countr_zero(candidates))]);
+  for (const int candidate : candidates)
+    names.push_back(problem.contact_names[static_cast<std::size_t>(candidate)]);
   return names;
 }
 
 ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
-                          const wedged::SignPattern& pattern, std::uint64_t idle) {
+                          const wedged::SignPattern& pattern, const support::IndexSet& idle) {
   ordered_json json;
   if (problem.blocks.size() > 1) json["block"] = block + 1;
   json["contact"] = candidate_names(problem, pattern.contact);
   json["separated"] = candidate_names(problem, pattern.separated);
   const auto at_rest = pattern.at_rest | idle;
-  if (at_rest != 0) json["at_rest"] = candidate_names(problem, at_rest);
+  if (!at_rest.empty()) json["at_rest"] = candidate_names(problem, at_rest);
   return json;
 }
 
@@ -114,9 +133,8 @@ std::vector<double> of_all_candidates(const problems::WedgedProblem& problem, st
   const auto candidates = problems::blocks_of(problem)[block];
   std::vector<double> whole(d * problem.contact_names.size(), 0);
   auto next = values.begin();
-  for (std::size_t i = 0; i < problem.contact_names.size(); ++i) {
-    if ((candidates >> i & 1) == 0) continue;
-    std::copy_n(next, d, whole.begin() + static_cast<std::ptrdiff_t>(d * i));
+  for (const int i : candidates) {
+    std::copy_n(next, d, whole.begin() + std::ptrdiff_t{problem.dimension} * i);
     next += problem.dimension;
   }
   return whole;

@@ -27,13 +27,14 @@ std::vector<double> friction_at(const problems::WedgedProblem& problem, double c
 
 /// The node names of a set of contact candidates, in their order.
 std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
-                                         std::uint64_t candidates);
+                                         const support::IndexSet& candidates);
 
 /// Where a pattern touches, separates and, if anywhere, stays at rest; the number of its block,
 /// from 1, if there are several. Blocks that cannot wedge at all are at rest as well, see `idle`.
 /// @param idle candidates of such blocks
 nlohmann::ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
-                                    const wedged::SignPattern& pattern, std::uint64_t idle = 0);
+                                    const wedged::SignPattern& pattern,
+                                    const support::IndexSet& idle = {});
 
 /// Words as one cell of a table; "-" if there are none.
 std::string listed(const std::vector<std::string>& words);

@@ -22,7 +22,9 @@ class WholeStateJson {
 
   /// Adds `all_displacements` and `support_reactions`, by node in global axes, and `imbalance`.
   /// @param reactions of all candidates, dm
-  void add_to(nlohmann::ordered_json& configuration, std::span<const double> reactions) const;
+  /// @param displacements likewise
+  void add_to(nlohmann::ordered_json& configuration, std::span<const double> reactions,
+              std::span<const double> displacements) const;
 
  private:
   std::vector<std::string> names_;

@@ -16,12 +16,13 @@
 // on U, F_nn,UU delta = -rho. With s > 0 not above the least eigenvalue of F_nn scaled to a unit
 // diagonal and |rho/R| =: q, |delta_i| <= q / (s R_i), and u_n changes elsewhere by no more than
 // R_j q / sqrt(s). So t* is not below the level of r less what this costs.
+//
+// A loose body adds equations on both sides; motion_bounds.hpp has what mending them takes.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -30,6 +31,9 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
+#include "solvers/conic/motion_bounds.hpp"
+#include "solvers/conic/motions.hpp"
+#include "support/index_set.hpp"
 #include "support/numbers/precise.hpp"
 
 namespace kusabi::conic {
@@ -39,7 +43,7 @@ struct NodeSets {
   std::span<const int> cones;         ///< C
   std::span<const int> gap_rows;      ///< candidates whose u_n must not be below t
   std::span<const int> contact_rows;  ///< U
-  std::uint64_t contact = 0;          ///< U as a bit set
+  const support::IndexSet& contact;   ///< U
 };
 
 /// By how much r_n exceeds x_0 of the standard form for each unit of t: 1 / mu, or 1 without
@@ -56,8 +60,9 @@ class Bounds {
   using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
   /// @param compliance F~, over the cones, D rows each  @param error e
-  /// @param owners the candidate of each cone, in order
-  Bounds(const Matrix& compliance, double error, const std::vector<int>& owners)
+  /// @param owners the candidate of each cone, in order  @param motions of a loose body
+  Bounds(const Matrix& compliance, double error, const std::vector<int>& owners,
+         const Motions<Real>& motions = {})
       : error_(error),
         rounding_((static_cast<double>(compliance.rows()) + 4) * numbers::unit_roundoff<Real>),
         owners_(owners) {
@@ -66,6 +71,21 @@ class Bounds {
       if (k == 0 || owners[k] != owners[k - 1]) first_cones_.push_back(static_cast<int>(k));
     }
     least_ = least_eigenvalue(compliance);
+    if (motions.count() == 0) return;
+    std::vector<Eigen::Index> rows;
+    for (const int cone : first_cones_) rows.push_back(D * static_cast<Eigen::Index>(cone));
+    motions_ = MotionBounds(motions.at_cones.template cast<double>(), motions.lifting,
+                            motions.error, roots_, std::move(rows));
+  }
+
+  /// What mending the equations of the motions takes at a node.
+  struct MotionCost {
+    double carry = 0;  ///< see MotionBounds
+    double close = 0;
+  };
+  [[nodiscard]] MotionCost motion_cost(const NodeSets& sets) const {
+    if (!motions_.any()) return {};
+    return {motions_.carry(sets.cones, D), motions_.close(sets.contact_rows)};
   }
 
   /// What a reaction proves.
@@ -76,10 +96,13 @@ class Bounds {
     double cost;      ///< by how much the level suffers from both
   };
 
-  /// @param r reaction, over all cones  @param normal its u_n = F~ r, one number a candidate
-  template <class Reaction, class Normal>
+  /// @param r reaction, over all cones  @param normal its u_n = F~ r, one number a candidate; of a
+  ///        loose body with H alpha, and then G'r
+  /// @param alpha, mending of a loose body
+  template <class Reaction, class Normal, class Motion = Vector>
   [[nodiscard]] Below below(const NodeSets& sets, std::span<const double> friction,
-                            const Reaction& r, const Normal& normal) const {
+                            const Reaction& r, const Normal& normal, const Motion& alpha = {},
+                            MotionCost mending = {}) const {
     using std::abs;
     double size = 0;
     Real sum = 0;
@@ -90,8 +113,9 @@ class Bounds {
       sum += r[D * k];
       sizes += std::abs(numbers::rounded(Real(r[D * k])));
     }
-    const double noise = safety * (error_ + rounding_) * size;
-    double residual = 0, rho = 0, inverse = 0;
+    const Unbalanced load = unbalanced(sets, r, normal, alpha, mending);
+    const double noise = safety * ((error_ + rounding_) * size + load.displacement);
+    double residual = load.residual * load.residual, rho = 0, inverse = 0;
     for (const int i : sets.contact_rows) {
       const double root = normal_root(i);
       const double off = std::abs(numbers::rounded(Real(normal[i]))) / root * safety;
@@ -114,10 +138,19 @@ class Bounds {
       raw = std::min(raw, number);
       level = std::min(level, number - cost - double_rounding * std::abs(number));
     };
-    for (const int j : sets.gap_rows) take(normal[j], normal_root(j) * (noise + elsewhere));
+    const double moved =
+        mending.close == 0
+            ? 0
+            : safety * mending.close * rho *
+                  (1 + std::sqrt(static_cast<double>(sets.contact_rows.size()) / least_));
+    for (const int j : sets.gap_rows) {
+      const double lift = moved == 0 ? 0 : moved * motions_.lift(j);
+      take(normal[j], normal_root(j) * (noise + elsewhere) + lift);
+    }
     for (const int k : sets.cones) {
       const auto mu = friction[static_cast<std::size_t>(k)];
-      const double delta = carries(k, sets) ? mended / (roots_[D * k] / safety) : 0;
+      const double delta =
+          (carries(k, sets) ? mended / (roots_[D * k] / safety) : 0) + load.reaction;
       if (mu == 0) {
         take(r[D * k], delta);
         continue;
@@ -127,10 +160,12 @@ class Bounds {
       using std::sqrt;
       tangential = sqrt(tangential);
       const Real normal_part = r[D * k] * Real(mu);
-      take(normal_part - tangential, mu * delta + unit * (std::abs(numbers::rounded(normal_part)) +
-                                                          std::abs(numbers::rounded(tangential))));
+      take(normal_part - tangential, mu * delta + load.reaction +
+                                         unit * (std::abs(numbers::rounded(normal_part)) +
+                                                 std::abs(numbers::rounded(tangential))));
     }
-    const double loose = mended * std::sqrt(inverse) * safety + rounding_ * sizes;
+    const double loose = mended * std::sqrt(inverse) * safety + rounding_ * sizes +
+                         load.reaction * static_cast<double>(sets.cones.size());
     const double least_sum = (numbers::rounded(sum) - loose) * (1 - double_rounding);
     const double most_sum = (numbers::rounded(sum) + loose) * (1 + double_rounding);
     if (!(least_sum > 0) || !std::isfinite(level)) return result;
@@ -141,8 +176,8 @@ class Bounds {
   }
 
   /// What multipliers prove: t* is not above this.
-  /// @param y >= 0 on the gap rows, zero on ignored candidates  @param w = sum_i y_i (row i of
-  /// F~_n)
+  /// @param y >= 0 on the gap rows, zero on ignored candidates; of a loose body with beta after
+  ///        the m multipliers  @param w = sum_i y_i (row i of F~_n) + G beta
   template <class Multipliers, class Pull>
   [[nodiscard]] double above(const NodeSets& sets, std::span<const double> friction,
                              const Multipliers& y, const Pull& w) const {
@@ -154,7 +189,11 @@ class Bounds {
       size += std::abs(numbers::rounded(Real(y[j]))) * normal_root(j);
       pushes += y[j];
     }
-    const double noise = safety * (error_ + rounding_) * size;
+    const double balanced = motions_.any() ? balance(sets, y) : 0;
+    if (!(balanced <= most_balance)) return infinity;
+    // A force that changes to be in equilibrium moves the candidates by no more than this over R.
+    const double noise = safety * ((error_ + rounding_) * size + balanced * balance_size(sets, y) +
+                                   (motions_.any() ? motion_noise(y) / motions_.least_root() : 0));
     const double unit = 4 * numbers::unit_roundoff<Real>;
     double tau = -infinity;
     double omega = 0;
@@ -178,7 +217,7 @@ class Bounds {
     }
     // N between two numbers; t = (1 - sum x_0) / omega is never above 1 / omega.
     double scale = numbers::rounded(pushes);
-    double wrong = double_rounding * std::abs(scale) + rounding_ * std::abs(scale);
+    double wrong = (double_rounding + rounding_ + balanced) * std::abs(scale);
     for (const int k : sets.cones) {
       const double weight = level_weight(friction[static_cast<std::size_t>(k)]);
       const double rest = numbers::rounded(Real(Real(tau) - w[D * k]));
@@ -194,10 +233,94 @@ class Bounds {
   }
 
  private:
+  /// What it costs to bring a reaction into equilibrium.
+  struct Unbalanced {
+    double residual = 0;      ///< |G'r| as it was computed
+    double reaction = 0;      ///< no component of r changes by more
+    double displacement = 0;  ///< no u_i / R_i changes by more; with the rounding of H alpha
+  };
+  template <class Reaction, class Normal, class Motion>
+  [[nodiscard]] Unbalanced unbalanced(const NodeSets& sets, const Reaction& r, const Normal& normal,
+                                      const Motion& alpha, MotionCost cost) const {
+    if (!motions_.any()) return {};
+    double sizes = 0;
+    for (const int k : sets.cones)
+      for (int d = 0; d < D; ++d) sizes += std::abs(numbers::rounded(Real(r[D * k + d])));
+    double squares = 0;
+    double most = 0;
+    const auto m = static_cast<Eigen::Index>(first_cones_.size());
+    for (Eigen::Index l = 0; l < motions_.count(); ++l) {
+      const double off = std::abs(numbers::rounded(Real(normal[m + l])));
+      most += off * off;
+      squares += std::pow(off + sizes * motions_.noise(rounding_), 2);
+    }
+    const double change = safety * cost.carry * std::sqrt(squares);
+    double motion = 0;
+    for (Eigen::Index l = 0; l < alpha.size(); ++l)
+      motion += std::abs(numbers::rounded(Real(alpha[l])));
+    return {safety * cost.carry * std::sqrt(most), change / motions_.least_root(),
+            change * std::sqrt(static_cast<double>(D * sets.cones.size())) +
+                motion * motions_.noise(rounding_) / motions_.least_root()};
+  }
+
+  /// |y_j| on the gap rows; what counts as the size of a force that may have either sign.
+  template <class Multipliers>
+  [[nodiscard]] std::vector<double> force_sizes(const NodeSets& sets, const Multipliers& y) const {
+    std::vector<double> sizes;
+    sizes.reserve(sets.gap_rows.size() + sets.contact_rows.size());
+    double largest = 0;
+    for (const int j : sets.gap_rows) {
+      sizes.push_back(std::abs(numbers::rounded(Real(y[j]))));
+      largest = std::max(largest, sizes.back());
+    }
+    for (const int i : sets.contact_rows)
+      largest = std::max(largest, std::abs(numbers::rounded(Real(y[i]))));
+    sizes.insert(sizes.end(), sets.contact_rows.size(), largest);
+    return sizes;
+  }
+
+  /// By which share of their sizes the normal forces change to be in equilibrium; more than 1 if
+  /// they cannot.
+  template <class Multipliers>
+  [[nodiscard]] double balance(const NodeSets& sets, const Multipliers& y) const {
+    std::vector<int> rows(sets.gap_rows.begin(), sets.gap_rows.end());
+    rows.insert(rows.end(), sets.contact_rows.begin(), sets.contact_rows.end());
+    std::vector<double> forces;
+    forces.reserve(rows.size());
+    bool all = true;
+    for (const int i : rows) forces.push_back(numbers::rounded(Real(y[i])));
+    for (const int j : sets.gap_rows) all = all && y[j] != Real(0);
+    return motions_.balance(rows, force_sizes(sets, y), forces, 2 * rounding_ + 0x1p-53, all);
+  }
+
+  /// sum_j R_j |y_j| with the sizes of `balance`.
+  template <class Multipliers>
+  [[nodiscard]] double balance_size(const NodeSets& sets, const Multipliers& y) const {
+    if (!motions_.any()) return 0;
+    const auto sizes = force_sizes(sets, y);
+    double sum = 0;
+    std::size_t place = 0;
+    for (const auto rows : {sets.gap_rows, sets.contact_rows})
+      for (const int i : rows) sum += sizes[place++] * normal_root(i);
+    return sum;
+  }
+
+  template <class Multipliers>
+  [[nodiscard]] double motion_noise(const Multipliers& y) const {
+    double sum = 0;
+    const auto m = static_cast<Eigen::Index>(first_cones_.size());
+    for (Eigen::Index l = 0; l < motions_.count(); ++l)
+      sum += std::abs(numbers::rounded(Real(y[m + l])));
+    return sum * motions_.noise(rounding_);
+  }
+
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   /// Covers the roundings of sums of a few hundred doubles that are all >= 0.
   static constexpr double safety = 1.001;
   static constexpr double double_rounding = 0x1p-51;
+  /// Forces further from equilibrium are not yet multipliers: what else is concluded from them, for
+  /// other coefficients of friction, takes them for exact.
+  static constexpr double most_balance = 1e-6;
 
   [[nodiscard]] double normal_root(int candidate) const {
     return roots_[D * first_cones_[static_cast<std::size_t>(candidate)]];
@@ -206,7 +329,7 @@ class Bounds {
   /// Whether a cone takes part of the mending: the first one of a candidate of U.
   [[nodiscard]] bool carries(int cone, const NodeSets& sets) const {
     const auto owner = static_cast<std::size_t>(owners_[static_cast<std::size_t>(cone)]);
-    return (sets.contact >> owner & 1) != 0 && first_cones_[owner] == cone;
+    return sets.contact.contains(static_cast<int>(owner)) && first_cones_[owner] == cone;
   }
 
   /// A number that the least eigenvalue of F_nn, scaled to a unit diagonal, is not below: where
@@ -240,6 +363,7 @@ class Bounds {
   }
 
   double error_, rounding_;
+  MotionBounds motions_;
   Eigen::VectorXd roots_;         // R of all rows of F, rounded up
   std::vector<int> owners_;       // of each cone
   std::vector<int> first_cones_;  // of each candidate

@@ -4,12 +4,15 @@
 #include <stdexcept>
 
 namespace kusabi::conic {
+
+using support::IndexSet;
+
 namespace {
 
 using Kind = ConePart::Kind;
 
-bool has(std::uint64_t set, Eigen::Index candidate) {
-  return (set >> static_cast<unsigned>(candidate) & 1) != 0;
+bool has(const IndexSet& set, Eigen::Index candidate) {
+  return set.contains(static_cast<int>(candidate));
 }
 
 // A part more; parts of one kind, but for second-order cones, are one.
@@ -35,7 +38,7 @@ class NodeRows {
     program_.constants.setZero(1 + m_ + size);
   }
 
-  ConeProgram make(std::uint64_t contact, std::uint64_t separated) {
+  ConeProgram make(const IndexSet& contact, const IndexSet& separated) {
     add_reactions(separated);
     add_sum();
     for (Eigen::Index i = 0; i < m_; ++i) {
@@ -68,7 +71,7 @@ class NodeRows {
     return program_.matrix.row(used_ - count);
   }
 
-  void add_reactions(std::uint64_t separated) {
+  void add_reactions(const IndexSet& separated) {
     for (Eigen::Index i = 0; i < m_; ++i) {
       const bool slides = friction(i) > 0;
       const bool none = has(separated, i);
@@ -105,16 +108,14 @@ class NodeRows {
 }  // namespace
 
 ConeProgram node_cone_program(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                              std::uint64_t contact, std::uint64_t separated) {
-  constexpr std::size_t bits = 64;
+                              const IndexSet& contact, const IndexSet& separated) {
   const std::size_t m = friction.size();
   const auto size = static_cast<std::size_t>(compliance.rows());
-  if (m < 1 || m > bits || compliance.cols() != compliance.rows() ||
-      (size != 2 * m && size != 3 * m)) {
+  if (m < 1 || compliance.cols() != compliance.rows() || (size != 2 * m && size != 3 * m)) {
     throw std::invalid_argument("the compliance does not fit the candidates");
   }
-  const std::uint64_t all = m == bits ? ~std::uint64_t{0} : (std::uint64_t{1} << m) - 1;
-  if ((contact & separated) != 0 || ((contact | separated) & ~all) != 0) {
+  const auto all = IndexSet::below(static_cast<int>(m));
+  if (contact.meets(separated) || !all.includes(contact | separated)) {
     throw std::invalid_argument("the sets overlap, or name a candidate that does not exist");
   }
   return NodeRows(compliance, friction).make(contact, separated);

@@ -3,11 +3,12 @@
 // here, so that other solvers can be asked the same.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "support/index_set.hpp"
 
 namespace kusabi::conic {
 
@@ -44,10 +45,10 @@ struct ConeProgram {
 /// in the order above, candidate by candidate.
 /// @param compliance F, Dm x Dm
 /// @param friction mu, m numbers
-/// @param contact U, and @param separated R: bit i for candidate i
+/// @param contact U, and @param separated R
 /// @throws std::invalid_argument if the sizes do not fit, or the sets overlap or name a candidate
 ///   that does not exist
 ConeProgram node_cone_program(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                              std::uint64_t contact, std::uint64_t separated);
+                              const support::IndexSet& contact, const support::IndexSet& separated);
 
 }  // namespace kusabi::conic

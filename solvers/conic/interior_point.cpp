@@ -2,7 +2,6 @@
 #include "solvers/conic/interior_point.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "solvers/conic/iteration_rules.hpp"
@@ -35,8 +34,12 @@ KUSABI_INLINE void scale_columns(const double* a, double* b, int distance, int r
 }  // namespace
 
 template <int D>
-InteriorPoint<D>::InteriorPoint(int candidates, int most_cones) : normal_equations_(candidates) {
-  const Eigen::Index rows = padded(candidates);
+InteriorPoint<D>::InteriorPoint(int all_rows, int motions, int most_cones)
+    : normal_equations_(all_rows) {
+  const Eigen::Index rows = padded(all_rows);
+  moved_.setZero(rows, motions);
+  motion_.setZero(motions);
+  schur_.compute(Eigen::MatrixXd::Identity(motions, motions));  // solvers are copied, state and all
   const Eigen::Index cones = padded(most_cones);
   for (Points<D>* points : {&x_, &z_, &projected_, &step_x_, &step_z_, &products_})
     points->setZero(cones, D);
@@ -46,6 +49,7 @@ InteriorPoint<D>::InteriorPoint(int candidates, int most_cones) : normal_equatio
   present_.setZero(cones);
   scaling_.resize(static_cast<std::size_t>(cones / lanes));
   scaled_matrix_.setZero(rows, D * cones);
+  reduced_.setZero((D + 1) * lanes, rows);
 }
 
 template <int D>
@@ -137,21 +141,59 @@ double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
 
 template <int D>
 bool InteriorPoint<D>::factorise(const NodeProgram<D>& program) {
-  const int m = program.candidates();
   const double widest = scale(program);
   Columns scaled = program.matrix();
   scaled.data = scaled_matrix_.data();
   normal_equations_.assemble(scaled);
   // By row: rows of stiff candidates are small, and the rounding of others is no measure for them.
-  for (int i = 0; i < m; ++i) {
+  for (int i = 0; i < program.rows(); ++i) {
     const double b = program.right_side()[i];
     const double size = normal_equations_.diagonal(i) + widest * widest * b * b;
     normal_equations_.add_to_diagonal(i, diagonal_shift * size + w_[i] * w_[i]);
   }
   // A row that is ignored has no entries: like those that fill up the last four.
-  for (auto rest = program.ignored(); rest != 0; rest &= rest - 1)
-    normal_equations_.add_to_diagonal(std::countr_zero(rest), 1);
-  return normal_equations_.factorise(predictor_.data(), correction_.data());
+  for (const int i : program.ignored()) normal_equations_.add_to_diagonal(i, 1);
+  if (motion_.size() == 0)
+    return normal_equations_.factorise(predictor_.data(), correction_.data());
+  const Eigen::VectorXd unbalanced = hold_motions(program);
+  return normal_equations_.factorise(predictor_.data(), correction_.data()) &&
+         free_motions(program, unbalanced);
+}
+
+template <int D>
+Eigen::VectorXd InteriorPoint<D>::hold_motions(const NodeProgram<D>& program) {
+  const Eigen::MatrixXd& columns = program.free_columns();
+  // Of the size of the rows of U: those with a slack only grow.
+  double size = 0;
+  for (int i = 0; i < program.rows(); ++i) size += normal_equations_.diagonal(i) - w_[i] * w_[i];
+  const double weight = size / columns.squaredNorm();
+  for (Eigen::Index l = 0; l < columns.cols(); ++l)
+    normal_equations_.add_square(columns.col(l).data(), weight);
+  const Eigen::VectorXd unbalanced = columns.transpose() * y_;
+  predictor_ -= weight * (columns * unbalanced);
+  return unbalanced;
+}
+
+template <int D>
+bool InteriorPoint<D>::free_motions(const NodeProgram<D>& program,
+                                    const Eigen::VectorXd& unbalanced) {
+  const Eigen::MatrixXd& columns = program.free_columns();
+  moved_ = columns;
+  for (Eigen::Index l = 0; l < moved_.cols(); ++l) normal_equations_.solve(moved_.col(l).data());
+  schur_.compute(columns.transpose() * moved_);
+  if (schur_.info() != Eigen::Success) return false;
+  motion_ = balance(program, correction_);
+  balance(program, predictor_);
+  predictor_ -= moved_ * schur_.solve(unbalanced);
+  return true;
+}
+
+template <int D>
+Eigen::VectorXd InteriorPoint<D>::balance(const NodeProgram<D>& program,
+                                          Eigen::VectorXd& solution) const {
+  const Eigen::VectorXd motion = schur_.solve(program.free_columns().transpose() * solution);
+  solution -= moved_ * motion;
+  return motion;
 }
 
 template <int D>
@@ -166,6 +208,7 @@ const Points<D>& InteriorPoint<D>::project_again(const Eigen::VectorXd& discrepa
                                                  const NodeProgram<D>& program) {
   trial_ = discrepancy;
   normal_equations_.solve(trial_.data());
+  if (motion_.size() > 0) motion_ += balance(program, trial_);
   shift_projected(program, trial_);
   return projected_;
 }
@@ -255,12 +298,81 @@ bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
   const double sigma = (1 - affine_length) * (1 - affine_length) * (1 - affine_length);
   correct(program, sigma * complementarity_ / degree, affine_length);
   normal_equations_.solve(trial_.data());
+  if (motion_.size() > 0) balance(program, trial_);
   dy_ = predictor_ - trial_ - sigma * correction_;
   const InverseStepLengths corrected = directions(program, dy_);
   const double dual_length = boundary_fraction / std::max(boundary_fraction, corrected.dual);
   const double primal_length = boundary_fraction / std::max(boundary_fraction, corrected.primal);
   return std::max(primal_length, dual_length) > least_step_length &&
          move_primal(program, primal_length) && move_dual(program, dual_length);
+}
+
+template <int D>
+auto InteriorPoint<D>::centring_step(const NodeProgram<D>& program, double complementarity)
+    -> Step {
+  for (Points<D>* points : {&step_x_, &step_z_}) points->setZero();
+  correct(program, complementarity, 0);
+  normal_equations_.solve(trial_.data());
+  dy_ = predictor_ - trial_;
+  const InverseStepLengths lengths = directions(program, dy_);
+  const double dual_length = centring_fraction / std::max(centring_fraction, lengths.dual);
+  const double primal_length = centring_fraction / std::max(centring_fraction, lengths.primal);
+  if (!move_primal(program, primal_length) || !move_dual(program, dual_length)) return Step::failed;
+  return std::min(primal_length, dual_length) < 1 ? Step::shortened : Step::full;
+}
+
+template <int D>
+bool InteriorPoint<D>::centre(const NodeProgram<D>& program, double complementarity) {
+  int full = 0;  // the second one is as good as exact
+  for (int step = 0; step < most_centring_steps && full < 2; ++step) {
+    const Step made = centring_step(program, complementarity);
+    if (made == Step::failed || !factorise(program)) return false;
+    if (made == Step::full) ++full;
+  }
+  return true;
+}
+
+// A direction is as long as ||W^-1 dx||^2 + ||dv / w||^2: on the central path mu times the second
+// derivative of the barrier. Of those with A dx = dv the shortest with dx_i = -x_i has the length
+// lambda_i'(I - B_i'M^-1 B_i)^-1 lambda_i, and with dv_i = -v_i it is
+// lambda_i^2 / (1 - w_i^2 (M^-1)_ii).
+template <int D>
+void InteriorPoint<D>::measure(const NodeProgram<D>& program,
+                               std::vector<FaceDistances>& distances) {
+  // A face that the others leave no room to go to is as far as digits tell.
+  constexpr double least = 1e-14;
+  constexpr int height = D + 1;  // rows of a cone among the reduced ones, and one of its slack
+  const int stride = program.matrix().stride;
+  const auto& cones = program.cones();
+  const auto count = static_cast<int>(cones.size());
+  for (auto& distance : distances) distance = {};
+  for (int first = 0; first < count; first += lanes) {
+    const int present = std::min(lanes, count - first);
+    reduced_.setZero();
+    for (int lane = 0; lane < present; ++lane) {
+      const int row = cones[static_cast<std::size_t>(first + lane)];
+      for (int d = 0; d < D; ++d)
+        reduced_.row(lane * height + d) = scaled_matrix_.col(d * stride + first + lane);
+      reduced_(lane * height + D, row) = w_[row];
+    }
+    normal_equations_.reduce(reduced_.data(), static_cast<int>(reduced_.rows()));
+    const Cones lambdas = scaling(first).lambda();
+    for (int lane = 0; lane < present; ++lane) {
+      const auto row = cones[static_cast<std::size_t>(first + lane)];
+      if (program.slack()[row] == 0) continue;
+      const auto own = reduced_.middleRows(lane * height, D);
+      Eigen::Matrix<double, D, D> rest = -own * own.transpose();
+      Eigen::Matrix<double, D, 1> lambda;
+      for (int d = 0; d < D; ++d) {
+        rest(d, d) += 1 + least;
+        lambda[d] = lambdas[static_cast<std::size_t>(d)][lane];
+      }
+      const double slack = 1 - reduced_.row(lane * height + D).squaredNorm();
+      distances[static_cast<std::size_t>(row)] = {
+          .separation = lambda.dot(rest.ldlt().solve(lambda)),
+          .contact = lambda_[row] * lambda_[row] / std::max(slack, least)};
+    }
+  }
 }
 
 template <int D>

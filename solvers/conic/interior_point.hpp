@@ -10,10 +10,16 @@
 // primal start is infeasible; the dual start is feasible by construction and z is computed afresh
 // from y each time, so b'y bounds the optimal value from below throughout, up to the rounding of
 // one product. The node solver turns the two sides into a bracket of t*.
+//
+// The motions of a loose body add free columns to A, H alpha, and H'y = 0 to the dual program. That
+// the start does not satisfy: a full step does. With rho H H' added to M, which changes nothing
+// where H'dy is given, the factor exists although U alone may not determine the reactions; the p
+// equations are then solved with S = H'M^-1 H.
 #pragma once
 
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "solvers/conic/cone.hpp"
@@ -23,6 +29,15 @@
 
 namespace kusabi::conic {
 
+/// Squares of distances from the centre of a relaxation to its faces, in the metric of the
+/// ellipsoid around the centre, in which every inequality is at least as far as 1 (times mu, alike
+/// for all). They depend on no unit, and on how all constraints go together: where two candidates
+/// can hardly part, a face of the one that is far is so by the other.
+struct FaceDistances {
+  double separation = 0;  ///< from x_i = 0
+  double contact = 0;     ///< from v_i = 0
+};
+
 /// One run of the iteration at a time, on storage that is allocated once for the largest node.
 /// Per iteration call dual_value(), factorise(), project() where wanted, advance().
 ///
@@ -31,7 +46,8 @@ namespace kusabi::conic {
 template <int D>
 class InteriorPoint {
  public:
-  InteriorPoint(int candidates, int most_cones);
+  /// @param rows m + p  @param motions that lift: columns of H
+  InteriorPoint(int rows, int motions, int most_cones);
 
   /// Takes the start: x and v from the identity, y on the rows with a slack so small that z is
   /// well inside the cones. It depends on the node only.
@@ -39,7 +55,7 @@ class InteriorPoint {
 
   /// b'y, a lower bound of the optimal value: y is dual feasible.
   double dual_value(const NodeProgram<D>& program) const { return program.right_side().dot(y_); }
-  /// y, m numbers, padded.
+  /// y, m + p numbers, padded.
   const Eigen::VectorXd& multipliers() const { return y_; }
 
   /// Scales at the present point and factorises the normal equations.
@@ -52,6 +68,20 @@ class InteriorPoint {
   /// The same for an already projected point whose equations still miss by `discrepancy` (m,
   /// padded): near the end M is ill-conditioned and one projection leaves a visible error.
   const Points<D>& project_again(const Eigen::VectorXd& discrepancy, const NodeProgram<D>& program);
+
+  /// alpha of the projected point: one number for each motion that lifts.
+  const Eigen::VectorXd& motion() const { return motion_; }
+
+  /// Goes to the point of the central path whose pairs have this complementarity, as near as a few
+  /// steps come, and factorises there. Call after factorise().
+  /// @return false when rounding has used up the digits
+  bool centre(const NodeProgram<D>& program, double complementarity);
+
+  /// For the candidates that have both a cone and a slack: how far the present point is from what
+  /// either sign would leave of its neighbourhood. Call after centre().
+  /// @pre a cone for each candidate, and no motions
+  /// @param distances m
+  void measure(const NodeProgram<D>& program, std::vector<FaceDistances>& distances);
 
   /// One predictor-corrector step. Call after factorise().
   /// @return false when the step is too short to matter
@@ -70,6 +100,17 @@ class InteriorPoint {
   const Scaling<D, Pack>& scaling(int cone) const {
     return scaling_[static_cast<std::size_t>(cone / lanes)];
   }
+
+  // Adds rho H H' to M; returns H'y, by which y misses its equations.
+  Eigen::VectorXd hold_motions(const NodeProgram<D>& program);
+  // What M^-1 H, S and the two solutions of factorise() become with the motions.
+  bool free_motions(const NodeProgram<D>& program, const Eigen::VectorXd& unbalanced);
+  // Takes from a solution M^-1 g what makes H'y other than zero; returns alpha.
+  Eigen::VectorXd balance(const NodeProgram<D>& program, Eigen::VectorXd& solution) const;
+
+  // One step towards complementarity_ = complementarity in all pairs; whether it was a full one.
+  enum class Step { full, shortened, failed };
+  Step centring_step(const NodeProgram<D>& program, double complementarity);
 
   // Adds W^2 A' weights to the projected point.
   KUSABI_ALSO_FOR_AVX2 void shift_projected(const NodeProgram<D>& program,
@@ -97,6 +138,10 @@ class InteriorPoint {
   Eigen::VectorXd w_, lambda_;             // of the rows: sqrt(v / y) and sqrt(v y)
   Eigen::MatrixXd scaled_matrix_;          // B = A W
   NormalEquations normal_equations_;       // M = B B' + diag(w^2)
+  Eigen::MatrixXd moved_;                  // M^-1 H
+  Eigen::MatrixXd reduced_;                // rows of B' and of diag(w), then these times L^-T
+  Eigen::LLT<Eigen::MatrixXd> schur_;      // of S
+  Eigen::VectorXd motion_;                 // alpha
   Eigen::VectorXd predictor_, correction_, dy_, trial_;  // m
   Points<D> step_x_, step_z_;                            // scaled: W^-1 dx, W dz
   Points<D> products_;                                   // A' dy, W q and the like

@@ -27,4 +27,13 @@ inline constexpr double least_step_length = 1e-6;
 /// goes back far enough, or the digits are used up.
 inline constexpr int most_halvings = 8;
 
+/// A step towards the centre keeps farther from the boundary, and six are mostly enough; what is
+/// left only orders the candidates a little differently.
+inline constexpr double centring_fraction = 0.9;
+inline constexpr int most_centring_steps = 8;
+
+/// The centre of a relaxation is looked for where t is about this many times its bound below that:
+/// where all inequalities have room. Much nearer to the best t the path bends towards a vertex.
+inline constexpr double centring_depth = 10;
+
 }  // namespace kusabi::conic

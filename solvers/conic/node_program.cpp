@@ -2,7 +2,6 @@
 #include "solvers/conic/node_program.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -15,10 +14,9 @@
 
 namespace kusabi::conic {
 
-namespace {
+using support::IndexSet;
 
-// A node is a pair of 64-bit masks.
-constexpr std::size_t most_candidates = 64;
+namespace {
 
 // How unsymmetric a compliance may be, relative to its largest entry: the inverse of a stiffness
 // comes with rounding, a forgotten row does not hide below this.
@@ -58,9 +56,7 @@ void check(const Eigen::MatrixXd& compliance, std::span<const double> friction,
       throw std::invalid_argument("cones must be ordered by their candidates, none left out");
   }
   const std::size_t m = owners.empty() ? 0 : static_cast<std::size_t>(owners.back()) + 1;
-  if (m < 1 || m > most_candidates)
-    throw std::invalid_argument("a node program takes 1 to 64 contact candidates, not " +
-                                std::to_string(m));
+  if (m < 1) throw std::invalid_argument("a node program takes contact candidates; there are none");
   const auto size = static_cast<Eigen::Index>(owners.size()) * d;
   if (compliance.rows() != size || compliance.cols() != size)
     throw std::invalid_argument(
@@ -82,19 +78,32 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
 
 template <int D>
 NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                            std::vector<int> owners)
-    : friction_(friction.begin(), friction.end()), owners_(std::move(owners)) {
+                            std::vector<int> owners, Motions<double> motions)
+    : motions_(std::move(motions)),
+      friction_(friction.begin(), friction.end()),
+      owners_(std::move(owners)) {
   check(compliance, friction, owners_, D);
+  if (motions_.count() > 0 && motions_.at_cones.rows() != compliance.rows())
+    throw std::invalid_argument("the motions must have as many rows as the compliance");
   const int m = owners_.back() + 1;
+  const int all_rows = m + motions_.count();
   compliance_ = compliance;
-  normal_compliance_.setZero(padded(m), padded(static_cast<int>(compliance.cols())));
+  normal_compliance_.setZero(padded(all_rows), padded(static_cast<int>(compliance.cols())));
+  normal_motions_.setZero(padded(all_rows), motions_.lifting);
   for (std::size_t k = 0; k < owners_.size(); ++k)
     normal_compliance_.row(owners_[k]).head(compliance.cols()) =
         compliance.row(D * static_cast<Eigen::Index>(k));
-  matrix_.setZero(padded(m), D * padded(most_cones()));
-  right_side_.setZero(padded(m));
-  slack_.setZero(padded(m));
-  gap_.setZero(padded(m));
+  for (Eigen::Index l = 0; l < motions_.count(); ++l) {
+    normal_compliance_.row(m + l).head(compliance.cols()) = motions_.at_cones.col(l).transpose();
+    if (l >= motions_.lifting) continue;
+    for (std::size_t k = 0; k < owners_.size(); ++k)
+      normal_motions_(owners_[k], l) = motions_.at_cones(D * static_cast<Eigen::Index>(k), l);
+  }
+  free_columns_ = normal_motions_;
+  matrix_.setZero(padded(all_rows), D * padded(most_cones()));
+  right_side_.setZero(padded(all_rows));
+  slack_.setZero(padded(all_rows));
+  gap_.setZero(padded(all_rows));
   pull_.setZero(normal_compliance_.cols());
   cones_.reserve(friction.size());
   gap_rows_.reserve(static_cast<std::size_t>(m));
@@ -110,14 +119,15 @@ void NodeProgram<D>::set_friction(std::span<const double> friction) {
 }
 
 template <int D>
-void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated, std::uint64_t ignored) {
-  const auto m = static_cast<std::size_t>(candidates());
-  const std::uint64_t all = m == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << m) - 1;
-  if ((contact & separated) != 0)
+void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
+                            const IndexSet& ignored) {
+  const int m = candidates();
+  const IndexSet without_reaction = separated | ignored;
+  if (contact.meets(separated))
     throw std::invalid_argument("a candidate is both in contact and separated");
-  if ((ignored & (contact | separated)) != 0)
+  if (ignored.meets(contact | separated))
     throw std::invalid_argument("a candidate is ignored and has a sign");
-  if (((contact | separated | ignored) & ~all) != 0)
+  if (!IndexSet::below(m).includes(contact | without_reaction))
     throw std::invalid_argument("a sign pattern names a candidate that does not exist");
 
   cones_.clear();
@@ -127,13 +137,12 @@ void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated, std:
   ignored_ = ignored;
   omega_ = 0;
   for (std::size_t k = 0; k < friction_.size(); ++k) {
-    if (((separated | ignored) >> static_cast<unsigned>(owners_[k]) & 1) != 0) continue;
+    if (without_reaction.contains(owners_[k])) continue;
     cones_.push_back(static_cast<int>(k));
     omega_ += level_weight(friction_[k]);
   }
-  for (std::size_t i = 0; i < m; ++i) {
-    if ((ignored >> i & 1) != 0) continue;
-    (contact >> i & 1 ? contact_rows_ : gap_rows_).push_back(static_cast<int>(i));
+  for (int i = 0; i < m; ++i) {
+    if (!ignored.contains(i)) (contact.contains(i) ? contact_rows_ : gap_rows_).push_back(i);
   }
   if (cones_.empty()) return;  // no standard form: nothing can sum to one
 
@@ -147,7 +156,7 @@ void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated, std:
   slack_.setZero();
   for (const int j : gap_rows_) slack_[j] = 1;
   right_side_ = (right_side_ - slack_) / -omega_;
-  for (auto rest = ignored; rest != 0; rest &= rest - 1) right_side_[std::countr_zero(rest)] = 0;
+  for (const int i : ignored) right_side_[i] = 0;
   const Eigen::Index stride = padded(most_cones());
   Eigen::Index c = 0;
   for (const int k : cones_) {
@@ -157,8 +166,11 @@ void NodeProgram<D>::select(std::uint64_t contact, std::uint64_t separated, std:
           friction_[static_cast<std::size_t>(k)] * normal_compliance_.col(D * k + d);
     ++c;
   }
-  for (auto rest = ignored; rest != 0; rest &= rest - 1)
-    matrix_.row(std::countr_zero(rest)).setZero();
+  if (motions_.lifting > 0) free_columns_ = normal_motions_;
+  for (const int i : ignored) {
+    matrix_.row(i).setZero();
+    free_columns_.row(i).setZero();
+  }
   const Eigen::Index absent = padded(static_cast<int>(c)) - c;
   for (Eigen::Index d = 0; d < D; ++d) matrix_.middleCols(d * stride + c, absent).setZero();
 }
@@ -188,17 +200,19 @@ double NodeProgram<D>::friction_level(const Eigen::VectorXd& r) const {
 }
 
 template <int D>
-const Eigen::VectorXd& NodeProgram<D>::normal_displacements(const Eigen::VectorXd& r) {
+const Eigen::VectorXd& NodeProgram<D>::normal_displacements(const Eigen::VectorXd& r,
+                                                            const Eigen::VectorXd& motion) {
   const auto size = static_cast<int>(r.size());
   product({normal_compliance_.data(), static_cast<int>(gap_.size()), 1, size, size}, r.data(),
           gap_.data());
+  if (motion.size() > 0) gap_ += normal_motions_ * motion;
   return gap_;
 }
 
 template <int D>
 const Eigen::VectorXd& NodeProgram<D>::discrepancy() {
   for (const int j : gap_rows_) gap_[j] = 0;
-  for (auto rest = ignored_; rest != 0; rest &= rest - 1) gap_[std::countr_zero(rest)] = 0;
+  for (const int i : ignored_) gap_[i] = 0;
   gap_ = -gap_;
   return gap_;
 }

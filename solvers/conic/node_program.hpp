@@ -16,12 +16,15 @@
 //
 // There is exactly one row for each candidate, so the normal equations are m x m.
 //
+// A body that nothing holds adds its p motions G: u_n = F_n r + H alpha with alpha free, H the
+// normal rows of G, and p rows G'r = 0 without a slack. So there are m + p rows and free columns H
+// (docs/theory/wedged.md, "Loose bodies").
+//
 // A candidate may have several cones, whose reactions add up to its own and which share its row: so
 // polyhedral friction cones are solved, as sums of plane ones (nodes/wedged/facets.hpp).
 // docs/theory/wedged.md, "Standard form with m rows", derives it.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,6 +32,8 @@
 
 #include "solvers/conic/bounds.hpp"
 #include "solvers/conic/columns.hpp"
+#include "solvers/conic/motions.hpp"
+#include "support/index_set.hpp"
 
 namespace kusabi::conic {
 
@@ -44,26 +49,33 @@ class NodeProgram {
  public:
   /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and in it
   ///        (n, t1[, t2]); scaled so that reactions and displacements are comparable
-  /// @param friction mu, m numbers: 0, where r_t = 0, or 1e-6 to 1e6; 1 <= m <= 64
+  /// @param friction mu, m numbers: 0, where r_t = 0, or 1e-6 to 1e6
   /// @throws std::invalid_argument when the sizes disagree or a number is out of range
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction);
 
   /// The same with several cones for a candidate: all sizes above but m count cones.
   /// @param owners the candidate of each cone: 0, ..., 0, 1, ..., 1, ..., m - 1
+  /// @param motions of a loose body
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-              std::vector<int> owners);
+              std::vector<int> owners, Motions<double> motions = {});
 
   /// From the next select() on, mu is this, one number a cone.
   /// @throws std::invalid_argument when the size differs or a number is out of range
   void set_friction(std::span<const double> friction);
 
   /// Builds the standard form of the node with the candidates of `contact` in U and those of
-  /// `separated` in R (bit i = candidate i). The candidates of `ignored` have neither a reaction
+  /// `separated` in R. The candidates of `ignored` have neither a reaction
   /// nor a row: r = 0, and u_n is free.
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
-  void select(std::uint64_t contact, std::uint64_t separated, std::uint64_t ignored = 0);
+  void select(const support::IndexSet& contact, const support::IndexSet& separated,
+              const support::IndexSet& ignored = {});
 
   int candidates() const { return owners_.back() + 1; }
+  /// m + p.
+  int rows() const { return candidates() + motions_.count(); }
+  const Motions<double>& motions() const { return motions_; }
+  /// H of the node: rows padded with zeros, a column for each motion that lifts.
+  const Eigen::MatrixXd& free_columns() const { return free_columns_; }
   /// Those of all candidates: m unless a candidate has several.
   int most_cones() const { return static_cast<int>(friction_.size()); }
 
@@ -74,20 +86,20 @@ class NodeProgram {
   const std::vector<int>& gap_rows() const { return gap_rows_; }
   /// All of these.
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
-  /// The candidates without a row, as a bit set.
-  std::uint64_t ignored() const { return ignored_; }
+  /// The candidates without a row.
+  const support::IndexSet& ignored() const { return ignored_; }
 
   /// By cone.
   const std::vector<double>& friction() const { return friction_; }
   const std::vector<int>& owners() const { return owners_; }
   const Eigen::MatrixXd& compliance() const { return compliance_; }
 
-  /// The cone columns of A, m x D|C|, rows and cones padded with zeros.
+  /// The cone columns of A, (m + p) x D|C|, rows and cones padded with zeros.
   Columns matrix() const {
     return {matrix_.data(), static_cast<int>(matrix_.rows()), D, static_cast<int>(cones_.size()),
             static_cast<int>(matrix_.cols()) / D};
   }
-  /// b, m numbers padded with zeros.
+  /// b, m + p numbers padded with zeros.
   const Eigen::VectorXd& right_side() const { return right_side_; }
   /// One for each row with a slack, zero for the others and the padding.
   const Eigen::VectorXd& slack() const { return slack_; }
@@ -102,23 +114,31 @@ class NodeProgram {
   /// The largest t the friction cones allow a reaction: min over C of mu_i r_{n,i} - ||r_{t,i}||.
   double friction_level(const Eigen::VectorXd& r) const;
 
-  /// u_n = F_n r of a reaction: m numbers, padded; valid until the next call.
-  const Eigen::VectorXd& normal_displacements(const Eigen::VectorXd& r);
-  /// What u_n of the reaction asked for last must change by: m numbers padded with zeros, zero
-  /// outside U. Overwrites u_n.
+  /// u_n = F_n r + H alpha, then G'r: m + p numbers, padded; valid until the next call.
+  /// @param motion alpha of a loose body
+  const Eigen::VectorXd& normal_displacements(const Eigen::VectorXd& r,
+                                              const Eigen::VectorXd& motion = {});
+  /// What the numbers asked for last must change by: m + p numbers padded with zeros, zero at gap
+  /// rows. Overwrites them.
   const Eigen::VectorXd& discrepancy();
 
-  /// w = sum_i y_i (row (n, i) of F): Dm numbers, valid until the next call.
+  /// w = sum_i y_i (row (n, i) of F) + G beta: Dm numbers, valid until the next call.
+  /// @param y m + p numbers, beta last
   const Eigen::VectorXd& pull(const Eigen::VectorXd& y);
 
-  /// u = F r, Dm.
-  void displacement(const Eigen::VectorXd& r, Eigen::VectorXd& u) const {
+  /// u = F r + G alpha, Dm.
+  void displacement(const Eigen::VectorXd& r, const Eigen::VectorXd& motion,
+                    Eigen::VectorXd& u) const {
     u.noalias() = compliance_ * r;
+    if (motion.size() > 0) u += motions_.at_cones.leftCols(motion.size()) * motion;
   }
 
  private:
   Eigen::MatrixXd compliance_;         // F
-  Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, m x Dm, both padded with zeros
+  Motions<double> motions_;            // G
+  Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, then G': both padded with zeros
+  Eigen::MatrixXd normal_motions_;     // H, padded
+  Eigen::MatrixXd free_columns_;       // H without the ignored candidates
   std::vector<double> friction_;       // by cone, like the next
   std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;  // contact: U, the rows without a slack
@@ -127,7 +147,7 @@ class NodeProgram {
   Eigen::VectorXd slack_;
   Eigen::VectorXd gap_;   // normal displacements, then the discrepancy
   Eigen::VectorXd pull_;  // w
-  std::uint64_t contact_ = 0, ignored_ = 0;
+  support::IndexSet contact_, ignored_;
   double omega_ = 0;  // sum_C 1 / mu
 };
 

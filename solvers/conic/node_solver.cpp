@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "solvers/conic/iteration_rules.hpp"
+
 namespace kusabi::conic {
 
 namespace {
@@ -20,6 +22,9 @@ constexpr int most_projections = 4;
 constexpr double visible_residual = 4;
 constexpr double visible_cost = 1e-2;
 
+// Normal forces that are a smaller part of the largest one are on the way to zero.
+constexpr double least_force = 1e-6;
+
 }  // namespace
 
 template <int D>
@@ -29,27 +34,32 @@ NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const dou
 
 template <int D>
 NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                          std::vector<int> owners, Tolerances tolerances, double error)
-    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners)), tolerances, error) {}
+                          std::vector<int> owners, Tolerances tolerances, double error,
+                          const Motions<double>& motions)
+    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners), motions), tolerances,
+                 error) {}
 
 template <int D>
 NodeSolver<D>::NodeSolver(NodeProgram<D> program, Tolerances tolerances, double error)
     : program_(std::move(program)),
-      iteration_(program_.candidates(), program_.most_cones()),
-      bounds_(program_.compliance(), error, program_.owners()),
+      iteration_(program_.rows(), program_.motions().lifting, program_.most_cones()),
+      bounds_(program_.compliance(), error, program_.owners(), program_.motions()),
       tolerances_(tolerances),
       reaction_(Eigen::VectorXd::Zero(D * program_.most_cones())),
       displacement_(reaction_),
-      multipliers_(Eigen::VectorXd::Zero(program_.candidates())),
+      motion_(Eigen::VectorXd::Zero(program_.motions().lifting)),
+      multipliers_(Eigen::VectorXd::Zero(program_.rows())),
       trial_(reaction_),
-      best_(Eigen::VectorXd::Zero(padded(program_.candidates()))) {}
+      face_distances_(static_cast<std::size_t>(program_.candidates())),
+      best_(Eigen::VectorXd::Zero(padded(program_.rows()))) {}
 
 template <int D>
-Answer NodeSolver<D>::solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop,
-                            std::uint64_t ignored) {
+Answer NodeSolver<D>::solve(const support::IndexSet& contact, const support::IndexSet& separated,
+                            StopEarly stop, const support::IndexSet& ignored) {
   program_.select(contact, separated, ignored);
   reaction_.setZero();
   displacement_.setZero();
+  motion_.setZero();
   multipliers_.setZero();
   best_.setZero();
   Answer answer;
@@ -62,12 +72,13 @@ Answer NodeSolver<D>::solve(std::uint64_t contact, std::uint64_t separated, Stop
   answer.upper = infinity;
   best_value_ = infinity;
   proved_ = true;
+  motion_cost_ = bounds_.motion_cost(program_.sets());
   iterate(answer, stop);
   prove_upper(answer);
   multipliers_ = best_.head(multipliers_.size());
   answer.sign = sign_of(answer, tolerances_);
   answer.gap = answer.upper - answer.lower;
-  program_.displacement(reaction_, displacement_);
+  program_.displacement(reaction_, motion_, displacement_);
   return answer;
 }
 
@@ -88,6 +99,7 @@ void NodeSolver<D>::iterate(Answer& answer, StopEarly stop) {
 // Both bounds only ever improve, so an early stop and a full run cannot disagree on a sign.
 template <int D>
 void NodeSolver<D>::sink_upper(Answer& answer) {
+  if (program_.motions().count() > 0) return prove_upper_loose(answer);
   const double upper = program_.level(iteration_.dual_value(program_));
   if (!(upper < best_value_)) return;
   best_value_ = upper;
@@ -106,13 +118,36 @@ void NodeSolver<D>::prove_upper(Answer& answer) {
                                                       program_.pull(best_)));
 }
 
+// The multipliers of a loose body prove nothing before they are in equilibrium, and then all they
+// have to say. Forces that vanish in the end can keep them from being so; without these, or with
+// the motions alone, they may prove what is left.
+template <int D>
+void NodeSolver<D>::prove_upper_loose(Answer& answer) {
+  const Eigen::VectorXd& y = iteration_.multipliers();
+  const auto m = static_cast<Eigen::Index>(program_.candidates());
+  const double largest = y.head(m).cwiseAbs().maxCoeff();
+  for (const double least : {0.0, least_force * largest, infinity}) {
+    Eigen::VectorXd forces = y;
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (std::abs(y[i]) < least) forces[i] = 0;
+    const double upper =
+        bounds_.above(program_.sets(), program_.friction(), forces, program_.pull(forces));
+    if (upper < answer.upper) {
+      answer.upper = upper;
+      best_ = forces;
+    }
+    if (answer.upper < -tolerances_.sign) return;
+  }
+}
+
 template <int D>
 void NodeSolver<D>::raise_lower(Answer& answer) {
   program_.reaction(iteration_.project(program_), trial_);
   if (answer.has_point && program_.friction_level(trial_) <= answer.lower) return;
   const auto examine = [&] {
     return bounds_.below(program_.sets(), program_.friction(), trial_,
-                         program_.normal_displacements(trial_));
+                         program_.normal_displacements(trial_, iteration_.motion()),
+                         iteration_.motion(), motion_cost_);
   };
   auto proof = examine();
   for (int more = 1; more < most_projections; ++more) {
@@ -125,10 +160,22 @@ void NodeSolver<D>::raise_lower(Answer& answer) {
   const bool proves = proof.level > answer.lower;
   if (!proves && answer.has_point) return;
   reaction_.swap(trial_);
+  motion_ = iteration_.motion();
   answer.primal_residual = proof.residual;
   if (!proves) return;
   answer.lower = proof.level;
   answer.has_point = true;
+}
+
+// On the central path the bracket of t is as wide as the sum of all complementarities, over omega.
+template <int D>
+std::span<const FaceDistances> NodeSolver<D>::face_distances() {
+  const auto pairs = static_cast<double>(program_.cones().size() + program_.gap_rows().size());
+  const double width = centring_depth * program_.level(iteration_.dual_value(program_));
+  const double per_unit = program_.level(0) - program_.level(1);
+  if (!iteration_.centre(program_, width / per_unit / pairs)) return {};
+  iteration_.measure(program_, face_distances_);
+  return face_distances_;
 }
 
 template class NodeSolver<2>;

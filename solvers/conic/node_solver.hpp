@@ -6,7 +6,6 @@
 // the solvers with more digits (solvers/conic/plain_solver.hpp).
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,7 +25,7 @@ class NodeSolver {
  public:
   /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and in it
   ///        (n, t1[, t2]), scaled to mean diagonal 1 of its normal block
-  /// @param friction mu, m numbers, each 0 or 1e-6 to 1e6; m <= 64
+  /// @param friction mu, m numbers, each 0 or 1e-6 to 1e6
   /// @param error e: |F_ij - F*_ij| <= e sqrt(F*_ii F*_jj) for the F* that is meant; 0 if it is F
   /// @throws std::invalid_argument when the sizes disagree or a number is out of range
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
@@ -34,26 +33,34 @@ class NodeSolver {
 
   /// The same with several cones for a candidate (NodeProgram): reactions and displacements are
   /// then those of the cones.
+  /// @param motions of a loose body
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-             std::vector<int> owners, Tolerances tolerances = {}, double error = 0);
+             std::vector<int> owners, Tolerances tolerances = {}, double error = 0,
+             const Motions<double>& motions = {});
 
   /// From the next solve() on, mu is this. See NodeProgram.
   void set_friction(std::span<const double> friction) { program_.set_friction(friction); }
 
-  /// Bounds the node with the candidates `contact` in U and `separated` in R (bit i = candidate i);
-  /// those of `ignored` have r = 0 and u_n free.
+  /// Bounds the node with the candidates `contact` in U and `separated` in R; those of `ignored`
+  /// have r = 0 and u_n free.
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
-  Answer solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop = {},
-               std::uint64_t ignored = 0);
+  Answer solve(const support::IndexSet& contact, const support::IndexSet& separated,
+               StopEarly stop = {}, const support::IndexSet& ignored = {});
 
   /// r, Dm: zero on R, sum of the normal parts 1, u_n = 0 on U. The point that proves `lower`;
   /// when there is none, the last projection, which may serve for branching; zero if R is
   /// everything.
   const Eigen::VectorXd& reaction() const { return reaction_; }
-  /// u = F r of reaction(), Dm.
+  /// u = F r + G alpha of reaction() and motion(), Dm.
   const Eigen::VectorXd& displacement() const { return displacement_; }
-  /// y, m: proves `upper` (solvers/conic/bounds.hpp); y_j >= 0 for j not in U; zero if R is
-  /// everything.
+  /// alpha of a loose body: one number for each motion that lifts.
+  const Eigen::VectorXd& motion() const { return motion_; }
+  /// From the centre of the relaxation to its faces, by candidate; zero for those that have a sign.
+  /// Empty if the centre is not found. Call after a solve() that was stopped when alive, once.
+  /// @pre a cone for each candidate, and no motions
+  std::span<const FaceDistances> face_distances();
+  /// y, m, and beta of the p motions of a loose body: proves `upper` (solvers/conic/bounds.hpp);
+  /// y_j >= 0 for j not in U; zero if R is everything.
   const Eigen::VectorXd& multipliers() const { return multipliers_; }
 
  private:
@@ -62,12 +69,15 @@ class NodeSolver {
   void raise_lower(Answer& answer);
   void sink_upper(Answer& answer);
   void prove_upper(Answer& answer);
+  void prove_upper_loose(Answer& answer);
 
   NodeProgram<D> program_;
   InteriorPoint<D> iteration_;
   Bounds<D, double> bounds_;
   Tolerances tolerances_;
-  Eigen::VectorXd reaction_, displacement_, multipliers_, trial_;
+  Eigen::VectorXd reaction_, displacement_, motion_, multipliers_, trial_;
+  typename Bounds<D, double>::MotionCost motion_cost_;
+  std::vector<FaceDistances> face_distances_;
   Eigen::VectorXd best_;   // of the multipliers so far, padded
   double best_value_ = 0;  // of t*, as it was computed
   bool proved_ = true;     // whether it is in the answer

@@ -10,15 +10,21 @@ namespace kusabi::conic {
 
 namespace {
 
-// sums += the block at (row, column) of X X', Height packs by four, for `count` columns of X.
+// A matrix by columns, `distance` numbers from one to the next.
+struct Matrix {
+  double* data;
+  int distance;
+};
+
+// sums += the block of X Y' below `x` and beside `y`, Height packs by four, for `count` columns.
 template <int Height>
-KUSABI_INLINE void add_products(const double* x, int distance, int count, int row, int column,
-                                Pack (&sums)[lanes][Height]) {
-  for (int k = 0; k < count; ++k, x += distance) {
+KUSABI_INLINE void add_products(const double* x, int x_distance, const double* y, int y_distance,
+                                int count, Pack (&sums)[lanes][Height]) {
+  for (int k = 0; k < count; ++k, x += x_distance, y += y_distance) {
     Pack left[Height];
-    for (int i = 0; i < Height; ++i) left[i] = load(x + row + lanes * i);
+    for (int i = 0; i < Height; ++i) left[i] = load(x + lanes * i);
     for (int j = 0; j < lanes; ++j) {
-      const Pack right = x[column + j];
+      const Pack right = y[j];
       for (int i = 0; i < Height; ++i) sums[j][i] += left[i] * right;
     }
   }
@@ -27,21 +33,24 @@ KUSABI_INLINE void add_products(const double* x, int distance, int count, int ro
 template <int Height>
 KUSABI_INLINE void assemble_block(const Columns& b, int row, int column, double* to, int distance) {
   Pack sums[lanes][Height] = {};
-  for (int d = 0; d < b.components; ++d)
-    add_products<Height>(b.data + d * b.stride * b.rows, b.rows, b.count, row, column, sums);
+  for (int d = 0; d < b.components; ++d) {
+    const double* const columns = b.data + d * b.stride * b.rows;
+    add_products<Height>(columns + row, b.rows, columns + column, b.rows, b.count, sums);
+  }
   for (int j = 0; j < lanes; ++j)
     for (int i = 0; i < Height; ++i)
       store(to + (column + j) * distance + row + lanes * i, sums[j][i]);
 }
 
-// Takes the panels before from a block of the panel that starts at `column`.
+// Takes from a block of X, in the panel that starts at `column`, what its columns before have there
+// by the factor. The rows of X may be those of the factor itself.
 template <int Height>
-KUSABI_INLINE void reduce_block(double* matrix, int distance, int row, int column) {
+KUSABI_INLINE void reduce_block(Matrix x, int row, const double* factor, int distance, int column) {
   Pack sums[lanes][Height] = {};
-  add_products<Height>(matrix, distance, column, row, column, sums);
+  add_products<Height>(x.data + row, x.distance, factor + column, distance, column, sums);
   for (int j = 0; j < lanes; ++j)
     for (int i = 0; i < Height; ++i) {
-      double* place = matrix + (column + j) * distance + row + lanes * i;
+      double* place = x.data + (column + j) * x.distance + row + lanes * i;
       store(place, load(place) - sums[j][i]);
     }
 }
@@ -67,16 +76,26 @@ KUSABI_INLINE bool factorise_block(double* block, int distance, double* inverse)
   return sound;
 }
 
-// The columns of the factor below its block on the diagonal.
-KUSABI_INLINE void divide_by_block(double* panel, int distance, int row, const double* block,
-                                   const double* inverse) {
+// What the block on the diagonal makes of four rows of X in its panel.
+KUSABI_INLINE void divide_by_block(Matrix x, int row, const double* factor, int distance,
+                                   int column, const double* inverse) {
+  const double* const block = factor + column * distance + column;
+  double* const panel = x.data + column * x.distance + row;
   Pack columns[lanes];
   for (int j = 0; j < lanes; ++j) {
-    columns[j] = load(panel + j * distance + row);
+    columns[j] = load(panel + j * x.distance);
     for (int k = 0; k < j; ++k) columns[j] -= columns[k] * block[k * distance + j];
     columns[j] *= inverse[j];
   }
-  for (int j = 0; j < lanes; ++j) store(panel + j * distance + row, columns[j]);
+  for (int j = 0; j < lanes; ++j) store(panel + j * x.distance, columns[j]);
+}
+
+// The rows of X from `row` to `end` in one panel of X L^-T, when those before are done.
+KUSABI_INLINE void reduce_rows(Matrix x, int row, int end, const double* factor, int distance,
+                               int column) {
+  for (; row + 2 * lanes <= end; row += 2 * lanes)
+    reduce_block<2>(x, row, factor, distance, column);
+  if (row < end) reduce_block<1>(x, row, factor, distance, column);
 }
 
 // Solves with the transpose of the factor, Count right sides in place.
@@ -126,22 +145,26 @@ void NormalEquations::assemble(const Columns& b) {
 }
 
 KUSABI_ALSO_FOR_AVX2
+void NormalEquations::add_square(const double* column, double weight) {
+  for (int j = 0; j < rows_; ++j) {
+    const double share = weight * column[j];
+    if (share == 0) continue;
+    for (int i = j; i < rows_; ++i) matrix_[place(i, j)] += share * column[i];
+  }
+}
+
+KUSABI_ALSO_FOR_AVX2
 bool NormalEquations::factorise(double* first, double* second) {
   double* const matrix = matrix_.data();
   for (int column = 0; column < padded_rows_; ++column)
     store(matrix + column * height_ + padded_rows_,
           Pack::Lanes{first[column], second[column], 0, 0});
   for (int column = 0; column < padded_rows_; column += lanes) {
-    int row = column;
-    for (; row + 2 * lanes <= height_; row += 2 * lanes)
-      reduce_block<2>(matrix, height_, row, column);
-    if (row < height_) reduce_block<1>(matrix, height_, row, column);
-
-    double* const panel = matrix + column * height_;
+    reduce_rows({matrix, height_}, column, height_, matrix, height_, column);
     double* const inverse = inverse_.data() + column;
-    if (!factorise_block(panel + column, height_, inverse)) return false;
-    for (int i = column + lanes; i < height_; i += lanes)
-      divide_by_block(panel, height_, i, panel + column, inverse);
+    if (!factorise_block(matrix + column * height_ + column, height_, inverse)) return false;
+    for (int row = column + lanes; row < height_; row += lanes)
+      divide_by_block({matrix, height_}, row, matrix, height_, column, inverse);
   }
   for (int column = 0; column < padded_rows_; ++column) {
     first[column] = matrix[column * height_ + padded_rows_];
@@ -149,6 +172,15 @@ bool NormalEquations::factorise(double* first, double* second) {
   }
   substitute_back<2>(matrix, height_, padded_rows_, inverse_.data(), {first, second});
   return true;
+}
+
+KUSABI_ALSO_FOR_AVX2
+void NormalEquations::reduce(double* x, int height) const {
+  for (int column = 0; column < padded_rows_; column += lanes) {
+    reduce_rows({x, height}, 0, height, matrix_.data(), height_, column);
+    for (int row = 0; row < height; row += lanes)
+      divide_by_block({x, height}, row, matrix_.data(), height_, column, inverse_.data() + column);
+  }
 }
 
 KUSABI_ALSO_FOR_AVX2

@@ -1,5 +1,5 @@
-// The normal equations of the interior-point iteration, M = B B' + diagonal, by Cholesky: of a size
-// (at most 64) at which a general library spends most of its time on dispatch and packing.
+// The normal equations of the interior-point iteration, M = B B' + diagonal, by Cholesky: mostly of
+// a size at which a general library spends its time on dispatch and packing.
 #pragma once
 
 #include <vector>
@@ -19,11 +19,18 @@ class NormalEquations {
 
   double diagonal(int row) const { return matrix_[place(row, row)]; }
   void add_to_diagonal(int row, double value) { matrix_[place(row, row)] += value; }
+  /// Adds weight h h' of a column h.
+  void add_square(const double* column, double weight);
 
   /// Factorises M in place and solves it for two right sides, which ride along as rows below M:
   /// that is their forward substitution.
   /// @return false when a pivot is not positive
   bool factorise(double* first, double* second);
+
+  /// X L^-T in the place of X, L the factor: the squares of a row then add up to c'M^-1 c, c what
+  /// the row was, and products of two rows likewise.
+  /// @param x `height` rows, a multiple of four, by columns, one for each row of M
+  void reduce(double* x, int height) const;
 
   /// Solves for one more right side, in place.
   void solve(double* right_side) const;

@@ -11,6 +11,9 @@
 #include "solvers/conic/iteration_rules.hpp"
 
 namespace kusabi::conic {
+
+using support::IndexSet;
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -20,10 +23,13 @@ constexpr int most_projections = 3;
 // More digits take more iterations.
 constexpr int most_iterations = 150;
 
-std::uint64_t mask_of(const std::vector<int>& candidates) {
-  std::uint64_t mask = 0;
-  for (const int i : candidates) mask |= std::uint64_t{1} << static_cast<unsigned>(i);
-  return mask;
+// See node_solver.cpp.
+constexpr double least_force = 1e-6;
+
+IndexSet set_of(const std::vector<int>& candidates) {
+  IndexSet set;
+  for (const int i : candidates) set.insert(i);
+  return set;
 }
 
 std::vector<int> one_each(std::size_t count) {
@@ -36,21 +42,26 @@ std::vector<int> one_each(std::size_t count) {
 
 template <int D, class Real>
 PlainSolver<D, Real>::PlainSolver(Matrix compliance, std::span<const double> friction,
-                                  Tolerances tolerances, double error)
+                                  Tolerances tolerances, double error, Motions<Real> motions)
     : compliance_(std::move(compliance)),
+      motions_(std::move(motions)),
       friction_(friction.begin(), friction.end()),
       tolerances_(tolerances),
-      bounds_(compliance_, error, one_each(friction.size())),
+      bounds_(compliance_, error, one_each(friction.size()), motions_),
       reaction_(Vector::Zero(compliance_.rows())),
-      multipliers_(Vector::Zero(compliance_.rows() / D)) {
-  normal_compliance_.resize(compliance_.rows() / D, compliance_.cols());
-  for (Eigen::Index i = 0; i < normal_compliance_.rows(); ++i)
-    normal_compliance_.row(i) = compliance_.row(D * i);
+      motion_(Vector::Zero(motions_.lifting)),
+      multipliers_(Vector::Zero(compliance_.rows() / D + motions_.count())) {
+  schur_.compute(Matrix::Identity(motions_.lifting, motions_.lifting));  // copied, state and all
+  const Eigen::Index m = compliance_.rows() / D;
+  normal_compliance_.resize(m + motions_.count(), compliance_.cols());
+  for (Eigen::Index i = 0; i < m; ++i) normal_compliance_.row(i) = compliance_.row(D * i);
+  for (Eigen::Index l = 0; l < motions_.count(); ++l)
+    normal_compliance_.row(m + l) = motions_.at_cones.col(l).transpose();
 }
 
 template <int D, class Real>
-void PlainSolver<D, Real>::select(std::uint64_t contact, std::uint64_t separated,
-                                  std::uint64_t ignored) {
+void PlainSolver<D, Real>::select(const IndexSet& contact, const IndexSet& separated,
+                                  const IndexSet& ignored) {
   contact_ = contact;
   cones_.clear();
   gap_rows_.clear();
@@ -59,16 +70,27 @@ void PlainSolver<D, Real>::select(std::uint64_t contact, std::uint64_t separated
   slack_.clear();
   omega_ = Real(0);
   for (std::size_t i = 0; i < friction_.size(); ++i) {
-    if ((ignored >> i & 1) != 0) continue;
-    const bool touches = (contact >> i & 1) != 0;
-    (touches ? contact_rows_ : gap_rows_).push_back(static_cast<int>(i));
-    rows_.push_back(static_cast<int>(i));
+    const auto candidate = static_cast<int>(i);
+    if (ignored.contains(candidate)) continue;
+    const bool touches = contact.contains(candidate);
+    (touches ? contact_rows_ : gap_rows_).push_back(candidate);
+    rows_.push_back(candidate);
     slack_.push_back(!touches);
-    if ((separated >> i & 1) != 0) continue;
-    cones_.push_back(static_cast<int>(i));
+    if (separated.contains(candidate)) continue;
+    cones_.push_back(candidate);
     omega_ += friction_[i] == 0 ? Real(1) : Real(1) / Real(friction_[i]);
   }
+  motion_cost_ = bounds_.motion_cost(sets());
+  const auto own_rows = static_cast<Eigen::Index>(rows_.size());
+  for (int l = 0; l < motions_.count(); ++l) {
+    rows_.push_back(static_cast<int>(friction_.size()) + l);
+    slack_.push_back(false);
+  }
   const auto rows = static_cast<Eigen::Index>(rows_.size());
+  free_columns_ = Matrix::Zero(rows, motions_.lifting);
+  for (Eigen::Index i = 0; motions_.lifting > 0 && i < own_rows; ++i)
+    free_columns_.row(i) =
+        motions_.at_cones.row(D * rows_[static_cast<std::size_t>(i)]).head(motions_.lifting);
   right_side_ = Vector::Zero(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const int row = rows_[static_cast<std::size_t>(i)];
@@ -166,6 +188,7 @@ Answer PlainSolver<D, Real>::start() {
   best_value_ = Real(infinity);
   refresh_dual(y_);
   reaction_.setZero();
+  motion_.setZero();
   multipliers_.setZero();
   Answer answer;
   answer.lower = -infinity;
@@ -205,14 +228,61 @@ bool PlainSolver<D, Real>::factorise() {
     complementarity_ += v_[i] * y_[i];
     normal(i, i) += v_[i] / y_[i];
   }
+  Real weight = 0;  // see InteriorPoint::hold_motions
+  if (motions_.lifting > 0) {
+    for (Eigen::Index i = 0; i < rows; ++i) weight += normal(i, i) - w_[i] * w_[i];
+    weight /= free_columns_.squaredNorm();
+    normal += weight * (free_columns_ * free_columns_.transpose());
+  }
   const Eigen::LLT<Matrix> factor(normal);
   if (factor.info() != Eigen::Success) return false;
   factor_ = factor.matrixL();
   primal_residual_ = right_side_ + v_ - products(x_);
-  predictor_ = solved(right_side_);
+  Vector target = right_side_;
+  if (motions_.lifting > 0) target -= weight * (free_columns_ * (free_columns_.transpose() * y_));
+  predictor_ = solved(target);
   correction_ = solved(primal_residual_);
+  if (motions_.lifting > 0 && !free_motions()) return false;
   const Real check = predictor_.dot(right_side_) + correction_.dot(primal_residual_);
   return std::isfinite(numbers::rounded(check));
+}
+
+template <int D, class Real>
+bool PlainSolver<D, Real>::free_motions() {
+  moved_ = free_columns_;
+  for (Eigen::Index l = 0; l < moved_.cols(); ++l) moved_.col(l) = solved(moved_.col(l));
+  schur_.compute(free_columns_.transpose() * moved_);
+  if (schur_.info() != Eigen::Success) return false;
+  projected_motion_ = balance(correction_);
+  balance(predictor_);
+  predictor_ -= moved_ * schur_.solve(free_columns_.transpose() * y_);
+  return true;
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::balance(Vector& solution) const -> Vector {
+  const Vector motion = schur_.solve(free_columns_.transpose() * solution);
+  solution -= moved_ * motion;
+  return motion;
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::normal_displacements(const Vector& r, const Vector& motion) const
+    -> Vector {
+  Vector normal = normal_compliance_ * r;
+  if (motion.size() > 0)
+    for (std::size_t i = 0; i < friction_.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      normal[row] += motions_.at_cones.row(D * row).head(motion.size()).dot(motion);
+    }
+  return normal;
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::displacement() const -> Vector {
+  Vector u = compliance_ * reaction_;
+  if (motion_.size() > 0) u += motions_.at_cones.leftCols(motion_.size()) * motion_;
+  return u;
 }
 
 template <int D, class Real>
@@ -292,7 +362,9 @@ bool PlainSolver<D, Real>::advance() {
     q_rows[i] = (sigma_mu - affine_length * predicted.v[i] * predicted.y[i]) / lambda_[i];
     right[i] -= w_[i] * q_rows[i];
   }
-  const Vector dy = predictor_ - solved(right) - sigma * correction_;
+  Vector rest_of_centring = solved(right);
+  if (motions_.lifting > 0) balance(rest_of_centring);
+  const Vector dy = predictor_ - rest_of_centring - sigma * correction_;
   const Step corrected = direction(dy, q, q_rows);
   const Real share(boundary_fraction);
   const auto length = [&](const Real& edge) { return edge > share ? share / edge : Real(1); };
@@ -325,6 +397,7 @@ bool PlainSolver<D, Real>::advance() {
 
 template <int D, class Real>
 void PlainSolver<D, Real>::prove_upper(Answer& answer) {
+  if (motions_.count() > 0) return prove_upper_loose(answer);
   const Real value = level(right_side_.dot(y_));
   if (!(value < best_value_)) return;
   best_value_ = value;
@@ -338,15 +411,38 @@ void PlainSolver<D, Real>::prove_upper(Answer& answer) {
   }
 }
 
+// See NodeSolver::prove_upper_loose.
+template <int D, class Real>
+void PlainSolver<D, Real>::prove_upper_loose(Answer& answer) {
+  const auto m = static_cast<Eigen::Index>(friction_.size());
+  Vector y = Vector::Zero(normal_compliance_.rows());
+  for (std::size_t i = 0; i < rows_.size(); ++i) y[rows_[i]] = y_[static_cast<Eigen::Index>(i)];
+  const double largest = numbers::rounded(Real(y.head(m).cwiseAbs().maxCoeff()));
+  for (const double least : {0.0, least_force * largest, infinity}) {
+    Vector forces = y;
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (std::abs(numbers::rounded(Real(y[i]))) < least) forces[i] = Real(0);
+    const Vector pull = normal_compliance_.transpose() * forces;
+    const double upper = bounds_.above(sets(), friction_, forces, pull);
+    if (upper < answer.upper) {
+      answer.upper = upper;
+      multipliers_ = forces;
+    }
+    if (answer.upper < -tolerances_.sign) return;
+  }
+}
+
 template <int D, class Real>
 void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
   std::vector<Cone> x = shifted(x_, correction_);
+  Vector motion = motions_.lifting > 0 ? projected_motion_ : Vector();
   for (int projection = 1;; ++projection) {
     const Vector r = reaction_of(x);
-    const Vector normal = normal_compliance_ * r;
-    const auto proof = bounds_.below(sets(), friction_, r, normal);
+    const Vector normal = normal_displacements(r, motion);
+    const auto proof = bounds_.below(sets(), friction_, r, normal, motion, motion_cost_);
     if (keep == Keep::latest || proof.level > answer.lower || !answer.has_point) {
       reaction_ = r;
+      motion_ = motion;
       answer.primal_residual = proof.residual;
     }
     if (proof.level > answer.lower) {
@@ -357,13 +453,15 @@ void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
     Vector right = Vector::Zero(right_side_.size());
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (!slack_[i]) right[static_cast<Eigen::Index>(i)] = -normal[rows_[i]];
-    x = shifted(x, solved(right));
+    Vector weights = solved(right);
+    if (motions_.lifting > 0) motion += balance(weights);
+    x = shifted(x, weights);
   }
 }
 
 template <int D, class Real>
-Answer PlainSolver<D, Real>::solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop,
-                                   std::uint64_t ignored) {
+Answer PlainSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& separated,
+                                   StopEarly stop, const IndexSet& ignored) {
   select(contact, separated, ignored);
   Answer answer = start();
   for (;;) {
@@ -396,9 +494,10 @@ double PlainSolver<D, Real>::reaction_size() const {
 // the node holds at zero.
 template <int D, class Real>
 void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
-  const auto m = normal_compliance_.rows();
+  const auto m = static_cast<Eigen::Index>(friction_.size());
   sizes.assign(static_cast<std::size_t>(2 * m), 0.0);
   const double whole = reaction_size();
+  const Vector normal = normal_displacements(reaction_, motion_);
   for (const int k : cones_) {
     const double root = std::sqrt(numbers::rounded(normal_compliance_(k, D * k)));
     sizes[static_cast<std::size_t>(k)] =
@@ -406,8 +505,8 @@ void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
   }
   for (const int j : gap_rows_) {
     const double root = std::sqrt(numbers::rounded(normal_compliance_(j, D * j)));
-    const Real gap = normal_compliance_.row(j).dot(reaction_);
-    sizes[static_cast<std::size_t>(m + j)] = std::max(0.0, numbers::rounded(gap) / (root * whole));
+    sizes[static_cast<std::size_t>(m + j)] =
+        std::max(0.0, numbers::rounded(Real(normal[j])) / (root * whole));
   }
 }
 
@@ -434,9 +533,9 @@ constexpr double file_rounding = 1e-13;
 }  // namespace
 
 template <int D, class Real>
-std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uint64_t contact,
-                                                                        std::uint64_t separated,
-                                                                        std::uint64_t ignored) {
+std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(const IndexSet& contact,
+                                                                        const IndexSet& separated,
+                                                                        const IndexSet& ignored) {
   select(contact, separated, ignored);
   if (cones_.empty()) return std::nullopt;
   Answer answer = start();
@@ -455,15 +554,14 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
   if (!is_tie(answer, tolerances_)) return std::nullopt;
   // Proved dead, and by more than the rounding of what the file says: X is empty.
   if (answer.upper < 0 && violation() > 10 * file_rounding) return RelativeInterior{};
-  const std::uint64_t carriers = mask_of(cones_);
-  const std::uint64_t movers = mask_of(gap_rows_);
+  const IndexSet carriers = set_of(cones_);
+  const IndexSet movers = set_of(gap_rows_);
   if (answer.lower > 0) {  // proved alive, though within the tolerance: nothing vanishes
     const auto& sizes = path.back().sizes;
     bool all = true;
-    for (std::size_t i = 0; i < friction_.size(); ++i) {
-      if ((carriers >> i & 1) != 0) all = all && sizes[i] > file_rounding;
-      if ((movers >> i & 1) != 0) all = all && sizes[friction_.size() + i] > file_rounding;
-    }
+    for (const int i : cones_) all = all && sizes[static_cast<std::size_t>(i)] > file_rounding;
+    for (const int i : gap_rows_)
+      all = all && sizes[friction_.size() + static_cast<std::size_t>(i)] > file_rounding;
     if (all) return RelativeInterior{carriers, movers};
   }
   for (const Window& window : {shallow, deep}) {
@@ -482,13 +580,12 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(std::uin
     RelativeInterior result;
     bool clear = true;
     for (std::size_t i = 0; i < 2 * friction_.size(); ++i) {
-      const std::size_t candidate = i % friction_.size();
-      const std::uint64_t bit = std::uint64_t{1} << candidate;
-      if (((i < friction_.size() ? carriers : movers) & bit) == 0) continue;
+      const auto candidate = static_cast<int>(i % friction_.size());
+      if (!(i < friction_.size() ? carriers : movers).contains(candidate)) continue;
       // What an equation holds at zero does not fall: it is rounding from the start.
       if (closed->sizes[i] <= std::max(falls * open->sizes[i], file_rounding)) continue;
       if (closed->sizes[i] < stays * open->sizes[i]) clear = false;
-      (i < friction_.size() ? result.loaded : result.moved) |= bit;
+      (i < friction_.size() ? result.loaded : result.moved).insert(candidate);
     }
     if (!clear) continue;
     reaction_ = closed->reaction;
@@ -502,10 +599,10 @@ template <int D, class Real>
 double PlainSolver<D, Real>::violation() const {
   double most = 0;
   const double whole = reaction_size();
+  const Vector normal = normal_displacements(reaction_, motion_);
   for (const int j : gap_rows_) {
     const double root = std::sqrt(numbers::rounded(normal_compliance_(j, D * j)));
-    const Real gap = normal_compliance_.row(j).dot(reaction_);
-    most = std::max(most, -numbers::rounded(gap) / (root * whole));
+    most = std::max(most, -numbers::rounded(Real(normal[j])) / (root * whole));
   }
   for (const int k : cones_) {
     const double mu = friction_[static_cast<std::size_t>(k)];

@@ -5,11 +5,11 @@
 // rungs of a ladder: long double, then 104 bits (nodes/wedged/contact_solver.hpp).
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "solvers/conic/answer.hpp"
@@ -25,8 +25,8 @@ namespace kusabi::conic {
 /// No candidate is loaded if and only if X is empty: t* < 0, though not by more than the
 /// tolerance.
 struct RelativeInterior {
-  std::uint64_t loaded = 0;  ///< r_i != 0 somewhere on X
-  std::uint64_t moved = 0;   ///< u_ni > 0 somewhere on X
+  support::IndexSet loaded;  ///< r_i != 0 somewhere on X
+  support::IndexSet moved;   ///< u_ni > 0 somewhere on X
 };
 
 /// Solves node programs on numbers of kind Real, one after another, a candidate a cone. A result
@@ -40,8 +40,9 @@ class PlainSolver {
   /// @param compliance F, Dm x Dm, scaled as that of NodeSolver
   /// @param friction mu, m numbers, each 0 or 1e-6 to 1e6
   /// @param error e: |F_ij - F*_ij| <= e sqrt(F*_ii F*_jj) for the F* that is meant
+  /// @param motions of a loose body
   PlainSolver(Matrix compliance, std::span<const double> friction, Tolerances tolerances,
-              double error);
+              double error, Motions<Real> motions = {});
 
   /// From the next solve() on, mu is this.
   void set_friction(std::span<const double> friction) {
@@ -49,28 +50,32 @@ class PlainSolver {
   }
 
   /// Bounds the node; see NodeSolver::solve. No node has all candidates separated or ignored.
-  Answer solve(std::uint64_t contact, std::uint64_t separated, StopEarly stop,
-               std::uint64_t ignored = 0);
+  Answer solve(const support::IndexSet& contact, const support::IndexSet& separated, StopEarly stop,
+               const support::IndexSet& ignored = {});
 
   /// The candidates that are loaded or moved at a point of the relative interior of X. The points
   /// of the iteration tend to such a point as the bracket closes: reactions and gaps that vanish
   /// there fall with the width of the bracket or its root, others stay. Nothing if it cannot be
   /// told of each whether it vanishes, or if t* is not zero up to the tolerance. reaction() is the
   /// point.
-  std::optional<RelativeInterior> relative_interior(std::uint64_t contact, std::uint64_t separated,
-                                                    std::uint64_t ignored = 0);
+  std::optional<RelativeInterior> relative_interior(const support::IndexSet& contact,
+                                                    const support::IndexSet& separated,
+                                                    const support::IndexSet& ignored = {});
 
   /// r, Dm, of the point that proves the lower bound.
   const Vector& reaction() const { return reaction_; }
-  /// u = F r.
-  Vector displacement() const { return compliance_ * reaction_; }
-  /// y, m, that prove the upper bound.
+  /// u = F r + G alpha.
+  Vector displacement() const;
+  /// alpha of a loose body: one number for each motion that lifts.
+  const Vector& motion() const { return motion_; }
+  /// y, m, and beta of the p motions of a loose body, that prove the upper bound.
   const Vector& multipliers() const { return multipliers_; }
 
  private:
   using Cone = Point<D, Real>;
 
-  void select(std::uint64_t contact, std::uint64_t separated, std::uint64_t ignored);
+  void select(const support::IndexSet& contact, const support::IndexSet& separated,
+              const support::IndexSet& ignored);
   Answer start();
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
   Real level(const Real& value) const { return (Real(1) - value) / omega_; }
@@ -78,7 +83,10 @@ class PlainSolver {
 
   bool refresh_dual(const Vector& y);
   bool factorise();
-  Vector solved(Vector right_side) const;                    // M^-1 right_side
+  Vector solved(Vector right_side) const;  // M^-1 right_side
+  bool free_motions();
+  Vector balance(Vector& solution) const;  // see InteriorPoint
+  Vector normal_displacements(const Vector& r, const Vector& motion) const;
   Vector products(const std::vector<Cone>& points) const;    // A x
   Cone transposed(std::size_t cone, const Vector& y) const;  // (A'y) of a cone
   std::vector<Cone> shifted(const std::vector<Cone>& x, const Vector& weights) const;
@@ -94,6 +102,7 @@ class PlainSolver {
   enum class Keep { best, latest };
   void prove_lower(Answer& answer, Keep keep);
   void prove_upper(Answer& answer);
+  void prove_upper_loose(Answer& answer);
   void take_sizes(std::vector<double>& sizes) const;
   /// An iterate on the way to a tie.
   struct Snapshot {
@@ -105,20 +114,23 @@ class PlainSolver {
   double reaction_size() const;  // Q of docs/theory/wedged.md
 
   Matrix compliance_;
-  Matrix normal_compliance_;  // m x Dm
+  Motions<Real> motions_;     // G
+  Matrix normal_compliance_;  // rows (n, i) of F, then G': (m + p) x Dm
   std::vector<double> friction_;
   Tolerances tolerances_;
   Bounds<D, Real> bounds_;
-  Vector reaction_, multipliers_;
+  Vector reaction_, motion_, multipliers_;
 
   // The node.
-  std::uint64_t contact_ = 0;
+  support::IndexSet contact_;
   std::vector<int> cones_, gap_rows_, contact_rows_;
-  std::vector<int> rows_;        // the candidates with a row
+  std::vector<int> rows_;        // the candidates with a row, then m, ..., m + p - 1
   std::vector<bool> slack_;      // of rows_: whether it has one
   std::vector<Matrix> columns_;  // of A: rows x D for each cone
-  Vector right_side_;            // b
-  Real omega_ = 0;               // sigma
+  Matrix free_columns_;          // H, by rows_
+  typename Bounds<D, Real>::MotionCost motion_cost_;
+  Vector right_side_;  // b
+  Real omega_ = 0;     // sigma
 
   // The iterate.
   std::vector<Cone> x_, z_;
@@ -129,7 +141,10 @@ class PlainSolver {
   Vector w_, lambda_;              // of the rows: sqrt(v / y) and sqrt(v y)
   Vector primal_residual_;         // b - A x + v
   Vector predictor_, correction_;  // M^-1 of b and of the residual
+  Vector projected_motion_;        // alpha that goes with correction_
   Matrix factor_;                  // of M, lower triangle
+  Matrix moved_;                   // M^-1 H
+  Eigen::LLT<Matrix> schur_;       // of H'M^-1 H
   Real complementarity_ = 0;
 };
 

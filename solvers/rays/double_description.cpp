@@ -35,13 +35,16 @@ constexpr std::uint64_t pieces_of_cut = 512;
 
 class DoubleDescription {
  public:
-  /// Starts with the cone x >= 0 of the candidates `active`; all others have no reaction.
-  DoubleDescription(const ReactionCone& cone, Candidates active, Conduct conduct = {});
+  /// Starts with the cone x >= 0 of the candidates `active`; all others have no reaction. Motions
+  /// that lift are held at their pivots first.
+  /// @param touching candidates at which u_n = 0 is asked for
+  DoubleDescription(const ReactionCone& cone, Candidates active, Candidates touching,
+                    Conduct conduct = {});
 
-  /// Cuts by all rows of `rows`, in the order that makes the fewest pairs. @return false if it was
-  /// stopped, or there came to be too many rays; `give_up` leaves it such that it can go on
+  /// Cuts by all rows of `rows`, and by the equations of equilibrium, in the order that makes the
+  /// fewest pairs. @return false if it was stopped, or there came to be too many rays; `give_up`
+  /// leaves it such that it can go on
   bool cut_by(Candidates rows, Keep keep);
-  Candidates processed() const { return processed_; }
   const Effort& effort() const { return effort_; }
 
   Enumeration result() &&;
@@ -53,20 +56,39 @@ class DoubleDescription {
   };
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(zeros_.size()); }
+  /// Adds the motion that lifts candidate `row`, and leaves those before it alone, to every ray
+  /// such that u_n = 0 there.
+  void hold(int row, Eigen::Index motion, bool touches);
+  bool is_gap(int row) const { return row < cone_.candidates(); }
+  /// The stage after a cut by this row.
+  ReactionCone::Stage after(int row) const {
+    auto stage = stage_;
+    if (is_gap(row)) {
+      stage.gaps |= bit(row);
+    } else {
+      stage.balanced |= bit(row - cone_.candidates());
+    }
+    return stage;
+  }
+  /// Equalities that two adjacent rays share at least.
+  int enough() const {
+    return static_cast<int>(cone_.unknowns()) - std::popcount(stage_.balanced) - 2;
+  }
   int cheapest(const std::vector<int>& rows);
   /// u of every ray at one row; relative ones go to `relative_`.
   void displacements(int row);
   void cut(int row, Keep keep);
   void add_between(int row, const std::vector<int>& plus, const std::vector<int>& minus);
   void append(const NewRays& rays);
-  void combine(const AdjacentPair& pair, const ZeroSet& zero, NewRays& into) const;
+  void combine(const AdjacentPair& pair, const ZeroSet& zero, const ReactionCone::Stage& stage,
+               NewRays& into) const;
 
   const ReactionCone& cone_;
-  std::vector<int> columns_;    // of the active candidates
-  Eigen::MatrixXd gaps_;        // A, its columns those of the active candidates
-  Eigen::MatrixXd magnitudes_;  // |A|
-  int enough_;                  // equalities that two adjacent rays share at least: 2m - 2
-  Candidates processed_ = 0;    // rows cut by
+  std::vector<int> columns_;    // of the active candidates, and of motions
+  Eigen::Index reactions_ = 0;  // of the columns
+  Eigen::MatrixXd gaps_;        // (A H) over (E 0), these columns of it
+  Eigen::MatrixXd magnitudes_;  // their sizes
+  ReactionCone::Stage stage_;   // what has been cut by
   std::vector<ZeroSet> zeros_;  // of the rays, and their coordinates, one ray after another
   std::vector<double> coordinates_;
   Eigen::VectorXd values_;    // of the row looked at, a ray
@@ -77,8 +99,9 @@ class DoubleDescription {
   Conduct conduct_;
 };
 
-DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active, Conduct conduct)
-    : cone_(cone), enough_(2 * cone.candidates() - 2), conduct_(std::move(conduct)) {
+DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active,
+                                     Candidates touching, Conduct conduct)
+    : cone_(cone), conduct_(std::move(conduct)) {
   for (Candidates rest = active; rest != 0; rest &= rest - 1) {
     const int k = std::countr_zero(rest);
     columns_.push_back(2 * k);
@@ -87,20 +110,43 @@ DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active
     columns_.push_back(2 * k + 1);
     zeros_.push_back({cone.all(), cone.all() & ~bit(k), 0});
   }
+  reactions_ = static_cast<Eigen::Index>(columns_.size());
+  for (int column = 2 * cone.candidates(); column < cone.unknowns(); ++column)
+    columns_.push_back(column);
   gaps_ = cone.gaps()(Eigen::all, columns_).cast<double>();
   magnitudes_ = gaps_.cwiseAbs();
   const auto size = static_cast<std::size_t>(gaps_.cols());
-  coordinates_.assign(size * size, 0);
-  for (std::size_t ray = 0; ray < size; ++ray) coordinates_[ray * size + ray] = 1;
+  coordinates_.assign(size * zeros_.size(), 0);
+  for (std::size_t ray = 0; ray < zeros_.size(); ++ray) coordinates_[ray * size + ray] = 1;
+  Eigen::Index motion = 0;
+  for (const int row : cone.pivots()) hold(row, motion++, (touching & bit(row)) != 0);
+}
+
+void DoubleDescription::hold(int row, Eigen::Index motion, bool touches) {
+  const Eigen::Index column = reactions_ + motion;
+  const double lift = gaps_(row, column);
+  Eigen::Map<Eigen::MatrixXd> rays(coordinates_.data(), gaps_.cols(), count());
+  rays.row(column) = -gaps_.row(row) * rays / lift;
+  for (auto& zero : zeros_) zero.u |= bit(row);
+  if (!touches) {
+    zeros_.push_back({cone_.all(), cone_.all(), stage_.gaps});
+    coordinates_.resize(coordinates_.size() + static_cast<std::size_t>(gaps_.cols()), 0);
+    coordinates_[coordinates_.size() - static_cast<std::size_t>(gaps_.cols() - column)] =
+        lift > 0 ? 1 : -1;
+  }
+  stage_.gaps |= bit(row);
 }
 
 bool DoubleDescription::cut_by(Candidates rows, Keep keep) {
   std::vector<int> left;
-  for (; rows != 0; rows &= rows - 1) left.push_back(std::countr_zero(rows));
+  for (rows &= ~stage_.gaps; rows != 0; rows &= rows - 1) left.push_back(std::countr_zero(rows));
+  for (int k = 0; k < cone_.equations(); ++k) {
+    if ((stage_.balanced & bit(k)) == 0) left.push_back(cone_.candidates() + k);
+  }
   while (!left.empty()) {
     const int row = cheapest(left);
     left.erase(std::find(left.begin(), left.end(), row));
-    cut(row, keep);
+    cut(row, is_gap(row) ? keep : Keep::zero);
     const bool told = next_.stopped || (conduct_.stop && conduct_.stop());
     if (conduct_.agree ? conduct_.agree(told) : told) return false;
     effort_ += std::exchange(next_.effort, {});
@@ -121,7 +167,7 @@ int DoubleDescription::cheapest(const std::vector<int>& rows) {
   for (Eigen::Index first = 0; first < count(); first += block_size) {
     const auto block = rays.middleCols(first, std::min(block_size, count() - first));
     value.noalias() = gaps * block;
-    scale.noalias() = magnitudes * block;
+    scale.noalias() = magnitudes * block.cwiseAbs();
     for (Eigen::Index ray = 0; ray < block.cols(); ++ray) {
       for (std::size_t place = 0; place < rows.size(); ++place) {
         const auto row = static_cast<Eigen::Index>(place);
@@ -141,7 +187,7 @@ int DoubleDescription::cheapest(const std::vector<int>& rows) {
 void DoubleDescription::displacements(int row) {
   const Eigen::Map<const Eigen::MatrixXd> rays(coordinates_.data(), gaps_.cols(), count());
   values_ = (gaps_.row(row) * rays).transpose();
-  relative_ = (magnitudes_.row(row) * rays).transpose();
+  relative_ = (magnitudes_.row(row) * rays.cwiseAbs()).transpose();
   relative_ = (relative_.array() > 0).select(values_.array() / relative_.array(), 0.0);
 }
 
@@ -162,17 +208,18 @@ void DoubleDescription::cut(int row, Keep keep) {
     const int sign = health_.sign(relative_(ray));
     if (sign > 0) {
       plus.push_back(ray);
-      const bool idle = (zero.p & zero.q & bit(row)) != 0;
-      if (keep == Keep::nonnegative || (keep == Keep::complementary && idle)) retain(ray, zero);
+      if (keep == Keep::nonnegative ||
+          (keep == Keep::complementary && (zero.p & zero.q & bit(row)) != 0))
+        retain(ray, zero);
     } else if (sign < 0) {
       minus.push_back(ray);
     } else {
-      zero.u |= bit(row);
+      if (is_gap(row)) zero.u |= bit(row);
       retain(ray, zero);
     }
   }
   if (!plus.empty() && !minus.empty()) add_between(row, plus, minus);
-  processed_ |= bit(row);
+  stage_ = after(row);
   std::swap(zeros_, next_.zeros);
   std::swap(coordinates_, next_.coordinates);
   effort_.peak_rays = std::max(effort_.peak_rays, static_cast<std::uint64_t>(zeros_.size()));
@@ -180,12 +227,13 @@ void DoubleDescription::cut(int row, Keep keep) {
 
 void DoubleDescription::add_between(int row, const std::vector<int>& plus,
                                     const std::vector<int>& minus) {
-  const AdjacentPairs pairs(zeros_, plus, minus, processed_, enough_);
+  const AdjacentPairs pairs(zeros_, plus, minus, stage_.gaps, enough());
+  const auto stage = after(row);
   const auto add = [&](const AdjacentPairs::Part& part, NewRays& into) {
     const auto found = [&](const AdjacentPair& pair) {
       ZeroSet zero = pair.common;
-      zero.u |= bit(row);
-      combine(pair, zero, into);
+      if (is_gap(row)) zero.u |= bit(row);
+      combine(pair, zero, stage, into);
       ++into.effort.adjacent;
     };
     into.stopped = !pairs.search(part, found, conduct_.stop, into.effort.pairs);
@@ -215,19 +263,20 @@ void DoubleDescription::append(const NewRays& rays) {
 }
 
 void DoubleDescription::combine(const AdjacentPair& pair, const ZeroSet& zero,
-                                NewRays& into) const {
+                                const ReactionCone::Stage& stage, NewRays& into) const {
   const auto& [plus, minus, common] = pair;
   const auto width = gaps_.cols();
   const auto filled = into.coordinates.size();
   into.coordinates.resize(filled + static_cast<std::size_t>(width));
   Eigen::Map<Eigen::VectorXd> between(into.coordinates.data() + filled, width);
   if (std::min(relative_(plus), -relative_(minus)) < exact_enough) {
-    between = cone_.rounded_coordinates(zero)(columns_);
+    between = cone_.rounded_coordinates(zero, stage)(columns_);
   } else {
     const Eigen::Map<const Eigen::VectorXd> above(coordinates_.data() + width * plus, width);
     const Eigen::Map<const Eigen::VectorXd> below(coordinates_.data() + width * minus, width);
     between = -values_(minus) * above + values_(plus) * below;
-    between /= between.sum();
+    const double load = between.head(reactions_).sum();
+    between /= load > 0 ? load : between.cwiseAbs().maxCoeff();  // that of two motions is a motion
   }
   into.zeros.push_back(zero);
 }
@@ -246,7 +295,7 @@ Effort& Effort::operator+=(const Effort& other) {
 }
 
 std::optional<Enumeration> complementary_rays(const ReactionCone& cone, const Conduct& conduct) {
-  DoubleDescription description(cone, cone.all(), conduct);
+  DoubleDescription description(cone, cone.all(), 0, conduct);
   if (!description.cut_by(cone.all(), Keep::complementary)) return std::nullopt;
   return std::move(description).result();
 }
@@ -266,13 +315,9 @@ struct PatternRaysByTurns::State {
   State(const ReactionCone& cone, Candidates in_contact)
       : contact(in_contact),
         separated(cone.all() & ~in_contact),
-        description(cone, in_contact, {.give_up = [this](const Effort& effort) {
+        description(cone, in_contact, in_contact, {.give_up = [this](const Effort& effort) {
                       return effort.pairs > most_pairs;
                     }}) {}
-
-  bool cut_by(Candidates rows, Keep keep) {
-    return description.cut_by(rows & ~description.processed(), keep);
-  }
 
   std::uint64_t most_pairs = 0;
   Candidates contact;
@@ -289,8 +334,9 @@ PatternRaysByTurns::~PatternRaysByTurns() = default;
 bool PatternRaysByTurns::go_on(std::uint64_t most_pairs) {
   if (state_->description.effort().pairs > most_pairs) return false;
   state_->most_pairs = most_pairs;
-  return state_->cut_by(state_->contact, Keep::zero) &&
-         state_->cut_by(state_->separated, Keep::nonnegative);
+  auto& description = state_->description;
+  return description.cut_by(state_->contact, Keep::zero) &&
+         description.cut_by(state_->separated, Keep::nonnegative);
 }
 
 Enumeration PatternRaysByTurns::result() && {

@@ -76,7 +76,8 @@ struct Conduct {
   std::function<bool(const Effort& effort)> give_up = {};
 };
 
-/// All extremal rays of C_r that satisfy u_n^T r_n = 0 (Algorithm 4.2).
+/// All extremal rays of C_r that satisfy u_n^T r_n = 0 (Algorithm 4.2), those of motions alone
+/// (r = 0) among them.
 std::optional<Enumeration> complementary_rays(const ReactionCone& cone, const Conduct& conduct);
 Enumeration complementary_rays(const ReactionCone& cone);
 

@@ -110,25 +110,30 @@ class Elimination {
   std::vector<Eigen::Index> columns_;
 };
 
-// From places back to columns, with sum 1.
+// From places back to columns, and to size.
 template <class Scalar>
-PreciseVector in_order(const Elimination<Scalar>& elimination, const PreciseVector& by_place) {
+PreciseVector in_order(const Elimination<Scalar>& elimination, const PreciseVector& by_place,
+                       Eigen::Index summed) {
   PreciseVector x(by_place.size());
   for (Eigen::Index place = 0; place < x.size(); ++place) {
     x(elimination.column(place)) = by_place(place);
   }
-  return x / x.sum();
+  if (summed > 0) return x / x.head(summed).sum();
+  Eigen::Index largest = 0;
+  x.cwiseAbs().maxCoeff(&largest);
+  return x / x(largest);
 }
 
 }  // namespace
 
-PreciseVector null_vector(const PreciseMatrix& equalities) {
+PreciseVector null_vector(const PreciseMatrix& equalities, Eigen::Index summed) {
   const Elimination<long double> elimination(equalities);
-  return in_order(elimination, elimination.null_vector());
+  return in_order(elimination, elimination.null_vector(), summed);
 }
 
 std::optional<Eigen::VectorXd> rounded_null_vector(const PreciseMatrix& equalities,
-                                                   const Eigen::MatrixXd& rounded) {
+                                                   const Eigen::MatrixXd& rounded,
+                                                   Eigen::Index summed) {
   const Elimination<double> elimination(rounded);
   if (!elimination.complete()) return std::nullopt;
   const Eigen::Index rank = elimination.rank();
@@ -145,7 +150,7 @@ std::optional<Eigen::VectorXd> rounded_null_vector(const PreciseMatrix& equaliti
     x.head(rank) -= correction.cast<long double>();
     const Eigen::ArrayXd size = x.head(rank).cast<double>().array().abs();
     if ((correction.array().abs() <= small_correction * size).all()) {
-      return in_order(elimination, x).cast<double>();
+      return in_order(elimination, x, summed).cast<double>();
     }
   }
   return std::nullopt;

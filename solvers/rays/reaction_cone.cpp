@@ -1,41 +1,55 @@
 // From F and mu to A, and from a zero set to a ray.
 #include "solvers/rays/reaction_cone.hpp"
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
 namespace kusabi::rays {
 
-ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const double> friction)
+ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const double> friction,
+                           const PreciseMatrix& motions)
     : compliance_(compliance), friction_(friction.begin(), friction.end()) {
   const auto m = static_cast<Eigen::Index>(friction.size());
-  if (m < 1 || m > 64 || compliance.rows() != 2 * m || compliance.cols() != 2 * m) {
+  if (m < 1 || m > 64 || compliance.rows() != 2 * m || compliance.cols() != 2 * m ||
+      (motions.cols() > 0 && motions.rows() != 2 * m)) {
     throw std::invalid_argument("a reaction cone takes 2m x 2m numbers, 1 <= m <= 64");
   }
-  gaps_.resize(m, 2 * m);
+  motions_.moves.resize(2 * m, 0);
+  if (motions.cols() > 0) motions_ = combined(motions);
+  const Eigen::Index p = motions_.moves.cols();
+  PreciseMatrix by_reaction(m + p, 2 * m);  // u_n and G'r
+  by_reaction.topRows(m) = compliance(Eigen::seqN(0, m, 2), Eigen::all);
+  by_reaction.bottomRows(p) = motions_.moves.transpose();
+  gaps_ = PreciseMatrix::Zero(m + p, 2 * m + motions_.lifting());
   for (Eigen::Index k = 0; k < m; ++k) {
     const double mu = friction_[static_cast<std::size_t>(k)];
     if (!(mu >= 0) || !std::isfinite(mu)) {
       throw std::invalid_argument("friction coefficients are not negative");
     }
     if (mu == 0) {
-      gaps_.col(2 * k) = compliance(Eigen::seqN(0, m, 2), 2 * k);
-      gaps_.col(2 * k + 1).setZero();
+      gaps_.col(2 * k) = by_reaction.col(2 * k);
       continue;
     }
-    for (Eigen::Index i = 0; i < m; ++i) {
-      const long double by_normal = compliance(2 * i, 2 * k) / (2 * mu);
-      const long double by_tangential = compliance(2 * i, 2 * k + 1) / 2;
+    for (Eigen::Index i = 0; i < m + p; ++i) {
+      const long double by_normal = by_reaction(i, 2 * k) / (2 * mu);
+      const long double by_tangential = by_reaction(i, 2 * k + 1) / 2;
       gaps_(i, 2 * k) = by_normal - by_tangential;
       gaps_(i, 2 * k + 1) = by_normal + by_tangential;
     }
   }
+  // Motions in a unit such that their numbers are of the size of those of reactions.
+  unit_ = gaps_.topRows(m).cwiseAbs().maxCoeff();
+  gaps_.topRightCorner(m, motions_.lifting()) =
+      unit_ * motions_.moves(Eigen::seqN(0, m, 2), Eigen::seqN(0, motions_.lifting()));
   // Rows of one unit, by the size of all their entries: what is left in the columns of a ray may be
   // no more than the rounding of zeros, and full pivoting must see that.
   scaled_gaps_ = gaps_;
-  for (Eigen::Index i = 0; i < m; ++i)
-    scaled_gaps_.row(i) /= gaps_.row(i).lpNorm<Eigen::Infinity>();
+  for (Eigen::Index i = 0; i < gaps_.rows(); ++i) {
+    const long double size = gaps_.row(i).lpNorm<Eigen::Infinity>();
+    if (size > 0) scaled_gaps_.row(i) /= size;
+  }
   rounded_gaps_ = scaled_gaps_.cast<double>();
 }
 
@@ -46,11 +60,19 @@ struct Remaining {
   std::vector<int> rows;
   std::vector<int> columns;
 
-  Remaining(const ZeroSet& zero, int candidates) {
-    for (int i = 0; i < candidates; ++i) {
+  Eigen::Index reactions = 0;  ///< of the columns
+
+  Remaining(const ZeroSet& zero, const ReactionCone& cone, const ReactionCone::Stage& stage) {
+    const int m = cone.candidates();
+    for (int i = 0; i < m; ++i) {
       if ((zero.u & bit(i)) != 0) rows.push_back(i);
       if ((zero.p & bit(i)) == 0) columns.push_back(2 * i);
       if ((zero.q & bit(i)) == 0) columns.push_back(2 * i + 1);
+    }
+    reactions = static_cast<Eigen::Index>(columns.size());
+    for (int column = 2 * m; column < cone.unknowns(); ++column) columns.push_back(column);
+    for (int k = 0; k < cone.equations(); ++k) {
+      if (reactions > 0 && (stage.balanced & bit(k)) != 0) rows.push_back(m + k);
     }
   }
 
@@ -59,31 +81,46 @@ struct Remaining {
 };
 
 template <class Vector>
-Vector among_all(const Vector& nonzero, const std::vector<int>& columns, int candidates) {
-  Vector x = Vector::Zero(2 * candidates);
+Vector among_all(const Vector& nonzero, const std::vector<int>& columns, Eigen::Index unknowns) {
+  Vector x = Vector::Zero(unknowns);
   for (std::size_t place = 0; place < columns.size(); ++place) {
     x(columns[place]) = nonzero(static_cast<Eigen::Index>(place));
   }
   return x;
 }
 
-}  // namespace
-
-PreciseVector ReactionCone::coordinates(const ZeroSet& zero) const {
-  const Remaining left(zero, candidates());
-  PreciseVector nonzero = PreciseVector::Ones(static_cast<Eigen::Index>(left.columns.size()));
-  if (left.determined()) nonzero = null_vector(scaled_gaps_(left.rows, left.columns));
-  return among_all(nonzero, left.columns, candidates());
+/// A motion alone is turned such that it lifts.
+template <class Vector>
+Vector turned(Vector x, const Remaining& left, const PreciseMatrix& gaps, const ZeroSet& zero,
+              Candidates cut) {
+  if (left.reactions > 0) return x;
+  long double lift = 0;
+  for (Candidates rest = cut & ~zero.u; rest != 0; rest &= rest - 1)
+    lift += gaps.row(std::countr_zero(rest)).dot(x.template cast<long double>());
+  if (lift < 0) x = -x;
+  return x;
 }
 
-Eigen::VectorXd ReactionCone::rounded_coordinates(const ZeroSet& zero) const {
-  const Remaining left(zero, candidates());
+}  // namespace
+
+PreciseVector ReactionCone::coordinates(const ZeroSet& zero, const Stage& stage) const {
+  const Remaining left(zero, *this, stage);
+  PreciseVector nonzero = PreciseVector::Ones(static_cast<Eigen::Index>(left.columns.size()));
+  if (left.determined())
+    nonzero = null_vector(scaled_gaps_(left.rows, left.columns), left.reactions);
+  return turned(among_all(nonzero, left.columns, unknowns()), left, gaps_, zero, stage.gaps);
+}
+
+Eigen::VectorXd ReactionCone::rounded_coordinates(const ZeroSet& zero, const Stage& stage) const {
+  const Remaining left(zero, *this, stage);
   if (left.determined()) {
-    const auto rounded = rounded_null_vector(scaled_gaps_(left.rows, left.columns),
-                                             rounded_gaps_(left.rows, left.columns));
-    if (rounded) return among_all(*rounded, left.columns, candidates());
+    const auto rounded =
+        rounded_null_vector(scaled_gaps_(left.rows, left.columns),
+                            rounded_gaps_(left.rows, left.columns), left.reactions);
+    if (rounded)
+      return turned(among_all(*rounded, left.columns, unknowns()), left, gaps_, zero, stage.gaps);
   }
-  return coordinates(zero).cast<double>();
+  return coordinates(zero, stage).cast<double>();
 }
 
 Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
@@ -104,14 +141,20 @@ Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
     reaction(2 * i + 1) = mu == 0 ? 0 : (x(2 * i + 1) - x(2 * i)) / 2;
     normal_sum += reaction(2 * i);
   }
-  reaction /= normal_sum;
+  const bool loaded = normal_sum > 0;
+  if (loaded) reaction /= normal_sum;
   PreciseVector displacement = compliance_ * reaction;
-  for (int i = 0; i < m; ++i) {
+  if (const auto lifting = motions_.lifting(); lifting > 0) {
+    const long double unit = loaded ? unit_ / normal_sum : unit_;
+    displacement += unit * motions_.moves.leftCols(lifting) * x.tail(lifting);
+    if (!loaded) displacement /= displacement.cwiseAbs().maxCoeff();
+  }
+  for (int i = 0; i < gaps_.rows(); ++i) {
     const long double magnitude = gaps_.row(i).cwiseAbs().dot(x.cwiseAbs());
     const long double relative = magnitude > 0 ? gaps_.row(i).dot(x) / magnitude : 0;
-    const bool vanishes = (zero.u & bit(i)) != 0;
+    const bool vanishes = i >= m || (zero.u & bit(i)) != 0;
     if (health.sign(static_cast<double>(relative)) != (vanishes ? 0 : 1)) ++health.doubtful;
-    if (vanishes) displacement(2 * i) = 0;
+    if (i < m && vanishes) displacement(2 * i) = 0;
   }
   return {reaction.cast<double>(), displacement.cast<double>()};
 }

@@ -6,7 +6,8 @@
 //   A_{i, q_k} = F_{n_i n_k} / (2 mu_k) + F_{n_i t_k} / 2,
 //
 // and C_r = {x >= 0, A x >= 0}. Without friction there is one generator instead of two: p_k is then
-// r_nk itself, and q_k is zero. It needs Eigen only, like solvers/conic.
+// r_nk itself, and q_k is zero. Bodies that nothing holds add motions alpha of any sign, u_n = A x
+// + H alpha, and equations of equilibrium E x = 0. It needs Eigen only, like solvers/conic.
 #pragma once
 
 #include <span>
@@ -15,6 +16,7 @@
 #include <Eigen/Core>
 
 #include "solvers/rays/health.hpp"
+#include "solvers/rays/loose_motions.hpp"
 #include "solvers/rays/null_vector.hpp"
 #include "solvers/rays/zero_set.hpp"
 
@@ -23,7 +25,7 @@ namespace kusabi::rays {
 /// The numbers of one ray.
 struct Ray {
   Eigen::VectorXd reaction;  ///< r, 2m, force: (n, t) of each candidate; the normal ones sum to 1
-  Eigen::VectorXd displacement;  ///< u = F r, 2m, length
+  Eigen::VectorXd displacement;  ///< u = F r + G alpha, 2m, length
 };
 
 class ReactionCone {
@@ -31,30 +33,52 @@ class ReactionCone {
   /// @param compliance F, 2m x 2m, symmetric positive definite, ordered by candidate and in it (n,
   /// t)
   /// @param friction mu, m numbers >= 0, 1 <= m <= 64
+  /// @param motions G of bodies that nothing holds, 2m x p, of rank p; none: all are held
   /// @throws std::invalid_argument if the sizes disagree or a number is out of range
-  ReactionCone(const PreciseMatrix& compliance, std::span<const double> friction);
+  ReactionCone(const PreciseMatrix& compliance, std::span<const double> friction,
+               const PreciseMatrix& motions = {});
 
   int candidates() const { return static_cast<int>(friction_.size()); }
   Candidates all() const { return first_candidates(candidates()); }
 
   bool slips(int candidate) const { return friction_[static_cast<std::size_t>(candidate)] == 0; }
 
-  /// A, m x 2m; column 2 k is p_k, column 2 k + 1 is q_k.
+  /// Unknowns: p and q of all candidates, and behind them motions that lift some.
+  Eigen::Index unknowns() const { return gaps_.cols(); }
+  /// Equations of equilibrium.
+  int equations() const { return static_cast<int>(gaps_.rows()) - candidates(); }
+  /// A candidate for each motion that lifts, which the later ones leave alone.
+  const std::vector<int>& pivots() const { return motions_.pivots; }
+
+  /// (A H), m rows, and below it (E 0); column 2 k is p_k, column 2 k + 1 is q_k.
   const PreciseMatrix& gaps() const { return gaps_; }
 
-  /// x of the ray with this zero set, 2m, with sum 1: the null vector of its equalities.
-  PreciseVector coordinates(const ZeroSet& zero) const;
+  /// The unknowns of the ray with this zero set, the null vector of its equalities: x has the sum
+  /// 1, or, of a motion alone, the largest number is 1 in size.
+  PreciseVector coordinates(const ZeroSet& zero) const { return coordinates(zero, whole()); }
 
-  /// The same to the digits of a double, in a fraction of the time.
-  Eigen::VectorXd rounded_coordinates(const ZeroSet& zero) const;
+  /// What a cone is cut by while it is made.
+  struct Stage {
+    Candidates gaps = 0;      ///< u_n >= 0 there
+    Candidates balanced = 0;  ///< equations of equilibrium, as bits
+  };
+
+  /// The same of a ray of such a cone, to the digits of a double, in a fraction of the time.
+  Eigen::VectorXd rounded_coordinates(const ZeroSet& zero, const Stage& stage) const;
 
   /// The ray with this zero set, made of its `coordinates`. All methods call this, so that equal
   /// zero sets give equal bits. `health` is told the largest displacement that should vanish and
   /// the smallest that should not; a ray whose numbers contradict its zero set counts as doubtful.
+  /// Of a motion alone the reaction is zero, and the largest displacement 1.
   Ray ray(const ZeroSet& zero, Health& health) const;
 
  private:
+  Stage whole() const { return {all(), first_candidates(equations())}; }
+  PreciseVector coordinates(const ZeroSet& zero, const Stage& stage) const;
+
   PreciseMatrix compliance_;
+  LooseMotions motions_;
+  long double unit_ = 1;  // of the numbers of motions
   PreciseMatrix gaps_;
   PreciseMatrix scaled_gaps_;     // the rows of A divided by their largest entries
   Eigen::MatrixXd rounded_gaps_;  // the same in doubles

@@ -18,13 +18,16 @@ namespace kusabi::rays {
 /// A bit for each contact candidate.
 using Candidates = std::uint64_t;
 
+/// One word, unlike the sets of sign patterns: pairs of rays are compared by the billion.
+inline constexpr int most_candidates = 64;
+
 inline Candidates bit(int candidate) {
   return Candidates{1} << static_cast<unsigned>(candidate);
 }
 
-/// The candidates 0, ..., count - 1; count <= 64.
+/// The candidates 0, ..., count - 1; count <= most_candidates.
 inline Candidates first_candidates(int count) {
-  return count >= 64 ? ~Candidates{0} : bit(count) - 1;
+  return count >= most_candidates ? ~Candidates{0} : bit(count) - 1;
 }
 
 /// True if of the first candidate that only one of two sets has, `a` is the one: the order of a

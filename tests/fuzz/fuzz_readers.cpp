@@ -17,8 +17,10 @@ Reader chosen_reader() {
   const char* name = std::getenv("KUSABI_FUZZ_READER");
   const auto reader = kusabi::fuzz::reader_named(name == nullptr ? "" : name);
   if (!reader) {
-    std::fputs("KUSABI_FUZZ_READER: expected structure, mps, lp, certificate or checkpoint\n",
-               stderr);
+    std::fputs(
+        "KUSABI_FUZZ_READER: expected structure, gmsh, abaqus, matrix, mps, lp, certificate or "
+        "checkpoint\n",
+        stderr);
     std::exit(2);
   }
   return *reader;

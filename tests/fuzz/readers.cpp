@@ -16,6 +16,7 @@
 
 #include "engine/checkpoint.hpp"
 #include "engine/wire.hpp"
+#include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -96,6 +97,56 @@ std::optional<std::string> try_structure(const std::string& bytes) {
   refused = refusal<support::InputError>([&] { problems::wedged_problem(*structure); });
   const auto other = refusal<support::InputError>([&] { problems::limit_problem(*structure); });
   return refused && other ? refused : std::nullopt;
+}
+
+std::optional<std::string> try_mesh(const std::string& bytes, const std::string& name,
+                                    int dimension) {
+  constexpr std::size_t most_nodes = 60;
+  problems::ProblemText problem;
+  problem.toml = "name = \"fuzzed\"\ndimension = " + std::to_string(dimension) +
+                 "\nunits = { length = \"m\", force = \"kN\" }\n[[mesh]]\nname = \"m\"\nfile = \"" +
+                 name + "\"\nE = 1.0\nnu = 0.25\n" +
+                 (dimension == 2 ? "thickness = 1.0\nplane = \"stress\"\n" : "") +
+                 "[[supports]]\nnodes = [\"m.1\"]\n[[contact]]\nnodes = [\"m.2\"]\n"
+                 "normal = \"surface\"\n";
+  problem.meshes[name] = bytes;
+  std::optional<problems::Structure> structure;
+  const auto refused = refusal<support::InputError>(
+      [&] { structure = problems::read_structure(problem, "fuzzed.toml"); });
+  if (refused || structure->node_names.size() > most_nodes) return refused;
+  for (const auto& warning : structure->warnings) check_line(warning);
+  refusal<support::InputError>([&] { problems::wedged_problem(*structure); });
+  return std::nullopt;
+}
+
+std::optional<std::string> try_mesh(const std::string& bytes, const std::string& name) {
+  const auto plane = try_mesh(bytes, name, 2);
+  const auto space = try_mesh(bytes, name, 3);
+  return plane ? space : plane;
+}
+
+// As each kind of file that the bytes might be.
+std::optional<std::string> try_matrix(const std::string& bytes) {
+  const auto as = [&](const std::string& name, const std::string& rows) {
+    problems::ProblemText problem;
+    problem.toml =
+        "name = \"fuzzed\"\ndimension = 2\nunits = { length = \"m\", force = \"kN\" }\n"
+        "[nodes]\n1 = [0, 0]\n2 = [1, 0]\n[[contact]]\nnodes = [\"1\"]\nnormal = [0, 1]\n"
+        "[[stiffness]]\nfile = \"" +
+        name + "\"\n" + rows;
+    problem.meshes[name] = bytes;
+    problem.meshes["k.dof"] = "1.1\n1.2\n2.1\n2.2\n";
+    std::optional<problems::Structure> structure;
+    auto refused = refusal<support::InputError>(
+        [&] { structure = problems::read_structure(problem, "fuzzed.toml"); });
+    if (refused) return refused;
+    for (const auto& warning : structure->warnings) check_line(warning);
+    return refusal<support::InputError>([&] { problems::wedged_problem(*structure); });
+  };
+  const auto listed = as("k.mtx", "nodes = [\"1\", \"2\"]\n");
+  const auto named = as("k.mtx", "others = \"free\"\n");
+  const auto stored = as("k.sti", "");
+  return listed && named ? stored : std::nullopt;
 }
 
 void require(bool holds, const char* what) {
@@ -220,6 +271,12 @@ std::string name_of(Reader reader) {
   switch (reader) {
     case Reader::structure:
       return "structure";
+    case Reader::gmsh:
+      return "gmsh";
+    case Reader::abaqus:
+      return "abaqus";
+    case Reader::matrix:
+      return "matrix";
     case Reader::mps:
       return "mps";
     case Reader::lp:
@@ -243,6 +300,12 @@ std::optional<std::string> try_reader(Reader reader, const std::string& bytes) {
   switch (reader) {
     case Reader::structure:
       return try_structure(bytes);
+    case Reader::gmsh:
+      return try_mesh(bytes, "fuzzed.msh");
+    case Reader::abaqus:
+      return try_mesh(bytes, "fuzzed.inp");
+    case Reader::matrix:
+      return try_matrix(bytes);
     case Reader::mps:
       return try_program(bytes, "fuzzed.mps");
     case Reader::lp:

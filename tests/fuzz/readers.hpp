@@ -14,14 +14,18 @@ namespace kusabi::fuzz {
 /// The kinds of file that the command reads.
 enum class Reader {
   structure,    ///< a problem file (TOML)
+  gmsh,         ///< a mesh of Gmsh, in the plane and in space
+  abaqus,       ///< a mesh of Abaqus or CalculiX, likewise; it may include itself
+  matrix,       ///< a stiffness: Matrix Market, a substructure of CalculiX, or its stored matrix
   mps,          ///< a mixed zero-one program
   lp,           ///< the same in CPLEX LP format
   certificate,  ///< of patterns, or of a worst-case limit load, whichever its first line says
   checkpoint,   ///< a manifest (the first line) and its first part (the rest)
 };
 
-inline constexpr std::array readers{Reader::structure, Reader::mps, Reader::lp, Reader::certificate,
-                                    Reader::checkpoint};
+inline constexpr std::array readers{Reader::structure,   Reader::gmsh,      Reader::abaqus,
+                                    Reader::matrix,      Reader::mps,       Reader::lp,
+                                    Reader::certificate, Reader::checkpoint};
 
 /// The name of its folder in tests/fuzz/corpus, and of its value of KUSABI_FUZZ_READER.
 std::string name_of(Reader reader);

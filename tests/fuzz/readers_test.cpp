@@ -29,6 +29,14 @@ std::vector<std::string> corpus(Reader reader) {
     folders.insert(folders.end(),
                    {source / "examples", source / "examples/paper", source / "tests/bad-input"});
   }
+  if (reader == Reader::gmsh || reader == Reader::abaqus) {
+    extension = reader == Reader::gmsh ? ".msh" : ".inp";
+    folders.insert(folders.end(), {source / "tests/meshes", source / "tests/bad-meshes"});
+  }
+  if (reader == Reader::matrix) {
+    extension = ".mtx";
+    folders.push_back(source / "tests/bad-matrices");
+  }
   if (reader == Reader::mps || reader == Reader::lp) {
     extension = "." + name_of(reader);
     folders.insert(folders.end(), {source / "tests/programs", source / "tests/bad-programs"});

@@ -461,6 +461,7 @@ TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
     return result["result"]["tree"]["opened"].get<int>();
   };
   EXPECT_LT(opened("relative"), opened("paper"));
+  opened("deepest");
 }
 
 TEST_F(Command, FindsTheCriticalFrictionOnAnyNumberOfRanks) {
@@ -973,6 +974,18 @@ TEST_F(Command, RefusesToDoTheSerialSearchOnEveryRank) {
 
 const std::string plane_truss =
     quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
+
+TEST_F(Command, RefusesRaysOfMoreCandidatesThanItCanTellApart) {
+  const auto file = in_folder("tall.toml");
+  ASSERT_EQ(shell(command + " example plane-truss --rows 65 --output " + quoted(file)).exit_code,
+            0);
+  for (const auto& launch : {std::string{}, ranks(2)}) {
+    const auto run = shell(launch + command + " rays " + quoted(file) + " --mu 0.65");
+    EXPECT_EQ(run.exit_code, 2) << run.output;
+    EXPECT_THAT(run.output, HasSubstr(file + ": 65 contact candidates; expected at most 64"));
+    EXPECT_THAT(run.output, testing::Not(HasSubstr("double description")));
+  }
+}
 
 // The rays and the cones of a result, byte for byte.
 std::string rays_and_cones(const std::string& file) {

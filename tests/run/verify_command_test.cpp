@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -68,7 +69,13 @@ TEST_F(VerifyCommand, GenuineCertificatesAreProvedOfTheProblemFile) {
                        {"two-bars.toml", 2.1, "the list of 1 pattern "},
                        {"plane-truss.toml", 1, "the list of 11 patterns"},
                        {"space-truss.toml", 0.65, "the list of 27 patterns"},
-                       {"elastic-body.toml", 0.7, "PROVED: the list of"}};
+                       {"elastic-body.toml", 0.7, "PROVED: the list of"},
+                       {"peg-in-hole.toml", 0.25, "the list of 0 patterns"},
+                       {"peg-in-hole.toml", 0.26, "PROVED: the list of"},
+                       {"brick-by-calculix.toml", 0.502, "the list of 0 patterns"},
+                       {"brick-by-calculix.toml", 0.503, "the list of 2 patterns"},
+                       {"snap-hook.toml", 0.3935, "the list of 0 patterns"},
+                       {"snap-hook.toml", 0.3945, "the list of 1 pattern "}};
   for (const auto& [example, mu, patterns] : table) {
     const auto certificate = certificate_of(example_file(example), mu);
     const auto run = verify(certificate, example_file(example));
@@ -168,6 +175,43 @@ TEST_F(VerifyCommand, LimitLoadsAreProvedOfTheProblemFile) {
   const auto wrong = verify(certificate, example_file("two-bars.toml"));
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.output, HasSubstr("a [[members]] group has no yield; expected yield"));
+}
+
+// 80 nodes on the face of a meshed body: sets of candidates that take two words, in the nodes that
+// ranks send each other, in the certificate and in the proof.
+TEST_F(VerifyCommand, ProvesTheFaceOfABodyWithEightyNodes) {
+  std::ofstream(path("body.toml")) << R"(name = "body"
+dimension = 2
+units = { length = "m", force = "kN" }
+[[mesh]]
+name = "body"
+corners = [[0.0, 0.0], [1.8, 0.0], [2.0, 2.0], [0.0, 2.0]]
+divisions = [4, 79]
+E = 1.0
+nu = 0.25
+thickness = 1.0
+plane = "stress"
+[[supports]]
+nodes = ["body.left"]
+[[contact]]
+nodes = ["body.right"]
+normal = [-2.0, -0.2]
+)";
+  const auto file = path("body.toml");
+  std::set<std::string> shown;
+  for (int count = 1; count <= 2; ++count) {
+    const auto certificate = quoted(path(fmt::format("{}.cert", count)));
+    const auto run =
+        shell(fmt::format("{} {} patterns {} --mu 0.8 --quiet --certificate {}",
+                          kusabi::test::ranks(count), command, quoted(file), certificate));
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    const auto proved = verify(certificate, file);
+    EXPECT_EQ(proved.exit_code, 0) << proved.output;
+    EXPECT_THAT(proved.output, HasSubstr(" nodes cover all 2^80 sign patterns, each once"));
+    EXPECT_THAT(proved.output, HasSubstr("PROVED: the list of "));
+    shown.insert(proved.output);
+  }
+  EXPECT_EQ(shown.size(), 1U) << "other nodes on two ranks";
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(Condensation, HoldsTheClosedFormOfASquareElement) {
   corner.normal = {1, 0, 0};
   corner.tangent = Vector{5, 7, 0};  // less its part along n: (0, 1)
   structure.contact = {corner};
-  PlaneElement square;
+  Element square;
   square.nodes = {0, 1, 2, 3};
   square.ratio = 0.25;
   square.thickness = 2;

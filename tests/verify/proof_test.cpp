@@ -174,7 +174,7 @@ TEST(Proof, HoldsForEveryStiffnessWithinTheRadius) {
     const Proof proof(certificate, stiffness);
     EXPECT_TRUE(proof.least_eigenvalue());
     EXPECT_LE(proof.least_eigenvalue()->nearest(), 1 - radius);
-    return proof.refusal(certificate.records[0]).has_value();
+    return proof.judgement(certificate.records[0]).refusal.has_value();
   };
   const std::string alive = "alive 1 1 0 0x1p+1\n";
   const std::string dead = "dead 1 1 0 -0x1p+0\n";

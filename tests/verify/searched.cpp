@@ -8,6 +8,7 @@
 #include "engine/search.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/files/structure_file.hpp"
+#include "run/evidence/certificate_file.hpp"
 #include "support/sha1.hpp"
 #include "verify/agreement.hpp"
 #include "verify/certificate.hpp"
@@ -15,6 +16,8 @@
 #include "verify/proof.hpp"
 
 namespace kusabi::verify {
+
+using support::IndexSet;
 
 std::string sealed(const std::string& text) {
   const auto body = text.substr(0, text.rfind("digest "));
@@ -50,11 +53,24 @@ std::string node_line(const wedged::Evidence& evidence) {
   const auto* const kind = evidence.kind == Kind::dead    ? "dead"
                            : evidence.kind == Kind::alive ? "alive"
                                                           : "marginal";
-  return fmt::format("{} {:x} {:x}{}\n", kind, evidence.node.contact, evidence.node.separated,
-                     listed(evidence.numbers));
+  return fmt::format("{} {} {}{}\n", kind, hexadecimal(evidence.node.contact),
+                     hexadecimal(evidence.node.separated), listed(evidence.numbers));
 }
 
 }  // namespace
+
+std::string written(const problems::WedgedProblem& problem, double mu) {
+  const std::vector<double> friction(problem.contact_names.size(), mu);
+  std::string text = run::certificate_header(problem, friction);
+  std::size_t count = 0;
+  wedged::SignPatternTree tree(problem, friction, {.tolerances = {}, .thorough = true});
+  tree.report_to([&](const auto& evidence) {
+    text += run::certificate_line(evidence);
+    ++count;
+  });
+  engine::search(tree);
+  return sealed(text + fmt::format("end {}\n", count));
+}
 
 Draft searched(const problems::WedgedProblem& problem, double friction) {
   const auto m = problem.contact_names.size();
@@ -101,9 +117,10 @@ Draft in_blocks(const Draft& first, const Draft& second) {
   const auto one = *after(first, "friction");
   both.header.push_back(one.substr(0, one.size() - 1) + after(second, "friction")->substr(8));
   both.header.push_back(n == 0 ? "blocks 1\n" : "blocks 2\n");
-  const auto set = [](std::size_t count) { return ~std::uint64_t{0} >> (64 - count); };
-  both.header.push_back(fmt::format("block {:x}\n", set(m)));
-  if (n > 0) both.header.push_back(fmt::format("block {:x}\n", set(n) << m));
+  const auto all_of_first = IndexSet::below(static_cast<int>(m));
+  const auto all = IndexSet::below(static_cast<int>(m + n));
+  both.header.push_back(fmt::format("block {}\n", hexadecimal(all_of_first)));
+  if (n > 0) both.header.push_back(fmt::format("block {}\n", hexadecimal(all - all_of_first)));
   both.header.emplace_back("stiffness\n");
   const auto nodes_line = std::string("nodes\n");
   std::size_t rows = 0;
@@ -116,21 +133,24 @@ Draft in_blocks(const Draft& first, const Draft& second) {
     both.header.push_back(zeros + *line);
   }
   both.header.push_back(nodes_line);
-  const auto add = [&](const Draft& draft, int block, std::size_t shift) {
+  const auto add = [&](const Draft& draft, int block, int shift) {
     for (const auto& line : draft.nodes) {
       const auto sets = line.find(' ') + 1;
       const auto second_set = line.find(' ', sets) + 1;
       const auto rest = line.find_first_of(" \n", second_set);
       const auto moved = [&](std::size_t from, std::size_t to) {
-        return std::stoull(line.substr(from, to - from), nullptr, 16) << shift;
+        IndexSet set;
+        for (const int i : IndexSet(std::stoull(line.substr(from, to - from), nullptr, 16)))
+          set.insert(i + shift);
+        return hexadecimal(set);
       };
-      both.nodes.push_back(fmt::format("{}{} {:x} {:x}{}", line.substr(0, sets), block,
+      both.nodes.push_back(fmt::format("{}{} {} {}{}", line.substr(0, sets), block,
                                        moved(sets, second_set - 1), moved(second_set, rest),
                                        line.substr(rest)));
     }
   };
   add(first, 1, 0);
-  add(second, 2, m);
+  add(second, 2, static_cast<int>(m));
   return both;
 }
 
@@ -141,23 +161,27 @@ Verdict verdict(const std::string& text) {
 Verdict verdict(const std::string& text, const Structure* structure) {
   const auto certificate = read_certificate(text, "cert");
   Verdict result;
-  auto stiffness = recorded_stiffness(certificate);
+  std::optional<Agreement> agreed;
   if (structure != nullptr) {
     auto found = agreement(certificate, *structure);
     if (const auto* why = std::get_if<std::string>(&found)) {
       result.refusals.push_back(*why);
       return result;
     }
-    stiffness = std::get<Agreement>(found).stiffness;
+    agreed = std::move(std::get<Agreement>(found));
   }
-  const Proof proof(certificate, stiffness);
+  const auto proof =
+      agreed ? Proof(certificate, agreed->stiffness, agreed->motions) : Proof(certificate);
   if (!proof.least_eigenvalue()) {
     result.refusals.emplace_back("K");
     return result;
   }
   for (const auto& record : certificate.records) {
-    if (auto reason = proof.refusal(record)) {
-      result.refusals.push_back(*reason);
+    const auto judgement = proof.judgement(record);
+    if (judgement.but_for_far_motion) ++result.but_for_far_motion;
+    if (judgement.unloaded) ++result.unloaded;
+    if (judgement.refusal) {
+      result.refusals.push_back(*judgement.refusal);
     } else if (record.claim == Claim::alive) {
       result.alive.insert(record.contact);
     } else {

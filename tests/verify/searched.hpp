@@ -8,6 +8,7 @@
 
 #include "problems/structure/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "support/index_set.hpp"
 #include "verify/structure.hpp"
 
 namespace kusabi::verify {
@@ -29,6 +30,9 @@ problems::WedgedProblem example(const std::string& name);
 
 problems::Structure example_structure(const std::string& name);
 
+/// The certificate as `kusabi patterns --certificate` writes it, also of loose bodies.
+std::string written(const problems::WedgedProblem& problem, double mu);
+
 /// What a search finds, on one rank, as a certificate of version 1.
 Draft searched(const problems::WedgedProblem& problem, double friction);
 
@@ -38,9 +42,11 @@ Draft in_blocks(const Draft& first, const Draft& second);
 /// What is said of a certificate: refusals of nodes, of the cover, of K.
 struct Verdict {
   std::vector<std::string> refusals;
-  std::set<std::uint64_t> alive;  ///< U of those proved
-  std::size_t dead = 0;           ///< proved
+  std::set<support::IndexSet> alive;  ///< U of those proved
+  std::size_t dead = 0;               ///< proved
   std::size_t marginal = 0;
+  std::size_t but_for_far_motion = 0;  ///< of the dead ones
+  std::size_t unloaded = 0;            ///< of the marginal ones
 
   [[nodiscard]] bool proved() const { return refusals.empty(); }
 };

@@ -48,7 +48,7 @@ std::vector<PatternBisection::Pattern> living(const problems::WedgedProblem& pro
 }
 
 // By contact set.
-using Cells = std::map<std::uint64_t, CriticalCell>;
+using Cells = std::map<support::IndexSet, CriticalCell>;
 
 struct Found {
   Cells cells;
@@ -80,10 +80,10 @@ void expect_same(const Found& a, const Found& b) {
   for (const auto& [contact, cell] : a.cells) {
     const auto& other = b.cells.at(contact);
     if (narrow(cell) && narrow(other)) {
-      EXPECT_EQ(cell.dead, other.dead) << contact;
+      EXPECT_EQ(cell.dead, other.dead) << hexadecimal(contact);
     } else {
-      EXPECT_LT(cell.dead, other.alive) << contact;
-      EXPECT_LT(other.dead, cell.alive) << contact;
+      EXPECT_LT(cell.dead, other.alive) << hexadecimal(contact);
+      EXPECT_LT(other.dead, cell.alive) << hexadecimal(contact);
     }
   }
 }
@@ -101,9 +101,9 @@ CriticalCell least(const problems::WedgedProblem& problem, double most, double d
   return outcome.solutions.empty() ? CriticalCell{} : outcome.solutions[0].solution.cell;
 }
 
-std::uint64_t bits(const std::vector<unsigned>& candidates) {
-  std::uint64_t set = 0;
-  for (const unsigned i : candidates) set |= std::uint64_t{1} << i;
+support::IndexSet set_of(const std::vector<int>& candidates) {
+  support::IndexSet set;
+  for (const int i : candidates) set.insert(i);
   return set;
 }
 
@@ -111,7 +111,7 @@ std::uint64_t bits(const std::vector<unsigned>& candidates) {
 void expect_reference(const nlohmann::json& list, const Found& found, double rounding) {
   ASSERT_EQ(list.size(), found.cells.size());
   for (const auto& entry : list) {
-    const auto contact = bits(entry[1].get<std::vector<unsigned>>());
+    const auto contact = set_of(entry[1].get<std::vector<int>>());
     ASSERT_TRUE(found.cells.contains(contact)) << entry;
     const auto& cell = found.cells.at(contact);
     EXPECT_GT(entry[0].get<double>(), width * static_cast<double>(cell.dead) - rounding) << entry;
@@ -197,7 +197,7 @@ TEST(CriticalFriction, LifeIsMonotoneInFriction) {
   EXPECT_FALSE(found.cells.empty());
   CriticalFriction critical(problem, width);
   for (const auto& [contact, cell] : found.cells) {
-    const SignPattern pattern{contact, 1023 & ~contact};
+    const SignPattern pattern{contact, 1023 - contact, {}};
     for (const double factor : {0.5, 0.9, 1.0}) {
       EXPECT_EQ(critical.probe(pattern, factor * critical.at(cell.dead)).sign, conic::Sign::dead);
     }

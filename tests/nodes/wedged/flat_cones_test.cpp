@@ -23,7 +23,7 @@ namespace kusabi::wedged {
 namespace {
 
 /// (S, G): what a cone loads and what it moves.
-using Cones = std::set<std::pair<std::uint64_t, std::uint64_t>>;
+using Cones = std::set<std::pair<support::IndexSet, support::IndexSet>>;
 
 std::vector<Configuration> leaves_of(const problems::WedgedProblem& problem, double mu) {
   SignPatternTree tree(problem, std::vector<double>(problem.contact_names.size(), mu));
@@ -150,16 +150,19 @@ TEST(FlatCones, InSpaceAreThoseOfAllLeavesOneByOne) {
     auto one = *problem;
     one.blocks.clear();
     const auto all = problems::all_candidates(one);
+    const auto leaves = std::uint64_t{1} << static_cast<unsigned>(all.size());
     ContactSolver solver(one, friction, {});
     std::vector<SignPattern> found;
-    for (std::uint64_t contact = 1; contact <= all; ++contact) {
-      const auto answer = solver.solve(contact, all & ~contact, {.when_alive = false});
+    for (std::uint64_t ones = 1; ones < leaves; ++ones) {
+      const support::IndexSet contact = ones;
+      const auto separated = all - contact;
+      const auto answer = solver.solve(contact, separated, {.when_alive = false});
       if (answer.sign == conic::Sign::dead) continue;
-      SignPattern pattern{.contact = contact, .separated = all & ~contact};
+      SignPattern pattern{.contact = contact, .separated = separated, .at_rest = {}};
       if (answer.sign == conic::Sign::marginal) {
-        const auto inside = solver.relative_interior(contact, all & ~contact);
+        const auto inside = solver.relative_interior(contact, separated);
         ASSERT_TRUE(inside) << seed;
-        pattern = {.contact = inside->loaded, .separated = inside->moved};
+        pattern = {.contact = inside->loaded, .separated = inside->moved, .at_rest = {}};
       }
       found.push_back(pattern);
     }

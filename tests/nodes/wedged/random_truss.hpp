@@ -63,9 +63,10 @@ inline std::pair<problems::Structure, problems::WedgedProblem> random_problem(
     problems::Structure structure = random_truss(kind, generator);
     try {
       problems::WedgedProblem problem = problems::wedged_problem(structure);
+      if (problem.motions.cols() > 0) continue;  // loose
       return {std::move(structure), std::move(problem)};
     } catch (const support::InputError&) {
-      continue;  // a mechanism
+      continue;  // a mechanism, or a normal out of the body
     }
   }
 }

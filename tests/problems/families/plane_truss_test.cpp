@@ -10,6 +10,7 @@
 
 #include "problems/files/structure_file.hpp"
 #include "problems/files/structure_writer.hpp"
+#include "problems/structure/structure_check.hpp"
 #include "problems/structure/truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "tests/problems/trusses.hpp"
@@ -78,7 +79,7 @@ TEST(PlaneTruss, OfAnImpossibleSizeIsRefused) {
   EXPECT_THROW(plane_truss({.rows = 1}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.bays = 0}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.bays = 1'000'000'000}), std::invalid_argument);
-  EXPECT_THROW(plane_truss({.rows = 65}), std::invalid_argument);
+  EXPECT_THROW(plane_truss({.rows = most_contact_candidates + 1}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.width = 0}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.width = nan}), std::invalid_argument);
   EXPECT_THROW(plane_truss({.lean = 90}), std::invalid_argument);

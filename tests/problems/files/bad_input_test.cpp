@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,6 +85,25 @@ TEST(BadInputFiles, AreNotFewerThanTheRules) {
 TEST(BadInputText, WithoutAnyByteIsRefused) {
   EXPECT_EQ(error_of("", "empty.toml"),
             "empty.toml:1:1: the file is empty; expected a problem file in TOML");
+}
+
+// The line is that of the first candidate that is too many.
+TEST(BadInputText, OfTooManyContactCandidatesIsRefused) {
+  std::string text =
+      "name = \"comb\"\ndimension = 2\n"
+      "units = { length = \"m\", force = \"kN\" }\n[nodes]\nfoot = [0.0, 0.0]\n";
+  std::string all;
+  std::string bars;
+  for (int i = 0; i < 4097; ++i) {
+    text += fmt::format("c{} = [{}.5, 3.0]\n", i, i);
+    bars += fmt::format("[\"foot\", \"c{}\"],", i);
+    all += fmt::format("\"c{}\",\n", i);
+  }
+  text += "[[members]]\nEA = 1.0\nbetween = [" + bars + "]\n[[supports]]\nnodes = [\"foot\"]\n" +
+          "[[contact]]\nnormal = [0.0, 1.0]\nnodes = [\n" + all + "]\n";
+  EXPECT_EQ(error_of(text, "comb.toml"),
+            "comb.toml:8207:1: 4097 contact candidates; expected at most 4096, for K and F are "
+            "full matrices");
 }
 
 TEST(BadInputText, OfCommentsOnlyIsRefused) {

@@ -1,6 +1,4 @@
 // Four-node elements: patch tests, hand calculations, meshes in files.
-#include "problems/structure/quadrilateral.hpp"
-
 #include <string>
 
 #include <Eigen/Eigenvalues>
@@ -11,6 +9,7 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/files/structure_writer.hpp"
 #include "problems/structure/mechanism.hpp"
+#include "problems/structure/solid_element.hpp"
 #include "problems/structure/structure_check.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -34,7 +33,7 @@ Eigen::MatrixXd stiffness_of(const Structure& structure) {
   return element_stiffness(structure, free_degrees(structure));
 }
 
-TEST(Quadrilateral, IsStrainedByAllButTheThreeRigidMotions) {
+TEST(Element, IsStrainedByAllButTheThreeRigidMotions) {
   for (const auto state : {PlaneState::stress, PlaneState::strain}) {
     const auto structure = one_element(skew, state);
     const Eigen::MatrixXd stiffness = stiffness_of(structure);
@@ -51,7 +50,7 @@ TEST(Quadrilateral, IsStrainedByAllButTheThreeRigidMotions) {
 
 // The patch test: a displacement linear in the position has one strain e everywhere, and the energy
 // e^T D e t A / 2, whatever the shape of the element.
-TEST(Quadrilateral, HasTheEnergyOfAUniformStrain) {
+TEST(Element, HasTheEnergyOfAUniformStrain) {
   const Eigen::Vector3d strain(0.3, -0.2, 0.5);  // xx, yy, and the shear angle xy
   Eigen::VectorXd motion(8);
   for (int node = 0; node < 4; ++node) {
@@ -79,7 +78,7 @@ TEST(Quadrilateral, HasTheEnergyOfAUniformStrain) {
   }
 }
 
-TEST(Quadrilateral, MayHaveItsCornersInEitherSense) {
+TEST(Element, MayHaveItsCornersInEitherSense) {
   Eigen::Matrix<double, 2, 4> turned = skew;
   turned.col(1).swap(turned.col(3));
   const Eigen::MatrixXd there = stiffness_of(one_element(skew, PlaneState::stress));
@@ -89,7 +88,7 @@ TEST(Quadrilateral, MayHaveItsCornersInEitherSense) {
 }
 
 // A bar of unit width that is pulled: u = P L / (E A), and it becomes thinner by nu.
-TEST(Quadrilateral, StretchesABarByTheTextbookAmount) {
+TEST(Element, StretchesABarByTheTextbookAmount) {
   const auto structure = read_structure(R"(
 name = "bar"
 dimension = 2
@@ -171,7 +170,7 @@ normal = [-1, 0]
   EXPECT_EQ(joined.elements.size(), 4U + 6);
   EXPECT_NO_THROW(wedged_problem(joined));
   const auto apart = read_structure(text("[[1.1, 0], [2, 0], [2, 1], [1.1, 1]]"), "apart");
-  EXPECT_THROW(wedged_problem(apart), support::InputError);  // the second block falls off
+  EXPECT_EQ(wedged_problem(apart).loose_bodies.size(), 1U);  // the second block falls off
 }
 
 TEST(Mesh, IsWrittenAsElementsAndReadBack) {

@@ -25,8 +25,8 @@ constexpr double rounding = 1e-12;
 constexpr double bracket_width = 1e-7;
 
 // (r, lower) meets every line of the node program.
-void expect_proved_from_below(const ContactProblem& problem, Masks masks, const Eigen::VectorXd& r,
-                              double lower) {
+void expect_proved_from_below(const ContactProblem& problem, const Masks& masks,
+                              const Eigen::VectorXd& r, double lower) {
   const Eigen::VectorXd u = problem.compliance * r;
   double sum = 0;
   for (int i = 0; i < problem.candidates(); ++i) {
@@ -52,8 +52,8 @@ void expect_proved_from_below(const ContactProblem& problem, Masks masks, const 
 //   w'r <= tau (1 - omega t) + t sum_C w_n / mu  for any tau >= w_n + mu ||w_t|| on C, since
 //   r_n = x + t / mu and ||r_t|| <= mu x with x >= 0 and sum x = 1 - omega t.
 // Together t (Y + omega tau - sum_C w_n / mu) <= tau.
-void expect_proved_from_above(const ContactProblem& problem, Masks masks, const Eigen::VectorXd& y,
-                              double upper) {
+void expect_proved_from_above(const ContactProblem& problem, const Masks& masks,
+                              const Eigen::VectorXd& y, double upper) {
   const int d = problem.d, m = problem.candidates();
   Eigen::VectorXd w = Eigen::VectorXd::Zero(d * m);
   double total = 0, omega = 0, scale = 1, tau = -std::numeric_limits<double>::infinity();
@@ -78,6 +78,28 @@ void expect_proved_from_above(const ContactProblem& problem, Masks masks, const 
   EXPECT_LE(tau, upper * (total + omega * tau - weighted) + rounding * scale * m * m);
 }
 
+// Both proofs, and that the answer says no more than they do.
+template <int D>
+Answer proved(const ContactProblem& problem, NodeSolver<D>& solver, const Masks& masks,
+              StopEarly stop) {
+  const int m = problem.candidates();
+  const Answer answer = solver.solve(masks.first, masks.second, stop);
+  SCOPED_TRACE(::testing::Message() << "m = " << m << ", U = " << hexadecimal(masks.first)
+                                    << ", R = " << hexadecimal(masks.second) << ", t* in ["
+                                    << answer.lower << ", " << answer.upper << "]");
+  if (answer.has_point) expect_proved_from_below(problem, masks, solver.reaction(), answer.lower);
+  expect_proved_from_above(problem, masks, solver.multipliers(), answer.upper);
+  EXPECT_LE(answer.lower, answer.upper + rounding);
+  EXPECT_LE((solver.displacement() - problem.compliance * solver.reaction()).norm(), rounding * m);
+  EXPECT_EQ(answer.sign == Sign::alive, answer.has_point && answer.lower > 1e-12);
+  EXPECT_EQ(answer.sign == Sign::dead, answer.upper < -1e-12);
+  if (!stop.when_dead) {
+    EXPECT_TRUE(answer.has_point);
+    EXPECT_LE(answer.gap, bracket_width * std::max(1.0, std::abs(answer.upper)));
+  }
+  return answer;
+}
+
 template <int D>
 void expect_certificates(double least, double most, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
@@ -88,21 +110,8 @@ void expect_certificates(double least, double most, std::uint64_t seed) {
       NodeSolver<D> solver(problem.compliance, problem.friction);
       const Masks masks = testing::random_masks(m, generator);
       for (const StopEarly stop : {StopEarly{}, never}) {
-        const Answer answer = solver.solve(masks.first, masks.second, stop);
-        SCOPED_TRACE(::testing::Message()
-                     << "m = " << m << ", U = " << masks.first << ", R = " << masks.second
-                     << ", t* in [" << answer.lower << ", " << answer.upper << "]");
-        if (answer.has_point)
-          expect_proved_from_below(problem, masks, solver.reaction(), answer.lower);
-        expect_proved_from_above(problem, masks, solver.multipliers(), answer.upper);
-        EXPECT_LE(answer.lower, answer.upper + rounding);
-        EXPECT_LE((solver.displacement() - problem.compliance * solver.reaction()).norm(),
-                  rounding * m);
-        EXPECT_EQ(answer.sign == Sign::alive, answer.has_point && answer.lower > 1e-12);
-        EXPECT_EQ(answer.sign == Sign::dead, answer.upper < -1e-12);
+        const Answer answer = proved(problem, solver, masks, stop);
         if (!stop.when_dead) {
-          EXPECT_TRUE(answer.has_point);
-          EXPECT_LE(answer.gap, bracket_width * std::max(1.0, std::abs(answer.upper)));
           alive += answer.sign == Sign::alive;
           dead += answer.sign == Sign::dead;
         }
@@ -119,6 +128,22 @@ TEST(Certificates, HoldInThePlane) {
 TEST(Certificates, HoldInSpace) {
   expect_certificates<3>(0.3, 1.5, 12);
 }
+// Sets of candidates that take two words: some in U, some in R on either side of the border.
+TEST(Certificates, HoldForAHundredCandidates) {
+  constexpr int m = 100;
+  std::mt19937_64 generator(15);
+  const ContactProblem problem = testing::random_problem(2, m, 5, 10, generator);
+  NodeSolver<2> solver(problem.compliance, problem.friction);
+  EXPECT_EQ(proved(problem, solver, {}, never).sign, Sign::alive);
+  for (int repetition = 0; repetition < 6; ++repetition) {
+    const Masks masks = testing::random_masks(m, generator);
+    for (const StopEarly stop : {StopEarly{}, never}) proved(problem, solver, masks, stop);
+  }
+  // Without friction nothing wedges.
+  NodeSolver<2> slippery(problem.compliance, std::vector<double>(m, 1e-3));
+  const ContactProblem same{2, problem.compliance, std::vector<double>(m, 1e-3)};
+  EXPECT_EQ(proved(same, slippery, {support::IndexSet::below(70), {}}, never).sign, Sign::dead);
+}
 TEST(Certificates, HoldForBadlyScaledFrictionInThePlane) {
   expect_certificates<2>(0.01, 10, 13);
 }
@@ -128,7 +153,7 @@ TEST(Certificates, HoldForBadlyScaledFrictionInSpace) {
 
 // The greatest level(r) over the affine set of the equations, by the ellipsoid method: level is
 // concave, so each supergradient cuts off a half of the ellipsoid that holds nothing greater.
-double search(const ContactProblem& problem, Masks masks) {
+double search(const ContactProblem& problem, const Masks& masks) {
   constexpr double radius = 100, enough = 1e-8;
   const Eigen::MatrixXd matrix = testing::equations(problem, masks);
   const Eigen::VectorXd right_side = Eigen::VectorXd::Unit(matrix.rows(), matrix.rows() - 1);
@@ -169,8 +194,8 @@ void expect_agreement_with_search(int most_candidates, std::uint64_t seed) {
     NodeSolver<D> solver(problem.compliance, problem.friction);
     const Answer answer = solver.solve(masks.first, masks.second, never);
     const double found = search(problem, masks);
-    SCOPED_TRACE(::testing::Message()
-                 << "m = " << m << ", U = " << masks.first << ", R = " << masks.second);
+    SCOPED_TRACE(::testing::Message() << "m = " << m << ", U = " << hexadecimal(masks.first)
+                                      << ", R = " << hexadecimal(masks.second));
     EXPECT_LE(found, answer.upper + rounding);
     EXPECT_GE(found, answer.lower - reach * std::max(1.0, std::abs(answer.lower)));
   }

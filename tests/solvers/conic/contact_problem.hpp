@@ -3,19 +3,20 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <random>
 #include <vector>
 
 #include <Eigen/Dense>
 
+#include "support/index_set.hpp"
+
 namespace kusabi::conic::testing {
 
-using Masks = std::pair<std::uint64_t, std::uint64_t>;  // U, R
+using Masks = std::pair<support::IndexSet, support::IndexSet>;  // U, R
 
-inline bool contains(std::uint64_t set, int i) {
-  return (set >> i & 1) != 0;
+inline bool contains(const support::IndexSet& set, int i) {
+  return set.contains(i);
 }
 
 /// A compliance (dm x dm, node-major, normal first) and a friction coefficient for each candidate.
@@ -56,16 +57,16 @@ inline Masks random_masks(int m, std::mt19937_64& generator) {
     Masks masks{0, 0};
     for (int i = 0; i < m; ++i) {
       const auto draw = generator() % 3;
-      if (draw == 0) masks.first |= std::uint64_t{1} << i;
-      if (draw == 1) masks.second |= std::uint64_t{1} << i;
+      if (draw == 0) masks.first.insert(i);
+      if (draw == 1) masks.second.insert(i);
     }
-    if (masks.second != (std::uint64_t{1} << m) - 1) return masks;
+    if (masks.second != support::IndexSet::below(m)) return masks;
   }
 }
 
 /// The largest t for which (r, t) meets the inequalities of the node program, a concave function.
 /// @param slope if not null, receives a supergradient of it at r
-inline double level(const ContactProblem& problem, Masks masks, const Eigen::VectorXd& r,
+inline double level(const ContactProblem& problem, const Masks& masks, const Eigen::VectorXd& r,
                     Eigen::VectorXd* slope = nullptr) {
   const Eigen::VectorXd u = problem.compliance * r;
   double t = std::numeric_limits<double>::infinity();
@@ -91,7 +92,7 @@ inline double level(const ContactProblem& problem, Masks masks, const Eigen::Vec
 
 /// The equations of the node program: u_n = 0 on U, r = 0 on R, sum r_n = 1; and a right-hand side
 /// of them that ends in the one of the sum.
-inline Eigen::MatrixXd equations(const ContactProblem& problem, Masks masks) {
+inline Eigen::MatrixXd equations(const ContactProblem& problem, const Masks& masks) {
   const int d = problem.d, m = problem.candidates();
   std::vector<Eigen::RowVectorXd> rows;
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(d * m);

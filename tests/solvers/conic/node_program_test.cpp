@@ -102,8 +102,7 @@ TEST(NodeProgram, RefusesDataThatCannotBeMeant) {
   EXPECT_THROW(NodeProgram<2>(good, Frictions({1, 1e7})), std::invalid_argument);
   EXPECT_THROW(NodeProgram<2>(good, Frictions({1, std::nan("")})), std::invalid_argument);
   EXPECT_THROW(NodeProgram<2>(Eigen::MatrixXd(0, 0), Frictions()), std::invalid_argument);
-  EXPECT_THROW(NodeProgram<2>(Eigen::MatrixXd::Identity(130, 130), Frictions(65, 1.0)),
-               std::invalid_argument);
+  EXPECT_NO_THROW(NodeProgram<2>(Eigen::MatrixXd::Identity(130, 130), Frictions(65, 1.0)));
   Eigen::MatrixXd bad = good;
   bad(0, 1) = 0.5;
   EXPECT_THROW(NodeProgram<2>(bad, Frictions({1, 1})), std::invalid_argument);

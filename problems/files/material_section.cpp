@@ -1,0 +1,91 @@
+// Which material has which keys.
+#include "problems/files/material_section.hpp"
+
+#include <fmt/format.h>
+
+#include "problems/files/loads_file.hpp"
+#include "problems/structure/structure_check.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+GroupMaterial bar_material(const TomlReader& reader, const TomlTable& table) {
+  reader.allow_only(table, {"groups", "EA", "yield"});
+  GroupMaterial material;
+  const auto& entry = reader.require(table, "EA", "EA = an axial stiffness, a force");
+  material.of_bars = true;
+  material.position = reader.position(entry);
+  material.bar.axial_stiffness = reader.number(entry, "EA");
+  if (material.bar.axial_stiffness == 0) {
+    reader.fail(material.position, axial_stiffness_fault(0));
+  }
+  if (const auto* yield = table.table->get("yield"); yield != nullptr) {
+    material.bar.yield = yield_in(reader, *yield);
+  }
+  return material;
+}
+
+}  // namespace
+
+GroupMaterial body_material(const ProblemDraft& draft, const TomlTable& table) {
+  const TomlReader& reader = draft.reader();
+  GroupMaterial material;
+  Element& element = material.element;
+  const auto& modulus = reader.require(table, "E", "E = Young's modulus, a force per area");
+  material.position = reader.position(modulus);
+  element.modulus = reader.number(modulus, "E");
+  element.ratio = reader.number(reader.require(table, "nu", "nu = Poisson's ratio"), "nu");
+  element.thickness = 1;
+  const auto* plane = table.table->get("plane");
+  if (draft.structure().dimension == 3) {
+    const auto* thickness = table.table->get("thickness");
+    if (plane == nullptr && thickness == nullptr) return material;
+    reader.fail(plane != nullptr ? *plane : *thickness,
+                "a thickness or a plane in space; expected E and nu only");
+  }
+  element.thickness =
+      reader.number(reader.require(table, "thickness", "thickness = a length"), "thickness");
+  if (plane == nullptr) return material;
+  const TomlText state = reader.text(*plane, "plane");
+  if (state.text != "stress" && state.text != "strain") {
+    reader.fail(state.position, fmt::format("plane is {}; expected \"stress\" or \"strain\"",
+                                            support::in_quotes(state.text)));
+  }
+  material.has_plane = true;
+  element.state = state.text == "stress" ? PlaneState::stress : PlaneState::strain;
+  return material;
+}
+
+std::vector<GroupMaterial> read_materials(const ProblemDraft& draft) {
+  std::vector<GroupMaterial> materials;
+  const toml::node* section = draft.section("material");
+  if (section == nullptr) return materials;
+  const TomlReader& reader = draft.reader();
+  for (const TomlTable& table : reader.groups(*section, "material")) {
+    const auto& groups = reader.require(table, "groups", "groups = [\"MESH.GROUP\", ...]");
+    if (table.table->contains("EA")) {
+      materials.push_back(bar_material(reader, table));
+    } else {
+      reader.allow_only(table, {"groups", "E", "nu", "thickness", "plane", "EA", "yield"});
+      materials.push_back(body_material(draft, table));
+    }
+    materials.back().groups = reader.texts(groups, "groups");
+    materials.back().found.resize(materials.back().groups.size(), false);
+  }
+  return materials;
+}
+
+void require_all_found(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials) {
+  for (const GroupMaterial& material : materials) {
+    for (std::size_t i = 0; i < material.groups.size(); ++i) {
+      if (material.found[i]) continue;
+      draft.reader().fail(
+          material.groups[i].position,
+          fmt::format("no mesh has a group {} with elements; expected MESH.GROUP, the names of a "
+                      "mesh from a file and of a group in it",
+                      support::in_quotes(material.groups[i].text)));
+    }
+  }
+}
+
+}  // namespace kusabi::problems

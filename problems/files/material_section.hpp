@@ -1,0 +1,36 @@
+// Materials by group: [[material]], and the keys of a [[mesh]] that say the same of all its
+// elements.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/files/problem_draft.hpp"
+#include "problems/files/toml_reader.hpp"
+#include "problems/structure/structure.hpp"
+
+namespace kusabi::problems {
+
+/// What the elements of some groups are made of: a body, or bars.
+struct GroupMaterial {
+  std::vector<TomlText> groups;
+  std::vector<bool> found;  ///< one a group: whether a mesh has it
+  bool of_bars = false;
+  Element element{};  ///< without nodes
+  bool has_plane = false;
+  Member bar{};  ///< without nodes
+  support::SourcePosition position;
+};
+
+/// The keys E, nu, thickness and plane of a table; in space there are only the first two. Without
+/// `plane` the elements must say it themselves.
+GroupMaterial body_material(const ProblemDraft& draft, const TomlTable& table);
+
+/// All of [[material]].
+std::vector<GroupMaterial> read_materials(const ProblemDraft& draft);
+
+/// @throws InputError at the first group that no mesh has
+void require_all_found(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,60 @@
+// The text of a mesh file, line by line and field by field; what is wrong is told with file, line
+// and column.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kusabi::problems {
+
+/// Largest number of a node, an element or a group.
+inline constexpr int largest_tag = std::numeric_limits<int>::max();
+
+class MeshText {
+ public:
+  /// @param separators between fields; blanks are dropped in any case
+  MeshText(std::string_view text, std::string file, std::string_view separators);
+
+  /// Goes to the next line, and splits it into fields. False at the end of the text.
+  bool next_line();
+  /// Gives the line back: the next `next_line` has it again.
+  void put_back() { put_back_ = true; }
+
+  std::string_view line() const { return line_; }
+  int number() const { return number_; }
+  const std::string& file() const { return file_; }
+  std::size_t bytes_left() const { return text_.size() - at_; }
+
+  std::size_t fields() const { return fields_.size(); }
+  std::string_view field(std::size_t index) const { return fields_[index]; }
+
+  /// A whole number from `least` to `largest_tag`.
+  int whole(std::size_t index, std::string_view called, int least) const;
+  /// A finite number.
+  double real(std::size_t index, std::string_view called) const;
+
+  /// @throws InputError at field `index`; at the end of the line if it has fewer
+  [[noreturn]] void fail(std::size_t index, std::string_view message) const;
+  /// Of the line as a whole.
+  [[noreturn]] void fail(std::string_view message) const;
+
+ private:
+  void split();
+
+  std::string_view text_;
+  std::string file_;
+  std::string_view separators_;
+  std::size_t at_ = 0;
+  std::string_view line_;
+  int number_ = 0;
+  bool put_back_ = false;
+  std::vector<std::string_view> fields_;
+};
+
+/// Without blanks at its ends.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,152 @@
+// What the candidates see, made orthogonal column by column.
+#include "problems/wedged/contact_motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "problems/structure/constraints.hpp"
+#include "problems/structure/contact_frame.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+using numbers::Precise;
+using numbers::PreciseMatrix;
+using numbers::PreciseVector;
+
+/// Roundings of a frame, a displacement and two projections, with room.
+constexpr double motion_roundings = 512;
+
+/// By node, its body; and where the motions of each body begin.
+struct Numbering {
+  std::map<int, std::size_t> body;
+  std::vector<Eigen::Index> first;
+  Eigen::Index count = 0;
+
+  explicit Numbering(std::span<const LooseBody> bodies) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      for (const int node : bodies[b].nodes) body.emplace(node, b);
+      first.push_back(count);
+      count += bodies[b].count();
+    }
+  }
+};
+
+// Adds what a node's motions, times a weight, are along the axes of a frame.
+void add_motions(const Structure& structure, std::span<const LooseBody> bodies,
+                 const Numbering& numbering, const Share& share, const PreciseMatrix& frame,
+                 Eigen::Index row, PreciseMatrix& seen) {
+  const auto found = numbering.body.find(share.node);
+  if (found == numbering.body.end()) return;
+  const LooseBody& body = bodies[found->second];
+  seen.block(row, numbering.first[found->second], frame.cols(), body.count()) +=
+      Precise(share.weight) *
+      (frame.transpose() * displacements(body, structure.coordinates.col(share.node)));
+}
+
+std::string name(const Structure& structure, int node) {
+  return support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]);
+}
+
+// A loose body that nothing touches is no part of any answer, and most likely a mistake.
+void refuse_untouched(const Structure& structure, std::span<const LooseBody> bodies,
+                      const Numbering& numbering) {
+  std::vector<bool> touched(bodies.size(), false);
+  const auto touch = [&](int node) {
+    const auto found = numbering.body.find(node);
+    if (found != numbering.body.end()) touched[found->second] = true;
+  };
+  for (const ContactCandidate& candidate : structure.contact) {
+    touch(candidate.node);
+    for (const Share& share : candidate.against) touch(share.node);
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (touched[b]) continue;
+    const int node = bodies[b].nodes.front();
+    throw structure_error(
+        structure, position_of(structure.sources.nodes, node),
+        fmt::format("the body of node {} is loose, {}, and has no contact candidate; expected "
+                    "supports, or a candidate that something may hold it at",
+                    name(structure, node), described(bodies[b])));
+  }
+}
+
+[[noreturn]] void refuse_line(const Structure& structure) {
+  throw structure_error(
+      structure, position_of(structure.sources.contact, 0),
+      "the contact candidates of a loose body lie almost on one line, so that it cannot be told "
+      "whether it can turn about it; expected candidates exactly on a line, or clearly off it");
+}
+
+[[noreturn]] void refuse_gap(const Structure& structure) {
+  throw structure_error(
+      structure, position_of(structure.sources.contact, 0),
+      "loose bodies touch at places that are almost, but not exactly, one, or almost on one line, "
+      "so that it cannot be told whether the candidates see them turn together; expected pairs of "
+      "nodes that meet, or candidates that a rigid obstacle may hold the bodies at");
+}
+
+double least_sine(const Structure& structure) {
+  double least = 1;
+  for (const ContactCandidate& candidate : structure.contact) {
+    if (candidate.tangent)
+      least = std::min(least, tangent_sine(candidate.normal, *candidate.tangent) / 2);
+  }
+  return least;
+}
+
+}  // namespace
+
+PreciseMatrix seen_motions(const Structure& structure, std::span<const LooseBody> bodies) {
+  const Numbering numbering(bodies);
+  const Eigen::Index d = structure.dimension;
+  PreciseMatrix seen =
+      PreciseMatrix::Zero(d * static_cast<Eigen::Index>(structure.contact.size()), numbering.count);
+  Eigen::Index row = 0;
+  for (const ContactCandidate& candidate : structure.contact) {
+    const auto frame = precise_contact_frame(candidate);
+    add_motions(structure, bodies, numbering, {candidate.node, 1}, frame, row, seen);
+    for (const auto& [node, weight] : candidate.against)
+      add_motions(structure, bodies, numbering, {node, -weight}, frame, row, seen);
+    row += d;
+  }
+  return seen;
+}
+
+ContactMotions contact_motions(const Structure& structure, std::span<const LooseBody> bodies) {
+  refuse_untouched(structure, bodies, Numbering(bodies));
+  const auto seen = seen_motions(structure, bodies);
+  ContactMotions result{PreciseMatrix(seen.rows(), 0), 0};
+  std::vector<PreciseVector> columns;
+  double least_left = 1;
+  for (Eigen::Index k = 0; k < seen.cols(); ++k) {
+    PreciseVector column = seen.col(k);
+    for (int pass = 0; pass < 2; ++pass) {
+      for (const auto& other : columns) {
+        const Precise part = other.dot(column) / other.squaredNorm();
+        if (!part.is_zero()) column -= part * other;
+      }
+    }
+    const double size = numbers::rounded(Precise(column.cwiseAbs().maxCoeff()));
+    if (size <= dependent) continue;
+    if (size < independent && has_constraints(structure)) refuse_gap(structure);
+    if (size < independent) refuse_line(structure);
+    least_left = std::min(least_left, size);
+    columns.emplace_back(column * Precise(std::exp2(-std::ceil(std::log2(size)))));
+  }
+  result.matrix.resize(seen.rows(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    result.matrix.col(static_cast<Eigen::Index>(k)) = columns[k];
+  double error = 0;
+  for (const LooseBody& body : bodies) error = std::max(error, body.error);
+  error += motion_roundings * numbers::unit_roundoff<Precise> / least_sine(structure);
+  result.error = bodies.empty() ? 0 : error / least_left;
+  return result;
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,29 @@
+// With S the stiffness of the body on any springs that hold it and no more, K = S - S G (G'S G)^-1
+// G'S: it resists no motion, and does to what is in equilibrium what S does.
+#include "problems/wedged/free_stiffness.hpp"
+
+#include <Eigen/LU>
+
+#include "problems/wedged/precise_compliance.hpp"
+
+namespace kusabi::problems {
+
+Eigen::MatrixXd free_stiffness(const WedgedProblem& problem) {
+  using numbers::Precise;
+  using numbers::PreciseMatrix;
+  if (problem.motions.cols() == 0) return problem.stiffness;
+  const bool precise = problem.precise_compliance.size() != 0;
+  const PreciseMatrix held = precise ? stiffness_of(problem.precise_compliance)
+                                     : PreciseMatrix(problem.stiffness.cast<Precise>());
+  const PreciseMatrix g = problem.precise_motions.size() != 0
+                              ? problem.precise_motions
+                              : PreciseMatrix(problem.motions.cast<Precise>());
+  const PreciseMatrix forces = held * g;
+  const PreciseMatrix gram = g.transpose() * forces;
+  const PreciseMatrix shares = gram.partialPivLu().solve(PreciseMatrix(forces.transpose()));
+  const Eigen::MatrixXd free = (held - forces * shares).cast<double>();
+  const Eigen::MatrixXd sum = free + free.transpose();
+  return sum / 2;
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,26 @@
+// The stiffness of a structure over its free displacements in 104 bits, scaled to a diagonal near
+// one, and how wrong the roundings of its assembly may have made it (docs/theory/wedged.md, "F and
+// its error").
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "problems/structure/structure.hpp"
+#include "problems/structure/truss.hpp"
+#include "support/numbers/precise.hpp"
+
+namespace kusabi::problems {
+
+/// D K D with D = diag(scale) of powers of two that bring the diagonal near one.
+struct ScaledStiffness {
+  Eigen::SparseMatrix<numbers::Precise> matrix;  ///< both triangles
+  Eigen::VectorXd scale;                         ///< D
+  double error = 0;    ///< bound of the norm of what the roundings of the assembly add
+  double row_sum = 0;  ///< bound of the largest sum of sizes in a row
+};
+
+/// @pre the structure passes `check_structure`
+ScaledStiffness scaled_stiffness(const Structure& structure, const FreeDegrees& degrees);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,47 @@
+// A Cholesky factor of a scaled stiffness: to solve with, and to prove by how much it is definite.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include "support/numbers/precise.hpp"
+
+namespace kusabi::problems {
+
+/// L L' = M - s I, M rounded to `Real`.
+template <class Real>
+class StiffnessFactor {
+ public:
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+  /// @param matrix M, symmetric, both triangles
+  explicit StiffnessFactor(const Eigen::SparseMatrix<numbers::Precise>& matrix);
+
+  [[nodiscard]] bool exists() const { return factor_.info() == Eigen::Success; }
+
+  /// M^-1 times the columns of `right`, in its place. Several at once, for reading L is what takes
+  /// the time.
+  void solve(Matrix& right) const;
+
+  /// A number that the least eigenvalue of M is not below, whatever the roundings; zero if there is
+  /// none. Where Cholesky's method goes through for M - s I it gives L with
+  /// |L L' - (M - s I)| <= g |L| |L'| entry by entry, g = (k + 1) u, if no row of L has more than k
+  /// entries (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3); the norm of
+  /// |L| |L'| is not above its largest row sum.
+  [[nodiscard]] double least_eigenvalue() const;
+
+ private:
+  [[nodiscard]] double estimated_eigenvalue() const;
+
+  Eigen::SparseMatrix<Real> matrix_;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<Real>> factor_;
+};
+
+extern template class StiffnessFactor<double>;
+extern template class StiffnessFactor<long double>;
+extern template class StiffnessFactor<numbers::Precise>;
+
+}  // namespace kusabi::problems

@@ -1,0 +1,84 @@
+// Every malformed mesh in tests/bad-meshes is refused with the line that expected.txt has for it:
+// FILE:LINE:COLUMN: what is wrong; expected ... Where that ends in "...", only its beginning is
+// told: the words are those of other checks.
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/problems/files/mesh_problems.hpp"
+#include "tests/problems/trusses.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+class BadMesh : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadMesh, IsRefusedWithOneLineThatSaysWhere) {
+  const std::string name = test::promised_file(GetParam());
+  // What an Abaqus file lacks of materials nothing else says.
+  const bool is_gmsh = name.ends_with(".msh");
+  ProblemText problem{
+      test::head(2) +
+          (is_gmsh ? test::mesh_of(name, 2) : "[[mesh]]\nname = \"m\"\nfile = \"" + name + "\"\n") +
+          (is_gmsh ? "[[supports]]\nnodes = [\"m.left\"]\n" : ""),
+      {}};
+  problem.meshes[name] = test::content("tests/bad-meshes/" + name);
+  const std::string error = test::error_of(problem);
+  const std::string_view any_words = " ...";
+  if (GetParam().ends_with(any_words)) {
+    EXPECT_THAT(error,
+                testing::StartsWith(GetParam().substr(0, GetParam().size() - any_words.size())));
+  } else {
+    EXPECT_EQ(error, GetParam());
+  }
+  EXPECT_EQ(error.find('\n'), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BadMesh, testing::ValuesIn(test::promises("tests/bad-meshes")),
+                         [](const auto& promise) {
+                           std::string name = test::promised_file(promise.param);
+                           std::ranges::replace_if(
+                               name,
+                               [](unsigned char character) { return std::isalnum(character) == 0; },
+                               '_');
+                           return name;
+                         });
+
+TEST(BadMeshes, AreAllPromisedSomething) {
+  std::set<std::string> promised{"expected.txt"};
+  for (const auto& promise : test::promises("tests/bad-meshes"))
+    promised.insert(test::promised_file(promise));
+  std::set<std::string> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(test::source_path("tests/bad-meshes"))) {
+    files.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(files, promised);
+  EXPECT_GT(files.size(), 50U);
+}
+
+// Whatever a broken download leaves, the answer is an error of one line, or a whole mesh.
+TEST(BadMeshes, CutAnywhereAreRefusedOrComplete) {
+  for (const std::string name :
+       {"quads-q4-22.msh", "quads-q4-41.msh", "box-hex20-41.msh", "box-tet4.inp"}) {
+    const std::string whole = test::content("tests/meshes/" + name);
+    const int dimension = name.starts_with("box") ? 3 : 2;
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+      ProblemText problem{test::head(dimension) + test::mesh_of(name, dimension), {}};
+      problem.meshes[name] = whole.substr(0, length);
+      const std::string error = test::error_of(problem);
+      EXPECT_EQ(error.find('\n'), std::string::npos);
+      EXPECT_TRUE(error.starts_with(name + ":") || length + 2 >= whole.size() ||
+                  name.ends_with(".inp"))
+          << length << ": " << error;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::problems

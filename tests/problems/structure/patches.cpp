@@ -1,0 +1,181 @@
+// Corners on a grid, simplices by permutations of the axes, middles by the edges of each shape.
+#include "patches.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+
+#include "tests/problems/trusses.hpp"
+
+namespace kusabi::problems::test {
+namespace {
+
+using Cell = std::array<int, 3>;
+constexpr int cells = 3;
+
+double random_part(std::mt19937& bits) {
+  return static_cast<double>(bits()) * 0x1p-31 - 1;
+}
+
+bool is_simplex(ElementShape shape) {
+  return corners_of(shape) == dimension_of(shape) + 1;
+}
+
+/// Corners of the elements of one cell, as places on the grid.
+std::vector<std::vector<Cell>> elements_of(ElementShape shape, const Cell& cell) {
+  const int d = dimension_of(shape);
+  std::vector<std::vector<Cell>> elements;
+  const auto at = [&](int i, int j, int k) {
+    return Cell{cell[0] + i, cell[1] + j, d == 3 ? cell[2] + k : 0};
+  };
+  if (!is_simplex(shape)) {
+    auto& own = elements.emplace_back();
+    for (int k = 0; k < d - 1; ++k) {
+      for (const auto& [i, j] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+        own.push_back(at(i, j, k));
+    }
+    return elements;
+  }
+  std::vector<int> axes(static_cast<std::size_t>(d));
+  std::iota(axes.begin(), axes.end(), 0);
+  do {  // from one corner of the cell to the opposite one, axis by axis
+    auto& own = elements.emplace_back();
+    Cell place = cell;
+    own.push_back(place);
+    for (const int axis : axes) {
+      ++place[static_cast<std::size_t>(axis)];
+      own.push_back(place);
+    }
+  } while (std::ranges::next_permutation(axes).found);
+  return elements;
+}
+
+class PatchMaker {
+ public:
+  PatchMaker(ElementShape shape, double moved, std::mt19937& bits)
+      : shape_(shape),
+        moved_(moved / cells),
+        bits_(bits),
+        body_(empty_structure(dimension_of(shape))) {}
+
+  Structure made() {
+    const int layers = body_.dimension == 3 ? cells : 1;
+    for (int k = 0; k < layers; ++k) {
+      for (int j = 0; j < cells; ++j) {
+        for (int i = 0; i < cells; ++i) {
+          for (const auto& corners : elements_of(shape_, {i, j, k})) add(corners);
+        }
+      }
+    }
+    return std::move(body_);
+  }
+
+ private:
+  void add(const std::vector<Cell>& corners) {
+    Element element{{}, 200.0, 0.3, 0.5, PlaneState::stress, shape_};
+    for (const auto& corner : corners) element.nodes.push_back(corner_node(corner));
+    for (const auto& [a, b] : edges_of(shape_)) {
+      element.nodes.push_back(middle_node(element.nodes[static_cast<std::size_t>(a)],
+                                          element.nodes[static_cast<std::size_t>(b)]));
+    }
+    body_.elements.push_back(std::move(element));
+  }
+
+  int corner_node(const Cell& cell) {
+    const auto found = corners_.find(cell);
+    if (found != corners_.end()) return found->second;
+    Eigen::VectorXd place(body_.dimension);
+    for (Eigen::Index axis = 0; axis < place.size(); ++axis)
+      place(axis) = cell[static_cast<std::size_t>(axis)] / double{cells};
+    return corners_[cell] = add_moved(place, moved_);
+  }
+
+  int middle_node(int a, int b) {
+    const auto edge = std::minmax(a, b);
+    const auto found = middles_.find(edge);
+    if (found != middles_.end()) return found->second;
+    const Eigen::VectorXd place = (body_.coordinates.col(a) + body_.coordinates.col(b)) / 2;
+    const bool straight = shape_ == ElementShape::tetrahedron10;
+    return middles_[edge] = add_moved(place, straight ? 0 : moved_ / 3);
+  }
+
+  int add_moved(Eigen::VectorXd place, double by) {
+    const bool within = (place.array() > 1e-9).all() && (place.array() < 1 - 1e-9).all();
+    for (double& component : place) {
+      if (within) component += by * random_part(bits_);
+    }
+    return add_node(body_, place);
+  }
+
+  ElementShape shape_;
+  double moved_;
+  std::mt19937& bits_;
+  Structure body_;
+  std::map<Cell, int> corners_;
+  std::map<std::pair<int, int>, int> middles_;
+};
+
+}  // namespace
+
+std::string name_of(ElementShape shape) {
+  constexpr std::array names{"T3", "T6", "Q4", "Q8", "Tet4", "Tet10", "Hex8", "Hex20"};
+  return names.at(static_cast<std::size_t>(shape));
+}
+
+int dimension_of(ElementShape shape) {
+  return shape < ElementShape::tetrahedron4 ? 2 : 3;
+}
+
+bool is_quadratic(ElementShape shape) {
+  return !edges_of(shape).empty();
+}
+
+int corners_of(ElementShape shape) {
+  constexpr std::array corners{3, 3, 4, 4, 4, 4, 8, 8};
+  return corners.at(static_cast<std::size_t>(shape));
+}
+
+const std::vector<std::array<int, 2>>& edges_of(ElementShape shape) {
+  using Edges = std::vector<std::array<int, 2>>;
+  static const std::map<ElementShape, Edges> all{
+      {ElementShape::triangle6, {{0, 1}, {1, 2}, {2, 0}}},
+      {ElementShape::quadrilateral8, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}},
+      {ElementShape::tetrahedron10, {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}},
+      {ElementShape::hexahedron20,
+       {{0, 1},
+        {1, 2},
+        {2, 3},
+        {3, 0},
+        {4, 5},
+        {5, 6},
+        {6, 7},
+        {7, 4},
+        {0, 4},
+        {1, 5},
+        {2, 6},
+        {3, 7}}}};
+  static const Edges none;
+  const auto found = all.find(shape);
+  return found == all.end() ? none : found->second;
+}
+
+Structure patch(ElementShape shape, double moved, std::mt19937& bits) {
+  return PatchMaker(shape, moved, bits).made();
+}
+
+Structure one_element(ElementShape shape, double moved, std::mt19937& bits) {
+  const auto whole = patch(shape, moved, bits);
+  auto element = whole.elements[whole.elements.size() / 2];
+  Structure body = empty_structure(whole.dimension);
+  for (int& node : element.nodes) node = add_node(body, whole.coordinates.col(node));
+  body.elements = {element};
+  return body;
+}
+
+bool on_surface(const Structure& structure, int node) {
+  const auto place = structure.coordinates.col(node).array();
+  return (place < 1e-9).any() || (place > 1 - 1e-9).any();
+}
+
+}  // namespace kusabi::problems::test

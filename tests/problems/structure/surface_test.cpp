@@ -1,0 +1,166 @@
+// Faces of elements, the surface that they make up, and its normals.
+#include "problems/structure/surface.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "problems/structure/element_faces.hpp"
+#include "problems/structure/element_shape.hpp"
+#include "problems/structure/face_geometry.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+constexpr std::array shapes{ElementShape::triangle3,      ElementShape::triangle6,
+                            ElementShape::quadrilateral4, ElementShape::quadrilateral8,
+                            ElementShape::tetrahedron4,   ElementShape::tetrahedron10,
+                            ElementShape::hexahedron8,    ElementShape::hexahedron20};
+
+/// A structure of the one element that every other is the image of.
+Structure reference_element(ElementShape shape) {
+  const ShapeTraits& traits = shape_traits(shape);
+  Structure structure;
+  structure.dimension = traits.dimension;
+  structure.coordinates.resize(traits.dimension, static_cast<Eigen::Index>(traits.nodes.size()));
+  Element element{{}, 1, 0, 1, PlaneState::stress, shape};
+  for (std::size_t node = 0; node < traits.nodes.size(); ++node) {
+    for (int axis = 0; axis < traits.dimension; ++axis) {
+      structure.coordinates(axis, static_cast<Eigen::Index>(node)) =
+          traits.nodes[node][static_cast<std::size_t>(axis)];
+    }
+    element.nodes.push_back(static_cast<int>(node));
+    structure.node_names.push_back(std::to_string(node));
+  }
+  structure.elements.push_back(element);
+  return structure;
+}
+
+Eigen::MatrixXd places(const Structure& structure, const std::vector<int>& nodes) {
+  Eigen::MatrixXd result(structure.dimension, static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    result.col(static_cast<Eigen::Index>(i)) = structure.coordinates.col(nodes[i]);
+  }
+  return result;
+}
+
+class Faces : public testing::TestWithParam<ElementShape> {};
+
+// By the divergence theorem, from the faces alone: no part of the element is left out, none is
+// inside out.
+TEST_P(Faces, EncloseTheElement) {
+  const Structure structure = reference_element(GetParam());
+  const int dimension = structure.dimension;
+  double volume = 0;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(dimension);
+  for (const auto& face : element_faces(GetParam())) {
+    const Eigen::MatrixXd corners = places(structure, face);
+    const Eigen::VectorXd vector = face_size(corners) * face_normal(corners, 0);
+    volume += face_centre(corners).dot(vector) / dimension;
+    sum += vector;
+  }
+  const bool simplex = shape_traits(GetParam()).simplex;
+  EXPECT_NEAR(volume, dimension == 2 ? (simplex ? 0.5 : 4) : (simplex ? 1.0 / 6 : 8), 1e-14);
+  EXPECT_LT(sum.norm(), 1e-14);
+}
+
+TEST_P(Faces, HaveTheMiddleOfEachSideAfterTheirCorners) {
+  const Structure structure = reference_element(GetParam());
+  if (!shape_traits(GetParam()).quadratic) return;
+  for (const auto& face : element_faces(GetParam())) {
+    const Eigen::MatrixXd own = places(structure, face);
+    const Eigen::Index corners = structure.dimension == 2 ? 2 : own.cols() / 2;
+    for (Eigen::Index side = 0; corners + side < own.cols(); ++side) {
+      const Eigen::VectorXd middle = (own.col(side) + own.col((side + 1) % corners)) / 2;
+      EXPECT_LT((own.col(corners + side) - middle).norm(), 1e-14);
+    }
+  }
+}
+
+// Whichever way the nodes go round, and at every node of a face.
+TEST_P(Faces, LookOutOfTheBodyEvenIfItIsMirrored) {
+  for (const double mirror : {1.0, -1.0}) {
+    Structure structure = reference_element(GetParam());
+    structure.coordinates.row(0) *= mirror;
+    const Surface surface(structure);
+    ASSERT_EQ(surface.faces().size(), element_faces(GetParam()).size());
+    const Eigen::VectorXd centre = structure.coordinates.rowwise().mean();
+    for (std::size_t face = 0; face < surface.faces().size(); ++face) {
+      const auto& nodes = surface.faces()[face].nodes;
+      const Eigen::VectorXd out = face_centre(places(structure, nodes)) - centre;
+      for (const int node : nodes) {
+        EXPECT_GT(surface.normal(static_cast<int>(face), node).dot(out), 0);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, Faces, testing::ValuesIn(shapes));
+
+// A quadratic edge is a parabola: y = x^2 here, with the slope 2x and a length that is known.
+TEST(FaceGeometry, OfACurvedEdgeIsThatOfTheCurve) {
+  Eigen::MatrixXd edge(2, 3);
+  edge << -1, 1, 0, 1, 1, 0;
+  EXPECT_LT((face_normal(edge, 0) - Eigen::Vector2d(-2, -1).normalized()).norm(), 1e-15);
+  EXPECT_LT((face_normal(edge, 1) - Eigen::Vector2d(2, -1).normalized()).norm(), 1e-15);
+  EXPECT_LT((face_normal(edge, 2) - Eigen::Vector2d(0, -1)).norm(), 1e-15);
+  EXPECT_NEAR(face_size(edge), std::sqrt(5) + std::asinh(2) / 2, 0.03);  // three points
+}
+
+// z = x^2 + y^2 / 2 is in the space of both.
+TEST(FaceGeometry, OfACurvedFaceIsThatOfTheSurface) {
+  for (const auto shape : {ElementShape::triangle6, ElementShape::quadrilateral8}) {
+    const Structure flat = reference_element(shape);
+    Eigen::MatrixXd face(3, flat.coordinates.cols());
+    face.topRows(2) = flat.coordinates;
+    face.row(2) = face.row(0).cwiseAbs2() + face.row(1).cwiseAbs2() / 2;
+    for (int node = 0; node < face.cols(); ++node) {
+      const Eigen::Vector3d normal(-2 * face(0, node), -face(1, node), 1);
+      EXPECT_LT((face_normal(face, node) - normal.normalized()).norm(), 1e-14) << node;
+    }
+  }
+}
+
+TEST(AngleFromCone, IsThatToTheNearestDirectionBetweenTheNormals) {
+  const Eigen::VectorXd right = Eigen::Vector2d(1, 0);
+  const Eigen::VectorXd up = Eigen::Vector2d(0, 1);
+  const auto at = [](double degrees) -> Eigen::VectorXd {
+    const double angle = degrees * std::acos(-1.0) / 180;
+    return Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  };
+  EXPECT_NEAR(angle_from_cone({right}, at(11)), 11, 1e-6);
+  EXPECT_NEAR(angle_from_cone({right, up}, at(45)), 0, 1e-5);
+  EXPECT_NEAR(angle_from_cone({right, up}, at(110)), 20, 1e-6);
+  EXPECT_NEAR(angle_from_cone({right, up}, at(-70)), 70, 1e-6);
+  EXPECT_NEAR(angle_from_cone({right}, at(180)), 180, 1e-5);
+}
+
+TEST(AngleFromCone, InSpaceMayBeToAFaceAnEdgeOrTheInsideOfTheCone) {
+  const std::vector<Eigen::VectorXd> axes{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                                          Eigen::Vector3d::UnitZ()};
+  EXPECT_NEAR(angle_from_cone(axes, Eigen::Vector3d(1, 2, 3).normalized()), 0, 1e-5);
+  EXPECT_NEAR(angle_from_cone(axes, Eigen::Vector3d(1, 1, -std::sqrt(2)).normalized()), 45, 1e-6);
+  EXPECT_NEAR(angle_from_cone(axes, Eigen::Vector3d(1, -1, -1).normalized()),
+              std::acos(1 / std::sqrt(3)) * 180 / std::acos(-1.0), 1e-6);
+}
+
+// Two squares side by side: what they share is inside, however its ends are listed.
+TEST(Surface, HasNoFacesThatTwoElementsShare) {
+  Structure structure;
+  structure.dimension = 2;
+  structure.coordinates.resize(2, 6);
+  structure.coordinates << 0, 1, 2, 0, 1, 2, 0, 0, 0, 1, 1, 1;
+  structure.node_names = {"a", "b", "c", "d", "e", "f"};
+  structure.elements = {{{0, 1, 4, 3}, 1, 0, 1, PlaneState::stress},
+                        {{1, 4, 5, 2}, 1, 0, 1, PlaneState::stress}};
+  const Surface surface(structure);
+  EXPECT_EQ(surface.faces().size(), 6U);
+  const auto all = [](const SurfaceFace&) { return true; };
+  EXPECT_LT((*surface.mean_normal(1, all) - Eigen::Vector2d(0, -1)).norm(), 1e-15);
+  EXPECT_LT((*surface.mean_normal(2, all) - Eigen::Vector2d(1, -1).normalized()).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace kusabi::problems

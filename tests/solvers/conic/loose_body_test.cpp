@@ -1,0 +1,206 @@
+// Node programs of bodies that nothing holds: both sides of duality meet, and a wedge in a groove
+// does what equilibrium alone says of it.
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "solvers/conic/node_solver.hpp"
+#include "solvers/conic/plain_solver.hpp"
+#include "tests/solvers/conic/contact_problem.hpp"
+
+namespace kusabi::conic {
+namespace {
+
+using support::IndexSet;
+using testing::random_masks;
+
+struct LooseProblem {
+  Eigen::MatrixXd compliance;
+  Eigen::MatrixXd motions;
+  std::vector<double> friction;
+};
+
+/// Frames and places of candidates all around a body, and its rigid motions in these frames.
+template <int D>
+Eigen::MatrixXd rigid_motions(int m, std::mt19937_64& generator) {
+  std::normal_distribution<double> normal;
+  const int p = D == 2 ? 3 : 6;
+  Eigen::MatrixXd motions(D * m, p);
+  for (int i = 0; i < m; ++i) {
+    Eigen::Matrix<double, D, 1> place, direction;
+    for (int k = 0; k < D; ++k) place[k] = normal(generator);
+    for (int k = 0; k < D; ++k) direction[k] = -place[k] + 0.3 * normal(generator);
+    // An orthonormal frame that begins with the direction.
+    Eigen::Matrix<double, D, D> frame = Eigen::Matrix<double, D, D>::Random();
+    frame.col(0) = direction;
+    frame = Eigen::Matrix<double, D, D>(
+        Eigen::HouseholderQR<Eigen::Matrix<double, D, D>>(frame).householderQ());
+    if (frame.col(0).dot(direction) < 0) frame = -frame;
+    Eigen::Matrix<double, D, Eigen::Dynamic> here(D, p);
+    here.setZero();
+    here.template leftCols<D>().setIdentity();
+    int column = D;
+    for (int a = 0; a < D; ++a)
+      for (int b = a + 1; b < D; ++b, ++column) {
+        here(a, column) = -place[b];
+        here(b, column) = place[a];
+      }
+    motions.middleRows(D * i, D) = frame.transpose() * here;
+  }
+  return motions;
+}
+
+template <int D>
+LooseProblem random_loose(int m, std::mt19937_64& generator) {
+  auto held = testing::random_problem(D, m, 0.1, 1.0, generator);
+  return {held.compliance, rigid_motions<D>(m, generator), held.friction};
+}
+
+template <int D>
+NodeSolver<D> solver_of(const LooseProblem& problem, Tolerances tolerances = {}) {
+  std::vector<int> owners(problem.friction.size());
+  for (std::size_t i = 0; i < owners.size(); ++i) owners[i] = static_cast<int>(i);
+  return NodeSolver<D>(problem.compliance, problem.friction, owners, tolerances, 0,
+                       ordered_motions<D, double>(problem.motions, 0));
+}
+
+// The two sides of duality, computed anew from what the solver hands out: a point of the program
+// and multipliers of it, whose values meet.
+template <int D>
+struct Sides {
+  double below, above;
+  double unbalanced_reaction, unbalanced_forces;
+};
+
+template <int D>
+Sides<D> both_sides(const LooseProblem& problem, const NodeSolver<D>& solver,
+                    const Motions<double>& motions, const IndexSet& contact,
+                    const IndexSet& separated) {
+  const auto m = static_cast<int>(problem.friction.size());
+  const Eigen::VectorXd& r = solver.reaction();
+  const Eigen::VectorXd alpha = motions.combination.leftCols(motions.lifting) * solver.motion();
+  const Eigen::VectorXd u = problem.compliance * r + problem.motions * alpha;
+  const Eigen::VectorXd y = solver.multipliers().head(m);
+  const Eigen::VectorXd beta = motions.combination * solver.multipliers().tail(motions.count());
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(D * m);
+  double below = 1e300, sum = 0, weights = 0, pushes = 0;
+  for (int i = 0; i < m; ++i) {
+    forces[D * i] = y[i];
+    if (!contact.contains(i)) {
+      below = std::min(below, u[D * i]);
+      EXPECT_GE(y[i], 0);
+      pushes += y[i];
+    } else {
+      EXPECT_NEAR(u[D * i], 0, 1e-9);
+    }
+    sum += r[D * i];
+    if (separated.contains(i)) {
+      EXPECT_EQ(r[D * i], 0);
+      continue;
+    }
+    const double mu = problem.friction[static_cast<std::size_t>(i)];
+    below = std::min(below, mu * r[D * i] - r.segment(D * i + 1, D - 1).norm());
+    weights += 1 / mu;
+  }
+  const Eigen::VectorXd w = problem.compliance * forces + problem.motions * beta;
+  double tau = -1e300;
+  double scale = pushes;
+  for (int i = 0; i < m; ++i) {
+    if (separated.contains(i)) continue;
+    const double mu = problem.friction[static_cast<std::size_t>(i)];
+    tau = std::max(tau, w[D * i] + mu * w.segment(D * i + 1, D - 1).norm());
+    scale -= w[D * i] / mu;
+  }
+  scale += tau * weights;
+  return {below / sum, tau / scale, (problem.motions.transpose() * r).norm(),
+          (problem.motions.transpose() * forces).norm() / (1 + y.norm())};
+}
+
+template <int D>
+void expect_both_sides_to_meet(int m, int nodes) {
+  std::mt19937_64 generator(static_cast<unsigned>(100 * D + m));
+  int alive = 0, dead = 0, met = 0;
+  for (int trial = 0; trial < nodes; ++trial) {
+    const auto problem = random_loose<D>(m, generator);
+    const auto [contact, separated] = random_masks(m, generator);
+    auto solver = solver_of<D>(problem);
+    const auto answer = solver.solve(contact, separated, {.when_dead = false, .when_alive = false});
+    ASSERT_LE(answer.lower, answer.upper);
+    alive += answer.sign == Sign::alive ? 1 : 0;
+    dead += answer.sign == Sign::dead ? 1 : 0;
+    // Equilibrium can leave a candidate of U without a reaction: then the node is a tie.
+    if (answer.sign == Sign::marginal) {
+      EXPECT_NEAR(answer.lower, 0, 1e-9) << trial;
+      EXPECT_NEAR(answer.upper, 0, 1e-9) << trial;
+    }
+    if (!answer.has_point || !std::isfinite(answer.upper)) continue;
+    const auto sides = both_sides<D>(
+        problem, solver, ordered_motions<D, double>(problem.motions, 0), contact, separated);
+    EXPECT_LT(sides.unbalanced_reaction, 1e-9);
+    EXPECT_LT(sides.unbalanced_forces, 1e-6);
+    EXPECT_NEAR(sides.below, answer.lower, 1e-5 * std::max(1.0, std::abs(answer.lower)));
+    EXPECT_NEAR(sides.above, answer.upper, 1e-5 * std::max(1.0, std::abs(answer.upper)));
+    met += answer.upper - answer.lower < 1e-4 * std::abs(answer.upper) ? 1 : 0;
+  }
+  EXPECT_GT(alive, nodes / 20);
+  EXPECT_GT(dead, 0);
+  EXPECT_GT(met, nodes / 5) << alive << " alive, " << dead << " dead";
+}
+
+TEST(LooseBody, HasAPointAndMultipliersWhoseValuesMeetInThePlane) {
+  expect_both_sides_to_meet<2>(5, 100);
+  expect_both_sides_to_meet<2>(9, 100);
+  expect_both_sides_to_meet<2>(20, 40);
+}
+
+TEST(LooseBody, HasAPointAndMultipliersWhoseValuesMeetInSpace) {
+  expect_both_sides_to_meet<3>(6, 60);
+  expect_both_sides_to_meet<3>(12, 60);
+  expect_both_sides_to_meet<3>(24, 20);
+}
+
+// Two candidates on the walls of a groove of half angle theta, at one height: their reactions are
+// opposite, at theta from the normals.
+TEST(LooseBody, WedgesInAGrooveFromTheTangentOfItsHalfAngle) {
+  for (const double degrees : {5.0, 15.0, 30.0}) {
+    const double theta = degrees * std::numbers::pi / 180;
+    LooseProblem problem;
+    problem.motions.resize(4, 3);
+    for (int i = 0; i < 2; ++i) {
+      const double side = i == 0 ? 1 : -1;  // the normal of the left wall points to the right
+      const Eigen::Vector2d n(side * std::cos(theta), std::sin(theta));
+      const Eigen::Vector2d t(n[1], -n[0]);
+      const Eigen::Vector2d turn(-0.3, -side);  // about a point above the middle, at x = -side
+      for (int row = 0; row < 2; ++row) {
+        const Eigen::Vector2d& axis = row == 0 ? n : t;
+        problem.motions.row(2 * i + row) << axis[0], axis[1], axis.dot(turn);
+      }
+    }
+    problem.compliance.setIdentity(4, 4);
+    for (const double share : {1 - 1e-6, 1 + 1e-6}) {
+      problem.friction = {share * std::tan(theta), share * std::tan(theta)};
+      auto solver = solver_of<2>(problem);
+      const auto root = solver.solve({}, {});
+      const auto leaf = solver.solve(IndexSet::below(2), {});
+      EXPECT_EQ(root.sign, share < 1 ? Sign::dead : Sign::alive) << degrees << " " << share;
+      EXPECT_EQ(leaf.sign, share < 1 ? Sign::dead : Sign::alive)
+          << degrees << " " << share << " " << leaf.lower << " " << leaf.upper;
+    }
+  }
+}
+
+// A block between two parallel walls: what slides along both is no unknown.
+TEST(LooseBody, SlidesBetweenParallelWalls) {
+  Eigen::MatrixXd motions(4, 3);
+  motions << 1, 0, -0.5, 0, -1, 1, -1, 0, 0.5, 0, 1, 1;
+  const auto ordered = ordered_motions<2, double>(motions, 0);
+  EXPECT_EQ(ordered.lifting, 1);
+  EXPECT_EQ(ordered.at_cones(0, 1), 0);
+  EXPECT_EQ(ordered.at_cones(2, 2), 0);
+  EXPECT_LT((motions * ordered.combination - ordered.at_cones).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+}  // namespace
+}  // namespace kusabi::conic

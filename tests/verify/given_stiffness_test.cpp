@@ -1,0 +1,74 @@
+// Stiffnesses of other programs, enclosed: as the solver has them, proved, and told from others.
+#include <random>
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nodes/evidence/verified_structure.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "searched.hpp"
+#include "tests/problems/bodies.hpp"
+#include "verify/condensation.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+problems::Structure random_matrix(int draw, std::mt19937& bits) {
+  return problems::test::with_a_matrix(problems::test::random_bodies(2 + draw % 2, bits));
+}
+
+// With a rotation, or the like, between the first row and the last: u of its own.
+problems::Structure with_an_own_unknown(problems::Structure structure) {
+  auto& [rows, stiffness, rounding] = structure.superelements.front();
+  const auto n = stiffness.rows();
+  const double size = stiffness.coeff(0, 0);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  matrix.topLeftCorner(n, n) = Eigen::MatrixXd(stiffness);
+  matrix(n, n) = 2 * size;
+  for (const Eigen::Index row : {Eigen::Index{0}, n - 1}) {
+    matrix(row, row) += size;
+    matrix(row, n) -= size;
+    matrix(n, row) -= size;
+  }
+  stiffness = matrix.sparseView();
+  rows.push_back({-1, 0});
+  return structure;
+}
+
+TEST(GivenStiffness, IsEnclosedAsTheSolverComputesIt) {
+  std::mt19937 bits(8);
+  for (int draw = 0; draw < 10; ++draw) {
+    SCOPED_TRACE(draw);
+    auto structure = random_matrix(draw, bits);
+    if (draw > 5) structure = with_an_own_unknown(structure);
+    const auto problem = problems::wedged_problem(structure);
+    const auto result = condensed_stiffness(evidence::verified_structure(structure));
+    ASSERT_TRUE(std::holds_alternative<EnclosedMatrix>(result)) << std::get<std::string>(result);
+    const auto& matrix = std::get<EnclosedMatrix>(result);
+    const double size = problem.stiffness.norm();
+    ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.stiffness.rows()));
+    for (Eigen::Index i = 0; i < problem.stiffness.size(); ++i) {
+      EXPECT_NEAR(matrix.middle.entries[static_cast<std::size_t>(i)].nearest(),
+                  problem.stiffness(i), 1e-11 * size);
+    }
+    EXPECT_LT(matrix.radius.nearest(), 1e-30 * size);
+  }
+}
+
+TEST(GivenStiffness, HasCertificatesThatAreProvedForItAlone) {
+  std::mt19937 bits(9);
+  for (int draw = 0; draw < 4; ++draw) {
+    SCOPED_TRACE(draw);
+    auto structure = with_an_own_unknown(random_matrix(draw, bits));
+    auto own = evidence::verified_structure(structure);
+    const auto text = searched(problems::wedged_problem(structure), 0.6).text();
+    EXPECT_THAT(verdict(text, &own).refusals, testing::IsEmpty());
+    for (auto& entry : own.given.front().entries) entry.value *= 1.001;
+    EXPECT_THAT(verdict(text, &own).refusals,
+                testing::ElementsAre(testing::HasSubstr("its K is not that of the structure")));
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::verify

@@ -1,0 +1,414 @@
+// Certificates of bodies that nothing holds: by hand, as a search writes them, and spoilt.
+#include <array>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/search.hpp"
+#include "nodes/evidence/verified_structure.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "run/evidence/certificate_file.hpp"
+#include "searched.hpp"
+#include "verify/agreement.hpp"
+#include "verify/certificate.hpp"
+#include "verify/contact_motions.hpp"
+#include "verify/elimination.hpp"
+#include "verify/loose_stiffness.hpp"
+#include "verify/proof.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// A bar from (-1, 0) to (1, 0), EA = 2, between walls with normals (c, s) and (-c, s).
+struct Bar {
+  double c;
+  double s;
+
+  [[nodiscard]] Structure structure() const {
+    Structure bar;
+    bar.dimension = 2;
+    bar.names = {"a", "b"};
+    bar.places = {{-1, 0, 0}, {1, 0, 0}};
+    bar.fixed.resize(2);
+    bar.bars = {{0, 1, 2, 0, 0}};
+    bar.contact.resize(2);
+    bar.contact[0].normal = {c, s, 0};
+    bar.contact[1] = bar.contact[0];
+    bar.contact[1].node = 1;
+    bar.contact[1].normal = {-c, s, 0};
+    return bar;
+  }
+
+  // By hand: the bar's elongation is -c u_na - s u_ta - c u_nb + s u_tb, EA/L = 1; the motions are
+  // those along x and y, and a turn about the middle.
+  [[nodiscard]] Draft draft(double mu, const std::vector<std::string>& nodes) const {
+    const std::array stretch{-c, -s, -c, s};
+    Draft draft;
+    draft.header = {"kusabi certificate 3\n",
+                    "dimension 2\n",
+                    "candidates 2\n",
+                    "name a\n",
+                    "name b\n",
+                    fmt::format("friction {0:a} {0:a}\n", mu),
+                    "blocks 1\n",
+                    "block 3\n",
+                    "stiffness\n"};
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::vector<std::string> row;
+      for (std::size_t j = 0; j <= i; ++j)
+        row.push_back(fmt::format("{:a}", stretch[i] * stretch[j]));
+      draft.header.push_back(fmt::format("{}\n", fmt::join(row, " ")));
+    }
+    draft.header.emplace_back("motions 3\n");
+    for (const auto& row : {std::array{c, s, -s}, {s, -c, c}, {-c, s, s}, {s, c, c}})
+      draft.header.push_back(fmt::format("{:a} {:a} {:a}\n", row[0], row[1], row[2]));
+    draft.header.emplace_back("nodes\n");
+    draft.nodes = nodes;
+    return draft;
+  }
+};
+
+std::string node(const std::string& start, const std::vector<double>& numbers) {
+  std::string line = start;
+  for (const double number : numbers) line += fmt::format(" {:a}", number);
+  return line + '\n';
+}
+
+constexpr Bar groove{0.6, 0.8};  // wedges from mu = 4/3
+
+// Of one candidate alone nothing is in equilibrium: a push along its normal shows it.
+std::vector<std::string> wedged_nodes() {
+  return {node("alive 1 3 0", {0.8, -0.8, 0, 0, 0}), node("dead 1 0 1", {0, 0, 0.6, -0.8, 0}),
+          node("dead 1 1 2", {0, 0, -0.6, -0.8, 0})};
+}
+
+void expect_proved(const Draft& draft, const Structure& structure, std::size_t alive) {
+  for (const auto* given : {static_cast<const Structure*>(nullptr), &structure}) {
+    const auto said = verdict(draft.text(), given);
+    EXPECT_THAT(said.refusals, IsEmpty());
+    EXPECT_EQ(said.alive.size(), alive);
+    EXPECT_EQ(said.marginal, 0U);
+  }
+}
+
+void expect_refused(const Draft& draft, const Structure& structure, const std::string& why) {
+  for (const auto* given : {static_cast<const Structure*>(nullptr), &structure})
+    EXPECT_THAT(verdict(draft.text(), given).refusals, Contains(HasSubstr(why)));
+}
+
+TEST(LooseBar, WedgesInAGrooveAboveTheTangentOfItsHalfAngle) {
+  expect_proved(groove.draft(1.334, wedged_nodes()), groove.structure(), 1);
+  expect_refused(groove.draft(1.333, wedged_nodes()), groove.structure(), "slips");
+}
+
+TEST(LooseBar, IsFreeBelowIt) {
+  const auto up = std::vector{node("dead 1 0 0", {0, 0, 0, -1, 0})};
+  expect_proved(groove.draft(1.333, up), groove.structure(), 0);
+  expect_refused(groove.draft(1.334, up), groove.structure(), "do not rule out");
+  const auto down = std::vector{node("dead 1 0 0", {0, 0, 0, 1, 0})};
+  expect_refused(groove.draft(1.333, down), groove.structure(), "do not rule out");
+}
+
+// The directions of the numbers that a file can hold are irrational; what slides is exact all the
+// same.
+TEST(LooseBar, MayStandAskew) {
+  for (const auto& [c, s] : {std::pair(1.0, 0.3), {3.0, 4.0}, {0.1, 0.7}}) {
+    const double length = std::hypot(c, s);
+    const Bar bar{c / length, s / length};
+    auto structure = bar.structure();
+    structure.contact[0].normal = {c, s, 0};
+    structure.contact[1].normal = {-c, s, 0};
+    auto nodes = wedged_nodes();
+    nodes[0] = node("alive 1 3 0", {bar.s, -bar.s, 0, 0, 0});
+    nodes[1] = node("dead 1 0 1", {0, 0, bar.c, -bar.s, 0});
+    nodes[2] = node("dead 1 1 2", {0, 0, -bar.c, -bar.s, 0});
+    EXPECT_THAT(verdict(bar.draft(s / c * 1.001, nodes).text(), &structure).refusals, IsEmpty());
+    EXPECT_THAT(verdict(bar.draft(s / c * 0.999, nodes).text(), &structure).refusals,
+                Contains(HasSubstr("slips")));
+  }
+}
+
+// Between parallel walls nothing can be squeezed: pulled at both ends the bar moves away from both.
+TEST(LooseBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
+  const Bar walls{1, 0};
+  const auto nodes = [](double first, double second) {
+    return std::vector{node("dead 1 3 0", {first, second, 0, 0, 0}),
+                       node("dead 1 0 1", {0, 0, 1, 0, 0}), node("dead 1 1 2", {0, 0, -1, 0, 0})};
+  };
+  expect_proved(walls.draft(5, nodes(-1, -1)), walls.structure(), 0);
+  // What is nearest to these and in equilibrium pushes, or is nothing.
+  expect_refused(walls.draft(5, nodes(-1, 2)), walls.structure(), "do not rule out");
+  expect_refused(walls.draft(5, nodes(-1, 1)), walls.structure(), "do not rule out");
+  expect_refused(walls.draft(5, nodes(0, 0)), walls.structure(), "do not rule out");
+  // Off U no multiplier pulls.
+  auto inner = nodes(-1, -1);
+  inner[0] = node("dead 1 1 0", {-1, -1, 0, 0, 0});
+  expect_refused(walls.draft(5, inner), walls.structure(), "do not rule out");
+}
+
+// Between walls that are parallel up to 1e-9 the bar is held where it slides a billion times
+// farther than it strains, and nowhere else. Up to 1e-5 it need not go that far.
+TEST(LooseBar, BetweenNearlyParallelWallsIsDeadButForFarMotion) {
+  const auto said = [](double lean, const std::string& first) {
+    const auto structure = Bar{1, lean}.structure();
+    const std::vector nodes{first, node("dead 1 0 1", {0, 0, 1, 0, 0}),
+                            node("dead 1 1 2", {0, 0, -1, 0, 0})};
+    return verdict(Bar{1, lean}.draft(5, nodes).text(), &structure);
+  };
+  const auto squeezed = node("dead 1 3 0", {-1, -1, 0, 0, 0});
+  EXPECT_THAT(said(1e-9, squeezed).refusals, IsEmpty());
+  EXPECT_EQ(said(1e-9, squeezed).but_for_far_motion, 1U);
+  EXPECT_THAT(said(1e-5, squeezed).refusals, Contains(HasSubstr("do not rule out")));
+  EXPECT_THAT(said(1e-5, node("alive 1 3 0", {1e-5, -1e-5, 0, 0, 0})).refusals, IsEmpty());
+}
+
+TEST(LooseBar, IsNotProvedFromForcesOrMotionsThatAreNotItsOwn) {
+  const auto structure = groove.structure();
+  auto pulled = wedged_nodes();
+  pulled[0] = node("alive 1 3 0", {0.8, 0.8, 0, 0, 0});
+  expect_refused(groove.draft(2, pulled), structure, "not pressed");
+  auto altered = groove.draft(1.4, wedged_nodes());
+  auto& row = *(altered.header.end() - 2);
+  row = node(fmt::format("{:a} {:a}", groove.s, groove.c), {groove.c + 1e-3});
+  EXPECT_THAT(verdict(altered.text(), &structure).refusals,
+              ElementsAre(HasSubstr("motion 3 is none of the structure")));
+  auto fewer = groove.draft(1.4, {});
+  fewer.header.erase(fewer.header.end() - 6, fewer.header.end());
+  fewer.header.emplace_back("motions 0\n");
+  fewer.header.emplace_back("nodes\n");
+  EXPECT_THAT(
+      verdict(fewer.text(), &structure).refusals,
+      ElementsAre(HasSubstr("0 motions of bodies that nothing holds, the structure has 3")));
+  EXPECT_THAT(verdict(fewer.text()).refusals, ElementsAre("K"));
+}
+
+TEST(LooseBar, HasMotionsThatAreCounted) {
+  EXPECT_THROW(verdict(groove.draft(1, {node("dead 1 0 0", {0, 0, 0, -1})}).text()),
+               CertificateError);
+  EXPECT_THROW(verdict(groove.draft(1, {node("alive 1 3 0", {0, 0})}).text()), CertificateError);
+}
+
+problems::Structure read(const std::string& text) {
+  return problems::read_structure("units = { length = \"mm\", force = \"N\" }\n" + text, "test");
+}
+
+Verdict proved(const problems::Structure& structure, double mu, bool of_structure = true) {
+  const auto text = written(problems::wedged_problem(structure), mu);
+  const auto own = evidence::verified_structure(structure);
+  return verdict(text, of_structure ? &own : nullptr);
+}
+
+// A block in a groove of half angle 15 degrees, as a mesh.
+problems::Structure block(int columns, int rows) {
+  return read(fmt::format(R"(
+name = "block"
+dimension = 2
+[[mesh]]
+name = "b"
+corners = [[9, 5], [11, 5], [11.535898384862246, 7], [8.464101615137754, 7]]
+divisions = [{}, {}]
+E = 200
+nu = 0.3
+thickness = 1
+plane = "strain"
+[[contact]]
+nodes = ["b.left"]
+normal = [0.9659258262890683, 0.25881904510252074]
+[[contact]]
+nodes = ["b.right"]
+normal = [-0.9659258262890683, 0.25881904510252074]
+)",
+                          columns, rows));
+}
+
+TEST(LooseBlock, IsProvedToWedgeFromTheTangentOfTheHalfAngle) {
+  const double critical = 0.2679491924311227;
+  for (const int rows : {1, 2, 4}) {
+    for (const bool of_structure : {true, false}) {
+      const auto below = proved(block(2, rows), critical * (1 - 1e-6), of_structure);
+      EXPECT_THAT(below.refusals, IsEmpty());
+      EXPECT_THAT(below.alive, IsEmpty());
+      EXPECT_EQ(below.marginal, 0U);
+      const auto above = proved(block(2, rows), critical * 1.2, of_structure);
+      EXPECT_THAT(above.refusals, IsEmpty());
+      EXPECT_FALSE(above.alive.empty());
+      EXPECT_EQ(above.marginal, 0U);
+    }
+  }
+}
+
+// Loose trusses at random, some on a roller: everything that is found is proved.
+problems::Structure random_truss(int dimension, int nodes, std::mt19937& bits) {
+  std::uniform_real_distribution<double> place(-1, 1);
+  std::string text = fmt::format("name = \"t\"\ndimension = {}\n[nodes]\n", dimension);
+  std::vector<std::vector<double>> places;
+  for (int i = 0; i < nodes; ++i) {
+    auto& own = places.emplace_back();
+    for (int k = 0; k < dimension; ++k) own.push_back(place(bits));
+    text += fmt::format("n{} = [{}]\n", i, fmt::join(own, ", "));
+  }
+  text += "[[members]]\nEA = 3\nbetween = [";
+  for (int i = 0; i < nodes; ++i) {
+    for (int j = 0; j < i; ++j) text += fmt::format("[\"n{}\", \"n{}\"],", i, j);
+  }
+  text += "]\n";
+  for (int i = 0; i + 1 < nodes; ++i) {  // walls around it, so that it may be caught
+    std::vector<double> normal;
+    for (const double x : places[static_cast<std::size_t>(i)])
+      normal.push_back(-x + 0.5 * place(bits));
+    text +=
+        fmt::format("[[contact]]\nnodes = [\"n{}\"]\nnormal = [{}]\n", i, fmt::join(normal, ", "));
+  }
+  if (bits() % 3 == 0)
+    text += fmt::format("[[supports]]\nnodes = [\"n{}\"]\nfixed = [\"x\"]\n", nodes - 1);
+  return read(text);
+}
+
+TEST(LooseTrusses, AreProvedAsTheyAreSearched) {
+  std::mt19937 bits(7);
+  std::size_t alive = 0;
+  std::size_t dead = 0;
+  std::size_t marginal = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const int dimension = trial % 2 == 0 ? 2 : 3;
+    const auto truss = random_truss(dimension, 4 + trial % 3, bits);
+    const double mu = trial % 4 < 2 ? 0.4 : 1.0;
+    const auto check = [&](bool of_structure) {
+      const auto said = proved(truss, mu, of_structure);
+      EXPECT_THAT(said.refusals, IsEmpty()) << trial;
+      alive += said.alive.size();
+      dead += said.dead;
+      marginal += said.marginal;
+    };
+    check(true);
+    // In space two contacts carry each other only along the line between them: a G of doubles has
+    // no such line, so that without the structure nothing is in equilibrium.
+    if (dimension == 2) check(false);
+  }
+  EXPECT_GT(alive, 20U);
+  EXPECT_GT(dead, 100U);
+  EXPECT_LE(marginal, alive / 10);  // left open by the search
+}
+
+// Where a configuration is, no evidence shows that there is none: neither of its leaf nor of any
+// node above.
+TEST(LooseTrusses, AreNotProvedDeadWhereTheyWedge) {
+  std::mt19937 bits(11);
+  std::size_t tried = 0;
+  for (int trial = 0; trial < 16; ++trial) {
+    const auto truss = random_truss(trial % 2 == 0 ? 2 : 3, 5, bits);
+    const auto text = written(problems::wedged_problem(truss), 1.0);
+    const auto certificate = read_certificate(text, "test");
+    const auto agreed =
+        std::get<Agreement>(agreement(certificate, evidence::verified_structure(truss)));
+    const Proof proof(certificate, agreed.stiffness, agreed.motions);
+    for (const auto& leaf : certificate.records) {
+      if (leaf.claim != Claim::alive) continue;
+      for (auto record : certificate.records) {
+        if (record.claim != Claim::dead) continue;
+        record.contact = leaf.contact;
+        record.separated = leaf.separated;
+        for (const int candidate : certificate.all_candidates()) {
+          EXPECT_TRUE(proof.judgement(record).refusal.has_value());
+          ++tried;
+          const auto one = support::IndexSet::single(candidate);
+          record.contact -= one;
+          record.separated -= one;
+        }
+      }
+    }
+  }
+  EXPECT_GT(tried, 500U);
+}
+
+// Two ends of a bar in a groove, and a third place on the floor, which can carry nothing: only
+// friction could turn its reaction to the line between the two.
+TEST(LooseTrusses, HaveContactsThatEquilibriumLeavesUnloaded) {
+  const auto body = read(R"(
+name = "tripod"
+dimension = 3
+[nodes]
+a = [-1, 0, 0]
+b = [1, 0, 0]
+k = [0, 1, 0]
+top = [0, 0.3, 1]
+[[members]]
+EA = 3
+between = [["a", "b"], ["a", "k"], ["b", "k"], ["a", "top"], ["b", "top"], ["k", "top"]]
+[[contact]]
+nodes = ["a"]
+normal = [0.9659258262890683, 0, 0.25881904510252074]
+[[contact]]
+nodes = ["b"]
+normal = [-0.9659258262890683, 0, 0.25881904510252074]
+[[contact]]
+nodes = ["k"]
+normal = [0, 0, 1]
+)");
+  const auto said = proved(body, 0.5);
+  EXPECT_THAT(said.refusals, IsEmpty());
+  EXPECT_EQ(said.alive.size(), 1U);
+  EXPECT_GT(said.marginal, 0U);
+  EXPECT_EQ(said.unloaded, said.marginal);
+  // Where a node is alive, no contact of it is without a reaction.
+  auto certificate = read_certificate(written(problems::wedged_problem(body), 0.5), "test");
+  const auto agreed =
+      std::get<Agreement>(agreement(certificate, evidence::verified_structure(body)));
+  const Proof proof(certificate, agreed.stiffness, agreed.motions);
+  for (auto& record : certificate.records) {
+    if (record.claim != Claim::alive) continue;
+    record.claim = Claim::marginal;
+    EXPECT_FALSE(proof.judgement(record).unloaded);
+    record.separated = {};  // the third carries nothing, but it is not of U
+    EXPECT_FALSE(proof.judgement(record).unloaded);
+  }
+}
+
+TEST(ContactMotions, OfTheStructureStrainNothingAndAreComplete) {
+  std::mt19937 bits(3);
+  for (const int dimension : {2, 3}) {
+    const auto truss = evidence::verified_structure(random_truss(dimension, 5, bits));
+    const auto problem = std::get<EnclosedProblem>(enclosed_problem(truss));
+    const auto near = problem.motions.nearest();
+    const auto p = problem.motions.count;
+    EXPECT_GE(p, dimension == 2 ? 2U : 5U);
+    const auto n = problem.stiffness.middle.size;
+    for (std::size_t k = 0; k < p; ++k) {
+      Rationals unit(p);
+      unit[k] = 1;
+      const auto forces =
+          problem.stiffness.middle * seen_of(problem.motions, unit).values;  // K G, to 46 digits
+      for (std::size_t row = 0; row < n; ++row) EXPECT_LE(std::abs(forces[row].nearest()), 1e-40);
+    }
+    EXPECT_EQ(near.size(), n * p);
+  }
+}
+
+TEST(Elimination, KnowsWhatDepends) {
+  Elimination rest(3);
+  EXPECT_TRUE(rest.demand({1, 2, 3}));
+  EXPECT_FALSE(rest.demand({2, 4, 6}));
+  EXPECT_TRUE(rest.demand({mpq_class(1, 3), 0, 1}));
+  ASSERT_EQ(rest.left().size(), 1U);
+  EXPECT_EQ(dot(rest.left()[0], {1, 2, 3}), 0);
+  EXPECT_EQ(dot(rest.left()[0], {1, 0, 3}), 0);
+  EXPECT_EQ(rest.taken().size(), 2U);
+  EXPECT_FALSE(solution({{1, 2}, {2, 4}}, {1, 3}).has_value());
+  const auto x = *solution({{1, 2}, {2, 4}, {0, 1}}, {1, 2, 5});
+  EXPECT_EQ(x, (Rationals{-9, 5}));
+}
+
+}  // namespace
+}  // namespace kusabi::verify

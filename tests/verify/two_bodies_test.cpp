@@ -1,0 +1,103 @@
+// K of pairs, ties, inclined supports and rollers, enclosed anew: as the solver has it, and proved.
+#include <random>
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "nodes/evidence/verified_structure.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "searched.hpp"
+#include "tests/problems/bodies.hpp"
+#include "verify/condensation.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+TEST(TwoBodies, HaveTheStiffnessThatTheSolverComputes) {
+  std::mt19937 bits(6);
+  for (int draw = 0; draw < 20; ++draw) {
+    SCOPED_TRACE(draw);
+    const auto structure = problems::test::random_bodies(2 + draw % 2, bits);
+    const auto problem = problems::wedged_problem(structure);
+    const auto result = condensed_stiffness(evidence::verified_structure(structure));
+    ASSERT_TRUE(std::holds_alternative<EnclosedMatrix>(result)) << std::get<std::string>(result);
+    const auto& matrix = std::get<EnclosedMatrix>(result);
+    const double size = problem.stiffness.norm();
+    ASSERT_EQ(matrix.middle.size, static_cast<std::size_t>(problem.stiffness.rows()));
+    for (Eigen::Index i = 0; i < problem.stiffness.size(); ++i) {
+      EXPECT_NEAR(matrix.middle.entries[static_cast<std::size_t>(i)].nearest(),
+                  problem.stiffness(i), 1e-11 * size);
+    }
+    EXPECT_LT(matrix.radius.nearest(), 1e-30 * size);
+  }
+}
+
+TEST(TwoBodies, HaveCertificatesThatAreProved) {
+  std::mt19937 bits(7);
+  for (int draw = 0; draw < 6; ++draw) {
+    SCOPED_TRACE(draw);
+    const auto structure = problems::test::random_bodies(2 + draw % 2, bits);
+    const auto own = evidence::verified_structure(structure);
+    for (const double friction : {0.3, 2.0}) {
+      const auto draft = searched(problems::wedged_problem(structure), friction);
+      const auto found = verdict(draft.text(), &own);
+      EXPECT_THAT(found.refusals, testing::IsEmpty());
+      EXPECT_GT(found.dead + found.alive.size(), 0U);
+    }
+  }
+}
+
+// A peg that nothing holds, tapered by 1 in 4, between two elastic walls, and its nodes between
+// theirs: it wedges from 1/4 on. Either body may be the loose one.
+TEST(TwoBodies, MayBeLoose) {
+  const auto mesh = [](const std::string& name, const std::string& corners, int rows) {
+    return "[[mesh]]\nname = \"" + name + "\"\ncorners = " + corners + "\ndivisions = [2, " +
+           std::to_string(rows) +
+           "]\nE = 2\nnu = 0.25\nthickness = 1\nplane = \"strain\"\njoin = false\n";
+  };
+  for (const std::string held : {"\"left.left\", \"right.right\"", "\"peg.top\", \"left.left\""}) {
+    const auto structure = problems::read_structure(
+        "name = \"p\"\ndimension = 2\nunits = {length = \"m\", force = \"N\"}\n" +
+            mesh("left", "[[-2, 0], [-0.5, 0], [-1, 2], [-2, 2]]", 4) +
+            mesh("right", "[[0.5, 0], [2, 0], [2, 2], [1, 2]]", 4) +
+            mesh("peg", "[[-0.75, 1], [0.75, 1], [1, 2], [-1, 2]]", 3) + "[[supports]]\nnodes = [" +
+            held +
+            "]\n[[contact]]\nnodes = [\"peg.left\"]\nexcept = [\"peg.0,3\"]\n"
+            "against = \"left.right\"\nnormal = [4, 1]\n"
+            "[[contact]]\nnodes = [\"peg.right\"]\nexcept = [\"peg.2,3\"]\n"
+            "against = \"right.left\"\nnormal = [-4, 1]\n",
+        "peg");
+    const auto own = evidence::verified_structure(structure);
+    const auto problem = problems::wedged_problem(structure);
+    EXPECT_EQ(problem.motions.cols(), 3);
+    const auto below = verdict(written(problem, 0.2), &own);
+    EXPECT_THAT(below.refusals, testing::IsEmpty());
+    const auto above = verdict(written(problem, 0.5), &own);
+    EXPECT_THAT(above.refusals, testing::IsEmpty());
+    if (held.find("peg") != std::string::npos) continue;
+    EXPECT_TRUE(below.alive.empty());
+    EXPECT_FALSE(above.alive.empty());
+  }
+}
+
+// Of another pair, another weight, another direction: another K.
+TEST(TwoBodies, AreNotTakenForOthers) {
+  std::mt19937 bits(8);
+  const auto structure = problems::test::random_bodies(2, bits);
+  const auto text = searched(problems::wedged_problem(structure), 1).text();
+  const auto refusals = [&](auto change) {
+    auto other = evidence::verified_structure(structure);
+    change(other);
+    return verdict(text, &other).refusals;
+  };
+  EXPECT_THAT(refusals([](Structure&) {}), testing::IsEmpty());
+  EXPECT_FALSE(refusals([](Structure& s) { s.contact[0].against[0].node += 1; }).empty());
+  EXPECT_FALSE(refusals([](Structure& s) { s.contact[1].against[0].weight += 0.01; }).empty());
+  EXPECT_FALSE(refusals([](Structure& s) { s.ties[0].to[0].weight += 0.01; }).empty());
+  EXPECT_FALSE(refusals([](Structure& s) { s.inclined[0].direction[0] += 0.1; }).empty());
+}
+
+}  // namespace
+}  // namespace kusabi::verify
