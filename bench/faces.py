@@ -4,9 +4,9 @@
     bench/faces.py [build/kusabi [CANDIDATES...]]
 
 Blocks of 4 x 1 of plane quadrilaterals, held at one end, with all nodes of the lower side in contact (their critical
-coefficient is near 5.35). For each number of candidates: nodes, iterations and seconds of `patterns` at 5.2, where
-nothing can wedge, by the relative rule up to a hundred candidates and by the deepest one; wall seconds of that on two
-ranks, and seconds of `verify`. Nodes and iterations are the same on any machine; seconds are of CPU but for two ranks.
+coefficient is near 5.3). For each number of candidates: nodes, iterations and seconds of `patterns` at 5.2, where
+nothing can wedge, by the relative rule up to a hundred candidates, by the deepest one, and by the one that a trial
+finds (its seconds are among them); wall seconds of that on two ranks, and seconds of `verify`. Nodes and iterations are the same on any machine; seconds are of CPU but for two ranks.
 """
 
 import json
@@ -62,17 +62,18 @@ def main():
                 tree = json.load(answer)["result"]["tree"]
             return f"{tree['opened']:>7} {tree['iterations']:>8} {wall if launch else cpu:>8.2f}"
 
-        print("candidates | relative: nodes iterations seconds | deepest: nodes iterations seconds | two ranks: seconds "
-              "| verify: seconds")
+        print("candidates | relative: nodes iterations seconds | deepest: nodes iterations seconds | auto: nodes iterations "
+              "seconds | two ranks: seconds | verify: seconds")
         for size in sizes:
             file = os.path.join(folder, f"face-{size}.toml")
             with open(file, "w") as text:
                 text.write(FACE.format(size, max(2, size // 4) if size <= MOST_RELATIVE else 20))
             relative = patterns(file, "--branching", "relative") if size <= MOST_RELATIVE else " " * 25
             deepest = patterns(file, "--branching", "deepest")
-            two = patterns(file, "--branching", "deepest", "--certificate", proof, launch=("mpirun", "-np", "2")).split()[-1]
+            auto = patterns(file)
+            two = patterns(file, "--certificate", proof, launch=("mpirun", "-np", "2")).split()[-1]
             verified, _ = timed(kusabi, "verify", proof, "--problem", file)
-            print(f"{size:>10} | {relative} | {deepest} | {two:>8} | {verified:>8.2f}", flush=True)
+            print(f"{size:>10} | {relative} | {deepest} | {auto} | {two:>8} | {verified:>8.2f}", flush=True)
 
 
 if __name__ == "__main__":

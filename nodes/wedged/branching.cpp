@@ -1,14 +1,16 @@
 // The weights of the relative rule, and what the rules make of a node that is solved.
 #include "nodes/wedged/branching.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace kusabi::wedged {
 
 namespace {
 
 std::vector<double> weights(const problems::WedgedProblem& problem,
-                            std::span<const double> friction, Branching branching) {
-  std::vector<double> weights(friction.size(), 1);
-  if (branching == Branching::product) return weights;
+                            std::span<const double> friction) {
+  std::vector<double> weights(friction.size());
   const Eigen::Index d = problem.dimension;
   for (std::size_t i = 0; i < friction.size(); ++i) {
     const Eigen::Index normal = d * static_cast<Eigen::Index>(i);
@@ -22,18 +24,23 @@ std::vector<double> weights(const problems::WedgedProblem& problem,
 
 BranchingRule::BranchingRule(const problems::WedgedProblem& problem,
                              std::span<const double> friction, Branching branching)
-    : deepest_(branching == Branching::deepest), weight_(weights(problem, friction, branching)) {}
+    : branching_(branching), weight_(weights(problem, friction)) {}
 
 int BranchingRule::candidate(const support::IndexSet& open, ContactSolver& solver) const {
-  if (deepest_) {
+  const auto relative = [&](int i) { return solver.violation(i) * weight(i); };
+  if (branching_ == Branching::deepest || branching_ == Branching::weighed) {
     const auto distances = solver.face_distances();
-    if (!distances.empty())
-      return largest(open, [&](int i) {
-        const auto& own = distances[static_cast<std::size_t>(i)];
-        return own.separation * own.contact;
-      });
+    const auto product = [&](int i) {
+      const auto& own = distances[static_cast<std::size_t>(i)];
+      return own.separation * own.contact;
+    };
+    if (!distances.empty()) {
+      if (branching_ == Branching::deepest) return largest(open, product);
+      return largest(open,
+                     [&](int i) { return product(i) * std::sqrt(std::max(0.0, relative(i))); });
+    }
   }
-  return most_violated(open, [&](int i) { return solver.violation(i); });
+  return largest(open, relative);
 }
 
 }  // namespace kusabi::wedged

@@ -14,6 +14,9 @@ namespace kusabi::wedged {
 
 /// The rule. Any gives the same patterns.
 enum class Branching {
+  /// What a trial of the others says of large blocks (branching_trial.hpp), `relative` for the
+  /// rest and wherever there is no trial.
+  automatic,
   /// The largest u_n r_n / c, where c = F_nn + mu |F_nt| is the largest normal displacement that
   /// the candidate's own reaction can bring for each unit of r_n. No unit is left in this product,
   /// and stiff candidates have as much say as soft ones: up to ten times fewer nodes.
@@ -24,6 +27,8 @@ enum class Branching {
   /// leaves of it: both children lose most. A centre costs as much as the bound of the node. On
   /// some faces of meshes sixty times fewer nodes, on others as many times more.
   deepest,
+  /// The same product times the root of that of `relative`: mostly near the better of these two.
+  weighed,
 };
 
 /// A rule for the nodes of one block.
@@ -32,6 +37,9 @@ class BranchingRule {
   /// @param friction of the candidates, m numbers
   BranchingRule(const problems::WedgedProblem& problem, std::span<const double> friction,
                 Branching branching);
+
+  /// From now on this rule.
+  void set(Branching branching) { branching_ = branching; }
 
   /// The candidate to split a node by. Of equal ones the first, so that the tree is the same
   /// everywhere.
@@ -42,11 +50,14 @@ class BranchingRule {
   /// @param violation gives u_n r_n of a candidate
   template <class Violation>
   [[nodiscard]] int most_violated(const support::IndexSet& open, Violation violation) const {
-    return largest(open,
-                   [&](int i) { return violation(i) * weight_[static_cast<std::size_t>(i)]; });
+    return largest(open, [&](int i) { return violation(i) * weight(i); });
   }
 
  private:
+  [[nodiscard]] double weight(int candidate) const {
+    return branching_ == Branching::product ? 1 : weight_[static_cast<std::size_t>(candidate)];
+  }
+
   template <class Score>
   static int largest(const support::IndexSet& open, Score score) {
     int best = open.lowest();
@@ -61,8 +72,8 @@ class BranchingRule {
     return best;
   }
 
-  bool deepest_;
-  std::vector<double> weight_;  // of u_n r_n: 1 / c, or ones
+  Branching branching_;
+  std::vector<double> weight_;  // of u_n r_n by the relative rule: 1 / c
 };
 
 }  // namespace kusabi::wedged

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "nodes/wedged/branching_trial.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -11,6 +12,8 @@ namespace kusabi::wedged {
 PatternFindings find_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                               std::span<const double> friction, const PatternQuestion& question) {
   SignPatternTree tree(problem, friction, question.tree);
+  const auto rules = tried_branching(campaign, problem, friction, question.tree);
+  for (std::size_t block = 0; block < rules.size(); ++block) tree.split_by(block, rules[block]);
   if (question.witness) tree.report_to(question.witness);
   PatternFindings findings;
   findings.outcome = campaign.search(tree, question.search);
@@ -22,7 +25,10 @@ PatternFindings find_patterns(engine::Campaign& campaign, const problems::Wedged
     return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
   });
   for (const auto& candidates : problems::blocks_of(problem)) {
-    findings.blocks.push_back({.candidates = candidates});
+    findings.blocks.push_back({.candidates = candidates,
+                               .branching = rules[findings.blocks.size()],
+                               .cones = 0,
+                               .open = 0});
   }
   for (const auto& leaf : findings.leaves) {
     auto& block = findings.blocks[leaf.block];

@@ -17,6 +17,7 @@ namespace kusabi::wedged {
 /// The candidates of a block, and how many maximal cones it has.
 struct PatternBlock {
   support::IndexSet candidates;
+  Branching branching = Branching::relative;  ///< the rule that its tree was searched by
   std::uint64_t cones = 0;
   std::uint64_t open = 0;  ///< leaves of which it could not be told whether they are patterns
 

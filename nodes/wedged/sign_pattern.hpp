@@ -177,7 +177,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
 /// How the tree is searched. Whatever is chosen, the patterns are the same.
 struct SignPatternOptions {
   conic::Tolerances tolerances;
-  Branching branching = Branching::relative;
+  Branching branching = Branching::automatic;  ///< without a trial: find_patterns makes one
   /// 0: a node is bounded with the friction cones themselves (Algorithm 5.1). Otherwise, in space,
   /// with polyhedral cones of so many facets around them, and each leaf that these let live is put
   /// to the test of the cones (Algorithm 5.8).
@@ -203,6 +203,9 @@ class SignPatternTree {
   /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
   SignPatternTree(const problems::WedgedProblem& problem, std::span<const double> friction,
                   SignPatternOptions options = {});
+
+  /// From now on the nodes of this block are split by another rule.
+  void split_by(std::size_t block, Branching branching) { blocks_[block].rule.set(branching); }
 
   Node root() const { return {.block = blocks_.size() == 1 ? 0 : Node::all_blocks, .pattern = {}}; }
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);

@@ -75,12 +75,14 @@ void Patterns::describe(OptionTable& table) {
                "a margin t* up to this size is a tie, neither positive nor negative");
   table.choice(
       "--branching", options_.branching,
-      {{"paper", Branching::product},
+      {{"auto", Branching::automatic},
+       {"paper", Branching::product},
        {"relative", Branching::relative},
-       {"deepest", Branching::deepest}},
+       {"deepest", Branching::deepest},
+       {"weighed", Branching::weighed}},
       "split nodes by the largest u_n r_n as the paper does, by its size relative to the "
-      "candidate's compliance, or where both children lose most (for some faces of meshes in "
-      "the plane): the same patterns from more or fewer nodes");
+      "candidate's compliance, where both children lose most, by a mean of these two, or by what "
+      "samples of the trees say: the same patterns from more or fewer nodes");
   table.choice("--method", options_.polyhedral, {{"cones", false}, {"polyhedral", true}},
                "bound nodes with the friction cones themselves, or with polyhedral ones around "
                "them, and put each pattern that these let live to the test of the cones");

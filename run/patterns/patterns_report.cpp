@@ -36,12 +36,16 @@ std::string patterns(std::uint64_t count) {
 
 const char* name_of(wedged::Branching branching) {
   switch (branching) {
+    case wedged::Branching::automatic:
+      return "auto";
     case wedged::Branching::product:
       return "paper";
     case wedged::Branching::relative:
       return "relative";
     case wedged::Branching::deepest:
       return "deepest";
+    case wedged::Branching::weighed:
+      return "weighed";
   }
   return "";
 }
@@ -177,8 +181,9 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   }
   ordered_json blocks = ordered_json::array();
   for (const auto& block : findings_.blocks) {
-    blocks.push_back(
-        {{"candidates", candidate_names(problem_, block.candidates)}, {"count", block.cones}});
+    blocks.push_back({{"candidates", candidate_names(problem_, block.candidates)},
+                      {"count", block.cones},
+                      {"branching", name_of(block.branching)}});
   }
   ordered_json tree = counts_json(findings_.outcome.tally());
   tree["opened"] = findings_.outcome.opened();

@@ -21,6 +21,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/simulation.hpp"
+#include "faces.hpp"
 #include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
 
@@ -152,35 +153,10 @@ TEST(SignPatternTree, FindsTheSameByAnyBranchingWithFewerNodesByTheRelativeOne) 
   }
 }
 
-// A block that is held at its left side, with all nodes of its lower side in contact.
-problems::WedgedProblem lower_face(int candidates) {
-  return problems::wedged_problem(problems::read_structure(fmt::format(R"(
-name = "face"
-dimension = 2
-units = {{ length = "m", force = "kN" }}
-[[mesh]]
-name = "b"
-corners = [[0, 0], [4, 0], [4, 1], [0, 1]]
-divisions = [{}, 4]
-E = 1000
-nu = 0.3
-thickness = 1
-plane = "stress"
-[[supports]]
-nodes = ["b.left"]
-[[contact]]
-nodes = ["b.bottom"]
-except = ["b.left"]
-normal = [0, 1]
-)",
-                                                                       candidates),
-                                                           "face.toml"));
-}
-
 // Where nothing can wedge and where something can: on this face fewer nodes, a third where all are
 // dead.
 TEST(SignPatternTree, FindsTheSameOnAFaceFromFarFewerNodesByTheDeepestOne) {
-  const auto problem = lower_face(32);
+  const auto problem = cantilever_face(32);
   for (const double mu : {5.0, 6.0, 8.0}) {
     const std::vector<double> friction(problem.contact_names.size(), mu);
     SignPatternTree deepest(problem, friction, {.tolerances = {}, .branching = Branching::deepest});
@@ -193,15 +169,18 @@ TEST(SignPatternTree, FindsTheSameOnAFaceFromFarFewerNodesByTheDeepestOne) {
   }
 }
 
-// In space, where it has no fewer.
-TEST(SignPatternTree, FindsTheSameByTheDeepestOneInSpace) {
+// In space, where they have no fewer.
+TEST(SignPatternTree, FindsTheSameByTheCentreInSpace) {
   const auto problem = example("space-truss.toml");
   for (const double mu : {0.5, 0.65, 0.8, 1.0}) {
     const std::vector<double> friction(10, mu);
-    SignPatternTree deepest(problem, friction, {.tolerances = {}, .branching = Branching::deepest});
     SignPatternTree relative(problem, friction,
                              {.tolerances = {}, .branching = Branching::relative});
-    EXPECT_EQ(contact_sets(engine::search(deepest)), contact_sets(engine::search(relative)));
+    const auto expected = contact_sets(engine::search(relative));
+    for (const Branching rule : {Branching::deepest, Branching::weighed}) {
+      SignPatternTree tree(problem, friction, {.tolerances = {}, .branching = rule});
+      EXPECT_EQ(contact_sets(engine::search(tree)), expected);
+    }
   }
 }
 

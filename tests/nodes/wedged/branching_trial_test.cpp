@@ -1,0 +1,69 @@
+// The trial of rules against whole trees by each of them.
+#include "nodes/wedged/branching_trial.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/search.hpp"
+#include "engine/transport/single_process.hpp"
+#include "faces.hpp"
+#include "nodes/wedged/pattern_search.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+struct Instance {
+  const char* name;
+  problems::WedgedProblem problem;
+  double friction;
+};
+
+std::uint64_t opened_by(Branching rule, const Instance& instance) {
+  const std::vector<double> friction(instance.problem.contact_names.size(), instance.friction);
+  SignPatternTree tree(instance.problem, friction, {.tolerances = {}, .branching = rule});
+  return engine::search(tree).opened();
+}
+
+PatternFindings found(const Instance& instance) {
+  const std::vector<double> friction(instance.problem.contact_names.size(), instance.friction);
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone);
+  return find_patterns(campaign, instance.problem, friction);
+}
+
+// By one rule the first has a twentieth of the nodes that it has by another, by which the second
+// has a tenth.
+TEST(BranchingTrial, IsNeverFarFromTheBestRule) {
+  for (const Instance& instance : {Instance{"cantilever", cantilever_face(70), 5.2},
+                                   Instance{"leaning", leaning_face(60), 0.8}}) {
+    std::vector<std::uint64_t> opened;
+    for (const Branching rule : {Branching::relative, Branching::deepest, Branching::weighed})
+      opened.push_back(opened_by(rule, instance));
+    const auto findings = found(instance);
+    EXPECT_LE(findings.outcome.opened(), 6 * std::ranges::min(opened)) << instance.name;
+    EXPECT_GE(std::ranges::max(opened), 10 * std::ranges::min(opened))
+        << instance.name << ": any rule would do";
+  }
+}
+
+TEST(BranchingTrial, LeavesSmallBlocksAndRulesThatWereAskedForAlone) {
+  const Instance small{"small", cantilever_face(39), 5.2};
+  const auto findings = found(small);
+  EXPECT_EQ(findings.blocks.front().branching, Branching::relative);
+  EXPECT_EQ(findings.outcome.opened(), opened_by(Branching::relative, small));
+
+  const auto problem = cantilever_face(44);
+  const std::vector<double> friction(problem.contact_names.size(), 5.2);
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone);
+  EXPECT_THAT(tried_branching(campaign, problem, friction,
+                              {.tolerances = {}, .branching = Branching::deepest}),
+              testing::ElementsAre(Branching::deepest));
+}
+
+}  // namespace
+}  // namespace kusabi::wedged
