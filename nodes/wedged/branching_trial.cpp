@@ -24,8 +24,14 @@ constexpr int fewest_candidates = 40;
 constexpr std::array tried{Branching::weighed, Branching::relative, Branching::deepest};
 constexpr double times_fewer = 3;
 
-/// Trees of no more nodes are not worth a trial, and fewer nodes of dives say little.
-constexpr std::uint64_t small = 500;
+/// Trees of no more nodes are not worth a trial, and fewer nodes of dives say little; but a node
+/// takes the more time the more candidates there are.
+std::uint64_t few_nodes(int candidates) {
+  return static_cast<std::uint64_t>(std::clamp(50'000 / candidates, 100, 500));
+}
+
+constexpr int much = 20;  // leaves
+
 constexpr std::uint64_t dives_a_round = 4;  // by each rule
 constexpr std::uint64_t most_rounds = 16;
 
@@ -39,23 +45,14 @@ struct Dive {
   }
 };
 
-bool is_small(SignPatternTree& tree, std::uint32_t block) {
-  std::vector<SignPatternTree::Node> open{{.block = block, .pattern = {}}};
-  for (std::uint64_t opened = 0; opened < small && !open.empty(); ++opened) {
-    const auto node = open.back();
-    open.pop_back();
-    const auto children = tree.decide(node).children;
-    open.insert(open.end(), children.rbegin(), children.rend());
-  }
-  return open.empty();
-}
-
-Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number) {
+// Ends early where the budget is spent.
+Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number,
+          const engine::Budget& budget) {
   std::mt19937_64 random(number);
   Dive result{.size = 1, .opened = 1};
   double ways = 1;
   auto fate = tree.decide({.block = block, .pattern = {}});
-  while (!fate.children.empty()) {
+  while (!fate.children.empty() && !budget.spent()) {
     std::vector<SignPatternTree::Fate> branched;
     for (const auto& child : fate.children) {
       ++result.opened;
@@ -82,9 +79,9 @@ class Trial {
     }
   }
 
-  Branching best_of(std::uint32_t block) {
-    if (engine::from_first_rank(campaign_.transport(),
-                                [&] { return is_small(trees_.front(), block); }))
+  Branching best_of(std::uint32_t block, int candidates) {
+    const auto few = few_nodes(candidates);
+    if (engine::from_first_rank(campaign_.transport(), [&] { return is_plain(block, few); }))
       return tried.front();
     std::array<double, tried.size()> sum{};
     std::uint64_t opened = 0;
@@ -96,7 +93,7 @@ class Trial {
       }
       const double least =
           *std::ranges::min_element(sum) / static_cast<double>(dives_a_round * (round + 1));
-      if ((opened >= small && static_cast<double>(opened) >= least) || ended()) break;
+      if ((opened >= few && static_cast<double>(opened) >= least) || ended()) break;
     }
     const auto least = std::ranges::min_element(sum);
     return *least * times_fewer < sum.front() ? tried[static_cast<std::size_t>(least - sum.begin())]
@@ -104,12 +101,28 @@ class Trial {
   }
 
  private:
+  // Whether the first tree has few nodes, or much to list: then most of the work is its leaves,
+  // which all trees have.
+  bool is_plain(std::uint32_t block, std::uint64_t few) {
+    std::vector<SignPatternTree::Node> open{{.block = block, .pattern = {}}};
+    int found = 0;
+    for (std::uint64_t opened = 0; opened < few && !open.empty(); ++opened) {
+      if (found == much || campaign_.budget().spent()) return true;
+      const auto node = open.back();
+      open.pop_back();
+      const auto fate = trees_.front().decide(node);
+      if (fate.leaf) ++found;
+      open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
+    }
+    return open.empty();
+  }
+
   std::vector<Dive> share(std::uint32_t block, std::uint64_t round) {
-    return engine::share_work<Dive>(campaign_.transport(), dives_a_round * tried.size(),
-                                    [&](std::uint64_t piece) {
-                                      return dive(trees_[piece % tried.size()], block,
-                                                  round * dives_a_round + piece / tried.size());
-                                    });
+    return engine::share_work<Dive>(
+        campaign_.transport(), dives_a_round * tried.size(), [&](std::uint64_t piece) {
+          return dive(trees_[piece % tried.size()], block,
+                      round * dives_a_round + piece / tried.size(), campaign_.budget());
+        });
   }
 
   bool ended() {
@@ -122,6 +135,10 @@ class Trial {
 };
 
 }  // namespace
+
+Branching untried_branching(int candidates) {
+  return candidates < fewest_candidates ? Branching::relative : tried.front();
+}
 
 std::vector<Branching> tried_branching(engine::Campaign& campaign,
                                        const problems::WedgedProblem& problem,
@@ -137,7 +154,7 @@ std::vector<Branching> tried_branching(engine::Campaign& campaign,
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
     if (blocks[block].size() < fewest_candidates) continue;
     if (!trial) trial.emplace(campaign, problem, friction, options);
-    rules[block] = trial->best_of(block);
+    rules[block] = trial->best_of(block, blocks[block].size());
   }
   return rules;
 }

@@ -18,6 +18,9 @@
 
 namespace kusabi::wedged {
 
+/// What is best without a trial.
+Branching untried_branching(int candidates);
+
 /// The rule for each block: the one that was asked for, or what the trial says. The ranks share
 /// the dives, and come to the same, however many they are. Every rank makes the same call.
 std::vector<Branching> tried_branching(engine::Campaign& campaign,

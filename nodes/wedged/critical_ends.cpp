@@ -2,6 +2,7 @@
 #include "nodes/wedged/critical_ends.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/together.hpp"
+#include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 #include "nodes/wedged/evidence_check.hpp"
@@ -85,8 +87,10 @@ class Ends {
 template <class Wanted>
 Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted) {
   const auto friction = candidate_friction(problem_, factor);
-  SignPatternTree tree(problem_, friction,
-                       {.tolerances = CriticalFriction::tolerances, .thorough = true});
+  const SignPatternOptions options{.tolerances = CriticalFriction::tolerances, .thorough = true};
+  SignPatternTree tree(problem_, friction, options);
+  const auto rules = tried_branching(campaign_, problem_, friction, options);
+  for (std::size_t block = 0; block < rules.size(); ++block) tree.split_by(block, rules[block]);
   const auto record = recorder_ ? recorder_(end, factor, friction) : nullptr;
   std::optional<EvidenceCheck> check;
   if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&stiffness_)) {

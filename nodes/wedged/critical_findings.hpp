@@ -13,21 +13,27 @@
 namespace kusabi::wedged {
 
 enum class CriticalWay {
-  global,     ///< one best-first search for the smallest
+  descent,    ///< one depth-first search for the smallest, from the largest coefficient down
+  global,     ///< one best-first search for it, from the smallest coefficient up
   newton,     ///< of every pattern that lives at the largest coefficient, by Newton's method
   bisection,  ///< the same by bisection, as the paper does it
 };
 
-/// How far the global search looks unless told: obstacles are not rougher.
+/// Of one coefficient, or of one for each pattern?
+constexpr bool looks_for_smallest(CriticalWay way) {
+  return way == CriticalWay::descent || way == CriticalWay::global;
+}
+
+/// How far a search for the smallest looks unless told: obstacles are not rougher.
 inline constexpr double usual_most = 1000;
 
 /// Points of the grid of brackets are multiples of the width: up to so many are exact in a double.
 inline constexpr double most_multiples = 1e15;
 
 struct CriticalQuestion {
-  CriticalWay way = CriticalWay::global;
-  /// No larger coefficient is of interest; mu^0 of the paper, which all but the global search need.
-  /// Nothing: usual_most, or as far as can be computed with.
+  CriticalWay way = CriticalWay::descent;
+  /// No larger coefficient is of interest; mu^0 of the paper, which the ways pattern by pattern
+  /// need. Nothing: usual_most, or as far as can be computed with.
   std::optional<double> most{};
   double width = 1e-8;  ///< of the brackets
 };

@@ -185,7 +185,7 @@ void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
 }
 
 bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point) {
-  const auto said = probe(pattern, at(point), {});
+  const auto said = probe(pattern, at(point), sign_only);
   switch (said.sign) {
     case conic::Sign::dead:
       cell.dead = point;
@@ -277,7 +277,8 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       // Newton's method has arrived: the points of the grid on both sides of it.
       const auto below = static_cast<std::int64_t>(std::floor(next / width_));
       for (const auto point : {below + 1, below}) {
-        if (point > cell.dead && point < cell.alive) narrow(cell, probe(pattern, at(point)), most);
+        if (point > cell.dead && point < cell.alive)
+          narrow(cell, probe(pattern, at(point), sign_only), most);
       }
       if (!open && below > cell.dead && below < cell.alive) surround(pattern, cell, below);
       break;
@@ -307,6 +308,11 @@ double CriticalFriction::bound(const SignPattern& node, double from, double cuto
     factor = next;
   }
   return known;
+}
+
+double CriticalFriction::dead_below(const SignPattern& node, double factor) {
+  const double at = std::max(factor, range_.least);
+  return probe(node, at, {.when_dead = true, .when_alive = true}).dead_below;
 }
 
 }  // namespace kusabi::wedged

@@ -98,8 +98,12 @@ class CriticalFriction {
   /// ends here
   double bound(const SignPattern& node, double from, double cutoff);
 
+  /// A coefficient below which the node is proved dead, by one program: `factor` if it is dead
+  /// there, otherwise what its multipliers say.
+  double dead_below(const SignPattern& node, double factor);
+
   /// What was solved last.
-  [[nodiscard]] const ContactSolver& solver() const { return solver_; }
+  [[nodiscard]] ContactSolver& solver() { return solver_; }
   [[nodiscard]] double width() const { return width_; }
   [[nodiscard]] double at(std::int64_t multiple) const {
     return width_ * static_cast<double>(multiple);
@@ -109,6 +113,7 @@ class CriticalFriction {
 
  private:
   static constexpr conic::StopEarly full{.when_dead = false, .when_alive = false};
+  static constexpr conic::StopEarly sign_only{.when_dead = true, .when_alive = true};
 
   CriticalCell approach(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
   CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -10,12 +11,20 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/together.hpp"
+#include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
 namespace {
+
+/// Where a descent starts, and how much farther up it starts anew where everything is dead.
+constexpr double first_start = 1;
+constexpr double next_start = 4;
+
+/// Of a start.
+constexpr double few_digits = 1e-2;
 
 std::int64_t multiples(double most, double width) {
   return static_cast<std::int64_t>(std::llround(most / width));
@@ -24,6 +33,17 @@ std::int64_t multiples(double most, double width) {
 double or_infinity(const std::optional<double>& number) {
   return number.value_or(std::numeric_limits<double>::infinity());
 }
+
+// What all ranks must know of a bracket.
+struct Bracket {
+  engine::Status status = engine::Status::solved;
+  double lower = 0, upper = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& status& lower& upper;
+  }
+};
 
 // What lives or may live at the largest coefficient: maximal cones and open leaves.
 struct Living {
@@ -59,18 +79,25 @@ PatternBisection::Pattern pattern_of(const Configuration& leaf,
           .lives = leaf.state == LeafState::alive || leaf.state == LeafState::flat};
 }
 
-CriticalFindings global_search(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                               double width, double most) {
-  CriticalTree tree(problem, width, multiples(most, width));
+// @param known nothing wedges below
+CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                          CriticalDirection direction, double width, double known, double most) {
+  CriticalTree tree(problem, width, multiples(most, width), direction, known);
+  if (direction == CriticalDirection::down) {
+    const auto blocks = problems::blocks_of(problem);
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+      tree.split_by(block, untried_branching(blocks[block].size()));
+  }
   engine::Options options;
   options.goal = engine::Goal::best;
-  options.order = engine::Order::best_first;
+  options.order =
+      direction == CriticalDirection::up ? engine::Order::best_first : engine::Order::depth_first;
   auto outcome = campaign.search(tree, options);
   CriticalFindings findings;
   findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
   if (!campaign.is_first()) return findings;
   const bool whole = outcome.status == engine::Status::solved;
-  findings.lower = whole ? most : std::min(most, std::max(0.0, outcome.bound));
+  findings.lower = whole ? most : std::min(most, std::max(known, outcome.bound));
   for (const auto& found : outcome.solutions) {
     const auto& cell = found.solution.cell;
     findings.lower = std::min(findings.lower, width * static_cast<double>(cell.dead));
@@ -80,6 +107,32 @@ CriticalFindings global_search(engine::Campaign& campaign, const problems::Wedge
   findings.lower = std::min(findings.lower, outcome.tally().doubt.value);
   findings.global_ranks = std::move(outcome.ranks);
   return findings;
+}
+
+// Down from the first of growing coefficients at which anything lives: where nearly everything
+// does, far above the smallest, a search comes upon many leaves that are of no use. What it comes
+// upon on its way is found to a few digits, and the rest between the ends of that bracket.
+CriticalFindings descend(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                         double width, double most) {
+  constexpr auto down = CriticalDirection::down;
+  double known = 0;
+  double start = std::min(first_start, most);
+  for (;;) {
+    double coarse = width;
+    while (coarse < few_digits * start) coarse *= 2;
+    auto findings = smallest(campaign, problem, down, coarse, known, start);
+    const auto found = engine::from_first_rank(campaign.transport(), [&] {
+      return Bracket{findings.status, findings.lower, or_infinity(findings.upper)};
+    });
+    if (found.status != engine::Status::solved) return findings;
+    const bool dead = std::isinf(found.upper) && found.lower >= start;
+    if (!dead && coarse == width) return findings;
+    if (!dead)
+      return smallest(campaign, problem, down, width, found.lower, std::min(found.upper, start));
+    if (start >= most) return findings;
+    known = start;
+    start = std::min(most, next_start * start);
+  }
 }
 
 CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
@@ -137,8 +190,8 @@ CriticalFindings find_critical_friction(engine::Campaign& campaign,
                                         const problems::WedgedProblem& problem,
                                         const CriticalQuestion& question,
                                         const EndRecorder& recorder) {
-  const bool global = question.way == CriticalWay::global;
-  if (!global && !question.most) {
+  const bool only_smallest = looks_for_smallest(question.way);
+  if (!only_smallest && !question.most) {
     throw std::invalid_argument(
         "the patterns are looked for at the largest friction coefficient of interest, which must "
         "be given");
@@ -151,14 +204,23 @@ CriticalFindings find_critical_friction(engine::Campaign& campaign,
         "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
         "of it");
   }
-  auto findings =
-      global ? global_search(campaign, problem, question.width, most)
-             : pattern_by_pattern(campaign, problem,
-                                  question.way == CriticalWay::newton ? CriticalMethod::newton
-                                                                      : CriticalMethod::bisection,
-                                  question.width, most);
+  const auto search = [&] {
+    switch (question.way) {
+      case CriticalWay::descent:
+        return descend(campaign, problem, question.width, most);
+      case CriticalWay::global:
+        return smallest(campaign, problem, CriticalDirection::up, question.width, 0, most);
+      case CriticalWay::newton:
+        return pattern_by_pattern(campaign, problem, CriticalMethod::newton, question.width, most);
+      case CriticalWay::bisection:
+        break;
+    }
+    return pattern_by_pattern(campaign, problem, CriticalMethod::bisection, question.width, most);
+  };
+  auto findings = search();
   if (findings.status == engine::Status::solved) {
-    prove_ends(campaign, structure, problem, {question.width, most, global}, recorder, findings);
+    prove_ends(campaign, structure, problem, {question.width, most, only_smallest}, recorder,
+               findings);
   }
   return findings;
 }

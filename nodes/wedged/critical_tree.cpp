@@ -17,8 +17,9 @@ CriticalTree::Block::Block(const problems::WedgedProblem& problem, double width)
       candidates(problems::all_candidates(problem)),
       rule(problem, std::vector<double>(problem.contact_names.size(), 1), Branching::relative) {}
 
-CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most)
-    : width_(width), most_(most) {
+CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
+                           CriticalDirection direction, double known)
+    : width_(width), most_(most), direction_(direction), known_(known) {
   for (const auto& candidates : problems::blocks_of(problem))
     blocks_.emplace_back(problems::block_problem(problem, candidates), width);
 }
@@ -31,13 +32,13 @@ CriticalTree::Tally CriticalTree::tally() const {
 
 CriticalTree::Node CriticalTree::root() const {
   return {.place = {.block = blocks_.size() == 1 ? 0 : PatternNode::all_blocks, .pattern = {}},
-          .bound = 0};
+          .bound = known_};
 }
 
 void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
   if (node.place.block == PatternNode::all_blocks) {
     for (std::uint32_t block = 0; block < blocks_.size(); ++block)
-      out.branch({{.block = block, .pattern = {}}, 0});
+      out.branch({{.block = block, .pattern = {}}, node.bound});
     return;
   }
   Block& block = blocks_[node.place.block];
@@ -46,24 +47,33 @@ void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
     ++tally_.dead;
     return;
   }
-  const double most = block.critical.at(most_);
-  const double cutoff = std::min(out.cutoff(), most);
-  const double bound = block.critical.bound(node.place.pattern, node.bound, cutoff);
-  // What is dead at the lower end of the best cell has nothing to add to the bracket.
-  const double lowest = out.cutoff() - width_;
-  if (bound > cutoff || bound >= lowest + rounding * std::abs(lowest)) {
+  const auto bound = worth(block, node, std::min(out.cutoff(), block.critical.at(most_)));
+  if (!bound) {
     ++tally_.dead;
     return;
   }
   const auto free = block.candidates - (contact | separated);
-  if (free.empty()) return close_leaf({node.place, bound}, out);
+  if (free.empty()) return close_leaf({node.place, *bound}, out);
   ++tally_.branched;
-  // By the point at the last coefficient of the bound.
-  const auto& solver = block.critical.solver();
-  const auto split = support::IndexSet::single(
-      block.rule.most_violated(free, [&solver](int i) { return solver.violation(i); }));
-  out.branch({{node.place.block, {contact | split, separated, {}}}, bound});
-  out.branch({{node.place.block, {contact, separated | split, {}}}, bound});
+  // By the point at the last coefficient that was looked at.
+  const auto split = support::IndexSet::single(block.rule.candidate(free, block.critical.solver()));
+  out.branch({{node.place.block, {contact | split, separated, {}}}, *bound});
+  out.branch({{node.place.block, {contact, separated | split, {}}}, *bound});
+}
+
+std::optional<double> CriticalTree::worth(Block& block, const Node& node, double cutoff) const {
+  // What is dead at the lower end of the best cell has nothing to add to the bracket.
+  const double most = block.critical.at(most_);
+  const double lowest = cutoff < most ? cutoff - width_ : most;
+  const auto is_worth = [&](double bound) {
+    return bound <= cutoff && bound < lowest + rounding * std::abs(lowest);
+  };
+  double bound = node.bound;
+  if (direction_ == CriticalDirection::up)
+    bound = block.critical.bound(node.place.pattern, bound, cutoff);
+  else if (is_worth(bound))
+    bound = std::max(bound, block.critical.dead_below(node.place.pattern, lowest));
+  return is_worth(bound) ? std::optional(bound) : std::nullopt;
 }
 
 void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>& out) {

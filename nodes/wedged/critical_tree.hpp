@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -20,6 +21,16 @@
 #include "nodes/wedged/sign_pattern.hpp"
 
 namespace kusabi::wedged {
+
+/// Where a node is looked at.
+enum class CriticalDirection {
+  /// From no friction on, as far as it is proved dead: several programs a node, for a best-first
+  /// search, whose nodes' least is a bound of what is looked for.
+  up,
+  /// At the lower end of the best bracket so far: one program a node, for a depth-first search,
+  /// which soon comes upon leaves.
+  down,
+};
 
 /// The problem type that engine::search searches, with Goal::best.
 class CriticalTree {
@@ -60,7 +71,12 @@ class CriticalTree {
   };
 
   /// @param width of the bracket  @param most no coefficient above most x width is of interest
-  CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most);
+  /// @param known nothing wedges below
+  CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
+               CriticalDirection direction = CriticalDirection::up, double known = 0);
+
+  /// From now on the nodes of this block are split by another rule.
+  void split_by(std::size_t block, Branching branching) { blocks_[block].rule.set(branching); }
 
   [[nodiscard]] Node root() const;
   void expand(Node&& node, engine::Expansion<CriticalTree>& out);
@@ -79,10 +95,14 @@ class CriticalTree {
     BranchingRule rule;
   };
 
+  /// Below what coefficient the node is dead, if it is worth branching.
+  std::optional<double> worth(Block& block, const Node& node, double cutoff) const;
   void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);
 
   double width_;
   std::int64_t most_;
+  CriticalDirection direction_;
+  double known_;
   std::vector<Block> blocks_;
   Tally tally_;
 };

@@ -50,12 +50,14 @@ class Critical final : public Subcommand {
 
 void Critical::describe(OptionTable& table) {
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
-  table.choice("--method", options_.question.way,
-               {{"global", wedged::CriticalWay::global},
-                {"newton", wedged::CriticalWay::newton},
-                {"bisection", wedged::CriticalWay::bisection}},
-               "one search for the smallest, or the coefficients of all patterns that live at "
-               "--mu-max");
+  table.choice(
+      "--method", options_.question.way,
+      {{"descent", wedged::CriticalWay::descent},
+       {"global", wedged::CriticalWay::global},
+       {"newton", wedged::CriticalWay::newton},
+       {"bisection", wedged::CriticalWay::bisection}},
+      "one search for the smallest, from --mu-max down or from zero up, or the coefficients "
+      "of all patterns that live at --mu-max");
   table.number("--mu-max", &options_.question.most, above(0),
                "no larger coefficient is of interest");
   table.number("--width", &options_.question.width, above(0), "of the brackets");
@@ -71,10 +73,10 @@ void Critical::describe(OptionTable& table) {
 }
 
 void Critical::check() const {
-  if (options_.question.way != wedged::CriticalWay::global && !options_.question.most) {
+  if (!looks_for_smallest(options_.question.way) && !options_.question.most) {
     throw WrongInput(
         "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
-        "for, or --method global");
+        "for, or --method descent");
   }
   const double most = options_.question.most.value_or(wedged::usual_most);
   if (options_.question.width >= most || most > wedged::most_multiples * options_.question.width) {

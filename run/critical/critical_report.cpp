@@ -16,6 +16,8 @@ using nlohmann::ordered_json;
 
 const char* way_name(wedged::CriticalWay way) {
   switch (way) {
+    case wedged::CriticalWay::descent:
+      return "descent";
     case wedged::CriticalWay::global:
       return "global";
     case wedged::CriticalWay::newton:
@@ -132,7 +134,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   }
   for (const auto& sentence : open_sentences(options, findings))
     fmt::format_to(out, "Open: {}.\n", sentence);
-  if (options.question.way != wedged::CriticalWay::global && findings.upper) {
+  if (!looks_for_smallest(options.question.way) && findings.upper) {
     fmt::format_to(out, "(of the {} patterns that live at {})\n", findings.patterns.size(),
                    options.question.most.value_or(0));
   }

@@ -98,7 +98,18 @@ CriticalCell least(const problems::WedgedProblem& problem, double most, double d
   options.order = engine::Order::best_first;
   const auto outcome = engine::search(tree, options);
   EXPECT_EQ(tree.tally().doubt.value, doubt);
-  return outcome.solutions.empty() ? CriticalCell{} : outcome.solutions[0].solution.cell;
+  const auto cell = outcome.solutions.empty() ? CriticalCell{} : outcome.solutions[0].solution.cell;
+
+  // From above, in another order by other programs, it is the same.
+  CriticalTree down(problem, width, multiple(most), CriticalDirection::down);
+  options.order = engine::Order::depth_first;
+  const auto again = engine::search(down, options);
+  const auto other = again.solutions.empty() ? CriticalCell{} : again.solutions[0].solution.cell;
+  EXPECT_EQ(other.dead, cell.dead);
+  if (doubt == none) {
+    EXPECT_EQ(other.alive, cell.alive);
+  }
+  return cell;
 }
 
 support::IndexSet set_of(const std::vector<int>& candidates) {
