@@ -11,6 +11,7 @@
 #include "run/mip/mip.hpp"
 #include "run/patterns/patterns.hpp"
 #include "run/rays/rays.hpp"
+#include "run/show/show.hpp"
 #include "run/verify/verify.hpp"
 
 namespace kusabi::run {
@@ -23,6 +24,7 @@ CommandLine command_line() {
   all.push_back(limit_subcommand());
   all.push_back(mip_subcommand());
   all.push_back(verify_subcommand());
+  all.push_back(show_subcommand());
   all.push_back(example_space_truss_subcommand());
   all.push_back(example_plane_truss_subcommand());
   all.push_back(example_grid_subcommand());
