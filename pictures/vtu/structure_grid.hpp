@@ -8,18 +8,11 @@
 
 #include <Eigen/Core>
 
+#include "pictures/contact_state.hpp"
 #include "pictures/vtu/unstructured_grid.hpp"
 #include "problems/structure/structure.hpp"
 
 namespace kusabi::pictures {
-
-/// What a node does as a contact candidate, in the field `state`.
-enum class ContactState : std::int8_t {
-  none = 0,  ///< no candidate, or one that this answer says nothing of
-  contact = 1,
-  separated = 2,
-  at_rest = 3,  ///< neither a reaction nor a gap
-};
 
 /// The points are the nodes; cells are the members, then the elements, then the outlines of bodies
 /// whose stiffness another program has computed, and at last a vertex for each node that has none
@@ -37,7 +30,7 @@ UnstructuredGrid unsolved_grid(const problems::Structure& structure);
 /// @param vectors d x nodes
 Field node_vectors(std::string name, const Eigen::MatrixXd& vectors);
 
-/// States of the candidates as point data. @param states one a candidate
+/// States of the candidates as point data, `state`. @param states one a candidate
 Field contact_states(const problems::Structure& structure, std::span<const ContactState> states);
 
 /// A number a member as cell data of `structure_grid`; NaN at other cells.

@@ -166,13 +166,12 @@ void Limit::search(CommandRun& run) {
 
 std::vector<Step> Limit::results(CommandRun& run) {
   const auto report = std::make_shared<const LimitReport>(
-      LimitReport{options_, *problem_, found_.answer, run.session().ranks()});
+      LimitReport{options_, truss_, *problem_, found_.answer, run.session().ranks()});
   std::vector<Step> steps{run.result([report] { return report->json(); })};
   steps.push_back(run.file("--curve-csv", [report](std::ostream& out) {
     CurveReport{report->options, report->problem, report->answer}.write_csv(out);
   }));
-  steps.push_back(run.folder(
-      "--vtu", [this, report](auto& folder) { draw_collapses(folder, truss_, *report); }));
+  steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
   if (found_.certificate) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {
       out << limit_certificate_text(*found_.certificate);

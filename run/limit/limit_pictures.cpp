@@ -82,8 +82,8 @@ pictures::UnstructuredGrid collapse_grid(const Structure& truss, const LimitProb
 
 }  // namespace
 
-void draw_collapses(OutputFolder& folder, const Structure& truss, const LimitReport& report) {
-  const auto& [options, problem, answer, ranks] = report;
+void draw_collapses(OutputFolder& folder, const LimitReport& report) {
+  const auto& [options, truss, problem, answer, ranks] = report;
   VtuSeries series(folder);
   if (answer.nominal) {
     series.add("nominal.vtu",

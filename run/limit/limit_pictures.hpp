@@ -2,15 +2,12 @@
 // case.
 #pragma once
 
-#include "problems/structure/structure.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/output/output_folder.hpp"
 
 namespace kusabi::run {
 
 /// Writes nominal.vtu and worst-case.vtu, those of them that there are, and limit.pvd.
-/// @param truss of the report's problem
-void draw_collapses(OutputFolder& folder, const problems::Structure& truss,
-                    const LimitReport& report);
+void draw_collapses(OutputFolder& folder, const LimitReport& report);
 
 }  // namespace kusabi::run

@@ -175,10 +175,7 @@ void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
 
 std::vector<Step> Rays::results(CommandRun& run) {
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
-  std::optional<WholeStateJson> whole;
-  if (options_.whole) whole.emplace(*states);
-  const auto report =
-      std::make_shared<RaysReport>(options_, problem_, *cone_, found_, std::move(whole));
+  const auto report = std::make_shared<RaysReport>(options_, *states, *cone_, found_);
   // All is written in one pass over the rays, so that their numbers are made only once.
   const auto table = std::make_shared<std::ostringstream>();
   const auto write = [&run, report, table, states](JsonWriter* json) {

@@ -15,6 +15,8 @@ class WholeStateJson {
   /// @param states must outlive it
   explicit WholeStateJson(const WholeStates& states) : states_(states) {}
 
+  [[nodiscard]] const problems::Structure& structure() const { return states_.structure(); }
+
   /// Adds `all_displacements` and `support_reactions`, by node in global axes, `axial_forces` if
   /// there are members, and `imbalance`.
   /// @param reactions of all candidates, dm

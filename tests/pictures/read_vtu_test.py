@@ -104,6 +104,7 @@ class ReadVtu(unittest.TestCase):
         """The JSON's numbers at all nodes, and equilibrium of the whole."""
         d = problem["d"]
         names = list(pattern["all_displacements"])
+        self.check_structure(problem["structure"], d, names, grid)
         displacement = np.array(list(pattern["all_displacements"].values()))
         np.testing.assert_array_equal(grid.at_points["displacement"][:, :d], displacement)
         supports = np.array([pattern["support_reactions"].get(name, [0] * d) for name in names])
@@ -114,6 +115,19 @@ class ReadVtu(unittest.TestCase):
         forces = grid.at_points["contact_reaction"] + grid.at_points["support_reaction"]
         self.vanish(forces.sum(axis=0))
         self.vanish(np.cross(grid.points, forces).sum(axis=0) / np.abs(grid.points).max())
+
+    def check_structure(self, structure, d, names, grid):
+        """What the JSON says of the structure is what the grid has."""
+        self.assertEqual(structure["node_names"], names)
+        np.testing.assert_array_equal(grid.points[:, :d], structure["positions"])
+        self.assertEqual([list(nodes) for kind, nodes in grid.cells if kind == 3], structure.get("members", []))
+        elements = [nodes for group in structure.get("elements", []) for nodes in group["nodes"]]
+        self.assertEqual(sorted(list(nodes) for kind, nodes in grid.cells if kind != 3), sorted(elements))
+        candidates = np.zeros(len(names))
+        candidates[structure["candidates"]] = 1
+        np.testing.assert_array_equal(grid.at_points["candidate"].ravel(), candidates)
+        for axis, flags in zip("xyz", grid.at_points["fixed"].T):
+            self.assertEqual(list(np.flatnonzero(flags)), structure["fixed"].get(axis, []))
 
     def check_contact(self, problem, pattern, grid):
         """u and r of each candidate in its own frame, against F as kusabi export has it."""
@@ -200,6 +214,9 @@ class ReadVtu(unittest.TestCase):
                                                    (answer["nominal_forces"], answer["forces"]),
                                                    (answer["nominal"], answer["worst_case"]["upper"])):
             np.testing.assert_array_equal(grid.at_cells["axial_force"].ravel(), forces)
+            structure = result["problem"]["structure"]
+            self.assertEqual(names, structure["node_names"])
+            strength = [row[0] if force > 0 else row[1] for row, force in zip(structure["yield_forces"], forces)]
             velocity = {each["node"]: each["velocity"] for each in mode["moving"]}
             for name, moved in zip(names, grid.at_points["velocity"]):
                 np.testing.assert_allclose(moved[:2], velocity.get(name, [0, 0]), atol=1e-7)
@@ -209,6 +226,8 @@ class ReadVtu(unittest.TestCase):
             np.testing.assert_allclose(rest, 0, atol=1e-8)
             used, rate = grid.at_cells["utilisation"].ravel(), grid.at_cells["elongation_rate"].ravel()
             self.assertLessEqual(used.max(), 1 + 1e-9)
+            np.testing.assert_allclose(used, np.abs(forces) / strength, atol=1e-12)
+            np.testing.assert_array_equal(used, answer["nominal_utilisation" if grid is grids[0] else "utilisation"])
             np.testing.assert_allclose(used[np.abs(rate) > 1e-6], 1, atol=1e-9)
             self.assertTrue((used < 0.999).any())
         self.assertEqual(len(grids), 2)
