@@ -5,6 +5,7 @@
 
 #include "run/bench/bench.hpp"
 #include "run/critical/critical.hpp"
+#include "run/draw/draw.hpp"
 #include "run/example/example.hpp"
 #include "run/export/export.hpp"
 #include "run/limit/limit.hpp"
@@ -25,6 +26,7 @@ CommandLine command_line() {
   all.push_back(mip_subcommand());
   all.push_back(verify_subcommand());
   all.push_back(show_subcommand());
+  all.push_back(draw_subcommand());
   all.push_back(example_space_truss_subcommand());
   all.push_back(example_plane_truss_subcommand());
   all.push_back(example_grid_subcommand());
