@@ -42,6 +42,7 @@ std::string bodies(const Structure& structure) {
 
 std::string extent(const Structure& structure) {
   std::vector<std::string> parts;
+  parts.reserve(static_cast<std::size_t>(structure.dimension));
   for (int axis = 0; axis < structure.dimension; ++axis) {
     parts.push_back(fmt::format("{} {:.6g} to {:.6g}", problems::axis_name(axis),
                                 structure.coordinates.row(axis).minCoeff(),
@@ -61,6 +62,7 @@ std::string supports(const Structure& structure) {
     if (!names.empty()) ++held[fmt::format("{}", fmt::join(names, " "))];
   }
   std::vector<std::string> parts;
+  parts.reserve(held.size());
   for (const auto& [axes, count] : held)
     parts.push_back(fmt::format("{} along {}", counted(count, "node"), axes));
   add_counted(parts, structure.inclined.size(), "inclined support");

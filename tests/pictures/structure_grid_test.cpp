@@ -1,9 +1,13 @@
 // Structures cell by cell and node by node.
 #include "pictures/vtu/structure_grid.hpp"
 
+#include <cmath>
 #include <map>
 #include <numeric>
+#include <stdexcept>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 

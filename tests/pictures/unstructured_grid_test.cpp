@@ -1,6 +1,7 @@
 // What is in a file is what was put in, packed or not.
 #include "pictures/vtu/unstructured_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>

@@ -1,7 +1,9 @@
 // `kusabi show` and --vtu: which files a call leaves behind, and what it refuses before it begins.
 // What is in the files is tested by their readers (tests/pictures).
+#include <algorithm>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "shell.hpp"
 
