@@ -5,12 +5,14 @@
 
 #include "run/bench/bench.hpp"
 #include "run/critical/critical.hpp"
+#include "run/draw/draw.hpp"
 #include "run/example/example.hpp"
 #include "run/export/export.hpp"
 #include "run/limit/limit.hpp"
 #include "run/mip/mip.hpp"
 #include "run/patterns/patterns.hpp"
 #include "run/rays/rays.hpp"
+#include "run/show/show.hpp"
 #include "run/verify/verify.hpp"
 
 namespace kusabi::run {
@@ -23,6 +25,8 @@ CommandLine command_line() {
   all.push_back(limit_subcommand());
   all.push_back(mip_subcommand());
   all.push_back(verify_subcommand());
+  all.push_back(show_subcommand());
+  all.push_back(draw_subcommand());
   all.push_back(example_space_truss_subcommand());
   all.push_back(example_plane_truss_subcommand());
   all.push_back(example_grid_subcommand());

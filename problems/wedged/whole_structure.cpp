@@ -112,6 +112,25 @@ numbers::PreciseMatrix forces_of(const Structure& structure, const FreeDegrees& 
   return forces;
 }
 
+// EA / L times the elongation of each member, for every column of the displacements of all nodes.
+numbers::PreciseMatrix axial_forces_of(const Structure& structure,
+                                       const numbers::PreciseMatrix& displacements) {
+  const Eigen::Index d = structure.dimension;
+  const auto count = static_cast<Eigen::Index>(structure.members.size());
+  numbers::PreciseMatrix forces = numbers::PreciseMatrix::Zero(count, displacements.cols());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Member& member = structure.members[static_cast<std::size_t>(i)];
+    const auto along = extent<Precise>(structure, member);
+    const Precise weight = bar_stiffness<Precise>(structure, member) / along.stableNorm();
+    for (Eigen::Index axis = 0; axis < d; ++axis) {
+      forces.row(i) += weight * along(axis) *
+                       (displacements.row(d * member.second + axis) -
+                        displacements.row(d * member.first + axis));
+    }
+  }
+  return forces;
+}
+
 }  // namespace
 
 WholeStructure::WholeStructure(const Structure& structure, const WedgedProblem& problem)
@@ -119,6 +138,7 @@ WholeStructure::WholeStructure(const Structure& structure, const WedgedProblem& 
   const auto degrees = free_degrees(structure);
   const auto displacements = of_all_nodes(*problem.response, degrees);
   displacements_ = displacements.cast<double>();
+  axial_forces_ = axial_forces_of(structure, displacements).cast<double>();
   contact_forces_.setZero(displacements.rows(), displacements.cols());
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < structure.contact.size(); ++i, column += dimension_) {
@@ -184,9 +204,6 @@ WholeState WholeStructure::under(std::span<const double> reactions,
                                  std::span<const double> displacements) const {
   const Eigen::Map<const Eigen::VectorXd> r(reactions.data(),
                                             static_cast<Eigen::Index>(reactions.size()));
-  const auto by_node = [this](const Eigen::VectorXd& values) -> Eigen::MatrixXd {
-    return values.reshaped(dimension_, coordinates_.cols());
-  };
   WholeState state;
   Eigen::VectorXd everywhere = displacements_ * r;
   if (motions_.cols() > 0 && !displacements.empty()) {
@@ -194,10 +211,17 @@ WholeState WholeStructure::under(std::span<const double> reactions,
     const Eigen::Map<const Eigen::VectorXd> u(displacements.data(), r.size());
     everywhere += motions_ * seen_.solve(u - compliance_ * r);
   }
-  state.displacements = by_node(everywhere);
-  state.reactions = by_node(support_forces_ * r);
-  state.imbalance = imbalance(state.reactions + by_node(contact_forces_ * r));
+  state.displacements = everywhere.reshaped(dimension_, coordinates_.cols());
+  state.reactions = (support_forces_ * r).reshaped(dimension_, coordinates_.cols());
+  state.axial_forces = axial_forces_ * r;
+  state.imbalance = imbalance(state.reactions + contact_forces(reactions));
   return state;
+}
+
+Eigen::MatrixXd WholeStructure::contact_forces(std::span<const double> reactions) const {
+  const Eigen::Map<const Eigen::VectorXd> r(reactions.data(),
+                                            static_cast<Eigen::Index>(reactions.size()));
+  return (contact_forces_ * r).reshaped(dimension_, coordinates_.cols());
 }
 
 bool WholeStructure::is_supported(int node) const {

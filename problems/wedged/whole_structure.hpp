@@ -18,13 +18,14 @@ struct WholeState {
   Eigen::MatrixXd displacements;  ///< u_C and u_N, d x nodes, length; zero where fixed
   /// r_D of the supports, and what springs push with, d x nodes, force; zero where free
   Eigen::MatrixXd reactions;
+  Eigen::VectorXd axial_forces;  ///< of the members, in their order, force; positive in tension
   /// How far the reactions of the obstacle and of the supports are from equilibrium: the largest
   /// component of their resultant or of their moment (divided by the size of the structure),
   /// relative to the sum of their sizes.
   double imbalance = 0;
 };
 
-/// Both depend linearly on the reactions of the obstacle: two matrices, computed in 104 bits. Where
+/// All depend linearly on the reactions of the obstacle: matrices, computed in 104 bits. Where
 /// loose bodies have gone is told by the displacements of their candidates.
 class WholeStructure {
  public:
@@ -35,6 +36,10 @@ class WholeStructure {
   /// @param displacements u, dm, likewise; only loose bodies ask for them
   [[nodiscard]] WholeState under(std::span<const double> reactions,
                                  std::span<const double> displacements = {}) const;
+
+  /// The forces of the obstacle, or of the other bodies, on the nodes: d x nodes, global axes.
+  /// @param reactions as above
+  [[nodiscard]] Eigen::MatrixXd contact_forces(std::span<const double> reactions) const;
 
   /// Whether a support or a spring holds the node along any axis.
   [[nodiscard]] bool is_supported(int node) const;
@@ -50,6 +55,7 @@ class WholeStructure {
   Eigen::MatrixXd displacements_;   // (d nodes) x dm, node by node
   Eigen::MatrixXd support_forces_;  // (d nodes) x dm: r_D
   Eigen::MatrixXd contact_forces_;  // (d nodes) x dm: of the obstacle, or of the other body
+  Eigen::MatrixXd axial_forces_;    // members x dm
   std::vector<bool> supported_;     // by node
   // Of loose bodies: all motions, (d nodes) x P, and what the candidates see of them, dm x P; F.
   Eigen::MatrixXd motions_;

@@ -58,7 +58,7 @@ void CommandRun::open_outputs() {
   std::vector<NamedFile> read_too;
   for (const auto& row : table_.rows()) {
     if (!row.given || row.given->empty()) continue;
-    if (row.role == Role::output || row.role == Role::evidence) {
+    if (row.role == Role::output || row.role == Role::evidence || row.role == Role::folder) {
       for (const auto& ending : row.endings) outputs.push_back({row.name, *row.given + ending});
     } else if (row.role == Role::input && row.named()) {
       read_too.push_back({row.name, *row.given});
@@ -69,6 +69,10 @@ void CommandRun::open_outputs() {
   }
   others.insert(others.end(), read_too.begin(), read_too.end());
   session_.from_first_rank([&] {
+    for (const auto& row : table_.rows()) {
+      if (row.role == Role::folder)
+        folders_.try_emplace(row.name, row.name, row.given.value_or(std::string{}), input());
+    }
     check_outputs(input(), outputs, others);
     for (const auto& row : table_.rows()) {
       if (row.role != Role::output) continue;
@@ -112,8 +116,10 @@ std::vector<std::string> CommandRun::how_to_go_on(const CheckpointChoice& choice
 }
 
 bool CommandRun::wants(const std::string& option) const {
-  const auto found = outputs_.find(option);
-  return found != outputs_.end() && found->second.wanted();
+  const auto file = outputs_.find(option);
+  const auto folder = folders_.find(option);
+  return (file != outputs_.end() && file->second.wanted()) ||
+         (folder != folders_.end() && folder->second.wanted());
 }
 
 std::ostream& CommandRun::stream(const std::string& option) {
@@ -142,6 +148,15 @@ Step CommandRun::file(const std::string& option, std::function<void(std::ostream
     if (!wants(option)) return;
     if (write) write(stream(option));
     put_in_place(option);
+  };
+}
+
+Step CommandRun::folder(const std::string& option, std::function<void(OutputFolder&)> fill) {
+  return [this, option, fill = std::move(fill)] {
+    auto& folder = folders_.at(option);
+    if (!folder.wanted()) return;
+    fill(folder);
+    written_.push_back(folder.last());
   };
 }
 

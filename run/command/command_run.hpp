@@ -16,6 +16,7 @@
 #include "run/command/subcommand.hpp"
 #include "run/output/json_writer.hpp"
 #include "run/output/output_file.hpp"
+#include "run/output/output_folder.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {
@@ -58,6 +59,8 @@ class CommandRun {
   Step result(std::function<void(JsonWriter&)> write);
   /// Writes another output, if it is wanted. @param write may be empty: `stream` has had it all
   Step file(const std::string& option, std::function<void(std::ostream&)> write);
+  /// Fills a folder, if it is wanted.
+  Step folder(const std::string& option, std::function<void(OutputFolder&)> fill);
   /// Prints the answer, unless quiet.
   Step answer(std::function<std::string()> make);
   /// Prints even if quiet.
@@ -73,7 +76,8 @@ class CommandRun {
   Subcommand& command_;
   const OptionTable& table_;
   bool quiet_ = false;
-  std::map<std::string, OutputFile> outputs_;  // by option; on rank 0
+  std::map<std::string, OutputFile> outputs_;    // by option; on rank 0
+  std::map<std::string, OutputFolder> folders_;  // likewise
   std::vector<std::string> written_;
 };
 

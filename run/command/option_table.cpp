@@ -141,7 +141,8 @@ RowBuilder OptionTable::text(std::string name, std::string& variable, std::strin
 }
 
 RowBuilder OptionTable::file(std::string name, std::string& variable, Role role, std::string help) {
-  auto row = text(std::move(name), variable, "FILE", std::move(help));
+  auto row =
+      text(std::move(name), variable, role == Role::folder ? "DIR" : "FILE", std::move(help));
   rows_.back().role = role;
   return row;
 }

@@ -45,6 +45,7 @@ enum class Role {
   plain,
   input,       ///< a file that is read
   output,      ///< a file that is opened before the work begins, and written at its end
+  folder,      ///< a folder that is there before the work begins, and filled at its end
   evidence,    ///< files that are written while ranks search
   checkpoint,  ///< the file that keeps the state of a search
   restart,     ///< the file that the search goes on from
@@ -129,7 +130,7 @@ class OptionTable {
   /// A switch, which sets the variable to `on`.
   RowBuilder flag(std::string name, bool& variable, std::string help, bool on = true);
 
-  /// The name of a file.
+  /// The name of a file, or of a folder.
   RowBuilder file(std::string name, std::string& variable, Role role, std::string help);
 
   /// Any text. @param value what help calls it

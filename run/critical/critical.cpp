@@ -1,6 +1,7 @@
 // From the file to the bracket, on all ranks.
 #include "run/critical/critical.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,9 +17,11 @@
 #include "run/critical/critical_report.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/pictures/vtu_series.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
+#include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
@@ -41,7 +44,10 @@ class Critical final : public Subcommand {
   Verdict verdict(CommandRun& run) override;
 
  private:
+  void draw(OutputFolder& folder, const WholeStates& states) const;
+
   CriticalOptions options_;
+  std::string vtu_;
   problems::ProblemText text_;
   problems::Structure structure_;
   problems::WedgedProblem problem_;
@@ -63,6 +69,11 @@ void Critical::describe(OptionTable& table) {
   table.number("--width", &options_.question.width, above(0), "of the brackets");
   table.output();
   table
+      .file("--vtu", vtu_, Role::folder,
+            "write a picture of each pattern that lives at the upper end to this folder, for "
+            "ParaView: critical.pvd opens them")
+      .ends_in({"/critical.pvd"});
+  table
       .file("--certificate", options_.certificate, Role::evidence,
             "write the evidence of both ends to NAME.lower and NAME.upper, for kusabi verify")
       .ends_in({".lower", ".upper"});
@@ -77,6 +88,10 @@ void Critical::check() const {
     throw WrongInput(
         "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
         "for, or --method descent");
+  }
+  if (options_.question.way != wedged::CriticalWay::global && !vtu_.empty()) {
+    throw WrongInput(
+        "--vtu: only the global search keeps what it finds wedged; expected --method global");
   }
   const double most = options_.question.most.value_or(wedged::usual_most);
   if (options_.question.width >= most || most > wedged::most_multiples * options_.question.width) {
@@ -114,11 +129,28 @@ void Critical::search(CommandRun& run) {
       end_recorder(run.session(), {options_.certificate, options_.file, run.quiet()}, problem_));
 }
 
+void Critical::draw(OutputFolder& folder, const WholeStates& states) const {
+  const ConfigurationGrids grids(states);
+  const auto& entries = findings_.patterns;
+  const auto count = std::min(entries.size(), longest_series);
+  VtuSeries series(folder);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& entry = entries[i];
+    if (entry.reaction.empty()) continue;
+    series.add(numbered_vtu("pattern", i + 1, count),
+               grids.grid(fmt::format("what begins to live at friction coefficient {}",
+                                      entry.upper.value_or(entry.lower)),
+                          entry.block, entry.pattern, {}, entry.reaction, entry.displacement));
+  }
+  series.finish("critical.pvd", problem_line(problem_));
+}
+
 std::vector<Step> Critical::results(CommandRun& run) {
-  return {run.result([this] {
-            return critical_json(options_, problem_, findings_,
-                                 WholeStateJson(structure_, problem_));
+  const auto states = std::make_shared<const WholeStates>(structure_, problem_);
+  return {run.result([this, states] {
+            return critical_json(options_, problem_, findings_, WholeStateJson(*states));
           }),
+          run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.answer([this] { return critical_table(options_, problem_, findings_); })};
 }
 

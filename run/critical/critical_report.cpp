@@ -150,7 +150,7 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
   chosen["mu_max"] = number_or_null(options.question.most);
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},
-          {"problem", problem_json(problem, options.file)},
+          {"problem", problem_json(whole.structure(), problem, options.file)},
           {"options", std::move(chosen)},
           {"status", status_name(findings.status)},
           {"result",

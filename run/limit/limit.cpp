@@ -16,6 +16,7 @@
 #include "run/command/command_run.hpp"
 #include "run/limit/curve_load.hpp"
 #include "run/limit/curve_report.hpp"
+#include "run/limit/limit_pictures.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
@@ -48,6 +49,7 @@ class Limit final : public Subcommand {
   LimitOptions options_;
   std::string certificate_;
   std::string curve_csv_;
+  std::string vtu_;
   problems::ProblemText text_;
   std::string load_text_;
   problems::Structure truss_;
@@ -98,6 +100,11 @@ void Limit::describe(OptionTable& table) {
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.output();
+  table
+      .file("--vtu", vtu_, Role::folder,
+            "write pictures of the collapse, nominal and in the worst case, to this folder, for "
+            "ParaView: limit.pvd opens them")
+      .ends_in({"/limit.pvd"});
   table
       .file("--certificate", certificate_, Role::output,
             "write the evidence to this file, for kusabi verify")
@@ -159,11 +166,12 @@ void Limit::search(CommandRun& run) {
 
 std::vector<Step> Limit::results(CommandRun& run) {
   const auto report = std::make_shared<const LimitReport>(
-      LimitReport{options_, *problem_, found_.answer, run.session().ranks()});
+      LimitReport{options_, truss_, *problem_, found_.answer, run.session().ranks()});
   std::vector<Step> steps{run.result([report] { return report->json(); })};
   steps.push_back(run.file("--curve-csv", [report](std::ostream& out) {
     CurveReport{report->options, report->problem, report->answer}.write_csv(out);
   }));
+  steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
   if (found_.certificate) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {
       out << limit_certificate_text(*found_.certificate);

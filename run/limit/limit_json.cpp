@@ -3,10 +3,12 @@
 #include <utility>
 
 #include "problems/limit/collapse_mode.hpp"
+#include "problems/limit/utilisation.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
+#include "run/pictures/structure_json.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -112,7 +114,8 @@ ordered_json problem_json(const LimitReport& report) {
           {"nodes", problem.node_names.size()},
           {"members", problem.member_count()},
           {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-          {"fingerprint", hexadecimal(problem.fingerprint)}};
+          {"fingerprint", hexadecimal(problem.fingerprint)},
+          {"structure", structure_json(report.truss)}};
 }
 
 ordered_json options_json(const LimitOptions& options) {
@@ -144,6 +147,7 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
     result["critical_interval"] = interval_json(*worst.collapse);
     result["collapse_mode"] = mode_json(report.problem, *worst.collapse);
     result["forces"] = numbers(worst.collapse->forces);
+    result["utilisation"] = numbers(utilisation(report.problem, worst.collapse->forces));
   }
   result["cuts"] = worst.cuts;
   result["programs"] = {{"load_factors", worst.counts.load_factors},
@@ -161,13 +165,14 @@ ordered_json samples_json(const LimitReport& report) {
 }
 
 ordered_json result_json(const LimitReport& report) {
-  const auto& [options, problem, answer, ranks] = report;
+  const auto& [options, truss, problem, answer, ranks] = report;
   ordered_json result;
   result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
   if (answer.nominal) {
     result["nominal_interval"] = interval_json(*answer.nominal);
     result["nominal_mode"] = mode_json(problem, *answer.nominal);
     result["nominal_forces"] = numbers(answer.nominal->forces);
+    result["nominal_utilisation"] = numbers(utilisation(problem, answer.nominal->forces));
   }
   if (answer.worst) add_worst_case(result, report, *answer.worst);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);

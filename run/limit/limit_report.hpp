@@ -8,6 +8,7 @@
 
 #include "nodes/limit/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
+#include "problems/structure/structure.hpp"
 #include "run/limit/limit.hpp"
 
 namespace kusabi::run {
@@ -15,6 +16,7 @@ namespace kusabi::run {
 /// Both views of the answer. @pre the references outlive it
 struct LimitReport {
   const LimitOptions& options;
+  const problems::Structure& truss;
   const problems::LimitProblem& problem;
   const limit::LimitAnswer& answer;
   int ranks = 1;

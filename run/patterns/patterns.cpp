@@ -22,9 +22,11 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/patterns/patterns_report.hpp"
+#include "run/pictures/vtu_series.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
+#include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 #include "support/fingerprint.hpp"
@@ -51,10 +53,12 @@ class Patterns final : public Subcommand {
   [[nodiscard]] std::uint64_t tree_fingerprint() const;
   [[nodiscard]] bool whole() const { return findings_->whole(); }
   void end_certificate();
+  void draw(OutputFolder& folder, const WholeStates& states) const;
   [[nodiscard]] std::string what_became_of_the_certificate() const;
 
   PatternsOptions options_;
   std::string trace_;
+  std::string vtu_;
   problems::ProblemText text_;
   problems::Structure structure_;
   problems::WedgedProblem problem_;
@@ -99,6 +103,10 @@ void Patterns::describe(OptionTable& table) {
       {{"depth-first", engine::Order::depth_first}, {"breadth-first", engine::Order::best_first}},
       "which node is opened next: the same patterns; breadth-first keeps many nodes");
   table.output();
+  table
+      .file("--vtu", vtu_, Role::folder,
+            "write a picture of each pattern to this folder, for ParaView: patterns.pvd opens them")
+      .ends_in({"/patterns.pvd"});
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.number("--pattern-limit", &options_.limits.solutions, above(0), "stop at so many patterns")
@@ -196,11 +204,28 @@ std::string Patterns::what_became_of_the_certificate() const {
   return "no certificate: nothing could go on with an incomplete one";
 }
 
+void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
+  const ConfigurationGrids grids(states);
+  const auto& leaves = findings_->leaves;
+  const auto count = std::min(leaves.size(), longest_series);
+  VtuSeries series(folder);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& leaf = leaves[i];
+    series.add(
+        numbered_vtu("pattern", i + 1, count),
+        grids.grid(fmt::format("pattern {} at friction coefficient {}", i + 1, options_.friction),
+                   leaf.block, leaf.pattern, findings_->idle(), leaf.reaction, leaf.displacement));
+  }
+  series.finish("patterns.pvd", problem_line(problem_));
+}
+
 std::vector<Step> Patterns::results(CommandRun& run) {
   const auto report = std::make_shared<const PatternsReport>(options_, problem_, *findings_);
   const auto& kept = question_.search.checkpoint.file;
   goes_on_ = !kept.empty() && engine::checkpoint_exists(kept);
-  return {run.result([this, report] { return report->json(WholeStateJson(structure_, problem_)); }),
+  const auto states = std::make_shared<const WholeStates>(structure_, problem_);
+  return {run.result([report, states] { return report->json(WholeStateJson(*states)); }),
+          run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
           [this] { end_certificate(); }, run.answer([report] { return report->table(); })};
 }
@@ -223,6 +248,8 @@ Verdict Patterns::verdict(CommandRun& run) {
         "complete but for {}",
         open, open == 1 ? "" : "s", open == 1 ? "it" : "them"));
   }
+  const auto drawn = series_remark(findings_->leaves.size(), "patterns");
+  if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
   if (certificate_->wanted() && !(whole() && run.quiet())) {
     remarks.push_back(what_became_of_the_certificate());
   }

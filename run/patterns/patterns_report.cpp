@@ -198,7 +198,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   return {
       {"command", "patterns"},
       {"version", KUSABI_VERSION},
-      {"problem", problem_json(problem_, options_.file)},
+      {"problem", problem_json(whole.structure(), problem_, options_.file)},
       {"options",
        {{"mu", options_.friction},
         {"tolerance", options_.tolerance},

@@ -1,6 +1,7 @@
 // From the file to the report: which way, on which ranks.
 #include "run/rays/rays.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -17,10 +18,12 @@
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/pictures/vtu_series.hpp"
 #include "run/rays/rays_report.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
+#include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
@@ -28,6 +31,19 @@ namespace kusabi::run {
 namespace {
 
 using wedged::RayMethod;
+
+// Of one ray, candidate by candidate.
+std::vector<pictures::ContactState> contact_states_of(const rays::Supports& supports, int count) {
+  std::vector<pictures::ContactState> states;
+  for (int i = 0; i < count; ++i) {
+    const bool separates = (supports.separated() & rays::bit(i)) != 0;
+    const bool presses = (supports.reaction() & rays::bit(i)) != 0;
+    states.push_back(separates ? pictures::ContactState::separated
+                     : presses ? pictures::ContactState::contact
+                               : pictures::ContactState::at_rest);
+  }
+  return states;
+}
 
 class Rays final : public Subcommand {
  public:
@@ -46,8 +62,10 @@ class Rays final : public Subcommand {
 
  private:
   void check_problem() const;
+  void draw_all(OutputFolder& folder, const WholeStates& states) const;
 
   RaysOptions options_;
+  std::string vtu_;
   problems::ProblemText text_;
   problems::Structure structure_;
   problems::WedgedProblem problem_;
@@ -69,6 +87,10 @@ void Rays::describe(OptionTable& table) {
                "Algorithm 4.2, for which every rank holds all rays, pattern by pattern, or the "
                "first until a trial of the second ends sooner, or memory does: the same rays");
   table.output();
+  table
+      .file("--vtu", vtu_, Role::folder,
+            "write a picture of each ray to this folder, for ParaView: rays.pvd opens them")
+      .ends_in({"/rays.pvd"});
   table.output("--csv", "write the rays to this file, a line each");
   table.output("--dot", "write the cross-complementarity graph to this file, for Graphviz");
   table
@@ -135,25 +157,40 @@ void Rays::search(CommandRun& run) {
   found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, options_.method);
 }
 
+void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
+  const ConfigurationGrids grids(states);
+  const auto count = std::min(found_.rays.size(), longest_series);
+  VtuSeries series(folder);
+  auto health = found_.health;  // what is said of it was, when the rays were written
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto ray = cone_->ray(found_.rays[i], health);
+    series.add(
+        numbered_vtu("ray", i + 1, count),
+        grids.grid(fmt::format("ray {} at friction coefficient {}", i + 1, options_.friction),
+                   numbers(ray.reaction), numbers(ray.displacement),
+                   contact_states_of({found_.rays[i], cone_->all()}, cone_->candidates())));
+  }
+  series.finish("rays.pvd", problem_line(problem_));
+}
+
 std::vector<Step> Rays::results(CommandRun& run) {
-  std::optional<WholeStateJson> whole;
-  if (options_.whole) whole.emplace(structure_, problem_);
-  const auto report =
-      std::make_shared<RaysReport>(options_, problem_, *cone_, found_, std::move(whole));
+  const auto states = std::make_shared<const WholeStates>(structure_, problem_);
+  const auto report = std::make_shared<RaysReport>(options_, *states, *cone_, found_);
   // All is written in one pass over the rays, so that their numbers are made only once.
   const auto table = std::make_shared<std::ostringstream>();
-  const auto write = [&run, report, table](JsonWriter* json) {
+  const auto write = [&run, report, table, states](JsonWriter* json) {
     report->write(run.quiet() ? nullptr : table.get(),
                   run.wants("--csv") ? &run.stream("--csv") : nullptr, json);
   };
   return {run.wants("--output") ? run.result([write](JsonWriter& json) { write(&json); })
                                 : [write] { write(nullptr); },
           run.file("--csv", {}),
+          run.folder("--vtu", [this, states](auto& folder) { draw_all(folder, *states); }),
           run.file("--dot", [report](std::ostream& out) { report->draw(out); }),
           [table] { print_answer(table->str()); }};
 }
 
-Verdict Rays::verdict(CommandRun& /*run*/) {
+Verdict Rays::verdict(CommandRun& run) {
   if (!found_.health.sound()) {
     return {{fmt::format(
                 "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
@@ -162,11 +199,16 @@ Verdict Rays::verdict(CommandRun& /*run*/) {
                 found_.health.doubtful)},
             failed};
   }
-  if (whole()) return {};
-  return {{fmt::format("stopped early ({}): the list of rays is not complete, and no cones are "
-                       "made of it",
-                       status_name(found_.status))},
-          stopped_early};
+  Verdict verdict;
+  const auto drawn = series_remark(found_.rays.size(), "rays");
+  if (run.wants("--vtu") && !drawn.empty()) verdict.remarks.push_back(drawn);
+  if (whole()) return verdict;
+  verdict.code = stopped_early;
+  verdict.remarks.push_back(
+      fmt::format("stopped early ({}): the list of rays is not complete, and no cones are "
+                  "made of it",
+                  status_name(found_.status)));
+  return verdict;
 }
 
 }  // namespace

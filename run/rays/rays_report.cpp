@@ -150,7 +150,7 @@ void RaysReport::begin(JsonWriter& json) const {
   json.begin_object();
   json.member("command", "rays");
   json.member("version", KUSABI_VERSION);
-  json.member("problem", problem_json(problem_, options_.file));
+  json.member("problem", problem_json(whole_.structure(), problem_, options_.file));
   json.member("options", {{"mu", options_.friction}, {"method", method_name(found_.method)}});
   json.member("status", status_name(found_.status));
   json.key("result");
@@ -193,7 +193,7 @@ ordered_json RaysReport::ray_json(std::size_t number, const rays::Ray& ray) cons
                     {"state", std::move(words)},
                     {"reaction", candidate_rows(reactions, 2)},
                     {"displacement", candidate_rows(numbers(ray.displacement), 2)}};
-  if (whole_) whole_->add_to(json, reactions, numbers(ray.displacement));
+  if (options_.whole) whole_.add_to(json, reactions, numbers(ray.displacement));
   return json;
 }
 

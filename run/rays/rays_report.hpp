@@ -4,10 +4,8 @@
 // one ray at a time, as it is written.
 #pragma once
 
-#include <optional>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -27,14 +25,10 @@ std::string method_name(wedged::RayMethod method);
 
 class RaysReport {
  public:
-  RaysReport(const RaysOptions& options, const problems::WedgedProblem& problem,
-             const rays::ReactionCone& cone, wedged::RayFindings& found,
-             std::optional<WholeStateJson> whole)
-      : options_(options),
-        problem_(problem),
-        cone_(cone),
-        found_(found),
-        whole_(std::move(whole)) {}
+  /// All must outlive it.
+  RaysReport(const RaysOptions& options, const WholeStates& states, const rays::ReactionCone& cone,
+             wedged::RayFindings& found)
+      : options_(options), problem_(states.problem()), cone_(cone), found_(found), whole_(states) {}
 
   /// Makes the numbers of all rays, and writes to those of `table`, `csv` and `json` that are
   /// there. The health of the numbers is then part of `found`.
@@ -63,7 +57,7 @@ class RaysReport {
   const problems::WedgedProblem& problem_;
   const rays::ReactionCone& cone_;
   wedged::RayFindings& found_;
-  std::optional<WholeStateJson> whole_;
+  WholeStateJson whole_;
 };
 
 }  // namespace kusabi::run

@@ -11,6 +11,7 @@
 
 #include "problems/wedged/problem_block.hpp"
 #include "run/output/values.hpp"
+#include "run/pictures/structure_json.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {
@@ -63,7 +64,8 @@ std::string problem_line(const problems::WedgedProblem& problem) {
   return line;
 }
 
-ordered_json problem_json(const problems::WedgedProblem& problem, const std::string& file) {
+ordered_json problem_json(const problems::Structure& structure,
+                          const problems::WedgedProblem& problem, const std::string& file) {
   ordered_json json{{"file", file},
                     {"name", problem.name},
                     {"d", problem.dimension},
@@ -75,6 +77,7 @@ ordered_json problem_json(const problems::WedgedProblem& problem, const std::str
                     {"contact", contact_frames(problem)},
                     {"fingerprint", hexadecimal(problem.fingerprint)}};
   if (!problem.loose_bodies.empty()) json["rigid_motions"] = rigid_motions_json(problem);
+  json["structure"] = structure_json(structure);
   return json;
 }
 

@@ -16,8 +16,9 @@ namespace kusabi::run {
 /// One line: name, dimension, sizes.
 std::string problem_line(const problems::WedgedProblem& problem);
 
-/// The member `problem` of a result file.
-nlohmann::ordered_json problem_json(const problems::WedgedProblem& problem,
+/// The member `problem` of a result file. @param problem of the structure
+nlohmann::ordered_json problem_json(const problems::Structure& structure,
+                                    const problems::WedgedProblem& problem,
                                     const std::string& file);
 
 /// The friction of each candidate at a coefficient of the search.

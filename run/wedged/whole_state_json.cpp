@@ -1,4 +1,4 @@
-// Node by node.
+// Node by node, and the members in their order.
 #include "run/wedged/whole_state_json.hpp"
 
 #include <cstddef>
@@ -12,18 +12,20 @@ using nlohmann::ordered_json;
 
 void WholeStateJson::add_to(ordered_json& configuration, std::span<const double> reactions,
                             std::span<const double> displacements) const {
-  const auto state = structure_.under(reactions, displacements);
+  const auto& names = states_.structure().node_names;
+  const auto state = states_.whole().under(reactions, displacements);
   auto everywhere = ordered_json::object();
   auto supports = ordered_json::object();
-  for (std::size_t node = 0; node < names_.size(); ++node) {
+  for (std::size_t node = 0; node < names.size(); ++node) {
     const auto column = static_cast<Eigen::Index>(node);
-    everywhere[names_[node]] = numbers(state.displacements.col(column));
-    if (structure_.is_supported(static_cast<int>(node))) {
-      supports[names_[node]] = numbers(state.reactions.col(column));
+    everywhere[names[node]] = numbers(state.displacements.col(column));
+    if (states_.whole().is_supported(static_cast<int>(node))) {
+      supports[names[node]] = numbers(state.reactions.col(column));
     }
   }
   configuration["all_displacements"] = std::move(everywhere);
   configuration["support_reactions"] = std::move(supports);
+  if (state.axial_forces.size() > 0) configuration["axial_forces"] = numbers(state.axial_forces);
   configuration["imbalance"] = state.imbalance;
 }
 

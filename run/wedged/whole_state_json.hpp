@@ -2,33 +2,30 @@
 // paper.
 #pragma once
 
-#include <cstdint>
 #include <span>
-#include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "problems/structure/structure.hpp"
-#include "problems/wedged/wedged_problem.hpp"
-#include "problems/wedged/whole_structure.hpp"
+#include "run/wedged/whole_states.hpp"
 
 namespace kusabi::run {
 
 class WholeStateJson {
  public:
-  WholeStateJson(const problems::Structure& structure, const problems::WedgedProblem& problem)
-      : names_(structure.node_names), structure_(structure, problem) {}
+  /// @param states must outlive it
+  explicit WholeStateJson(const WholeStates& states) : states_(states) {}
 
-  /// Adds `all_displacements` and `support_reactions`, by node in global axes, and `imbalance`.
+  [[nodiscard]] const problems::Structure& structure() const { return states_.structure(); }
+
+  /// Adds `all_displacements` and `support_reactions`, by node in global axes, `axial_forces` if
+  /// there are members, and `imbalance`.
   /// @param reactions of all candidates, dm
   /// @param displacements likewise
   void add_to(nlohmann::ordered_json& configuration, std::span<const double> reactions,
               std::span<const double> displacements) const;
 
  private:
-  std::vector<std::string> names_;
-  problems::WholeStructure structure_;
+  const WholeStates& states_;
 };
 
 }  // namespace kusabi::run

@@ -57,6 +57,8 @@ normal = [0, 1]
   EXPECT_DOUBLE_EQ(state.reactions(1, 1), -5);
   EXPECT_DOUBLE_EQ(state.reactions(0, 1), 0);
   EXPECT_DOUBLE_EQ(state.reactions.col(2).norm(), 0);
+  EXPECT_DOUBLE_EQ(state.axial_forces(0), 5);
+  EXPECT_DOUBLE_EQ(state.axial_forces(1), 0);
   EXPECT_TRUE(whole.is_supported(1));
   EXPECT_FALSE(whole.is_supported(0));
   EXPECT_LE(state.imbalance, 1e-15);
@@ -119,6 +121,27 @@ TEST(WholeStructure, MovesItsCandidatesAsTheComplianceSays) {
       EXPECT_LE(state.imbalance, 1e-13) << name;
     }
   }
+}
+
+// At every node of a truss, what its bars pull with, what the obstacle presses with and what the
+// support does are in equilibrium.
+TEST(WholeStructure, KnowsTheForcesInTheBars) {
+  const auto structure = example("space-truss");
+  const auto problem = wedged_problem(structure);
+  const WholeStructure whole(structure, problem);
+  std::mt19937 random(3);
+  const auto reactions = list(random_reactions(problem, random));
+  const auto state = whole.under(reactions);
+  Eigen::MatrixXd rest = state.reactions + whole.contact_forces(reactions);
+  const double size = rest.cwiseAbs().maxCoeff();
+  for (std::size_t i = 0; i < structure.members.size(); ++i) {
+    const auto& [first, second, stiffness, yield] = structure.members[i];
+    const Eigen::VectorXd along =
+        (structure.coordinates.col(second) - structure.coordinates.col(first)).normalized();
+    rest.col(first) += state.axial_forces(static_cast<Eigen::Index>(i)) * along;
+    rest.col(second) -= state.axial_forces(static_cast<Eigen::Index>(i)) * along;
+  }
+  EXPECT_LT(rest.cwiseAbs().maxCoeff(), 1e-12 * size);
 }
 
 }  // namespace

@@ -1,0 +1,228 @@
+// One list of marks: who has them, what they look like, what is said of them.
+#include "pictures/svg/legend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "pictures/svg/scales.hpp"
+
+namespace kusabi::pictures {
+namespace {
+
+using Sample = std::function<void(Canvas&, const Point&)>;
+
+constexpr double half_sample = 13;
+
+Sample line_of(const char* group, const char* kind) {
+  return [=](Canvas& canvas, const Point& middle) {
+    canvas.begin_group(group);
+    canvas.line(kind, middle - Point(half_sample, 0), middle + Point(half_sample, 0));
+    canvas.end_group();
+  };
+}
+
+Sample area_of(const char* group) {
+  return [=](Canvas& canvas, const Point& middle) {
+    canvas.begin_group(group);
+    canvas.rectangle("face", middle - Point(half_sample, 6), Point(2 * half_sample, 12));
+    canvas.end_group();
+  };
+}
+
+Sample arrow_of(const char* kind) {
+  return [=](Canvas& canvas, const Point& middle) {
+    canvas.arrow(kind, middle - Point(half_sample, 0), middle + Point(half_sample, 0), 9);
+  };
+}
+
+Sample mark_of(const char* kind) {
+  return [=](Canvas& canvas, const Point& middle) { canvas.circle(kind, middle, 4.5); };
+}
+
+void cone_sample(Canvas& canvas, const Point& middle) {
+  canvas.begin_group("cone");
+  canvas.polygon("cone", {middle - Point(half_sample, 0), middle + Point(half_sample, -7),
+                          middle + Point(half_sample, 7)});
+  canvas.end_group();
+}
+
+void support_sample(Canvas& canvas, const Point& middle) {
+  canvas.begin_group("support");
+  canvas.polygon("held", {middle - Point(0, 5), middle + Point(6, 5), middle + Point(-6, 5)});
+  canvas.end_group();
+}
+
+void obstacle_sample(Canvas& canvas, const Point& middle) {
+  canvas.begin_group("obstacle");
+  canvas.line("surface", middle - Point(half_sample, 3), middle + Point(half_sample, -3));
+  for (double x = -half_sample; x < half_sample; x += 6)
+    canvas.line("hatch", middle + Point(x + 5, -3), middle + Point(x, 5));
+  canvas.end_group();
+}
+
+// The same in space.
+void support_sample_in_space(Canvas& canvas, const Point& middle) {
+  canvas.begin_group("support");
+  canvas.rectangle("held", middle - Point(5, 5), Point(10, 10));
+  canvas.end_group();
+}
+
+void obstacle_sample_in_space(Canvas& canvas, const Point& middle) {
+  constexpr int points_of_ellipse = 24;
+  std::vector<Point> ellipse;
+  for (int i = 0; i < points_of_ellipse; ++i) {
+    const double turn = 2 * std::numbers::pi * i / points_of_ellipse;
+    ellipse.emplace_back(middle + Point(12 * std::cos(turn), 5 * std::sin(turn)));
+  }
+  canvas.begin_group("obstacle");
+  canvas.polygon("disc", ellipse);
+  canvas.end_group();
+}
+
+long count_of(const Scene& scene, ContactState state) {
+  return std::ranges::count(scene.candidates, state, &DrawnCandidate::state);
+}
+
+long count_of(const Scene& scene, Yield yield) {
+  return std::ranges::count(scene.bars, yield, &DrawnBar::yield);
+}
+
+bool has(const Scene& scene, DrawnLoad::Kind kind) {
+  return std::ranges::count(scene.loads, kind, &DrawnLoad::kind) > 0;
+}
+
+// "mu 0.65", or from the least to the largest of those in contact.
+std::string friction_text(const Scene& scene) {
+  double least = HUGE_VAL;
+  double most = 0;
+  for (const auto& candidate : scene.candidates) {
+    if (candidate.state != ContactState::contact) continue;
+    least = std::min(least, candidate.friction);
+    most = std::max(most, candidate.friction);
+  }
+  return least == most ? fmt::format("friction cone, μ = {:.6g}", most)
+                       : fmt::format("friction cones, μ = {:.6g} to {:.6g}", least, most);
+}
+
+std::string largest(const char* what, double size, const std::string& unit) {
+  return fmt::format("{}, largest {:.4g} {}", what, size, unit);
+}
+
+void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const Scales& scales,
+                   const Units& units) {
+  const bool bodies = !scene.faces.empty();
+  const bool moves = scales.displacement > 0;
+  entries.push_back({bodies ? area_of("rest") : line_of("rest", "bar"),
+                     moves ? "the structure at rest" : "the structure"});
+  if (moves) {
+    const auto text =
+        scene.collapse ? fmt::format("collapse mode: velocities × {:g}", scales.displacement)
+                       : fmt::format("displacements × {:g}, largest {:.4g} {}", scales.displacement,
+                                     scales.largest_displacement, units.length);
+    entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"), text});
+  }
+  if (const auto count = count_of(scene, Yield::tension); count > 0)
+    entries.push_back(
+        {line_of("moved", "bar tension"), fmt::format("yields in tension ({})", count)});
+  if (const auto count = count_of(scene, Yield::compression); count > 0) {
+    entries.push_back(
+        {line_of("moved", "bar compression"), fmt::format("yields in compression ({})", count)});
+  }
+  if (!scene.supports.empty())
+    entries.push_back({scene.dimension == 2 ? support_sample : support_sample_in_space, "support"});
+}
+
+void add_contact(std::vector<LegendEntry>& entries, const Scene& scene, const Scales& scales,
+                 const Units& units) {
+  if (std::ranges::any_of(scene.candidates, &DrawnCandidate::rigid))
+    entries.push_back(
+        {scene.dimension == 2 ? obstacle_sample : obstacle_sample_in_space, "obstacle"});
+  const auto add_count = [&](ContactState state, const char* kind, const char* text) {
+    if (const auto count = count_of(scene, state); count > 0)
+      entries.push_back({mark_of(kind), fmt::format("{} ({})", text, count)});
+  };
+  add_count(ContactState::contact, "contact", "in contact");
+  add_count(ContactState::separated, "separated", "separated");
+  add_count(ContactState::at_rest, "idle", "neither a reaction nor a gap");
+  add_count(ContactState::none, "other", "candidate of another block");
+  if (count_of(scene, ContactState::contact) > 0)
+    entries.push_back({cone_sample, friction_text(scene)});
+  if (scales.largest_reaction > 0)
+    entries.push_back(
+        {arrow_of("reaction"), largest("reaction", scales.largest_reaction, units.force)});
+}
+
+}  // namespace
+
+std::vector<LegendEntry> legend(const Scene& scene, const Units& units) {
+  const auto scales = scales_of(scene);
+  std::vector<LegendEntry> entries;
+  add_structure(entries, scene, scales, units);
+  add_contact(entries, scene, scales, units);
+  if (scales.largest_support_reaction > 0) {
+    entries.push_back({arrow_of("holding"), largest("reaction of a support",
+                                                    scales.largest_support_reaction, units.force)});
+  }
+  const auto add_load = [&](DrawnLoad::Kind kind, const char* name, const char* text) {
+    double size = 0;
+    for (const auto& load : scene.loads) {
+      if (load.kind == kind) size = std::max(size, load.force.norm());
+    }
+    if (has(scene, kind)) entries.push_back({arrow_of(name), largest(text, size, units.force)});
+  };
+  add_load(DrawnLoad::Kind::dead, "dead", "dead load");
+  add_load(DrawnLoad::Kind::reference, "reference", "reference load");
+  return entries;
+}
+
+std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
+  const auto any = [&](auto&& holds) { return std::ranges::any_of(scenes, holds); };
+  const bool bodies = !scenes.front().faces.empty();
+  std::vector<LegendEntry> entries;
+  if (any([](const Scene& its) { return its.displacements.cols() > 0; })) {
+    entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"),
+                       "moved, each by a factor of its own"});
+  }
+  if (any([](const Scene& its) { return count_of(its, Yield::tension) > 0; }))
+    entries.push_back({line_of("moved", "bar tension"), "yields in tension"});
+  if (any([](const Scene& its) { return count_of(its, Yield::compression) > 0; }))
+    entries.push_back({line_of("moved", "bar compression"), "yields in compression"});
+  if (any([](const Scene& its) { return count_of(its, ContactState::contact) > 0; })) {
+    entries.push_back({mark_of("contact"), "in contact"});
+    entries.push_back({arrow_of("reaction"), "reaction"});
+    entries.push_back({cone_sample, "friction cone"});
+  }
+  if (any([](const Scene& its) { return count_of(its, ContactState::separated) > 0; }))
+    entries.push_back({mark_of("separated"), "separated"});
+  if (any([](const Scene& its) { return count_of(its, ContactState::at_rest) > 0; }))
+    entries.push_back({mark_of("idle"), "neither a reaction nor a gap"});
+  if (any([](const Scene& its) { return !its.support_reactions.isZero(0); }))
+    entries.push_back({arrow_of("holding"), "reaction of a support"});
+  if (any([](const Scene& its) { return has(its, DrawnLoad::Kind::dead); }))
+    entries.push_back({arrow_of("dead"), "dead load"});
+  if (any([](const Scene& its) { return has(its, DrawnLoad::Kind::reference); }))
+    entries.push_back({arrow_of("reference"), "reference load"});
+  return entries;
+}
+
+double legend_height(const std::vector<LegendEntry>& entries, int columns) {
+  const auto rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
+  return rows * legend_row;
+}
+
+void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, const Point& corner,
+                 double width, int columns) {
+  const auto rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
+  for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
+    const int column = i / rows;
+    const Point place = corner + Point(width / columns * column, legend_row * (i % rows + 0.5));
+    const auto& [sample, text] = entries[static_cast<std::size_t>(i)];
+    sample(canvas, place + Point(half_sample + 2, 0));
+    canvas.words("word", place + Point(2 * half_sample + 14, 4.5), "start", text);
+  }
+}
+
+}  // namespace kusabi::pictures

@@ -1,0 +1,100 @@
+// What moves most does so by a twelfth of the structure's size; the longest arrow has a sixth.
+#include "pictures/svg/scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+namespace kusabi::pictures {
+namespace {
+
+constexpr double longest_motion = 0.09;
+constexpr double longest_arrow = 0.16;
+constexpr double cone_side = 0.13;
+constexpr int rim_points = 24;
+
+// The next below of 1, 2, 5, 10, ...
+double round_below(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  const double digit = value / power;
+  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
+}
+
+double largest_column(const Eigen::Matrix3Xd& vectors) {
+  return vectors.cols() == 0 ? 0 : vectors.colwise().norm().maxCoeff();
+}
+
+}  // namespace
+
+Scales scales_of(const Scene& scene) {
+  Scales scales;
+  const double diagonal =
+      (scene.positions.rowwise().maxCoeff() - scene.positions.rowwise().minCoeff()).norm();
+  if (diagonal > 0) scales.size = diagonal;
+  scales.largest_displacement = largest_column(scene.displacements);
+  if (scales.largest_displacement > 0)
+    scales.displacement = round_below(longest_motion * scales.size / scales.largest_displacement);
+  for (const auto& candidate : scene.candidates)
+    scales.largest_reaction = std::max(scales.largest_reaction, candidate.reaction.norm());
+  scales.largest_support_reaction = largest_column(scene.support_reactions);
+  for (const auto& load : scene.loads)
+    scales.largest_load = std::max(scales.largest_load, load.force.norm());
+  const double force = std::max(scales.largest_reaction, scales.largest_support_reaction);
+  if (force > 0) scales.force = longest_arrow * scales.size / force;
+  if (scales.largest_load > 0) scales.load = longest_arrow * scales.size / scales.largest_load;
+  scales.cone = cone_side * scales.size;
+  return scales;
+}
+
+Eigen::Vector3d moved(const Scene& scene, const Scales& scales, int node) {
+  const Eigen::Vector3d place = scene.positions.col(node);
+  if (scales.displacement == 0) return place;
+  return place + scales.displacement * scene.displacements.col(node);
+}
+
+std::vector<Eigen::Vector3d> friction_cone(const Scene& scene, const Scales& scales,
+                                           const DrawnCandidate& candidate) {
+  const Eigen::Vector3d apex = scene.positions.col(candidate.node);
+  const double angle = std::atan(candidate.friction);
+  const Eigen::Vector3d along = scales.cone * std::cos(angle) * candidate.normal;
+  const double radius = scales.cone * std::sin(angle);
+  if (scene.dimension == 2) {
+    const Eigen::Vector3d across(-candidate.normal.y(), candidate.normal.x(), 0);
+    return {apex, apex + along + radius * across, apex + along - radius * across};
+  }
+  const Eigen::Vector3d first = candidate.normal.unitOrthogonal();
+  const Eigen::Vector3d second = candidate.normal.cross(first);
+  std::vector<Eigen::Vector3d> points{apex};
+  for (int i = 0; i < rim_points; ++i) {
+    const double turn = 2 * std::numbers::pi * i / rim_points;
+    points.emplace_back(apex + along + radius * (std::cos(turn) * first + std::sin(turn) * second));
+  }
+  return points;
+}
+
+std::vector<Eigen::Vector3d> extent(const Scene& scene, const Scales& scales) {
+  std::vector<Eigen::Vector3d> points;
+  for (int node = 0; node < static_cast<int>(scene.positions.cols()); ++node) {
+    const Eigen::Vector3d place = scene.positions.col(node);
+    points.push_back(place);
+    points.push_back(moved(scene, scales, node));
+    if (scene.support_reactions.cols() > 0)
+      points.emplace_back(place - scales.force * scene.support_reactions.col(node));
+  }
+  for (const auto& candidate : scene.candidates) {
+    const Eigen::Vector3d place = scene.positions.col(candidate.node);
+    points.emplace_back(place + scales.force * candidate.reaction);
+    if (candidate.state != ContactState::contact) continue;
+    const auto cone = friction_cone(scene, scales, candidate);
+    points.insert(points.end(), cone.begin(), cone.end());
+  }
+  for (const auto& load : scene.loads) {
+    const double way = load.kind == DrawnLoad::Kind::dead ? -scales.load : scales.load;
+    points.emplace_back(scene.positions.col(load.node) + way * load.force);
+  }
+  return points;
+}
+
+}  // namespace kusabi::pictures

@@ -1,0 +1,81 @@
+// How the classes of a picture look, on light and on dark paper.
+#pragma once
+
+#include <string_view>
+
+namespace kusabi::pictures {
+
+/// The contents of the style element: plain CSS, so that every reader of SVG understands the light
+/// half; browsers take the dark one where their reader prefers it.
+inline constexpr std::string_view style = R"(
+text { font-family: system-ui, -apple-system, "Segoe UI", "DejaVu Sans", Helvetica, Arial, sans-serif; fill: #1f2328; }
+.title { font-size: 21px; font-weight: 600; }
+.line { font-size: 13.5px; fill: #57606a; }
+.word { font-size: 13px; }
+.name { font-size: 11.5px; fill: #57606a; stroke: #ffffff; stroke-width: 2.5px; stroke-opacity: .8; paint-order: stroke; }
+.caption { font-size: 12px; font-weight: 600; }
+.note { font-size: 11px; fill: #57606a; }
+.paper { fill: #ffffff; }
+.card { fill: #f6f8fa; stroke: #d8dee4; stroke-width: 1; }
+.rule { stroke: #d8dee4; stroke-width: 1; }
+line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: round; }
+.rest .bar { stroke: #b7c0c9; stroke-width: 1.1; }
+.rest .face { fill: #eef1f4; stroke: #c8d0d8; stroke-width: .7; }
+.moved .bar { stroke: #24292f; stroke-width: 1.7; }
+.moved .face { fill: #cfe0f2; fill-opacity: .82; stroke: #54779b; stroke-width: .8; }
+.moved .tension { stroke: #cf222e; stroke-width: 3.4; }
+.moved .compression { stroke: #0969da; stroke-width: 3.4; }
+.obstacle .surface { stroke: #6e7781; stroke-width: 1.6; }
+.obstacle .hatch { stroke: #8c959f; stroke-width: .9; }
+.obstacle .disc { fill: #8c959f; fill-opacity: .18; stroke: #8c959f; stroke-width: .8; }
+.support .held { fill: #6e7781; stroke: #6e7781; stroke-width: 1; }
+.support .rolling { fill: #ffffff; stroke: #6e7781; stroke-width: 1.3; }
+.support .ground { stroke: #6e7781; stroke-width: 1.3; }
+.cone { fill: #e3a008; fill-opacity: .2; stroke: #b87a00; stroke-opacity: .55; stroke-width: .8; }
+.reaction { fill: #bc4c00; stroke: #bc4c00; stroke-width: 2.1; }
+.holding { fill: #1a7f64; stroke: #1a7f64; stroke-width: 1.6; }
+.dead { fill: #8250df; stroke: #8250df; stroke-width: 1.8; }
+.reference { fill: #116329; stroke: #116329; stroke-width: 1.8; }
+.axis { fill: #8c959f; stroke: #8c959f; stroke-width: 1.2; }
+.contact { fill: #bc4c00; stroke: #ffffff; stroke-width: 1; }
+.separated { fill: #ffffff; stroke: #0969da; stroke-width: 1.8; }
+.idle { fill: #8c959f; stroke: #ffffff; stroke-width: 1; }
+.other { fill: #d0d7de; stroke: #8c959f; stroke-width: .8; }
+.small .rest .bar { stroke-width: .6; }
+.small .rest .face { stroke-width: .35; }
+.small .moved .bar { stroke-width: .95; }
+.small .moved .face { stroke-width: .4; }
+.small .moved .tension, .small .moved .compression { stroke-width: 2.2; }
+.small .reaction { stroke-width: 1.3; }
+.small .holding, .small .dead, .small .reference { stroke-width: 1; }
+.small .contact, .small .idle { stroke-width: .5; }
+.small .separated { stroke-width: 1.1; }
+@media (prefers-color-scheme: dark) {
+text { fill: #e6edf3; }
+.line, .name, .note { fill: #9ea7b3; }
+.name { stroke: #0d1117; }
+.paper { fill: #0d1117; }
+.card { fill: #151b23; stroke: #30363d; }
+.rule { stroke: #30363d; }
+.rest .bar { stroke: #4b535d; }
+.rest .face { fill: #1b222b; stroke: #3a424c; }
+.moved .bar { stroke: #e6edf3; }
+.moved .face { fill: #23415f; stroke: #79a6d2; }
+.moved .tension { stroke: #ff7b72; }
+.moved .compression { stroke: #58a6ff; }
+.support .rolling, .separated { fill: #0d1117; }
+.obstacle .surface, .support .ground { stroke: #9ea7b3; }
+.obstacle .disc { fill: #9ea7b3; }
+.cone { fill: #e3b341; stroke: #e3b341; }
+.reaction { fill: #ffa657; stroke: #ffa657; }
+.holding { fill: #4ac2a0; stroke: #4ac2a0; }
+.dead { fill: #bc8cff; stroke: #bc8cff; }
+.reference { fill: #56d364; stroke: #56d364; }
+.contact { fill: #ffa657; stroke: #0d1117; }
+.separated { stroke: #58a6ff; }
+.idle { stroke: #0d1117; }
+.other { fill: #30363d; stroke: #6e7681; }
+}
+)";
+
+}  // namespace kusabi::pictures

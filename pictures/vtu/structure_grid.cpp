@@ -1,0 +1,209 @@
+// VTK counts the nodes of all these shapes as Abaqus does, and so as structures do: corners, then
+// the middles of edges, of hexahedra those of the face below, of that above, and those between.
+#include "pictures/vtu/structure_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace kusabi::pictures {
+namespace {
+
+using problems::ElementShape;
+using problems::Structure;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+CellType cell_type(ElementShape shape) {
+  switch (shape) {
+    case ElementShape::triangle3:
+      return CellType::triangle;
+    case ElementShape::triangle6:
+      return CellType::quadratic_triangle;
+    case ElementShape::quadrilateral4:
+      return CellType::quadrilateral;
+    case ElementShape::quadrilateral8:
+      return CellType::quadratic_quadrilateral;
+    case ElementShape::tetrahedron4:
+      return CellType::tetrahedron;
+    case ElementShape::tetrahedron10:
+      return CellType::quadratic_tetrahedron;
+    case ElementShape::hexahedron8:
+      return CellType::hexahedron;
+    case ElementShape::hexahedron20:
+      break;
+  }
+  return CellType::quadratic_hexahedron;
+}
+
+std::vector<Cell> cells_of(const Structure& structure) {
+  std::vector<Cell> cells;
+  for (const auto& member : structure.members)
+    cells.push_back({CellType::line, {member.first, member.second}});
+  for (const auto* elements : {&structure.elements, &structure.outlines}) {
+    for (const auto& element : *elements)
+      cells.push_back({cell_type(element.shape), element.nodes});
+  }
+  std::vector<bool> has_cell(structure.node_names.size());
+  for (const auto& cell : cells) {
+    for (const int node : cell.points) has_cell[static_cast<std::size_t>(node)] = true;
+  }
+  for (std::size_t node = 0; node < has_cell.size(); ++node) {
+    if (!has_cell[node]) cells.push_back({CellType::vertex, {static_cast<int>(node)}});
+  }
+  return cells;
+}
+
+Eigen::Index node_count(const Structure& structure) {
+  return static_cast<Eigen::Index>(structure.node_names.size());
+}
+
+Eigen::MatrixXd no_vectors(const Structure& structure) {
+  return Eigen::MatrixXd::Zero(structure.dimension, node_count(structure));
+}
+
+SmallNumbers fixed_flags(const Structure& structure) {
+  SmallNumbers flags = SmallNumbers::Zero(3, node_count(structure));
+  for (std::size_t node = 0; node < structure.fixed.size(); ++node) {
+    for (int axis = 0; axis < structure.dimension; ++axis) {
+      if (structure.fixed[node][static_cast<std::size_t>(axis)])
+        flags(axis, static_cast<Eigen::Index>(node)) = 1;
+    }
+  }
+  return flags;
+}
+
+// f_D or f_R, node by node.
+Eigen::MatrixXd loads(const Structure& structure, problems::Load::Kind kind) {
+  auto vectors = no_vectors(structure);
+  for (const auto& load : structure.loads) {
+    if (load.kind == kind) vectors.col(load.node) += load.force;
+  }
+  return vectors;
+}
+
+// Where nothing is said of what is uncertain: each free component without a load, by 1.
+Eigen::MatrixXd unloaded_components(const Structure& structure) {
+  auto vectors = no_vectors(structure);
+  if (structure.loads.empty()) return vectors;
+  vectors.setOnes();
+  for (const auto& load : structure.loads)
+    vectors.col(load.node) = (load.force.array() != 0).select(0, vectors.col(load.node));
+  const auto fixed = fixed_flags(structure);
+  return (fixed.topRows(vectors.rows()).array() != 0).select(0, vectors);
+}
+
+// The sizes of all parameters' parts of a component, added up.
+Eigen::MatrixXd uncertain_loads(const Structure& structure) {
+  if (!structure.uncertain) return unloaded_components(structure);
+  auto vectors = no_vectors(structure);
+  for (const auto& parameter : *structure.uncertain) {
+    for (const auto& [node, axis, weight] : parameter.components)
+      vectors(axis, node) += std::abs(weight);
+  }
+  return vectors;
+}
+
+void add_if_any(UnstructuredGrid& grid, const std::string& name, const Eigen::MatrixXd& vectors) {
+  if (!vectors.isZero(0)) grid.point_data.push_back(node_vectors(name, vectors));
+}
+
+// What supports besides fixed axes, and the friction.
+void add_supports(UnstructuredGrid& grid, const Structure& structure) {
+  auto inclined = no_vectors(structure);
+  for (const auto& support : structure.inclined)
+    inclined.col(support.node) = support.direction.normalized();
+  add_if_any(grid, "inclined_support", inclined);
+  auto springs = no_vectors(structure);
+  for (const auto& spring : structure.springs)
+    springs(spring.axis, spring.node) += spring.stiffness;
+  add_if_any(grid, "spring", springs);
+  if (structure.contact.empty()) return;
+  Eigen::MatrixXd friction = Eigen::MatrixXd::Zero(1, node_count(structure));
+  for (const auto& candidate : structure.contact) friction(0, candidate.node) = candidate.friction;
+  grid.point_data.push_back({"friction", std::move(friction)});
+}
+
+// Numbers of the members as given by `number_of`, if any of them has one.
+template <class NumberOf>
+void add_if_any(UnstructuredGrid& grid, const Structure& structure, const std::string& name,
+                const NumberOf& number_of) {
+  std::vector<double> numbers;
+  for (const auto& member : structure.members) numbers.push_back(number_of(member));
+  if (std::ranges::all_of(numbers, [](double each) { return std::isnan(each); })) return;
+  grid.cell_data.push_back(member_numbers(grid, name, numbers));
+}
+
+void add_strengths(UnstructuredGrid& grid, const Structure& structure) {
+  using problems::Member;
+  add_if_any(grid, structure, "axial_stiffness", [](const Member& its) {
+    return its.axial_stiffness > 0 ? its.axial_stiffness : nothing;
+  });
+  add_if_any(grid, structure, "yield_tension",
+             [](const Member& its) { return its.yield ? its.yield->tension : nothing; });
+  add_if_any(grid, structure, "yield_compression",
+             [](const Member& its) { return its.yield ? its.yield->compression : nothing; });
+  if (structure.elements.empty()) return;
+  Eigen::MatrixXd moduli =
+      Eigen::MatrixXd::Constant(1, static_cast<Eigen::Index>(grid.cells.size()), nothing);
+  auto cell = static_cast<Eigen::Index>(structure.members.size());
+  for (const auto& element : structure.elements) moduli(0, cell++) = element.modulus;
+  grid.cell_data.push_back({"modulus", std::move(moduli)});
+}
+
+}  // namespace
+
+UnstructuredGrid structure_grid(const Structure& structure) {
+  UnstructuredGrid grid;
+  grid.points = Eigen::Matrix3Xd::Zero(3, node_count(structure));
+  grid.points.topRows(structure.dimension) = structure.coordinates;
+  grid.cells = cells_of(structure);
+  grid.point_data.push_back({"fixed", fixed_flags(structure)});
+  SmallNumbers candidates = SmallNumbers::Zero(1, node_count(structure));
+  auto normals = no_vectors(structure);
+  for (const auto& candidate : structure.contact) {
+    candidates(0, candidate.node) = 1;
+    normals.col(candidate.node) = candidate.normal;
+  }
+  if (!structure.contact.empty()) {
+    grid.point_data.push_back({"candidate", std::move(candidates)});
+    grid.point_data.push_back(node_vectors("normal", normals));
+  }
+  return grid;
+}
+
+UnstructuredGrid unsolved_grid(const Structure& structure) {
+  auto grid = structure_grid(structure);
+  add_supports(grid, structure);
+  add_if_any(grid, "dead_load", loads(structure, problems::Load::Kind::dead));
+  add_if_any(grid, "reference_load", loads(structure, problems::Load::Kind::reference));
+  add_if_any(grid, "uncertain_load", uncertain_loads(structure));
+  add_strengths(grid, structure);
+  return grid;
+}
+
+Field node_vectors(std::string name, const Eigen::MatrixXd& vectors) {
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(3, vectors.cols());
+  values.topRows(vectors.rows()) = vectors;
+  return {std::move(name), std::move(values)};
+}
+
+Field contact_states(const Structure& structure, std::span<const ContactState> states) {
+  SmallNumbers values = SmallNumbers::Zero(1, node_count(structure));
+  for (std::size_t i = 0; i < states.size(); ++i)
+    values(0, structure.contact[i].node) = static_cast<std::int8_t>(states[i]);
+  return {"state", std::move(values)};
+}
+
+Field member_numbers(const UnstructuredGrid& grid, std::string name,
+                     std::span<const double> numbers) {
+  Eigen::MatrixXd values =
+      Eigen::MatrixXd::Constant(1, static_cast<Eigen::Index>(grid.cells.size()), nothing);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    values(0, static_cast<Eigen::Index>(i)) = numbers[i];
+  return {std::move(name), std::move(values)};
+}
+
+}  // namespace kusabi::pictures

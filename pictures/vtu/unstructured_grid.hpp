@@ -1,0 +1,66 @@
+// A mesh with numbers at its points and cells, as VTK has it, and its file: VTU, the XML format of
+// VTK's "unstructured grid", for ParaView and all that reads VTK.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace kusabi::pictures {
+
+/// Types of cells by VTK's numbers.
+enum class CellType : std::uint8_t {
+  vertex = 1,
+  line = 3,
+  triangle = 5,
+  quadrilateral = 9,
+  tetrahedron = 10,
+  hexahedron = 12,
+  quadratic_triangle = 22,
+  quadratic_quadrilateral = 23,
+  quadratic_tetrahedron = 24,
+  quadratic_hexahedron = 25,
+};
+
+struct Cell {
+  CellType type;
+  std::vector<int> points;  ///< in VTK's order
+};
+
+/// Small whole numbers: states, flags. Components x tuples.
+using SmallNumbers = Eigen::Matrix<std::int8_t, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// A tuple of numbers for each point or each cell. Vectors have three components, also in the
+/// plane.
+struct Field {
+  std::string name;
+  std::variant<Eigen::MatrixXd, SmallNumbers> values;  ///< components x tuples
+};
+
+struct UnstructuredGrid {
+  std::string remark;       ///< what it shows: a comment at the head of the file; may be empty
+  Eigen::Matrix3Xd points;  ///< third coordinate zero in the plane
+  std::vector<Cell> cells;
+  std::vector<Field> point_data;
+  std::vector<Field> cell_data;
+};
+
+/// The grid as a VTU file; arrays in base64, packed by zlib if there is much of them.
+/// @pre the fields have a column for each point or cell
+void write_vtu(std::ostream& out, const UnstructuredGrid& grid);
+
+/// A file of a series, as ParaView shows it: a step of time each.
+struct SeriesEntry {
+  std::string file;  ///< beside that of the series
+  double time;
+};
+
+/// A PVD file, which lists others; ParaView opens them as one.
+void write_pvd(std::ostream& out, const std::vector<SeriesEntry>& entries,
+               const std::string& remark);
+
+}  // namespace kusabi::pictures

@@ -1,0 +1,18 @@
+// Which part of its strength a member uses.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "problems/limit/limit_problem.hpp"
+
+namespace kusabi::problems {
+
+/// |q| relative to q^t in tension and to q^c in compression, n^m: 1 where a member yields. 0 where
+/// it can carry nothing, and does not.
+/// @param forces q, n^m
+Eigen::VectorXd utilisation(const LimitProblem& problem, const Eigen::VectorXd& forces);
+
+/// A vector over the free displacements at all nodes, d x nodes: zero where they are fixed.
+Eigen::MatrixXd node_by_node(const LimitProblem& problem, const Eigen::VectorXd& vector);
+
+}  // namespace kusabi::problems

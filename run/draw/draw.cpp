@@ -1,0 +1,80 @@
+// Reads the result, picks one answer or all, writes the image.
+#include "run/draw/draw.hpp"
+
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "problems/files/structure_file.hpp"
+#include "run/command/command_run.hpp"
+#include "run/draw/result_scenes.hpp"
+#include "run/output/wrong_input.hpp"
+
+namespace kusabi::run {
+namespace {
+
+class Draw final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "draw"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "the answers in a result file as an image: one of them, or a sheet of all";
+  }
+  void describe(OptionTable& table) override {
+    table.file("file", file_, Role::input, "the result, a JSON file").required();
+    table.output("--svg", "write the image to this SVG file instead of standard output");
+    table.number("--pattern", &pattern_, above(0),
+                 "draw this one in detail: a pattern or ray by its number, of kusabi limit 1 for "
+                 "the nominal load, 2 for the worst case");
+    table.quiet();
+    table.serial();
+  }
+  void read(CommandRun& run) override {
+    text_ = run.session().from_first_rank([&] { return problems::file_text(file_); });
+  }
+  void prepare(CommandRun& /*run*/) override {
+    drawn_ = result_scenes(text_, file_);
+    const auto count = drawn_.scenes.size();
+    if (pattern_ > count) {
+      throw WrongInput(fmt::format("--pattern {}: expected 1 to {}, the {} of {}", pattern_, count,
+                                   drawn_.things, file_));
+    }
+    if (pattern_ == 0 && count > pictures::most_on_a_sheet) {
+      drawn_.picture.lines.push_back(
+          fmt::format("the first {} of them; --pattern N draws any", pictures::most_on_a_sheet));
+    }
+  }
+  void search(CommandRun& /*run*/) override {}
+  std::vector<Step> results(CommandRun& run) override {
+    if (run.wants("--svg")) return {run.file("--svg", [this](std::ostream& out) { write(out); })};
+    std::ostringstream text;
+    write(text);
+    return {CommandRun::print(text.str())};
+  }
+  Verdict verdict(CommandRun& /*run*/) override { return {}; }
+
+ private:
+  void write(std::ostream& out) const {
+    const auto& scenes = drawn_.scenes;
+    if (pattern_ > 0 || scenes.size() == 1) {
+      write_svg(out, drawn_.picture, scenes[pattern_ > 0 ? pattern_ - 1 : 0]);
+    } else {
+      write_sheet(out, drawn_.picture, scenes);
+    }
+  }
+
+  std::string file_;
+  std::uint64_t pattern_ = 0;  // 0: all of them
+  std::string text_;
+  ResultScenes drawn_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> draw_subcommand() {
+  return std::make_unique<Draw>();
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,190 @@
+// Of bodies the faces that two elements share are inside, and nobody sees them.
+#include "run/draw/drawn_structure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "problems/structure/element_faces.hpp"
+#include "problems/structure/element_shape.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using Nodes = std::vector<int>;
+
+// Corners and the nodes between them in the order of the outline.
+Nodes around(const Nodes& corners_first, std::size_t corners) {
+  Nodes outline;
+  for (std::size_t i = 0; i < corners; ++i) {
+    outline.push_back(corners_first[i]);
+    if (corners_first.size() > corners) outline.push_back(corners_first[corners + i]);
+  }
+  return outline;
+}
+
+std::optional<problems::ElementShape> shape_named(const std::string& name) {
+  for (int shape = 0; shape <= static_cast<int>(problems::ElementShape::hexahedron20); ++shape) {
+    const auto each = static_cast<problems::ElementShape>(shape);
+    if (problems::shape_traits(each).name == name) return each;
+  }
+  return {};
+}
+
+// Faces by their corners; one that comes again is inside.
+class Surface {
+ public:
+  void add(problems::ElementShape shape, const Nodes& nodes) {
+    const auto& traits = problems::shape_traits(shape);
+    if (traits.dimension == 2) {
+      outlines_.push_back(around(nodes, static_cast<std::size_t>(traits.corners)));
+      return;
+    }
+    for (const auto& places : problems::element_faces(shape)) {
+      Nodes face;
+      for (const int place : places) face.push_back(nodes[static_cast<std::size_t>(place)]);
+      const auto corners = traits.quadratic ? face.size() / 2 : face.size();
+      Nodes key(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(corners));
+      std::ranges::sort(key);
+      const auto [at, is_new] = faces_.try_emplace(std::move(key), around(face, corners));
+      if (!is_new) at->second.clear();
+    }
+  }
+
+  [[nodiscard]] std::vector<Nodes> faces() const {
+    auto all = outlines_;
+    for (const auto& [key, face] : faces_) {
+      if (!face.empty()) all.push_back(face);
+    }
+    return all;
+  }
+
+ private:
+  std::vector<Nodes> outlines_;
+  std::map<Nodes, Nodes> faces_;
+};
+
+// How far from 1 the length of a normal may be: it is drawn, not computed with.
+constexpr double unit_length = 0.01;
+
+class StructureReader {
+ public:
+  explicit StructureReader(const ResultReader& reader)
+      : reader_(reader),
+        problem_(reader.at(reader.all(), "problem")),
+        structure_(reader.at(problem_, "structure")) {}
+
+  DrawnStructure read() {
+    const double d = reader_.number(problem_, "d");
+    if (d != 2 && d != 3) reader_.refuse("'d' is neither 2 nor 3");
+    dimension_ = scene().dimension = static_cast<int>(d);
+    read_nodes();
+    read_members();
+    Surface surface;
+    for (const char* const key : {"elements", "outlines"}) read_elements(key, surface);
+    scene().faces = surface.faces();
+    read_supports();
+    read_candidates();
+    return std::move(drawn_);
+  }
+
+ private:
+  pictures::Scene& scene() { return drawn_.scene; }
+  [[nodiscard]] int node(const ResultJson& value) const { return reader_.index(value, count_); }
+
+  void read_nodes() {
+    const auto names = reader_.names(structure_, "node_names");
+    count_ = names.size();
+    if (count_ == 0) reader_.refuse("'node_names' is empty");
+    const auto& positions = reader_.list(structure_, "positions", count_);
+    scene().positions.resize(3, static_cast<Eigen::Index>(count_));
+    for (std::size_t i = 0; i < count_; ++i) {
+      drawn_.nodes[names[i]] = static_cast<int>(i);
+      scene().positions.col(static_cast<Eigen::Index>(i)) =
+          reader_.vector(positions[i], dimension_);
+    }
+  }
+
+  void read_members() {
+    if (ResultReader::find(structure_, "members") == nullptr) return;
+    for (const auto& member : reader_.list(structure_, "members")) {
+      if (!member.is_array() || member.size() != 2) reader_.refuse("a member has not two nodes");
+      scene().bars.push_back({{node(member[0]), node(member[1])}});
+    }
+  }
+
+  void read_elements(const char* key, Surface& surface) {
+    if (ResultReader::find(structure_, key) == nullptr) return;
+    for (const auto& group : reader_.list(structure_, key)) {
+      const auto name = reader_.text(group, "shape");
+      const auto shape = shape_named(name);
+      if (!shape || problems::shape_traits(*shape).dimension != dimension_)
+        reader_.refuse(fmt::format("'{}' is no shape of elements", name));
+      for (const auto& element : reader_.list(group, "nodes")) {
+        Nodes nodes;
+        for (const auto& each : element) nodes.push_back(node(each));
+        if (nodes.size() != problems::shape_traits(*shape).nodes.size())
+          reader_.refuse(fmt::format("a {} has {} nodes", name, nodes.size()));
+        surface.add(*shape, nodes);
+      }
+    }
+  }
+
+  void read_supports() {
+    std::map<int, std::array<bool, 3>> held;
+    if (const auto* const fixed = ResultReader::find(structure_, "fixed")) {
+      constexpr const char* axes[] = {"x", "y", "z"};
+      for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis) {
+        if (ResultReader::find(*fixed, axes[axis]) == nullptr) continue;
+        for (const auto& each : reader_.list(*fixed, axes[axis])) held[node(each)][axis] = true;
+      }
+    }
+    for (const auto& [number, axes] : held) scene().supports.push_back({number, axes});
+  }
+
+  void read_candidates() {
+    if (ResultReader::find(problem_, "contact") == nullptr) return;
+    const auto& contact = reader_.list(problem_, "contact");
+    const auto& nodes = reader_.list(structure_, "candidates", contact.size());
+    const auto* const against = ResultReader::find(structure_, "against") == nullptr
+                                    ? nullptr
+                                    : &reader_.list(structure_, "against", contact.size());
+    for (std::size_t i = 0; i < contact.size(); ++i) {
+      Eigen::Matrix3d frame = Eigen::Matrix3d::Zero();
+      constexpr const char* axes[] = {"n", "t1", "t2"};
+      for (int axis = 0; axis < dimension_; ++axis)
+        frame.col(axis) = reader_.vector(reader_.at(contact[i], axes[axis]), dimension_);
+      if (!(std::abs(frame.col(0).norm() - 1) < unit_length))
+        reader_.refuse("'n' has no length of 1");
+      pictures::DrawnCandidate candidate;
+      candidate.node = node(nodes[i]);
+      candidate.name = reader_.text(contact[i], "node");
+      candidate.normal = frame.col(0);
+      candidate.friction = reader_.number(contact[i], "friction");
+      candidate.rigid = against == nullptr || (*against)[i].empty();
+      drawn_.candidates[candidate.name] = i;
+      drawn_.frames.push_back(frame);
+      scene().candidates.push_back(std::move(candidate));
+    }
+  }
+
+  const ResultReader& reader_;
+  const ResultJson& problem_;
+  const ResultJson& structure_;
+  DrawnStructure drawn_;
+  int dimension_ = 2;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+DrawnStructure drawn_structure(const ResultReader& reader) {
+  return StructureReader(reader).read();
+}
+
+}  // namespace kusabi::run

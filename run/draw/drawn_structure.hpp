@@ -1,0 +1,22 @@
+// The structure of a result file, ready to be drawn: what all its answers have in common.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "pictures/svg/scene.hpp"
+#include "run/draw/result_reader.hpp"
+
+namespace kusabi::run {
+
+struct DrawnStructure {
+  pictures::Scene scene;             ///< at rest, candidates without a state
+  std::map<std::string, int> nodes;  ///< by their names
+  std::map<std::string, std::size_t> candidates;
+  std::vector<Eigen::Matrix3d> frames;  ///< of the candidates: columns n, t1, t2
+};
+
+/// @throws WrongInput
+DrawnStructure drawn_structure(const ResultReader& reader);
+
+}  // namespace kusabi::run

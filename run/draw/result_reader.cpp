@@ -1,0 +1,104 @@
+// Every access is checked: the file may be anybody's.
+#include "run/draw/result_reader.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "run/output/wrong_input.hpp"
+
+namespace kusabi::run {
+namespace {
+
+/// Nothing that is solved here has larger numbers; up to there squares and their sums are finite.
+constexpr double largest_number = 1e100;
+
+bool is_drawable(const ResultJson& value) {
+  return value.is_number() && std::abs(value.get<double>()) <= largest_number;
+}
+
+}  // namespace
+
+ResultReader::ResultReader(const std::string& text, std::string file) : file_(std::move(file)) {
+  json_ = ResultJson::parse(text, nullptr, false);
+  if (!json_.is_object()) refuse("is no JSON object");
+}
+
+void ResultReader::refuse(std::string_view what) const {
+  throw WrongInput(fmt::format(
+      "{}: {}; expected what --output of kusabi patterns, rays, critical or limit has written",
+      file_, what));
+}
+
+const ResultJson* ResultReader::find(const ResultJson& object, const char* key) {
+  if (!object.is_object()) return nullptr;
+  const auto found = object.find(key);
+  return found == object.end() || found->is_null() ? nullptr : &*found;
+}
+
+const ResultJson& ResultReader::at(const ResultJson& object, const char* key) const {
+  const auto* const found = find(object, key);
+  if (found == nullptr) refuse(fmt::format("'{}' is missing", key));
+  return *found;
+}
+
+std::string ResultReader::text(const ResultJson& object, const char* key) const {
+  const auto& value = at(object, key);
+  if (!value.is_string()) refuse(fmt::format("'{}' is no text", key));
+  return value.get<std::string>();
+}
+
+double ResultReader::number(const ResultJson& object, const char* key) const {
+  const auto& value = at(object, key);
+  if (!is_drawable(value)) refuse(fmt::format("'{}' is no number up to {:g}", key, largest_number));
+  return value.get<double>();
+}
+
+int ResultReader::index(const ResultJson& value, std::size_t count) const {
+  if (!value.is_number_integer() || value.get<std::int64_t>() < 0 ||
+      value.get<std::uint64_t>() >= count) {
+    refuse(fmt::format("{} is none of {} nodes", value.dump(), count));
+  }
+  return value.get<int>();
+}
+
+const ResultJson& ResultReader::list(const ResultJson& object, const char* key) const {
+  const auto& value = at(object, key);
+  if (!value.is_array()) refuse(fmt::format("'{}' is no list", key));
+  return value;
+}
+
+const ResultJson& ResultReader::list(const ResultJson& object, const char* key,
+                                     std::size_t length) const {
+  const auto& value = list(object, key);
+  if (value.size() != length)
+    refuse(fmt::format("'{}' has {} entries instead of {}", key, value.size(), length));
+  return value;
+}
+
+Eigen::Vector3d ResultReader::vector(const ResultJson& value, int dimension) const {
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+  if (!value.is_array() || value.size() != static_cast<std::size_t>(dimension))
+    refuse(fmt::format("{} is no list of {} numbers", value.dump().substr(0, 40), dimension));
+  for (int axis = 0; axis < dimension; ++axis) {
+    const auto& component = value[static_cast<std::size_t>(axis)];
+    if (!is_drawable(component)) {
+      refuse(fmt::format("{} is no number up to {:g}", component.dump().substr(0, 40),
+                         largest_number));
+    }
+    vector(axis) = component.get<double>();
+  }
+  return vector;
+}
+
+std::vector<std::string> ResultReader::names(const ResultJson& object, const char* key) const {
+  std::vector<std::string> all;
+  for (const auto& each : list(object, key)) {
+    if (!each.is_string()) refuse(fmt::format("'{}' has what is no name", key));
+    all.push_back(each.get<std::string>());
+  }
+  return all;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,48 @@
+// A result file, looked into with the question whether it is one: what is missing, of another type
+// or out of range is an error that says so.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+namespace kusabi::run {
+
+using ResultJson = nlohmann::ordered_json;
+
+class ResultReader {
+ public:
+  /// @throws WrongInput if the text is no JSON
+  ResultReader(const std::string& text, std::string file);
+
+  [[nodiscard]] const ResultJson& all() const { return json_; }
+
+  /// The value of a key. @throws WrongInput if there is none
+  [[nodiscard]] const ResultJson& at(const ResultJson& object, const char* key) const;
+  /// Null if there is none, or it is null.
+  [[nodiscard]] static const ResultJson* find(const ResultJson& object, const char* key);
+
+  [[nodiscard]] std::string text(const ResultJson& object, const char* key) const;
+  [[nodiscard]] double number(const ResultJson& object, const char* key) const;
+  /// 0 <= the number < count.
+  [[nodiscard]] int index(const ResultJson& value, std::size_t count) const;
+  [[nodiscard]] const ResultJson& list(const ResultJson& object, const char* key) const;
+  /// The same with a length.
+  [[nodiscard]] const ResultJson& list(const ResultJson& object, const char* key,
+                                       std::size_t length) const;
+  /// The d numbers of a list, and zeros up to three.
+  [[nodiscard]] Eigen::Vector3d vector(const ResultJson& value, int dimension) const;
+  [[nodiscard]] std::vector<std::string> names(const ResultJson& object, const char* key) const;
+
+  /// @throws WrongInput always
+  [[noreturn]] void refuse(std::string_view what) const;
+
+ private:
+  std::string file_;
+  ResultJson json_;
+};
+
+}  // namespace kusabi::run

@@ -1,0 +1,269 @@
+// Command by command.
+#include "run/draw/result_scenes.hpp"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "run/draw/drawn_structure.hpp"
+#include "run/draw/result_reader.hpp"
+#include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using pictures::ContactState;
+using pictures::Scene;
+
+/// A line of names is cut when it is so long.
+constexpr std::size_t longest_line = 110;
+
+// "in contact: a b c", cut when it is too long for the paper; empty if there are none.
+std::string listed_names(const std::string& what, const std::vector<std::string>& names) {
+  if (names.empty()) return {};
+  auto line = what + ':';
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (line.size() + names[i].size() > longest_line)
+      return line + fmt::format(" and {} more", names.size() - i);
+    line += ' ' + names[i];
+  }
+  return line;
+}
+
+void add_line(Scene& scene, std::string line) {
+  if (!line.empty()) scene.lines.push_back(std::move(line));
+}
+
+class SceneReader {
+ public:
+  explicit SceneReader(const ResultReader& reader)
+      : reader_(reader),
+        result_(reader.at(reader.all(), "result")),
+        structure_(drawn_structure(reader)),
+        dimension_(structure_.scene.dimension) {}
+
+  ResultScenes read() {
+    ResultScenes all;
+    const auto& problem = reader_.at(reader_.all(), "problem");
+    const auto& units = reader_.at(problem, "units");
+    all.picture = {reader_.text(problem, "name"),
+                   {},
+                   {reader_.text(units, "length"), reader_.text(units, "force")}};
+    const auto command = reader_.text(reader_.all(), "command");
+    all.things = command == "rays" ? "rays" : command == "limit" ? "collapses" : "patterns";
+    if (command == "patterns") {
+      read_patterns(all);
+    } else if (command == "rays") {
+      read_rays(all);
+    } else if (command == "critical") {
+      read_critical(all);
+    } else if (command == "limit") {
+      read_collapses(all);
+    } else {
+      reader_.refuse(fmt::format("is of kusabi {}", command));
+    }
+    return all;
+  }
+
+ private:
+  // The structure with friction at a coefficient.
+  [[nodiscard]] Scene at_friction(double coefficient) const {
+    auto scene = structure_.scene;
+    for (auto& candidate : scene.candidates) candidate.friction *= coefficient;
+    return scene;
+  }
+
+  void read_patterns(ResultScenes& all) {
+    const double friction = reader_.number(result_, "friction");
+    const auto& patterns = reader_.list(result_, "patterns");
+    all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
+                                     counted(patterns.size(), "sign pattern"), friction)};
+    for (const auto& pattern : patterns) {
+      auto scene = at_friction(friction);
+      scene.name = fmt::format("pattern {}", all.scenes.size() + 1);
+      const auto state = reader_.text(pattern, "state");
+      const bool has_margin = ResultReader::find(pattern, "margin") != nullptr;
+      scene.note = state != "alive" || !has_margin
+                       ? state
+                       : fmt::format("t* {:.2e}", reader_.number(pattern, "margin"));
+      if (state == "alive" && has_margin)
+        add_line(scene, fmt::format("margin t* = {:.6g}", reader_.number(pattern, "margin")));
+      add_signs(scene, pattern);
+      add_configuration(scene, pattern);
+      all.scenes.push_back(std::move(scene));
+    }
+  }
+
+  void read_critical(ResultScenes& all) {
+    const auto& bracket = reader_.at(result_, "critical_friction");
+    all.picture.lines = {
+        ResultReader::find(bracket, "upper") == nullptr
+            ? fmt::format("nothing can wedge up to {:.10g}", reader_.number(bracket, "lower"))
+            : fmt::format("critical friction coefficient: between {:.10g} and {:.10g}",
+                          reader_.number(bracket, "lower"), reader_.number(bracket, "upper"))};
+    for (const auto& pattern : reader_.list(result_, "patterns")) {
+      if (ResultReader::find(pattern, "reaction") == nullptr) continue;
+      const double friction = reader_.number(pattern, "upper");
+      auto scene = at_friction(friction);
+      scene.name = fmt::format("pattern {}", all.scenes.size() + 1);
+      scene.note = fmt::format("μ {:.6g}", friction);
+      add_signs(scene, pattern);
+      add_configuration(scene, pattern);
+      all.scenes.push_back(std::move(scene));
+    }
+  }
+
+  void read_rays(ResultScenes& all) {
+    const double friction = reader_.number(result_, "friction");
+    const auto& rays = reader_.list(result_, "rays");
+    all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
+                                     counted(rays.size(), "extremal ray"), friction)};
+    if (!rays.empty() && ResultReader::find(rays.front(), "all_displacements") == nullptr) {
+      all.picture.lines.emplace_back(
+          "without the displacements of the whole: kusabi rays --whole writes them");
+    }
+    for (const auto& ray : rays) {
+      auto scene = at_friction(friction);
+      scene.name = fmt::format("ray {}", all.scenes.size() + 1);
+      const auto states = reader_.names(ray, "state");
+      if (states.size() != scene.candidates.size()) reader_.refuse("'state' has another length");
+      std::vector<std::string> words;
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        auto& candidate = scene.candidates[i];
+        candidate.state = states[i] == "separates" ? ContactState::separated
+                          : states[i] == "idle"    ? ContactState::at_rest
+                                                   : ContactState::contact;
+        if (states[i] != "idle") words.push_back(candidate.name + ' ' + states[i] + ',');
+      }
+      if (!words.empty()) words.back().pop_back();
+      add_line(scene, listed_names("candidates", words));
+      add_configuration(scene, ray);
+      all.scenes.push_back(std::move(scene));
+    }
+  }
+
+  void read_collapses(ResultScenes& all) {
+    if (const auto* const mode = ResultReader::find(result_, "nominal_mode")) {
+      const double factor = reader_.number(result_, "nominal");
+      all.scenes.push_back(collapse("nominal load", factor, *mode));
+      const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
+      if (ResultReader::find(structure, "dead_loads") != nullptr) {
+        for (const auto& load : reader_.list(structure, "dead_loads"))
+          add_load(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
+                   reader_.index(reader_.at(load, "node"), structure_.nodes.size()), load);
+      }
+    }
+    if (const auto* const mode = ResultReader::find(result_, "collapse_mode")) {
+      const auto& interval = reader_.list(result_, "critical_interval", 2);
+      const auto& worst = reader_.at(result_, "worst_case");
+      const bool known = ResultReader::find(worst, "upper") != nullptr;
+      if (!known && !interval[1].is_number()) reader_.refuse("'upper' is missing");
+      const double factor = known ? reader_.number(worst, "upper") : interval[1].get<double>();
+      all.scenes.push_back(collapse("worst case", factor, *mode));
+      for (const auto& load : reader_.list(result_, "critical_load"))
+        add_load(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
+                 node_named(reader_.text(load, "node")), load);
+      add_line(all.scenes.back(),
+               fmt::format("dead load known up to ± {:.10g}", reader_.number(result_, "alpha")));
+    }
+  }
+
+  Scene collapse(const std::string& name, double factor, const ResultJson& mode) const {
+    auto scene = structure_.scene;
+    scene.collapse = true;
+    scene.name = name;
+    scene.note = fmt::format("λ = {:.6g}", factor);
+    scene.lines = {fmt::format("collapses at load factor λ = {:.10g}", factor)};
+    scene.displacements = Eigen::Matrix3Xd::Zero(3, scene.positions.cols());
+    for (const auto& moving : reader_.list(mode, "moving")) {
+      scene.displacements.col(node_named(reader_.text(moving, "node"))) =
+          reader_.vector(reader_.at(moving, "velocity"), dimension_);
+    }
+    for (const auto& yielding : reader_.list(mode, "yielding")) {
+      const auto ends = reader_.names(yielding, "member");
+      if (ends.size() != 2) reader_.refuse("a member has not two nodes");
+      const std::array<int, 2> nodes{node_named(ends[0]), node_named(ends[1])};
+      for (auto& bar : scene.bars) {
+        if (bar.nodes != nodes) continue;
+        bar.yield = reader_.text(yielding, "in") == "tension" ? pictures::Yield::tension
+                                                              : pictures::Yield::compression;
+      }
+    }
+    const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
+    for (const auto& load : reader_.list(structure, "reference_loads"))
+      add_load(scene, pictures::DrawnLoad::Kind::reference,
+               reader_.index(reader_.at(load, "node"), structure_.nodes.size()), load);
+    return scene;
+  }
+
+  void add_load(Scene& scene, pictures::DrawnLoad::Kind kind, int node,
+                const ResultJson& load) const {
+    scene.loads.push_back({kind, node, reader_.vector(reader_.at(load, "force"), dimension_)});
+  }
+
+  [[nodiscard]] int node_named(const std::string& name) const {
+    const auto found = structure_.nodes.find(name);
+    if (found == structure_.nodes.end()) reader_.refuse(fmt::format("there is no node '{}'", name));
+    return found->second;
+  }
+
+  // Where a pattern touches, separates and rests.
+  void add_signs(Scene& scene, const ResultJson& pattern) const {
+    const auto set = [&](const char* key, const char* what, ContactState state) {
+      if (ResultReader::find(pattern, key) == nullptr) return;
+      const auto names = reader_.names(pattern, key);
+      for (const auto& name : names) {
+        const auto found = structure_.candidates.find(name);
+        if (found == structure_.candidates.end())
+          reader_.refuse(fmt::format("there is no candidate '{}'", name));
+        scene.candidates[found->second].state = state;
+      }
+      add_line(scene, listed_names(what, names));
+    };
+    set("contact", "in contact", ContactState::contact);
+    set("separated", "separated", ContactState::separated);
+    set("at_rest", "at rest", ContactState::at_rest);
+  }
+
+  // Reactions from the frames of the candidates to global axes; what nodes and supports do.
+  void add_configuration(Scene& scene, const ResultJson& configuration) const {
+    const auto& reactions = reader_.list(configuration, "reaction", scene.candidates.size());
+    for (std::size_t i = 0; i < scene.candidates.size(); ++i) {
+      scene.candidates[i].reaction =
+          structure_.frames[i] * reader_.vector(reactions[i], dimension_);
+    }
+    scene.displacements = by_node(configuration, "all_displacements");
+    scene.support_reactions = by_node(configuration, "support_reactions");
+  }
+
+  // No columns if there is no such key.
+  [[nodiscard]] Eigen::Matrix3Xd by_node(const ResultJson& configuration, const char* key) const {
+    Eigen::Matrix3Xd vectors(3, 0);
+    const auto* const values = ResultReader::find(configuration, key);
+    if (values == nullptr || !values->is_object()) return vectors;
+    vectors = Eigen::Matrix3Xd::Zero(3, structure_.scene.positions.cols());
+    for (const auto& [name, value] : values->items())
+      vectors.col(node_named(name)) = reader_.vector(value, dimension_);
+    return vectors;
+  }
+
+  const ResultReader& reader_;
+  const ResultJson& result_;
+  DrawnStructure structure_;
+  int dimension_;
+};
+
+}  // namespace
+
+ResultScenes result_scenes(const std::string& text, const std::string& file) {
+  const ResultReader reader(text, file);
+  auto all = SceneReader(reader).read();
+  if (all.scenes.empty()) {
+    throw WrongInput(fmt::format("{}: has no {}; expected one or more to draw", file, all.things));
+  }
+  return all;
+}
+
+}  // namespace kusabi::run

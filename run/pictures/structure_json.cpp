@@ -1,0 +1,130 @@
+// Part by part. Lists of numbers are a line each in the file, so nodes are numbers here, not names.
+#include "run/pictures/structure_json.hpp"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "problems/structure/element_shape.hpp"
+#include "run/output/values.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::Structure;
+
+void add_if_any(ordered_json& json, const char* name, ordered_json list) {
+  if (!list.empty()) json[name] = std::move(list);
+}
+
+ordered_json positions_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  for (const auto& position : structure.coordinates.colwise()) list.push_back(numbers(position));
+  return list;
+}
+
+ordered_json members_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  for (const auto& member : structure.members)
+    list.push_back(std::array{member.first, member.second});
+  return list;
+}
+
+// Shape by shape; within one in the order of the structure.
+ordered_json elements_json(const std::vector<problems::Element>& all) {
+  std::map<problems::ElementShape, std::vector<std::vector<int>>> by_shape;
+  for (const auto& element : all) by_shape[element.shape].push_back(element.nodes);
+  auto list = ordered_json::array();
+  for (auto& [shape, nodes] : by_shape)
+    list.push_back({{"shape", problems::shape_traits(shape).name}, {"nodes", std::move(nodes)}});
+  return list;
+}
+
+// Which nodes are fixed along x, along y, along z.
+ordered_json fixed_json(const Structure& structure) {
+  auto axes = ordered_json::object();
+  for (int axis = 0; axis < structure.dimension; ++axis) {
+    std::vector<std::size_t> nodes;
+    for (std::size_t node = 0; node < structure.fixed.size(); ++node) {
+      if (structure.fixed[node][static_cast<std::size_t>(axis)]) nodes.push_back(node);
+    }
+    if (!nodes.empty()) axes[std::string(problems::axis_name(axis))] = nodes;
+  }
+  return axes;
+}
+
+ordered_json inclined_supports_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  for (const auto& [node, direction] : structure.inclined)
+    list.push_back({{"node", node}, {"direction", numbers(direction)}});
+  return list;
+}
+
+ordered_json springs_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  for (const auto& [node, axis, stiffness] : structure.springs)
+    list.push_back({{"node", node}, {"axis", problems::axis_name(axis)}, {"stiffness", stiffness}});
+  return list;
+}
+
+ordered_json candidates_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  for (const auto& candidate : structure.contact) list.push_back(candidate.node);
+  return list;
+}
+
+// Of each candidate the nodes of the other body with their weights; nothing if there is none.
+ordered_json against_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  bool any = false;
+  for (const auto& candidate : structure.contact) {
+    auto shares = ordered_json::array();
+    for (const auto& [node, weight] : candidate.against)
+      shares.push_back({{"node", node}, {"weight", weight}});
+    any = any || !shares.empty();
+    list.push_back(std::move(shares));
+  }
+  return any ? list : ordered_json();
+}
+
+ordered_json loads_json(const Structure& structure, problems::Load::Kind kind) {
+  auto list = ordered_json::array();
+  for (const auto& load : structure.loads) {
+    if (load.kind == kind) list.push_back({{"node", load.node}, {"force", numbers(load.force)}});
+  }
+  return list;
+}
+
+// q^t and q^c of each member, if they are given of all.
+ordered_json yield_forces_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  for (const auto& member : structure.members) {
+    if (!member.yield) return {};
+    list.push_back(std::array{member.yield->tension, member.yield->compression});
+  }
+  return list;
+}
+
+}  // namespace
+
+ordered_json structure_json(const Structure& structure) {
+  ordered_json json{{"node_names", structure.node_names}, {"positions", positions_json(structure)}};
+  add_if_any(json, "members", members_json(structure));
+  add_if_any(json, "yield_forces", yield_forces_json(structure));
+  add_if_any(json, "elements", elements_json(structure.elements));
+  add_if_any(json, "outlines", elements_json(structure.outlines));
+  add_if_any(json, "fixed", fixed_json(structure));
+  add_if_any(json, "inclined_supports", inclined_supports_json(structure));
+  add_if_any(json, "springs", springs_json(structure));
+  add_if_any(json, "candidates", candidates_json(structure));
+  add_if_any(json, "against", against_json(structure));
+  add_if_any(json, "dead_loads", loads_json(structure, problems::Load::Kind::dead));
+  add_if_any(json, "reference_loads", loads_json(structure, problems::Load::Kind::reference));
+  return json;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,28 @@
+// File after file, and their list last, so that it never speaks of what is not there.
+#include "run/pictures/vtu_series.hpp"
+
+#include <ostream>
+
+#include <fmt/format.h>
+
+namespace kusabi::run {
+
+void VtuSeries::add(const std::string& file, const pictures::UnstructuredGrid& grid) {
+  folder_.write(file, [&](std::ostream& out) { write_vtu(out, grid); });
+  entries_.push_back({file, static_cast<double>(entries_.size() + 1)});
+}
+
+void VtuSeries::finish(const std::string& file, const std::string& remark) {
+  folder_.write(file, [&](std::ostream& out) { write_pvd(out, entries_, remark); });
+}
+
+std::string numbered_vtu(const std::string& stem, std::size_t number, std::size_t count) {
+  return fmt::format("{}-{:0{}}.vtu", stem, number, std::to_string(count).size());
+}
+
+std::string series_remark(std::size_t count, const std::string& things) {
+  if (count <= longest_series) return {};
+  return fmt::format("--vtu: the first {} of {} {}", longest_series, count, things);
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,65 @@
+// The file read and checked, its sizes told, its picture written.
+#include "run/show/show.hpp"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pictures/vtu/structure_grid.hpp"
+#include "problems/files/problem_text.hpp"
+#include "problems/files/structure_file.hpp"
+#include "run/command/command_run.hpp"
+#include "run/session/restart.hpp"
+#include "run/show/structure_summary.hpp"
+
+namespace kusabi::run {
+namespace {
+
+class Show final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "show"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "what a problem file describes, before anything is solved";
+  }
+  void describe(OptionTable& table) override {
+    table.file("file", file_, Role::input, "the problem, a TOML file").required();
+    table.output("--vtu",
+                 "write a picture of the structure to this VTU file, for ParaView: supports, "
+                 "normals, candidates, loads");
+    table.quiet();
+    table.serial();
+  }
+  void read(CommandRun& run) override {
+    text_ = run.session().from_first_rank([&] { return problems::problem_text(file_); });
+  }
+  void prepare(CommandRun& run) override {
+    structure_ = problems::read_structure(text_, file_);
+    warn_all(run.session(), structure_.warnings);
+  }
+  void search(CommandRun& /*run*/) override {}
+  std::vector<Step> results(CommandRun& run) override {
+    return {run.file("--vtu",
+                     [this](std::ostream& out) {
+                       auto grid = pictures::unsolved_grid(structure_);
+                       grid.remark = fmt::format("{}; {} and {}", structure_.name,
+                                                 structure_.units.length, structure_.units.force);
+                       write_vtu(out, grid);
+                     }),
+            run.answer([this] { return structure_summary(structure_); })};
+  }
+  Verdict verdict(CommandRun& /*run*/) override { return {}; }
+
+ private:
+  std::string file_;
+  problems::ProblemText text_;
+  problems::Structure structure_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> show_subcommand() {
+  return std::make_unique<Show>();
+}
+
+}  // namespace kusabi::run

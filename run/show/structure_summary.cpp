@@ -1,0 +1,116 @@
+// Counting, and the sentences for it.
+#include "run/show/structure_summary.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "problems/structure/element_shape.hpp"
+#include "run/output/values.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using problems::Structure;
+
+std::string joined(const std::vector<std::string>& parts) {
+  return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void add_counted(std::vector<std::string>& parts, std::size_t count, std::string_view thing) {
+  if (count > 0) parts.push_back(counted(count, thing));
+}
+
+std::string bodies(const Structure& structure) {
+  std::vector<std::string> parts;
+  add_counted(parts, structure.node_names.size(), "node");
+  add_counted(parts, structure.members.size(), "member");
+  std::map<problems::ElementShape, std::size_t> shapes;
+  for (const auto& element : structure.elements) ++shapes[element.shape];
+  for (const auto& [shape, count] : shapes)
+    add_counted(parts, count, problems::shape_traits(shape).name);
+  if (!structure.superelements.empty()) {
+    parts.push_back(counted(structure.superelements.size(), "stiffness") + " of another program");
+  }
+  return joined(parts);
+}
+
+std::string extent(const Structure& structure) {
+  std::vector<std::string> parts;
+  parts.reserve(static_cast<std::size_t>(structure.dimension));
+  for (int axis = 0; axis < structure.dimension; ++axis) {
+    parts.push_back(fmt::format("{} {:.6g} to {:.6g}", problems::axis_name(axis),
+                                structure.coordinates.row(axis).minCoeff(),
+                                structure.coordinates.row(axis).maxCoeff()));
+  }
+  return fmt::format("{}, in {}", joined(parts), structure.units.length);
+}
+
+// How many nodes are held along which axes.
+std::string supports(const Structure& structure) {
+  std::map<std::string, std::size_t> held;
+  for (const auto& axes : structure.fixed) {
+    std::vector<std::string_view> names;
+    for (int axis = 0; axis < structure.dimension; ++axis) {
+      if (axes[static_cast<std::size_t>(axis)]) names.push_back(problems::axis_name(axis));
+    }
+    if (!names.empty()) ++held[fmt::format("{}", fmt::join(names, " "))];
+  }
+  std::vector<std::string> parts;
+  parts.reserve(held.size());
+  for (const auto& [axes, count] : held)
+    parts.push_back(fmt::format("{} along {}", counted(count, "node"), axes));
+  add_counted(parts, structure.inclined.size(), "inclined support");
+  add_counted(parts, structure.springs.size(), "spring");
+  add_counted(parts, structure.ties.size(), "tie");
+  return joined(parts);
+}
+
+std::string candidates(const Structure& structure) {
+  if (structure.contact.empty()) return "none";
+  const auto bodies = std::ranges::count_if(structure.contact,
+                                            [](const auto& each) { return !each.against.empty(); });
+  const auto [least, most] =
+      std::ranges::minmax(structure.contact, {}, &problems::ContactCandidate::friction);
+  auto text = fmt::format("{}", structure.contact.size());
+  if (bodies > 0) text += fmt::format(", {} of them against another body", bodies);
+  if (least.friction != most.friction) {
+    return text + fmt::format("; friction {:g} to {:g} times the coefficient", least.friction,
+                              most.friction);
+  }
+  if (most.friction != 1)
+    text += fmt::format("; friction {:g} times the coefficient", most.friction);
+  return text;
+}
+
+std::string loads(const Structure& structure) {
+  std::vector<std::string> parts;
+  for (const auto& [kind, name] : {std::pair{problems::Load::Kind::dead, "dead load"},
+                                   std::pair{problems::Load::Kind::reference, "reference load"}}) {
+    const auto count = std::ranges::count(structure.loads, kind, &problems::Load::kind);
+    add_counted(parts, static_cast<std::size_t>(count), name);
+  }
+  if (structure.uncertain) {
+    parts.push_back(fmt::format("{} uncertain", structure.uncertain->size()));
+  } else if (!parts.empty()) {
+    parts.emplace_back("uncertain where there is none of these");
+  }
+  return joined(parts);
+}
+
+}  // namespace
+
+std::string structure_summary(const Structure& structure) {
+  return fmt::format(
+      "{}: {}\n  of          {}\n  extent      {}\n  supports    {}\n  candidates  {}\n"
+      "  loads       {}\n",
+      structure.name, structure.dimension == 2 ? "in the plane" : "in space", bodies(structure),
+      extent(structure), supports(structure), candidates(structure), loads(structure));
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,52 @@
+// Field by field.
+#include "run/wedged/configuration_grid.hpp"
+
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "run/output/values.hpp"
+#include "run/wedged/problem_summary.hpp"
+
+namespace kusabi::run {
+
+using pictures::ContactState;
+
+pictures::UnstructuredGrid ConfigurationGrids::grid(const std::string& remark,
+                                                    std::span<const double> reactions,
+                                                    std::span<const double> displacements,
+                                                    std::span<const ContactState> contact) const {
+  const auto& structure = states_.structure();
+  const auto state = states_.whole().under(reactions, displacements);
+  auto grid = structure_;
+  grid.remark = fmt::format("{}: {}; {} and {}", structure.name, remark, structure.units.length,
+                            structure.units.force);
+  grid.point_data.push_back(pictures::node_vectors("displacement", state.displacements));
+  grid.point_data.push_back(
+      pictures::node_vectors("contact_reaction", states_.whole().contact_forces(reactions)));
+  grid.point_data.push_back(pictures::node_vectors("support_reaction", state.reactions));
+  grid.point_data.push_back(pictures::contact_states(structure, contact));
+  if (!structure.members.empty())
+    grid.cell_data.push_back(
+        pictures::member_numbers(grid, "axial_force", numbers(state.axial_forces)));
+  return grid;
+}
+
+pictures::UnstructuredGrid ConfigurationGrids::grid(const std::string& remark, std::uint32_t block,
+                                                    const wedged::SignPattern& pattern,
+                                                    const support::IndexSet& idle,
+                                                    std::span<const double> reactions,
+                                                    std::span<const double> displacements) const {
+  const auto& problem = states_.problem();
+  std::vector<ContactState> contact(problem.contact_names.size(), ContactState::none);
+  const auto set = [&](const support::IndexSet& candidates, ContactState state) {
+    for (const int i : candidates) contact[static_cast<std::size_t>(i)] = state;
+  };
+  set(pattern.contact, ContactState::contact);
+  set(pattern.separated, ContactState::separated);
+  set(pattern.at_rest | idle, ContactState::at_rest);
+  return grid(remark, of_all_candidates(problem, block, reactions),
+              of_all_candidates(problem, block, displacements), contact);
+}
+
+}  // namespace kusabi::run

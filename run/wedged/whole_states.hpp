@@ -1,0 +1,32 @@
+// The whole structure of a problem for all that is written of it, computed when the first asks: of
+// a large body it takes seconds.
+#pragma once
+
+#include <optional>
+
+#include "problems/structure/structure.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "problems/wedged/whole_structure.hpp"
+
+namespace kusabi::run {
+
+class WholeStates {
+ public:
+  /// Both must outlive it.
+  WholeStates(const problems::Structure& structure, const problems::WedgedProblem& problem)
+      : structure_(structure), problem_(problem) {}
+
+  [[nodiscard]] const problems::Structure& structure() const { return structure_; }
+  [[nodiscard]] const problems::WedgedProblem& problem() const { return problem_; }
+  [[nodiscard]] const problems::WholeStructure& whole() const {
+    if (!whole_) whole_.emplace(structure_, problem_);
+    return *whole_;
+  }
+
+ private:
+  const problems::Structure& structure_;
+  const problems::WedgedProblem& problem_;
+  mutable std::optional<problems::WholeStructure> whole_;
+};
+
+}  // namespace kusabi::run

@@ -1,0 +1,194 @@
+"""That what kusabi draw writes is XML, and what is drawn where is what the result file says.
+
+    python3 draw_test.py KUSABI SOURCES
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+SOURCES = pathlib.Path(sys.argv.pop()).resolve()
+KUSABI = sys.argv.pop()
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def point(element, x, y):
+    return complex(float(element.get(x)), -float(element.get(y)))
+
+
+def with_class(root, tag, kind):
+    return [element for element in root.iter(SVG + tag) if kind in element.get("class", "").split()]
+
+
+def group(root, kind):
+    return next(iter(with_class(root, "g", kind)))
+
+
+class Draw(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.result = self.folder / "result.json"
+
+    def kusabi(self, *words):
+        return subprocess.run([KUSABI, *map(str, words), "--serial"], capture_output=True, text=True, check=False)
+
+    def solve(self, command, name, *words):
+        run = self.kusabi(command, SOURCES / "examples" / name, *words, "--output", self.result)
+        self.assertIn(run.returncode, (0, 3), run.stderr)
+        return json.loads(self.result.read_text())
+
+    def draw(self, *words):
+        place = self.folder / "out.svg"
+        run = self.kusabi("draw", self.result, "--svg", place, *words)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return xml.etree.ElementTree.parse(place).getroot()
+
+    def marks(self, root):
+        """The mark of each candidate by its name: its class and place."""
+        found = {}
+        for each in with_class(root, "g", "candidate"):
+            circle = each.find(SVG + "circle")
+            found[each.find(SVG + "title").text] = (circle.get("class"), point(circle, "cx", "cy"))
+        return found
+
+    def text(self, root):
+        return "\n".join(element.text or "" for element in root.iter(SVG + "text"))
+
+    def test_a_pattern_of_a_plane_truss(self):
+        result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
+        problem, patterns = result["problem"], result["result"]["patterns"]
+        structure = problem["structure"]
+        number = next(i for i, each in enumerate(patterns) if each["separated"])
+        pattern, root = patterns[number], self.draw("--pattern", number + 1)
+        marks = self.marks(root)
+        self.assertEqual({name for name, (kind, _) in marks.items() if kind == "contact"}, set(pattern["contact"]))
+        self.assertEqual({name for name, (kind, _) in marks.items() if kind == "separated"}, set(pattern["separated"]))
+
+        # The paper is a picture of the plane: one factor and one shift.
+        places = [complex(*place) for place in structure["positions"]]
+        bars = [(point(line, "x1", "y1"), point(line, "x2", "y2")) for line in group(root, "rest").iter(SVG + "line")]
+        self.assertEqual(len(bars), len(structure["members"]))
+        (a, b), ends = structure["members"][0], bars[0]
+        scale = (ends[1] - ends[0]) / (places[b] - places[a])
+        self.assertAlmostEqual(scale.imag, 0, delta=0.01)
+        self.assertGreater(scale.real, 10)
+        shift = ends[0] - scale * places[a]
+        for (a, b), ends in zip(structure["members"], bars):
+            self.assertLess(abs(scale * places[a] + shift - ends[0]), 0.5)
+            self.assertLess(abs(scale * places[b] + shift - ends[1]), 0.5)
+
+        # Displacements are multiplied by what the legend says.
+        factor = float(re.search(r"displacements × (\S+),", self.text(root))[1])
+        moved = [complex(*pattern["all_displacements"][name]) for name in structure["node_names"]]
+        lines = list(group(root, "moved").iter(SVG + "line"))
+        for (a, _), line in zip(structure["members"], lines):
+            self.assertLess(abs(scale * (places[a] + factor * moved[a]) + shift - point(line, "x1", "y1")), 0.5)
+        largest = max(map(abs, moved))
+        self.assertIn(f"largest {largest:.4g} {problem['units']['length']}", self.text(root))
+
+        # Reactions are in one scale, and each within its friction cone.
+        frames = {each["node"]: (complex(*each["n"]), complex(*each["t1"])) for each in problem["contact"]}
+        tips = [polygon.get("points").split()[0].split(",") for polygon in with_class(root, "polygon", "reaction")]
+        tips = [complex(float(x), -float(y)) for x, y in tips]
+        forces = [(each["node"], r[0] * frames[each["node"]][0] + r[1] * frames[each["node"]][1])
+                  for each, r in zip(problem["contact"], pattern["reaction"]) if r[0] != 0]
+        arrows = tips[:len(forces)]  # the legend has one more
+        self.assertEqual(len(tips), len(forces) + 1)
+        biggest = max(forces, key=lambda each: abs(each[1]))
+        unit = (arrows[forces.index(biggest)] - marks[biggest[0]][1]) / biggest[1]
+        for (name, force), tip in zip(forces, arrows):
+            self.assertLess(abs(unit * force - (tip - marks[name][1])), 0.1)
+        self.assertIn(f"reaction, largest {abs(biggest[1]):.4g} {problem['units']['force']}", self.text(root))
+        self.assertIn("μ = 0.8", self.text(root))
+
+    def test_a_sheet_of_all(self):
+        result = self.solve("patterns", "space-truss.toml", "--mu", 0.65)
+        root = self.draw()
+        count = result["result"]["count"]
+        self.assertEqual(len(with_class(root, "g", "small")), count)
+        self.assertNotIn("the first", self.text(root))
+        for number in range(1, count + 1):
+            self.assertIn(f"pattern {number}\n", self.text(root) + "\n")
+
+    def test_a_sheet_is_cut_and_says_so(self):
+        result = self.solve("patterns", "space-truss.toml", "--mu", 2)
+        self.assertGreater(result["result"]["count"], 60)
+        root = self.draw()
+        self.assertEqual(len(with_class(root, "g", "small")), 60)
+        self.assertIn("the first 60 of them", self.text(root))
+        self.assertIn(" · pattern 61", self.text(self.draw("--pattern", 61)))
+
+    def test_all_others(self):
+        for command, name, *words in (("patterns", "morse-taper.toml", "--mu", 0.3, "--pattern-limit", 1),
+                                      ("patterns", "brick-by-calculix.toml", "--mu", 0.9),
+                                      ("patterns", "peg-in-hole.toml", "--mu", 0.9, "--pattern-limit", 2),
+                                      ("critical", "plane-truss.toml"), ("rays", "two-bars.toml", "--mu", 2),
+                                      ("rays", "plane-truss.toml", "--mu", 0.6, "--whole")):
+            with self.subTest(name=name, command=command):
+                result = self.solve(command, name, *words)
+                root = self.draw("--pattern", 1)
+                self.assertEqual(set(self.marks(root)), {each["node"] for each in result["problem"]["contact"]})
+                self.assertIn("μ", self.text(root))
+
+    def test_a_collapse(self):
+        answer = self.solve("limit", "gust.toml", "--alpha", 0.5)["result"]
+        self.assertEqual(len(with_class(self.draw(), "g", "small")), 2)
+        root = self.draw("--pattern", 2)
+        yielding = [each["in"] for each in answer["collapse_mode"]["yielding"]]
+        for kind in ("tension", "compression"):
+            drawn = [line for line in with_class(group(root, "moved"), "line", kind)]
+            self.assertEqual(len(drawn), yielding.count(kind))
+        self.assertEqual(len(with_class(root, "line", "dead")), len(answer["critical_load"]) + 1)
+        self.assertIn(f"λ = {answer['worst_case']['upper']:.10g}", self.text(root))
+
+    def test_names_may_be_anything(self):
+        self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
+        self.result.write_text(self.result.read_text().replace('"r1"', json.dumps('<a> & "b" ]]>')))
+        self.assertIn('<a> & "b" ]]>', self.marks(self.draw("--pattern", 1)))
+
+    def test_an_answer_of_nothing_has_no_image(self):
+        self.assertEqual(self.solve("rays", "two-bars.toml", "--mu", 1.5)["result"]["count"], 0)
+        run = self.kusabi("draw", self.result)
+        self.assertEqual((run.returncode, run.stderr), (2, f"{self.result}: has no rays; expected one or more to draw\n"))
+
+    def test_what_is_no_result_is_refused_in_a_line(self):
+        self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
+        whole = json.loads(self.result.read_text())
+        text = json.dumps(whole)
+
+        def without(*way):
+            broken = json.loads(text)
+            inner = broken
+            for key in way[:-1]:
+                inner = inner[key]
+            del inner[way[-1]]
+            return json.dumps(broken)
+
+        for broken, why in (("{", "is no JSON object"), ("[1]", "is no JSON object"),
+                            (without("problem", "structure"), "'structure' is missing"),
+                            (without("result", "patterns", 0, "reaction"), "'reaction' is missing"),
+                            (text.replace('"members": [[0', '"members": [[99'), "99 is none of 15 nodes"),
+                            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
+                            (text.replace('"contact": ["', '"contact": ["z'), "there is no candidate 'z"),
+                            (text.replace('"d": 2', '"d": 3'), "is no list of 3 numbers")):
+            with self.subTest(why):
+                self.assertNotEqual(broken, text)
+                self.result.write_text(broken)
+                run = self.kusabi("draw", self.result)
+                self.assertEqual(run.returncode, 2)
+                self.assertEqual(run.stderr.count("\n"), 1)
+                self.assertIn(why, run.stderr)
+        self.result.write_text(text)
+        run = self.kusabi("draw", self.result, "--pattern", 99)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("expected 1 to ", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)

@@ -1,0 +1,278 @@
+"""That VTK, or meshio, reads what --vtu writes, and the numbers in it are those of the JSON and of statics.
+
+    python3 read_vtu_test.py vtk|meshio KUSABI SOURCES
+
+Exit code 77 (skipped): numpy or the reader is not installed (Debian: python3-vtk9, python3-meshio).
+"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+SOURCES = pathlib.Path(sys.argv.pop()).resolve()
+KUSABI = sys.argv.pop()
+READER = sys.argv.pop()
+try:
+    import numpy as np
+    if READER == "vtk":
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+        from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
+    else:
+        import meshio
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+
+class Grid:
+    """points, data at points and cells, by name; cells as (type of VTK, nodes)."""
+
+
+def read_by_vtk(path):
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    read, grid = reader.GetOutput(), Grid()
+    grid.vtk = read
+    grid.points = vtk_to_numpy(read.GetPoints().GetData())
+    fields = lambda data: {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)) for i in range(data.GetNumberOfArrays())}
+    grid.at_points, grid.at_cells = fields(read.GetPointData()), fields(read.GetCellData())
+    nodes_of = lambda cell: [cell.GetPointId(i) for i in range(cell.GetNumberOfPoints())]
+    grid.cells = [(read.GetCellType(i), nodes_of(read.GetCell(i))) for i in range(read.GetNumberOfCells())]
+    return grid
+
+
+def read_by_meshio(path):
+    read, grid = meshio.read(path), Grid()
+    number = lambda block: {"vertex": 1, "line": 3}.get(block.type, 0)
+    grid.points = read.points
+    grid.cells = [(number(block), list(nodes)) for block in read.cells for nodes in block.data]
+    grid.at_points = read.point_data
+    grid.at_cells = {name: np.concatenate(parts) for name, parts in read.cell_data.items()}
+    return grid
+
+
+read = read_by_vtk if READER == "vtk" else read_by_meshio
+
+
+def forces_of_bars(grid):
+    """What bars pull their nodes with: nodes x 3."""
+    forces = np.zeros_like(grid.points)
+    for (kind, nodes), force in zip(grid.cells, grid.at_cells["axial_force"]):
+        if kind != 3:
+            continue
+        along = grid.points[nodes[1]] - grid.points[nodes[0]]
+        pull = force * along / np.linalg.norm(along)
+        forces[nodes[0]] += pull
+        forces[nodes[1]] -= pull
+    return forces
+
+
+class ReadVtu(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_kusabi(self, *words):
+        words = [KUSABI, *map(str, words), "--serial"]
+        run = subprocess.run(words, capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 0, run.stderr)
+
+    def series(self, *words):
+        """The JSON of a call and the grids that its .pvd lists, in its order."""
+        self.run_kusabi(*words, "--vtu", self.folder / "vtu", "--output", self.folder / "out.json")
+        (collection,) = (self.folder / "vtu").glob("*.pvd")
+        files = [entry.get("file") for entry in xml.etree.ElementTree.parse(collection).iter("DataSet")]
+        return json.loads((self.folder / "out.json").read_text()), [read(collection.parent / name) for name in files]
+
+    @staticmethod
+    def close(left, right):
+        np.testing.assert_allclose(left, right, rtol=0, atol=1e-9 * np.abs(right).max())
+
+    @staticmethod
+    def vanish(forces):
+        """In configurations: their normal reactions add up to one unit of force."""
+        np.testing.assert_allclose(forces, 0, atol=1e-9)
+
+    def check_configuration(self, problem, pattern, grid):
+        """The JSON's numbers at all nodes, and equilibrium of the whole."""
+        d = problem["d"]
+        names = list(pattern["all_displacements"])
+        self.check_structure(problem["structure"], d, names, grid)
+        displacement = np.array(list(pattern["all_displacements"].values()))
+        np.testing.assert_array_equal(grid.at_points["displacement"][:, :d], displacement)
+        supports = np.array([pattern["support_reactions"].get(name, [0] * d) for name in names])
+        np.testing.assert_array_equal(grid.at_points["support_reaction"][:, :d], supports)
+        states = {name: state for name, state in zip(names, grid.at_points["state"].ravel()) if state}
+        self.assertEqual({name for name, state in states.items() if state == 1}, set(pattern["contact"]))
+        self.assertEqual({name for name, state in states.items() if state == 2}, set(pattern["separated"]))
+        forces = grid.at_points["contact_reaction"] + grid.at_points["support_reaction"]
+        self.vanish(forces.sum(axis=0))
+        self.vanish(np.cross(grid.points, forces).sum(axis=0) / np.abs(grid.points).max())
+
+    def check_structure(self, structure, d, names, grid):
+        """What the JSON says of the structure is what the grid has."""
+        self.assertEqual(structure["node_names"], names)
+        np.testing.assert_array_equal(grid.points[:, :d], structure["positions"])
+        self.assertEqual([list(nodes) for kind, nodes in grid.cells if kind == 3], structure.get("members", []))
+        elements = [nodes for group in structure.get("elements", []) for nodes in group["nodes"]]
+        self.assertEqual(sorted(list(nodes) for kind, nodes in grid.cells if kind != 3), sorted(elements))
+        candidates = np.zeros(len(names))
+        candidates[structure["candidates"]] = 1
+        np.testing.assert_array_equal(grid.at_points["candidate"].ravel(), candidates)
+        for axis, flags in zip("xyz", grid.at_points["fixed"].T):
+            self.assertEqual(list(np.flatnonzero(flags)), structure["fixed"].get(axis, []))
+
+    def check_contact(self, problem, pattern, grid):
+        """u and r of each candidate in its own frame, against F as kusabi export has it."""
+        d = problem["d"]
+        names = list(pattern["all_displacements"])
+        moved, pressed = [], []
+        for frame in problem["contact"]:
+            axes = np.array([frame[axis] for axis in ("n", "t1", "t2")[:d]])
+            node = names.index(frame["node"])
+            moved.append(axes @ grid.at_points["displacement"][node, :d])
+            pressed.append(axes @ grid.at_points["contact_reaction"][node, :d])
+            np.testing.assert_allclose(grid.at_points["normal"][node, :d], axes[0], atol=1e-15)
+        self.close(np.array(moved), np.array(pattern["displacement"]))
+        self.close(np.array(pressed), np.array(pattern["reaction"]))
+        self.close(self.compliance @ np.concatenate(pressed), np.concatenate(moved))
+
+    def export_compliance(self, file):
+        place = self.folder / "f.mtx"
+        self.run_kusabi("export", "matrix", file, "--matrix", "compliance", "--output", place)
+        lines = [line for line in place.read_text().splitlines() if not line.startswith("%")]
+        rows = int(lines[0].split()[0])
+        if len(lines[0].split()) == 2:
+            lower = iter(map(float, lines[1:]))
+            self.compliance = np.zeros((rows, rows))
+            for column in range(rows):
+                for row in range(column, rows):
+                    self.compliance[row, column] = self.compliance[column, row] = next(lower)
+            return
+        self.compliance = np.zeros((rows, rows))
+        for line in lines[1:]:
+            row, column, value = line.split()
+            self.compliance[int(row) - 1, int(column) - 1] = self.compliance[int(column) - 1, int(row) - 1] = float(value)
+
+    def test_patterns_of_a_space_truss(self):
+        file = SOURCES / "examples/space-truss.toml"
+        result, grids = self.series("patterns", file, "--mu", 0.65)
+        self.export_compliance(file)
+        patterns = result["result"]["patterns"]
+        self.assertEqual(len(grids), len(patterns))
+        self.assertGreater(len(patterns), 1)
+        self.run_kusabi("show", file, "--vtu", self.folder / "shown.vtu")
+        stiffness = read(self.folder / "shown.vtu").at_cells["axial_stiffness"].ravel()
+        for pattern, grid in zip(patterns, grids):
+            self.check_configuration(result["problem"], pattern, grid)
+            self.check_contact(result["problem"], pattern, grid)
+            forces = grid.at_cells["axial_force"].ravel()
+            np.testing.assert_array_equal(forces, pattern["axial_forces"])
+            both = grid.at_points["contact_reaction"] + grid.at_points["support_reaction"]
+            self.vanish(forces_of_bars(grid) + both)
+            for (_, (a, b)), force, each in zip(grid.cells, forces, stiffness):
+                along = grid.points[b] - grid.points[a]
+                stretch = along @ (grid.at_points["displacement"][b] - grid.at_points["displacement"][a])
+                self.assertAlmostEqual(force, each * stretch / (along @ along), delta=1e-8)
+
+    def test_a_mesh_in_the_plane(self):
+        file = SOURCES / "examples/snap-hook.toml"
+        result, grids = self.series("patterns", file, "--mu", 1.5)
+        self.export_compliance(file)
+        self.assertTrue(grids)
+        for pattern, grid in zip(result["result"]["patterns"], grids):
+            self.check_configuration(result["problem"], pattern, grid)
+            self.check_contact(result["problem"], pattern, grid)
+
+    def test_what_begins_to_wedge(self):
+        result, grids = self.series("critical", SOURCES / "examples/plane-truss.toml")
+        self.assertEqual(len(grids), len(result["result"]["patterns"]))
+        for pattern, grid in zip(result["result"]["patterns"], grids):
+            self.check_configuration(result["problem"], pattern, grid)
+
+    def test_rays(self):
+        result, grids = self.series("rays", SOURCES / "examples/plane-truss.toml", "--mu", 0.6, "--whole")
+        self.assertEqual(len(grids), result["result"]["count"])
+        candidates = [frame["node"] for frame in result["problem"]["contact"]]
+        for ray, grid in zip(result["result"]["rays"], grids):
+            ray["contact"] = [name for name, its in zip(candidates, ray["state"]) if its.startswith("s") and its != "separates"]
+            ray["separated"] = [name for name, its in zip(candidates, ray["state"]) if its == "separates"]
+            self.check_configuration(result["problem"], ray, grid)
+
+    def test_a_collapse(self):
+        result, grids = self.series("limit", SOURCES / "examples/gust.toml", "--alpha", 0.5)
+        answer = result["result"]
+        structure = result["problem"]["structure"]
+        names = structure["node_names"]
+        for grid, mode, forces, load_factor in zip(grids, (answer["nominal_mode"], answer["collapse_mode"]),
+                                                   (answer["nominal_forces"], answer["forces"]),
+                                                   (answer["nominal"], answer["worst_case"]["upper"])):
+            np.testing.assert_array_equal(grid.at_cells["axial_force"].ravel(), forces)
+            strength = [row[0] if force > 0 else row[1] for row, force in zip(structure["yield_forces"], forces)]
+            velocity = {each["node"]: each["velocity"] for each in mode["moving"]}
+            for name, moved in zip(names, grid.at_points["velocity"]):
+                np.testing.assert_allclose(moved[:2], velocity.get(name, [0, 0]), atol=1e-7)
+            data = grid.at_points
+            np.testing.assert_allclose(data["load"], data["dead_load"] + load_factor * data["reference_load"], atol=1e-6)
+            rest = forces_of_bars(grid) + data["load"] + data["support_reaction"]
+            np.testing.assert_allclose(rest, 0, atol=1e-8)
+            used, rate = grid.at_cells["utilisation"].ravel(), grid.at_cells["elongation_rate"].ravel()
+            self.assertLessEqual(used.max(), 1 + 1e-9)
+            np.testing.assert_allclose(used, np.abs(forces) / strength, atol=1e-12)
+            np.testing.assert_array_equal(used, answer["nominal_utilisation" if grid is grids[0] else "utilisation"])
+            np.testing.assert_allclose(used[np.abs(rate) > 1e-6], 1, atol=1e-9)
+            self.assertTrue((used < 0.999).any())
+        self.assertEqual(len(grids), 2)
+        worst = {each["node"]: each["force"] for each in answer["critical_load"]}
+        for name, load in zip(names, grids[1].at_points["dead_load"]):
+            np.testing.assert_allclose(load[:2], worst.get(name, [0, 0]), atol=1e-12)
+
+    # Each mesh fills a body whose size is known by hand (tests/meshes/*.geo), and the nodes between two
+    # corners are where VTK looks for them.
+    def test_orders_of_nodes(self):
+        if READER != "vtk":
+            self.skipTest("meshio computes no volumes")
+        circle = math.pi / 16
+        for name, dimension, size, off in (("plate-t3", 2, 2 - circle, 0.03), ("plate-t6", 2, 2 - circle, 0.03),
+                                           ("quads-q4", 2, 3.8, 1e-9), ("quads-q8", 2, 3.8, 1e-9),
+                                           ("box-tet4", 3, 2, 1e-9), ("box-tet10", 3, 2, 1e-9),
+                                           ("box-hex8", 3, 2, 1e-9), ("box-hex20", 3, 2, 1e-9)):
+            with self.subTest(name):
+                grid = self.shown_mesh(SOURCES / f"tests/meshes/{name}-41.msh", dimension)
+                sizes = vtkCellSizeFilter()
+                sizes.SetInputData(grid.vtk)
+                sizes.Update()
+                data = sizes.GetOutput().GetCellData()
+                found = vtk_to_numpy(data.GetArray("Volume" if dimension == 3 else "Area"))
+                self.assertGreater(found.min(), 0)
+                self.assertAlmostEqual(found.sum(), size, delta=off)
+                self.check_edges(grid)
+
+    def shown_mesh(self, mesh, dimension):
+        plane = 'thickness = 1.0\nplane = "stress"\n' if dimension == 2 else ""
+        problem = self.folder / "mesh.toml"
+        problem.write_text(f'name = "mesh"\ndimension = {dimension}\nunits = {{ length = "m", force = "kN" }}\n[[mesh]]\n'
+                           f'name = "m"\nfile = {json.dumps(str(mesh))}\nE = 1.0\nnu = 0.25\n{plane}')
+        self.run_kusabi("show", problem, "--vtu", self.folder / "mesh.vtu")
+        return read(self.folder / "mesh.vtu")
+
+    def check_edges(self, grid):
+        for number in range(grid.vtk.GetNumberOfCells()):
+            cell = grid.vtk.GetCell(number)
+            edges = cell.GetNumberOfEdges()
+            for edge in map(cell.GetEdge, range(edges)):
+                ends = [grid.points[edge.GetPointId(i)] for i in range(edge.GetNumberOfPoints())]
+                if len(ends) == 3:
+                    length = np.linalg.norm(ends[1] - ends[0])
+                    self.assertLess(np.linalg.norm(ends[2] - (ends[0] + ends[1]) / 2), 0.1 * length)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)

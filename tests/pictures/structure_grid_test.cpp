@@ -1,0 +1,137 @@
+// Structures cell by cell and node by node.
+#include "pictures/vtu/structure_grid.hpp"
+
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "problems/structure/element_shape.hpp"
+
+namespace {
+
+using namespace kusabi::pictures;
+using kusabi::problems::ElementShape;
+using kusabi::problems::Structure;
+
+// Two bars from a support to a tip at which a load may pull, and a node that nothing hangs on.
+Structure corner() {
+  Structure structure;
+  structure.name = "corner";
+  structure.dimension = 2;
+  structure.node_names = {"foot", "side", "tip", "far"};
+  structure.coordinates.resize(2, 4);
+  structure.coordinates << 0, 4, 4, 9,  //
+      0, 0, 3, 9;
+  structure.members = {{0, 2, 2.0, {{7, 5}}}, {1, 2}};
+  structure.fixed = {{true, true, false}, {false, true, false}, {}, {}};
+  auto& candidate = structure.contact.emplace_back();
+  candidate.node = 2;
+  candidate.normal = Eigen::Vector2d(0.6, -0.8);
+  candidate.friction = 0.5;
+  return structure;
+}
+
+const Field& field(const std::vector<Field>& fields, const std::string& name) {
+  for (const auto& each : fields) {
+    if (each.name == name) return each;
+  }
+  throw std::runtime_error("no field " + name);
+}
+
+template <class Values = Eigen::MatrixXd>
+const Values& values(const std::vector<Field>& fields, const std::string& name) {
+  return std::get<Values>(field(fields, name).values);
+}
+
+TEST(StructureGrid, HasBarsThenNodesWithoutAny) {
+  const auto grid = structure_grid(corner());
+  ASSERT_EQ(grid.cells.size(), 3U);
+  EXPECT_EQ(grid.cells[1].type, CellType::line);
+  EXPECT_EQ(grid.cells[1].points, (std::vector<int>{1, 2}));
+  EXPECT_EQ(grid.cells[2].type, CellType::vertex);
+  EXPECT_EQ(grid.cells[2].points, (std::vector<int>{3}));
+  EXPECT_EQ(grid.points.col(2), Eigen::Vector3d(4, 3, 0));
+}
+
+TEST(StructureGrid, SaysWhatHoldsAndWhereItMayTouch) {
+  const auto grid = structure_grid(corner());
+  SmallNumbers fixed(3, 4);
+  fixed << 1, 0, 0, 0,  //
+      1, 1, 0, 0,       //
+      0, 0, 0, 0;
+  EXPECT_EQ(values<SmallNumbers>(grid.point_data, "fixed"), fixed);
+  SmallNumbers candidate(1, 4);
+  candidate << 0, 0, 1, 0;
+  EXPECT_EQ(values<SmallNumbers>(grid.point_data, "candidate"), candidate);
+  const auto& normal = values(grid.point_data, "normal");
+  EXPECT_EQ(normal.col(2), Eigen::Vector3d(0.6, -0.8, 0));
+  EXPECT_TRUE(normal.leftCols(2).isZero(0));
+}
+
+TEST(StructureGrid, HasTheStateOfCandidatesAlone) {
+  const auto states = contact_states(corner(), std::vector{ContactState::separated});
+  SmallNumbers wanted(1, 4);
+  wanted << 0, 0, 2, 0;
+  EXPECT_EQ(std::get<SmallNumbers>(states.values), wanted);
+}
+
+TEST(UnsolvedGrid, HasLoadsAndStrengths) {
+  using kusabi::problems::Load;
+  auto structure = corner();
+  structure.loads = {{Load::Kind::dead, 2, Eigen::Vector2d(0, -3)},
+                     {Load::Kind::reference, 2, Eigen::Vector2d(1, 0)},
+                     {Load::Kind::dead, 2, Eigen::Vector2d(0, -1)}};
+  const auto grid = unsolved_grid(structure);
+  EXPECT_EQ(values(grid.point_data, "dead_load").col(2), Eigen::Vector3d(0, -4, 0));
+  EXPECT_EQ(values(grid.point_data, "reference_load").col(2), Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(values(grid.point_data, "friction")(0, 2), 0.5);
+  // What is neither fixed nor loaded: x of "side", and both of "far".
+  Eigen::MatrixXd uncertain(3, 4);
+  uncertain << 0, 1, 0, 1,  //
+      0, 0, 0, 1,           //
+      0, 0, 0, 0;
+  EXPECT_EQ(values(grid.point_data, "uncertain_load"), uncertain);
+  const auto& stiffness = values(grid.cell_data, "axial_stiffness");
+  EXPECT_EQ(stiffness(0, 0), 2);
+  EXPECT_TRUE(std::isnan(stiffness(0, 1)));
+  EXPECT_TRUE(std::isnan(stiffness(0, 2)));
+  EXPECT_EQ(values(grid.cell_data, "yield_compression")(0, 0), 5);
+}
+
+// The numbers of the types are those of the VTK file formats (vtkCellType.h); what their orders of
+// nodes mean is tested with VTK itself.
+TEST(StructureGrid, KnowsTheTypeOfEveryShape) {
+  const std::map<ElementShape, int> types{
+      {ElementShape::triangle3, 5},      {ElementShape::triangle6, 22},
+      {ElementShape::quadrilateral4, 9}, {ElementShape::quadrilateral8, 23},
+      {ElementShape::tetrahedron4, 10},  {ElementShape::tetrahedron10, 24},
+      {ElementShape::hexahedron8, 12},   {ElementShape::hexahedron20, 25}};
+  for (const auto& [shape, type] : types) {
+    const auto& traits = kusabi::problems::shape_traits(shape);
+    Structure structure;
+    structure.dimension = traits.dimension;
+    std::vector<int> nodes(traits.nodes.size());
+    std::iota(nodes.begin(), nodes.end(), 0);
+    structure.node_names.resize(nodes.size());
+    structure.coordinates.setZero(traits.dimension, static_cast<Eigen::Index>(nodes.size()));
+    structure.fixed.resize(nodes.size());
+    structure.outlines = {{.nodes = nodes,
+                           .modulus = 1,
+                           .ratio = 0,
+                           .thickness = 1,
+                           .state = kusabi::problems::PlaneState::stress,
+                           .shape = shape}};
+    const auto grid = structure_grid(structure);
+    ASSERT_EQ(grid.cells.size(), 1U) << traits.name;
+    EXPECT_EQ(static_cast<int>(grid.cells[0].type), type) << traits.name;
+    EXPECT_EQ(grid.cells[0].points, nodes) << traits.name;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,94 @@
+// `kusabi show` and --vtu: which files a call leaves behind, and what it refuses before it begins.
+// What is in the files is tested by their readers (tests/pictures).
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "shell.hpp"
+
+namespace kusabi::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Pictures : public Command {
+ protected:
+  static test::Run called(const std::string& words) { return shell(command + " " + words); }
+  static std::string example(const std::string& name) {
+    return quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
+  }
+  [[nodiscard]] std::vector<std::string> drawn() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(in_folder("seen")))
+      names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+};
+
+TEST_F(Pictures, AreAFileForEachAnswerAndTheirList) {
+  const auto run = called("rays " + example("two-bars.toml") + " --mu 2 --vtu " + argument("seen"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("wrote " + in_folder("seen") + "/rays.pvd"));
+  const auto names = drawn();
+  ASSERT_GE(names.size(), 2U);
+  EXPECT_EQ(names.back(), "rays.pvd");
+  const auto list = content(in_folder("seen/rays.pvd"));
+  for (std::size_t i = 0; i + 1 < names.size(); ++i) EXPECT_THAT(list, HasSubstr(names[i]));
+}
+
+TEST_F(Pictures, OfACollapseAreTwo) {
+  const auto call = "limit " + example("gust.toml") + " --vtu " + argument("seen");
+  EXPECT_EQ(called(call).exit_code, 0);
+  EXPECT_THAT(drawn(), ElementsAre("limit.pvd", "nominal.vtu"));
+  EXPECT_EQ(called(call + " --alpha 0.5").exit_code, 0);
+  EXPECT_THAT(drawn(), ElementsAre("limit.pvd", "nominal.vtu", "worst-case.vtu"));
+}
+
+TEST_F(Pictures, AreTheSameOnTwoRanks) {
+  const auto call = "patterns " + truss + " --mu 0.65 --vtu " + argument("seen");
+  ASSERT_EQ(called(call).exit_code, 0);
+  const auto alone = content(in_folder("seen/pattern-05.vtu"));
+  const auto run = shell(ranks(2) + command + " " + call);
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(content(in_folder("seen/pattern-05.vtu")), alone);
+}
+
+TEST_F(Pictures, GoIntoNoFile) {
+  std::ofstream(in_folder("seen")) << "mine";
+  const auto run = called("patterns " + truss + " --mu 0.65 --vtu " + argument("seen"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.output,
+            "--vtu " + in_folder("seen") + ": is no folder, expected one, or a new name\n");
+  EXPECT_EQ(content(in_folder("seen")), "mine");
+}
+
+TEST_F(Pictures, LeaveNoEmptyFolderBehindAWrongCall) {
+  const auto run = called("critical " + truss + " --vtu " + argument("seen") + " --output " +
+                          argument("seen/critical.pvd"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("is the file of --output, too"));
+  EXPECT_FALSE(fs::exists(in_folder("seen")));
+}
+
+TEST_F(Pictures, ShowNothingThatBisectionHasNot) {
+  const auto run =
+      called("critical " + truss + " --method newton --mu-max 1 --vtu " + argument("seen"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("expected --method global"));
+}
+
+TEST_F(Pictures, ShowTellsWhatAFileDescribes) {
+  const auto run = called("show " + example("gust.toml") + " --vtu " + argument("gust.vtu"));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.output, HasSubstr("\n  of          8 nodes, 15 members\n"));
+  EXPECT_THAT(run.output, HasSubstr("\n  supports    2 nodes along x y\n"));
+  EXPECT_THAT(run.output,
+              HasSubstr("\n  loads       6 dead loads, 2 reference loads, 4 uncertain\n"));
+  EXPECT_THAT(content(in_folder("gust.vtu")), HasSubstr("Name=\"uncertain_load\""));
+}
+
+}  // namespace
+}  // namespace kusabi::test
