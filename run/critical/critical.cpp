@@ -89,9 +89,10 @@ void Critical::check() const {
         "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
         "for, or --method descent");
   }
-  if (options_.question.way != wedged::CriticalWay::global && !vtu_.empty()) {
+  if (!looks_for_smallest(options_.question.way) && !vtu_.empty()) {
     throw WrongInput(
-        "--vtu: only the global search keeps what it finds wedged; expected --method global");
+        "--vtu: only a search for the smallest keeps what it finds wedged; expected --method "
+        "descent or global");
   }
   const double most = options_.question.most.value_or(wedged::usual_most);
   if (options_.question.width >= most || most > wedged::most_multiples * options_.question.width) {
