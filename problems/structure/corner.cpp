@@ -64,7 +64,7 @@ void check_corner(const Structure& structure, const std::vector<std::size_t>& ca
   if (angle >= smallest_corner_angle) return;
   refuse_corner(
       structure, candidates.back(),
-      fmt::format("node {} is a contact candidate {} with normals that are {:.2g} degrees from "
+      fmt::format("node {} is a contact candidate {} with normals that are {:.2f} degrees from "
                   "depending on each other; expected once, or the normals of a corner, {:g} "
                   "degrees or more from that",
                   name, candidates.size() == 2 ? "twice" : "three times", angle,
