@@ -19,7 +19,9 @@ std::vector<Eigen::VectorXd> random_normals(int dimension, int count, std::mt199
       result.emplace_back(random_vector(dimension, bits).normalized());
       normals.col(k) = result.back();
     }
-    if (Eigen::JacobiSVD<Eigen::MatrixXd>(normals).singularValues().minCoeff() > 0.3) return result;
+    if ((normals.transpose() * normals).minCoeff() >= 0 &&
+        Eigen::JacobiSVD<Eigen::MatrixXd>(normals).singularValues().minCoeff() > 0.3)
+      return result;
   }
 }
 
@@ -47,7 +49,7 @@ Structure random_corners(int dimension, std::mt19937& bits) {
   const Eigen::VectorXd x = Eigen::VectorXd::Unit(dimension, 0);
   if (dimension == 3) {
     touches(a(3), x, {});
-    touches(a(3), Eigen::Vector3d(-0.6, 0, 0.8), {});
+    touches(a(3), Eigen::Vector3d(0.28, 0, 0.96), {});
   } else {
     structure.contact.push_back({a(3), x, Eigen::VectorXd::Unit(2, 1), 1, std::nullopt, {}});
   }

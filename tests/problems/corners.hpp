@@ -16,7 +16,8 @@ namespace kusabi::problems::test {
 /// candidate on a roller, in space in a corner of two walls along it.
 Structure random_corners(int dimension, std::mt19937& bits);
 
-/// Unit normals that are no less than 0.3 of a unit from depending on each other.
+/// Unit normals at right angles to each other or less, so that a corner does not hold by itself
+/// below a friction of 0.7, and no less than 0.3 of a unit from depending on each other.
 std::vector<Eigen::VectorXd> random_normals(int dimension, int count, std::mt19937& bits);
 
 }  // namespace kusabi::problems::test
