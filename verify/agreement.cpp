@@ -32,7 +32,7 @@ std::optional<std::string> other_candidates(const Certificate& certificate,
            " contact candidates, the structure has " + std::to_string(structure.contact.size());
   }
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
-    const auto name = on_one_line(name_of(structure, structure.contact[i]));
+    const auto name = on_one_line(name_of(structure, i));
     if (name != certificate.names[i]) {
       return "its contact candidate " + std::to_string(i + 1) + " is " + certificate.names[i] +
              ", that of the structure " + name;

@@ -151,10 +151,16 @@ std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freed
     }
   }
   std::vector<std::size_t> own;  // a displacement of each candidate
+  const auto corner = corners(structure);
   for (const auto& point : structure.contact) {
     std::vector<std::size_t> moving;
     for (const auto number : freedom.number[point.node]) {
       if (number != Freedom::none) moving.push_back(number);
+    }
+    for (std::size_t axis = 0; axis < structure.dimension && corner.contains(point.node); ++axis) {
+      for (const auto& [leader, weight] : point.against) {
+        for (const auto number : freedom.parts(leader, axis)) moving.push_back(number);
+      }
     }
     join(moving);
     own.push_back(moving.front());

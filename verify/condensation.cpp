@@ -10,6 +10,7 @@
 
 #include "verify/assembly.hpp"
 #include "verify/cholesky.hpp"
+#include "verify/corner.hpp"
 #include "verify/numbering.hpp"
 
 namespace kusabi::verify {
@@ -52,7 +53,8 @@ class Condensation {
   std::variant<EnclosedMatrix, std::string> result();
 
  private:
-  void release_rollers(SparseEnclosure& stiffness);
+  void release_rollers(const ContactPoint& point, SparseEnclosure& stiffness);
+  void number_candidates(SparseEnclosure& stiffness);
   std::optional<std::string> cut();
   void order_unknowns(const SparseEnclosure& stiffness);
   std::optional<std::string> factorise();
@@ -68,7 +70,9 @@ class Condensation {
   const Structure& structure_;
   double springs_;
   Freedom freedom_;
-  std::vector<std::size_t> place_;  // of each free displacement, in C or in N
+  std::vector<std::vector<std::size_t>> seen_;  // displacements of each candidate, d each
+  CornerNumbers corners_;                       // of those in corners, in their frames already
+  std::vector<std::size_t> place_;              // of each free displacement, in C or in N
   std::vector<bool> is_contact_;
   std::vector<std::size_t> displacement_;  // of each place in N
   Parts parts_;
@@ -82,12 +86,10 @@ class Condensation {
 };
 
 void Condensation::order_unknowns(const SparseEnclosure& stiffness) {
-  const auto d = structure_.dimension;
   place_.assign(freedom_.count, 0);
   is_contact_.assign(freedom_.count, false);
-  for (const auto& point : structure_.contact) {
-    for (std::size_t axis = 0; axis < d; ++axis) {
-      const auto number = freedom_.number[point.node][axis];
+  for (const auto& numbers : seen_) {
+    for (const auto number : numbers) {
       is_contact_[number] = true;
       place_[number] = parts_.contact++;
     }
@@ -112,28 +114,49 @@ void Condensation::order_unknowns(const SparseEnclosure& stiffness) {
 // A displacement of a candidate that a roller holds is given a spring of its own, as stiff as the
 // node is along the axis nearest to its normal, and nothing else: so that K has d rows for each.
 // What the obstacle does along it, the roller takes (docs/theory/wedged.md, "Rollers").
-void Condensation::release_rollers(SparseEnclosure& stiffness) {
-  for (const auto& point : structure_.contact) {
-    auto& numbers = freedom_.number[point.node];
-    const auto normal = numbers[steepest_axis(point.normal)];
-    for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
-      if (numbers[axis] != Freedom::none) continue;
-      const auto spring = stiffness[normal][normal];
-      numbers[axis] = freedom_.count++;
-      stiffness.emplace_back()[numbers[axis]] = spring;
+void Condensation::release_rollers(const ContactPoint& point, SparseEnclosure& stiffness) {
+  auto& numbers = freedom_.number[point.node];
+  const auto normal = numbers[steepest_axis(point.normal)];
+  for (std::size_t axis = 0; axis < structure_.dimension; ++axis) {
+    if (numbers[axis] != Freedom::none) continue;
+    const auto spring = stiffness[normal][normal];
+    numbers[axis] = freedom_.count++;
+    stiffness.emplace_back()[numbers[axis]] = spring;
+  }
+}
+
+// A candidate that is alone at its node has the displacements of the node; rollers are released
+// before corners are turned, since what these are against may be on one.
+void Condensation::number_candidates(SparseEnclosure& stiffness) {
+  const auto corner = corners(structure_);
+  const auto add_springs = [&](const auto& numbers) {
+    for (const auto number : numbers) {
+      if (springs_ != 0 && number != Freedom::none)
+        stiffness[number][number] += Enclosure(springs_);
     }
+  };
+  for (const auto& point : structure_.contact) {
+    if (corner.contains(point.node)) continue;
+    add_springs(freedom_.number[point.node]);
+  }
+  for (const auto& point : structure_.contact) {
+    if (!corner.contains(point.node)) release_rollers(point, stiffness);
+  }
+  corners_ = turn_corners(structure_, freedom_, stiffness);
+  for (const auto& [candidate, numbers] : corners_) add_springs(numbers);
+  const auto d = static_cast<std::ptrdiff_t>(structure_.dimension);
+  for (std::size_t i = 0; i < structure_.contact.size(); ++i) {
+    const auto turned = corners_.find(i);
+    const auto& numbers = freedom_.number[structure_.contact[i].node];
+    seen_.push_back(turned != corners_.end()
+                        ? turned->second
+                        : std::vector<std::size_t>(numbers.begin(), numbers.begin() + d));
   }
 }
 
 std::optional<std::string> Condensation::cut() {
   auto stiffness = enclosed_stiffness(structure_, freedom_);
-  for (const auto& point : structure_.contact) {
-    for (const auto number : freedom_.number[point.node]) {
-      if (springs_ != 0 && number != Freedom::none)
-        stiffness[number][number] += Enclosure(springs_);
-    }
-  }
-  release_rollers(stiffness);
+  number_candidates(stiffness);
   for (std::size_t row = 0; row < stiffness.size(); ++row) {
     const auto diagonal = stiffness[row].find(row);
     if (diagonal == stiffness[row].end()) return too_ill;
@@ -300,15 +323,23 @@ void Condensation::complement() {
   }
 }
 
+// What is in the frame of its candidate already is turned no more.
+Frame unit_frame(std::size_t d) {
+  Frame result(d, std::vector<Enclosure>(d));
+  for (std::size_t k = 0; k < d; ++k) result[k][k] = Enclosure(1);
+  return result;
+}
+
 // Q'S Q with the frames Q of the candidates, and without the scale.
 EnclosedMatrix Condensation::turned() {
   const auto d = structure_.dimension;
   const auto c = parts_.contact;
   std::vector<std::vector<mpz_class>> frames;  // of each candidate, by columns
   Dyadic error_square;
-  for (const auto& point : structure_.contact) {
+  for (std::size_t i = 0; i < structure_.contact.size(); ++i) {
     auto& own = frames.emplace_back();
-    for (const auto& column : frame(point, d)) {
+    for (const auto& column :
+         corners_.contains(i) ? unit_frame(d) : frame(structure_.contact[i], d)) {
       for (const auto& component : column) {
         own.push_back(component.lower().multiples(stiffness_grid));
         error_square =

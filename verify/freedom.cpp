@@ -48,11 +48,13 @@ Freedom::Freedom(const Structure& structure) {
     }
     if (!sum.empty()) others[{node, axis}] = std::move(sum);
   };
+  const auto corner = corners(structure);
   for (std::size_t axis = 0; axis < d; ++axis) {
     for (const auto& tie : structure.ties) follow(tie.node, axis, tie.to);
     // What is held with its place has nothing of it (problems/structure/constraint_check.hpp).
     for (const auto& point : structure.contact) {
-      if (!structure.fixed[point.node][axis]) follow(point.node, axis, point.against);
+      if (!structure.fixed[point.node][axis] && !corner.contains(point.node))
+        follow(point.node, axis, point.against);
     }
   }
 }

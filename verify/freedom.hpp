@@ -3,7 +3,8 @@
 // H is the identity but for supports, which hold some; ties, u_a = sum_k w_k u_bk; candidates
 // against another body, u_a = q_a + sum_k w_k u_bk, with q_a their displacement relative to it; and
 // inclined supports, u_i = -sum_j (d_j / d_i) u_j. Every weight is a double, or a quotient
-// enclosed.
+// enclosed. The node of several candidates keeps its own displacements, u_a = q_a
+// (verify/corner.hpp).
 #pragma once
 
 #include <array>

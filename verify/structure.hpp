@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -86,6 +87,7 @@ struct ContactPoint {
   /// The place of the other body: displacements of the candidate are relative to the sum of
   /// weight times those of these nodes. Empty: a rigid obstacle.
   std::vector<Part> against{};
+  std::string surface{};  ///< what the file calls what it touches, if anything
 };
 
 /// A force on the nodes of a truss.
@@ -121,7 +123,11 @@ struct Structure {
 };
 
 /// What an answer calls a candidate: its node, and the one that is against it: "a|b"; "a|b+" if
-/// that one, of the largest weight, has others beside it.
-std::string name_of(const Structure& structure, const ContactPoint& point);
+/// that one, of the largest weight, has others beside it. Where the node is several candidates it
+/// is "a@left" by their surfaces if all have different ones, else "a@1" by their order.
+std::string name_of(const Structure& structure, std::size_t candidate);
+
+/// The candidates at each node that has more than one, by node.
+std::map<std::size_t, std::vector<std::size_t>> corners(const Structure& structure);
 
 }  // namespace kusabi::verify

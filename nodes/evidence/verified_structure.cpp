@@ -45,6 +45,7 @@ verify::ContactPoint contact_point(const problems::ContactCandidate& candidate) 
   point.tangent_axis = farthest_axis(candidate.normal);
   point.friction = candidate.friction;
   point.against = parts(candidate.against);
+  point.surface = candidate.surface;
   return point;
 }
 

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "problems/wedged/problem_block.hpp"
+
 namespace kusabi::wedged {
 namespace {
 
@@ -92,8 +94,10 @@ CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, doubl
   normal_compliance_.resize(m + problem.motions.cols(), problem.compliance.cols());
   for (Eigen::Index i = 0; i < m; ++i)
     normal_compliance_.row(i) = problem.compliance.row(problem.dimension * i) / solver_.unit();
-  if (problem.motions.cols() > 0)
+  if (problem.motions.cols() > 0) {
     normal_compliance_.bottomRows(problem.motions.cols()) = problem.motions.transpose();
+    loose_ = problem;
+  }
 }
 
 void CriticalFriction::set_friction(double factor) {
@@ -101,15 +105,27 @@ void CriticalFriction::set_friction(double factor) {
   solver_.set_friction(friction_);
 }
 
+bool CriticalFriction::lives_alone(const support::IndexSet& contact,
+                                   const support::IndexSet& separated) {
+  ++programs_;
+  const auto both = contact | separated;
+  if (!loose_) {
+    const auto others = support::IndexSet::below(static_cast<int>(own_.size())) - both;
+    return solver_.solve(contact, separated, {}, others).sign == conic::Sign::alive;
+  }
+  std::vector<double> friction;
+  for (const int i : both) friction.push_back(friction_[static_cast<std::size_t>(i)]);
+  ContactSolver alone(problems::problem_without_others(*loose_, both), friction, tolerances);
+  return alone.solve(problems::in_block(contact, both), problems::in_block(separated, both), {})
+             .sign == conic::Sign::alive;
+}
+
 bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   set_friction(factor);
   const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
   if (!inside || inside->loaded.empty() || inside->loaded.meets(inside->moved)) return false;
-  const auto at_rest = (pattern.contact | pattern.separated) - (inside->loaded | inside->moved);
-  if (at_rest.empty()) return false;
-  ++programs_;
-  if (solver_.solve(inside->loaded, inside->moved, {}, at_rest).sign != conic::Sign::alive)
-    return false;
+  if ((inside->loaded | inside->moved) == (pattern.contact | pattern.separated)) return false;
+  if (!lives_alone(inside->loaded, inside->moved)) return false;
   ++programs_;
   set_friction(factor * (1 + beside));
   const auto above = solver_.solve(pattern.contact, pattern.separated, {});

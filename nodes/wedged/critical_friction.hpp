@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "nodes/wedged/contact_solver.hpp"
@@ -119,6 +120,8 @@ class CriticalFriction {
   CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);
   // Whether a leaf is a flat cone at this coefficient, where it is a tie.
   bool is_flat(const SignPattern& pattern, double factor);
+  // Whether these are alive as the only candidates. Of a loose body they may not see all motions.
+  bool lives_alone(const support::IndexSet& contact, const support::IndexSet& separated);
   void set_friction(double factor);
   // Moves the end of the cell to a point within it, if its sign is decided there.
   bool decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point);
@@ -130,7 +133,8 @@ class CriticalFriction {
   std::vector<double> own_, friction_;  // phi_i; mu_i of the last probe
   Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, then G': (m + p) x dm
   ContactSolver solver_;
-  Eigen::VectorXd pull_;  // w of the multipliers, dm
+  std::optional<problems::WedgedProblem> loose_;  // of a body that nothing holds
+  Eigen::VectorXd pull_;                          // w of the multipliers, dm
   std::uint64_t programs_ = 0;
 };
 

@@ -1,6 +1,7 @@
 // Which nodes may touch the obstacle, and in which direction.
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,8 +28,8 @@ std::vector<std::vector<Share>> against(const ProblemDraft& draft, const TomlTab
 void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& surface) {
   const TomlReader& reader = draft.reader();
   Structure& structure = draft.structure();
-  reader.allow_only(
-      group, {"nodes", "except", "every", "against", "gap", "normal", "tangent", "friction"});
+  reader.allow_only(group, {"nodes", "except", "every", "name", "against", "gap", "normal",
+                            "tangent", "friction"});
   reader.require(group, "nodes", "nodes = [\"a\", ...]");
   const ObstacleNormal normal = obstacle_normal(draft, group, surface);
   const toml::node* tangent_entry = group.table->get("tangent");
@@ -44,12 +45,16 @@ void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& sur
     friction = reader.number(*entry, "friction");
     friction_position = reader.position(*entry);
   }
+  std::string name;
+  if (const toml::node* entry = group.table->get("name"); entry != nullptr)
+    name = reader.text(*entry, "the name of what is touched").text;
   const auto listed = draft.nodes_listed(group);
   auto places = against(draft, group, listed);
   for (std::size_t i = 0; i < listed.size(); ++i) {
     const Eigen::VectorXd direction = normal(listed[i]);
     structure.contact.push_back({listed[i].node, direction.stableNormalized(), tangent, friction,
-                                 direction, std::move(places[i])});
+                                 direction, std::move(places[i]),
+                                 name.empty() ? listed[i].group : name});
     structure.sources.contact.push_back(listed[i].position);
     structure.sources.normals.push_back(reader.position(*group.table->get("normal")));
     structure.sources.tangents.push_back(tangent_position);

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -37,26 +39,49 @@ struct Patch {
   }
 };
 
-Patch patch(const ProblemDraft& draft, const TomlTable& group) {
-  Patch result;
+/// Adds what a name in a list says.
+void add(const ProblemDraft& draft, const TomlText& name, Patch& patch) {
+  const NamedGroup* named = draft.group(name.text);
+  if (named != nullptr && !named->faces.empty()) {
+    patch.faces.insert(named->faces.begin(), named->faces.end());
+  } else {
+    const auto nodes = draft.nodes_named(name);
+    patch.nodes.insert(nodes.begin(), nodes.end());
+  }
+}
+
+/// The patch of a list, and for the nodes that it has twice those of each of its groups.
+struct Patches {
+  Patch all;
+  std::map<std::string, Patch> of_groups;
+  std::set<int> twice;
+
+  const Patch& at(const ListedNode& listed) const {
+    const auto own = of_groups.find(listed.group);
+    return twice.contains(listed.node) && own != of_groups.end() ? own->second : all;
+  }
+};
+
+Patches patches(const ProblemDraft& draft, const TomlTable& group) {
+  Patches result;
   for (const TomlText& name : draft.reader().texts(*group.table->get("nodes"), "nodes")) {
-    const NamedGroup* named = draft.group(name.text);
-    if (named != nullptr && !named->faces.empty()) {
-      result.faces.insert(named->faces.begin(), named->faces.end());
-    } else {
-      const auto nodes = draft.nodes_named(name);
-      result.nodes.insert(nodes.begin(), nodes.end());
-    }
+    add(draft, name, result.all);
+    if (draft.names_group(name.text)) add(draft, name, result.of_groups[name.text]);
+  }
+  std::set<int> once;
+  for (const ListedNode& listed : draft.nodes_listed(group)) {
+    if (!once.insert(listed.node).second) result.twice.insert(listed.node);
   }
   return result;
 }
 
 ObstacleNormal of_surface(const ProblemDraft& draft, const TomlTable& group, LazySurface& surface) {
-  const auto faces = std::make_shared<const Patch>(patch(draft, group));
+  const auto faces = std::make_shared<const Patches>(patches(draft, group));
   return [&draft, &surface, faces](const ListedNode& listed) -> Eigen::VectorXd {
     const Surface& body = surface.get();
+    const Patch& own = faces->at(listed);
     auto normal =
-        body.mean_normal(listed.node, [&](const SurfaceFace& face) { return faces->holds(face); });
+        body.mean_normal(listed.node, [&](const SurfaceFace& face) { return own.holds(face); });
     // A node by itself: all faces that meet there.
     if (!normal) normal = body.mean_normal(listed.node, [](const SurfaceFace&) { return true; });
     if (!normal) {

@@ -85,7 +85,8 @@ std::vector<ListedNode> ProblemDraft::nodes_listed(const TomlTable& table) const
   const auto& names = reader_.require(table, "nodes", "nodes = [\"a\", ...]");
   std::vector<ListedNode> listed;
   for (const TomlText& name : reader_.texts(names, "nodes")) {
-    for (const int node : nodes_named(name)) listed.push_back({node, name.position});
+    const std::string group = names_group(name.text) ? name.text : "";
+    for (const int node : nodes_named(name)) listed.push_back({node, name.position, group});
   }
   if (const auto* entry = table.table->get("except"); entry != nullptr) {
     std::set<int> others;

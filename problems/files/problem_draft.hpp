@@ -36,6 +36,7 @@ struct NamedMesh {
 struct ListedNode {
   int node;
   support::SourcePosition position;
+  std::string group{};  ///< the name in the list, if it is that of several nodes
 };
 
 class ProblemDraft {

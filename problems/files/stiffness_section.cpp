@@ -155,9 +155,10 @@ std::vector<Row> StiffnessSection::listed_rows() const {
   }
   std::set<int> seen;
   std::vector<Row> rows;
-  for (const auto& [node, position] : listed) {
+  for (const ListedNode& each : listed) {
+    const int node = each.node;
     if (!seen.insert(node).second) {
-      reader_.fail(position,
+      reader_.fail(each.position,
                    fmt::format("node {} is listed twice; expected once", draft_.node_name(node)));
     }
     for (std::size_t k = 0; k < kinds.size(); ++k) {

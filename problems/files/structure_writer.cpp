@@ -193,6 +193,7 @@ void write_contact(const Structure& structure, std::string& text) {
       [&](auto a, auto b) {
         return contact[a].normal == contact[b].normal && contact[a].tangent == contact[b].tangent &&
                contact[a].friction == contact[b].friction &&
+               contact[a].surface == contact[b].surface &&
                contact[a].against.empty() == contact[b].against.empty();
       },
       [&](auto first, auto last) {
@@ -204,6 +205,8 @@ void write_contact(const Structure& structure, std::string& text) {
         }
         text += fmt::format("\n[[contact]]\nnodes = {}\nnormal = {}\n", list(names),
                             vector_text(contact[first].normal));
+        if (!contact[first].surface.empty())
+          text += fmt::format("name = {}\n", quoted(contact[first].surface));
         if (!contact[first].against.empty()) text += fmt::format("against = {}\n", list(places));
         if (contact[first].tangent) {
           text += fmt::format("tangent = {}\n", vector_text(*contact[first].tangent));

@@ -18,11 +18,11 @@ class ConstraintCheck {
     for (std::size_t i = 0; i < structure.contact.size(); ++i) {
       if (structure.contact[i].against.empty()) continue;
       followers_.push_back({structure.contact[i].node, &structure.contact[i].against,
-                            position_of(structure.sources.contact, static_cast<int>(i))});
+                            position_of(structure.sources.contact, static_cast<int>(i)), true});
     }
     for (std::size_t i = 0; i < structure.ties.size(); ++i) {
       followers_.push_back({structure.ties[i].node, &structure.ties[i].to,
-                            position_of(structure.sources.ties, static_cast<int>(i))});
+                            position_of(structure.sources.ties, static_cast<int>(i)), false});
     }
   }
 
@@ -38,6 +38,7 @@ class ConstraintCheck {
     int node;
     const std::vector<Share>* place;
     support::SourcePosition position;
+    bool pair;  ///< not a tie: in a corner there may be others
   };
 
   bool is_node(int node) const { return node >= 0 && node < std::ssize(structure_.node_names); }
@@ -93,9 +94,9 @@ void ConstraintCheck::followers() const {
     if (!is_node(follower.node)) {
       fail(follower.position, "a tie names a node that does not exist");
     }
-    if (!following.insert(follower.node).second) {
+    if (!following.insert(follower.node).second && !follower.pair) {
       fail(follower.position,
-           fmt::format("node {} follows other nodes twice; expected one pair or one tie",
+           fmt::format("node {} follows other nodes twice; expected pairs, or one tie",
                        name(follower.node)));
     }
     if (is_inclined(follower.node)) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <span>
 
+#include "problems/structure/corner.hpp"
+
 namespace kusabi::problems {
 namespace {
 
@@ -86,8 +88,11 @@ void set_leaders(const Structure& structure, FreeDegrees& degrees) {
   Leaders leaders(structure, degrees);
   for (const InclinedSupport& support : structure.inclined) leaders.incline(support);
   for (const Tie& tie : structure.ties) leaders.follow(tie.node, tie.to);
-  for (const ContactCandidate& candidate : structure.contact)
-    leaders.follow(candidate.node, candidate.against);
+  const auto corners = corner_nodes(structure);
+  for (const ContactCandidate& candidate : structure.contact) {
+    // The node of a corner may be against two places, so it keeps displacements of its own.
+    if (!corners.contains(candidate.node)) leaders.follow(candidate.node, candidate.against);
+  }
 }
 
 }  // namespace kusabi::problems

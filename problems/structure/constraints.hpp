@@ -2,7 +2,8 @@
 //
 //   a tie                        u_a = sum_k w_k u_bk
 //   a candidate on another body  u_a = u_rel + sum_k w_k u_bk, with u_rel, its displacement
-//                                relative to that body, in the place of u_a among the free ones
+//                                relative to that body, in the place of u_a among the free ones;
+//                                not in a corner, where u_a stays (problems/structure/corner.hpp)
 //   an inclined support          u_i = -sum_j (d_j / d_i) u_j, i the axis of the largest |d_i|
 //
 // All that is computed from strains is so computed in the coordinates q: K = H' K^0 H, and a

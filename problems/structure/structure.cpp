@@ -3,15 +3,39 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 
 namespace kusabi::problems {
 
-std::string candidate_name(const Structure& structure, const ContactCandidate& candidate) {
+namespace {
+
+/// "@left", "@2": which of the candidates at its node it is; nothing where it is alone.
+std::string which_at_node(const Structure& structure, std::size_t index) {
+  std::set<std::string> surfaces;
+  std::size_t count = 0;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+    const ContactCandidate& other = structure.contact[i];
+    if (other.node != structure.contact[index].node) continue;
+    ++count;
+    if (i <= index) ++place;
+    if (!other.surface.empty()) surfaces.insert(other.surface);
+  }
+  if (count == 1) return {};
+  return "@" +
+         (surfaces.size() == count ? structure.contact[index].surface : std::to_string(place));
+}
+
+}  // namespace
+
+std::string candidate_name(const Structure& structure, std::size_t index) {
   const auto name = [&](int node) { return structure.node_names[static_cast<std::size_t>(node)]; };
+  const ContactCandidate& candidate = structure.contact[index];
   const auto& place = candidate.against;
-  if (place.empty()) return name(candidate.node);
+  const std::string own = name(candidate.node) + which_at_node(structure, index);
+  if (place.empty()) return own;
   const auto nearest = std::ranges::max_element(place, {}, &Share::weight);
-  return name(candidate.node) + "|" + name(nearest->node) + (place.size() > 1 ? "+" : "");
+  return own + "|" + name(nearest->node) + (place.size() > 1 ? "+" : "");
 }
 
 int body_elements(const Structure& structure) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -144,6 +145,9 @@ struct ContactCandidate {
   /// Empty: the obstacle is rigid. The displacement of the candidate is that of `node` less this,
   /// and the reaction acts on both, with opposite signs.
   std::vector<Share> against{};
+  /// What the file calls what the candidate touches; of use where a node is more than one
+  /// candidate.
+  std::string surface{};
 };
 
 /// Where in the file each entry stands, so that an error found late still names its line. A
@@ -201,8 +205,9 @@ int body_elements(const Structure& structure);
 const Element& body_element(const Structure& structure, int index);
 
 /// What an answer calls a candidate: its node, and after a bar the node that it is against; "a|b+"
-/// if that one, of the largest share, has others beside it.
-std::string candidate_name(const Structure& structure, const ContactCandidate& candidate);
+/// if that one, of the largest share, has others beside it. In a corner the node is "a@left", with
+/// the surface that it touches there; "a@1" by order, unless each has a surface of its own.
+std::string candidate_name(const Structure& structure, std::size_t index);
 
 /// "x", "y" or "z".
 std::string_view axis_name(int axis);

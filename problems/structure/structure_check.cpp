@@ -11,6 +11,7 @@
 
 #include "problems/structure/constraint_check.hpp"
 #include "problems/structure/contact_frame.hpp"
+#include "problems/structure/corner.hpp"
 #include "problems/structure/element_check.hpp"
 #include "problems/structure/superelement.hpp"
 #include "problems/structure/superelement_check.hpp"
@@ -216,16 +217,11 @@ void StructureCheck::contact_count() const {
 }
 
 void StructureCheck::contact_nodes() const {
-  std::set<int> seen;
   for (int index = 0; index < static_cast<int>(structure_.contact.size()); ++index) {
     const int node = structure_.contact[static_cast<std::size_t>(index)].node;
     const support::SourcePosition position = position_of(structure_.sources.contact, index);
     if (!is_node(node)) {
       fail(position, fmt::format("contact candidate {} names a node that does not exist", index));
-    }
-    if (!seen.insert(node).second) {
-      fail(position,
-           fmt::format("node {} is a contact candidate twice; expected once", name(node)));
     }
     if (fixed_axes(node) == structure_.dimension) {
       fail(position, fmt::format("contact candidate {} is also supported along every axis; "
@@ -301,6 +297,7 @@ void check_structure(const Structure& structure) {
   check.contact_count();
   check.contact_nodes();
   check.contact_directions();
+  check_corners(structure);
   check_constraints(structure);
   check_normals(structure);
   check.loads();

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "problems/structure/corner.hpp"
 #include "problems/structure/elongation.hpp"
 #include "problems/structure/solid_element.hpp"
 #include "problems/structure/truss.hpp"
@@ -50,18 +51,18 @@ struct Hold {
   int axis;
 };
 
-/// The nodes of a body where it may be held. At candidates on rollers a spring would be taken for
-/// the stiffness of the body (problems/wedged/precise_compliance.cpp), so these are left out,
-/// unless there are no others.
+/// The nodes of a body where it may be held. At candidates on rollers and in corners a spring would
+/// be taken for the stiffness of the body (problems/wedged/tangential_springs.cpp), so these are
+/// left out, unless there are no others.
 std::vector<int> places_to_hold(const Structure& structure, const LooseBody& body) {
-  std::set<int> rollers;
+  std::set<int> others = corner_nodes(structure);
   for (const ContactCandidate& candidate : structure.contact) {
     const auto& fixed = structure.fixed[static_cast<std::size_t>(candidate.node)];
-    if (std::ranges::count(fixed, true) > 0) rollers.insert(candidate.node);
+    if (std::ranges::count(fixed, true) > 0) others.insert(candidate.node);
   }
   std::vector<int> nodes;
   std::ranges::copy_if(body.nodes, std::back_inserter(nodes),
-                       [&](int node) { return !rollers.contains(node); });
+                       [&](int node) { return !others.contains(node); });
   return nodes.empty() ? body.nodes : nodes;
 }
 

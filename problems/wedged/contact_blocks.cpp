@@ -5,6 +5,7 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include "problems/structure/corner.hpp"
 #include "problems/structure/elongation.hpp"
 #include "problems/structure/superelement.hpp"
 
@@ -73,8 +74,14 @@ std::vector<support::IndexSet> contact_blocks(const Structure& structure,
     });
   }
   for (const LooseBody& body : bodies) join_nodes(body.nodes);
+  const auto corners = corner_nodes(structure);
   for (const ContactCandidate& candidate : structure.contact) {
-    connections.join(free_of(structure, degrees, candidate.node));
+    auto together = free_of(structure, degrees, candidate.node);
+    for (int axis = 0; axis < structure.dimension && corners.contains(candidate.node); ++axis) {
+      for (const auto& part : seen_along<double>(degrees, candidate, true, axis))
+        together.push_back(part.number);
+    }
+    connections.join(together);
   }
   std::vector<support::IndexSet> blocks;
   std::map<std::size_t, std::size_t> place;  // of the block with this representative

@@ -11,13 +11,14 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 
-#include "problems/structure/constraints.hpp"
 #include "problems/structure/contact_frame.hpp"
+#include "problems/structure/corner.hpp"
 #include "problems/structure/rigid_motions.hpp"
 #include "problems/structure/temporary_springs.hpp"
 #include "problems/structure/truss.hpp"
 #include "problems/wedged/scaled_stiffness.hpp"
 #include "problems/wedged/stiffness_factor.hpp"
+#include "problems/wedged/tangential_springs.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -56,50 +57,27 @@ Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
   const auto d = static_cast<Eigen::Index>(structure.dimension);
   const auto columns = d * static_cast<Eigen::Index>(structure.contact.size());
   Loads loads{numbers::PreciseMatrix::Zero(degrees.size(), columns), Eigen::VectorXd(columns)};
+  const auto corners = corner_nodes(structure);
   Eigen::Index column = 0;
   for (const ContactCandidate& candidate : structure.contact) {
     const auto frame = precise_contact_frame(candidate);
+    const bool in_corner = corners.contains(candidate.node);
     const double sine =
         candidate.tangent ? tangent_sine(candidate.normal, *candidate.tangent) / 2 : 0.5;
     for (Eigen::Index direction = 0; direction < d; ++direction, ++column) {
-      double largest = 0;
+      double sizes = 0;
       for (int axis = 0; axis < structure.dimension; ++axis) {
-        const int number = degrees.number(axis, candidate.node);
-        if (number < 0) continue;  // a roller takes it
-        loads.matrix(number, column) = frame(axis, direction) * scale(number);
-        largest = std::max(largest, scale(number));
+        // Nothing is seen where a roller takes it.
+        for (const auto& part : seen_along<Precise>(degrees, candidate, in_corner, axis)) {
+          loads.matrix(part.number, column) +=
+              part.value * frame(axis, direction) * scale(part.number);
+          sizes += std::abs(numbers::rounded(part.value)) * scale(part.number);
+        }
       }
-      loads.errors(column) = frame_roundings * unit * 2 * largest / (direction == 0 ? 1 : sine);
+      loads.errors(column) = frame_roundings * unit * 2 * sizes / (direction == 0 ? 1 : sine);
     }
   }
   return loads;
-}
-
-/// A roller takes what the obstacle does along the axis that it holds, and the displacement there
-/// is of no account (docs/theory/wedged.md, "Rollers at candidates"). For F to be definite it is
-/// given that of a spring, as stiff as the node is along the axis nearest to its normal.
-/// @return how wrong what is added may be, relative to itself
-double add_rollers(const Structure& structure, const FreeDegrees& degrees,
-                   const ScaledStiffness& stiffness, numbers::PreciseMatrix& compliance) {
-  const auto d = static_cast<Eigen::Index>(structure.dimension);
-  double error = 4 * frame_roundings * unit;
-  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
-    const ContactCandidate& candidate = structure.contact[i];
-    const auto first = d * static_cast<Eigen::Index>(i);
-    for (int axis = 0; axis < structure.dimension; ++axis) {
-      if (!structure
-               .fixed[static_cast<std::size_t>(candidate.node)][static_cast<std::size_t>(axis)])
-        continue;
-      const int number = degrees.number(
-          steepest_axis(candidate.direction.value_or(candidate.normal)), candidate.node);
-      const Precise scaled = stiffness.matrix.coeff(number, number);
-      const Precise soft = Precise(stiffness.scale(number)) * stiffness.scale(number) / scaled;
-      const numbers::PreciseVector along = precise_contact_frame(candidate).row(axis).transpose();
-      compliance.block(first, first, d, d) += soft * along * along.transpose();
-      error = std::max(error, stiffness.error / numbers::rounded(scaled));
-    }
-  }
-  return 2 * error;
 }
 
 /// K X as a product of sparse and dense, one column after the other.
@@ -208,8 +186,8 @@ EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degre
     }
   }
   numbers::PreciseMatrix matrix = (product + product.transpose()) * Precise(0.5);
-  const double roller_error = add_rollers(structure, degrees, stiffness, matrix);
-  const double error = compliance_error(matrix, loads, solution, least) + roller_error;
+  const double spring_error = add_tangential_springs(structure, degrees, stiffness, matrix);
+  const double error = compliance_error(matrix, loads, solution, least) + spring_error;
   auto& response = solution.displacements;
   for (Eigen::Index i = 0; i < response.rows(); ++i) response.row(i) *= Precise(stiffness.scale(i));
   return {matrix, error, std::move(response)};

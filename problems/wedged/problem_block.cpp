@@ -1,6 +1,8 @@
 // Rows, columns and bits picked out.
 #include "problems/wedged/problem_block.hpp"
 
+#include "problems/structure/rigid_motions.hpp"
+
 namespace kusabi::problems {
 using support::IndexSet;
 
@@ -23,6 +25,25 @@ std::vector<Eigen::Index> columns_of(const Eigen::MatrixXd& matrix,
     if (!matrix(rows, k).isZero(0.0)) columns.push_back(k);
   }
   return columns;
+}
+
+// Makes columns independent, those first whose entries are largest: what is left of the others is
+// rounding of 104 bits, and dropped.
+numbers::PreciseMatrix independent_columns(numbers::PreciseMatrix matrix) {
+  Eigen::Index kept = 0;
+  for (; kept < matrix.cols(); ++kept) {
+    Eigen::Index row = 0;
+    Eigen::Index column = 0;
+    const double largest =
+        matrix.rightCols(matrix.cols() - kept).cast<double>().cwiseAbs().maxCoeff(&row, &column);
+    if (!(largest > dependent)) break;
+    matrix.col(kept).swap(matrix.col(kept + column));
+    for (Eigen::Index other = kept + 1; other < matrix.cols(); ++other) {
+      const numbers::Precise share = matrix(row, other) / matrix(row, kept);
+      if (!share.is_zero()) matrix.col(other) -= share * matrix.col(kept);
+    }
+  }
+  return matrix.leftCols(kept);
 }
 
 // The first candidates are numbered alike in a block and in the whole.
@@ -64,6 +85,18 @@ WedgedProblem block_problem(const WedgedProblem& problem, const IndexSet& candid
       part.precise_motions = problem.precise_motions(own, moving);
   }
   part.blocks = {all_candidates(part)};
+  return part;
+}
+
+WedgedProblem problem_without_others(const WedgedProblem& problem, const IndexSet& candidates) {
+  WedgedProblem part = block_problem(problem, candidates);
+  if (part.motions.cols() == 0) return part;
+  const bool precise = part.precise_motions.size() != 0;
+  part.precise_motions =
+      independent_columns(precise ? part.precise_motions
+                                  : numbers::PreciseMatrix(part.motions.cast<numbers::Precise>()));
+  part.motions = part.precise_motions.cast<double>();
+  if (!precise) part.precise_motions.resize(0, 0);
   return part;
 }
 

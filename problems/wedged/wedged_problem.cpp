@@ -200,7 +200,7 @@ WedgedProblem wedged_problem(const Structure& structure) {
   problem.dimension = structure.dimension;
   problem.units = structure.units;
   for (const ContactCandidate& candidate : structure.contact) {
-    problem.contact_names.push_back(candidate_name(structure, candidate));
+    problem.contact_names.push_back(candidate_name(structure, problem.contact_names.size()));
     problem.frames.push_back(contact_frame(candidate));
     problem.friction.push_back(candidate.friction);
   }

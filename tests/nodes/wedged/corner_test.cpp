@@ -1,0 +1,330 @@
+// Nodes that are several candidates, searched: against all sign patterns by linear programs,
+// against the same structure with two nodes in a stiff tie, against rays, and against statics.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/search.hpp"
+#include "engine/transport/single_process.hpp"
+#include "nodes/wedged/critical_search.hpp"
+#include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/ray_search.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
+#include "problems/files/structure_file.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "random_truss.hpp"
+#include "solvers/linear/simplex.hpp"
+#include "tests/problems/bodies.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+using Contacts = std::set<support::IndexSet>;
+/// (S, G): what a cone loads and what it moves.
+using Cones = std::set<std::pair<support::IndexSet, support::IndexSet>>;
+
+std::vector<double> everywhere(const problems::WedgedProblem& problem, double mu) {
+  return std::vector<double>(problem.contact_names.size(), mu);
+}
+
+std::vector<Configuration> leaves_of(problems::WedgedProblem problem, double mu) {
+  problem.blocks.clear();
+  SignPatternTree tree(problem, everywhere(problem, mu));
+  std::vector<Configuration> leaves;
+  for (auto& found : engine::search(tree).solutions) leaves.push_back(std::move(found.solution));
+  return maximal_cones(std::move(leaves));
+}
+
+/// @param least of t*  @param open counts what could not be told
+Contacts alive(const problems::WedgedProblem& problem, double mu, double least, int& open) {
+  Contacts result;
+  for (const auto& leaf : leaves_of(problem, mu)) {
+    open += leaf.state != LeafState::alive && leaf.state != LeafState::flat;
+    if (leaf.state == LeafState::alive && leaf.lower > least) result.insert(leaf.pattern.contact);
+  }
+  return result;
+}
+
+/// A truss in the plane whose first candidates stand in corners.
+problems::Structure truss_in_corners(int candidates, int corners, std::mt19937_64& bits) {
+  const auto [held, problem] = testing::random_problem(
+      {.dimension = 2, .candidates = candidates, .free_nodes = candidates + 2}, bits);
+  auto structure = held;
+  std::uniform_real_distribution<double> turn(0.5, 2.6);
+  for (int i = 0; i < corners; ++i) {
+    auto other = structure.contact[static_cast<std::size_t>(i)];
+    const double angle = turn(bits);
+    other.normal = Eigen::Rotation2Dd(angle) * Eigen::Vector2d(other.normal);
+    structure.contact.push_back(other);
+  }
+  return structure;
+}
+
+/// t* of (P) at a leaf, by the simplex method, from an F that knows nothing of corners: nothing if
+/// no reactions do. The plane.
+std::optional<double> margin(const Eigen::MatrixXd& f, const support::IndexSet& contact,
+                             double mu) {
+  const int m = static_cast<int>(f.rows()) / 2;
+  linear::LinearProgram program;
+  const double free = linear::infinity;
+  const int t = program.add_column({-1, -free, free});
+  std::vector<int> columns;  // r_n, r_t of each candidate
+  std::vector<linear::LinearTerm> sum;
+  for (int i = 0; i < m; ++i) {
+    const double most = contact.contains(i) ? free : 0;
+    columns.push_back(program.add_column({0, 0, most}));
+    columns.push_back(program.add_column({0, -most, most}));
+    sum.push_back({columns[static_cast<std::size_t>(2 * i)], 1});
+  }
+  program.add_row({1, 1}, sum);
+  for (int i = 0; i < m; ++i) {
+    std::vector<linear::LinearTerm> moves;
+    for (int k = 0; k < 2 * m; ++k)
+      moves.push_back({columns[static_cast<std::size_t>(k)], f(2 * i, k)});
+    const int normal = columns[static_cast<std::size_t>(2 * i)];
+    const int tangential = columns[static_cast<std::size_t>(2 * i + 1)];
+    if (contact.contains(i)) {
+      program.add_row({0, 0}, moves);
+      for (const double sign : {-1.0, 1.0}) {
+        program.add_row({0, free},
+                        std::vector<linear::LinearTerm>{{normal, mu}, {tangential, sign}, {t, -1}});
+      }
+    } else {
+      moves.push_back({t, -1});
+      program.add_row({0, free}, moves);
+    }
+  }
+  linear::Simplex simplex(program);
+  if (simplex.solve_robustly() != linear::LinearStatus::optimal) return std::nullopt;
+  return simplex.value(t);
+}
+
+TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
+  constexpr double told = 1e-6;  // of what the simplex method in doubles says
+  std::mt19937_64 bits(5);
+  int open = 0;
+  std::size_t patterns = 0;
+  std::size_t of_corners = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto structure = truss_in_corners(3, 1 + trial % 3, bits);
+    Eigen::MatrixXd f = problems::test::compliance_by_multipliers(structure);
+    f /= f.diagonal().mean();
+    // Where nothing connects two candidates; the simplex method would scale the rounding up.
+    f = (f.array().abs() < 1e-13).select(Eigen::MatrixXd::Zero(f.rows(), f.cols()), f).eval();
+    const int m = static_cast<int>(structure.contact.size());
+    for (const double mu : {0.4, 1.2}) {
+      const auto found = alive(problems::wedged_problem(structure), mu, 0, open);
+      for (std::uint64_t ones = 1; ones < std::uint64_t{1} << static_cast<unsigned>(m); ++ones) {
+        const support::IndexSet contact = ones;
+        const double most = margin(f, contact, mu).value_or(-1);
+        if (std::abs(most) <= told) continue;
+        EXPECT_EQ(found.contains(contact), most > 0) << mu << ' ' << most << ' ' << ones;
+        patterns += most > 0;
+        of_corners += most > 0 && contact.contains(0) && contact.contains(3);
+      }
+    }
+  }
+  EXPECT_EQ(open, 0);
+  EXPECT_GT(patterns, 60U);
+  EXPECT_GT(of_corners, 10U);
+}
+
+/// The second candidates of corners at nodes of their own, which a very stiff matrix ties.
+problems::Structure tied_apart(problems::Structure structure, double stiffness) {
+  std::set<int> seen;
+  for (auto& candidate : structure.contact) {
+    const int node = candidate.node;
+    if (seen.insert(node).second) continue;
+    const int twin = static_cast<int>(structure.node_names.size());
+    structure.node_names.push_back("twin" + std::to_string(twin));
+    structure.coordinates.conservativeResize(Eigen::NoChange, twin + 1);
+    structure.coordinates.col(twin) = structure.coordinates.col(node);
+    structure.fixed.push_back({});
+    problems::Superelement tie;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4, 4);
+    for (int axis = 0; axis < 2; ++axis) {
+      tie.rows.push_back({node, axis});
+      tie.rows.push_back({twin, axis});
+      matrix.block(2 * axis, 2 * axis, 2, 2) << stiffness, -stiffness, -stiffness, stiffness;
+    }
+    tie.stiffness = matrix.sparseView();
+    structure.superelements.push_back(std::move(tie));
+    candidate.node = twin;
+  }
+  return structure;
+}
+
+// Squeezed between its walls the tie gives way by 1e-8, and lets what would be at rest move by
+// that: patterns that live by no more are those of the tie.
+TEST(Corner, IsAsGoodAsTwoNodesInAStiffTie) {
+  constexpr double of_the_tie = 1e-6;
+  int open = 0;
+  int open_of_the_tie = 0;
+  std::mt19937_64 bits(6);
+  std::size_t patterns = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto structure = truss_in_corners(3, 2, bits);
+    const auto tied = tied_apart(structure, 1e8);
+    for (const double mu : {0.5, 1.5}) {
+      const auto own = alive(problems::wedged_problem(structure), mu, 0, open);
+      EXPECT_EQ(own, alive(problems::wedged_problem(tied), mu, of_the_tie, open_of_the_tie));
+      patterns += own.size();
+    }
+  }
+  EXPECT_EQ(open, 0);
+  EXPECT_GT(patterns, 40U);
+}
+
+RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod method) {
+  const auto problem = problems::wedged_problem(structure);
+  const auto friction = everywhere(problem, mu);
+  const auto cone = reaction_cone(structure, problem, friction);
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone);
+  return find_rays(campaign, problem, friction, cone, method);
+}
+
+TEST(Corner, HasRaysWhoseCliquesAreThePatterns) {
+  std::mt19937_64 bits(7);
+  std::size_t cones = 0;
+  for (int trial = 0; trial < 30; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto structure = truss_in_corners(3, 1 + trial % 2, bits);
+    const auto problem = problems::wedged_problem(structure);
+    for (const double mu : {0.5, 1.5}) {
+      const auto found = rays_of(structure, mu, RayMethod::double_description);
+      EXPECT_TRUE(found.health.sound());
+      EXPECT_EQ(found.rays, rays_of(structure, mu, RayMethod::tree).rays);
+      Cones cliques;
+      for (const auto& each : found.cones) cliques.emplace(each.reaction, each.separated);
+      Cones patterns;
+      for (const auto& leaf : leaves_of(problem, mu))
+        patterns.emplace(leaf.pattern.contact, leaf.pattern.separated);
+      EXPECT_EQ(cliques, patterns);
+      cones += cliques.size();
+    }
+  }
+  EXPECT_GT(cones, 40U);
+}
+
+problems::Structure read(const std::string& text) {
+  return problems::read_structure(
+      "name = \"g\"\ndimension = 2\nunits = { length = \"m\", force = \"N\" }\n" + text, "g");
+}
+
+/// A triangle of bars in a groove whose walls are `theta` off the vertical, its point at the
+/// bottom.
+problems::Structure wedge_in_groove(double theta) {
+  const double c = std::cos(theta), s = std::sin(theta), w = std::tan(theta);
+  return read(fmt::format(
+      "[nodes]\npoint = [0, 0]\nleft = [{}, 1]\nright = [{}, 1]\ntop = [0, 1.5]\n"
+      "[[members]]\nEA = 1\nbetween = [[\"point\", \"left\"], [\"point\", \"right\"], [\"left\", "
+      "\"right\"], [\"left\", \"top\"], [\"right\", \"top\"], [\"point\", \"top\"]]\n"
+      "[[contact]]\nname = \"l\"\nnodes = [\"point\", \"left\"]\nnormal = [{}, {}]\n"
+      "[[contact]]\nname = \"r\"\nnodes = [\"point\", \"right\"]\nnormal = [{}, {}]\n",
+      -w, w, c, s, -c, s));
+}
+
+/// A tip on two equal bars at right angles, in the same groove: it moves as far as it is pushed,
+/// whichever way, so neither wall alone can catch it.
+problems::Structure tip_in_groove(double theta) {
+  const double c = std::cos(theta), s = std::sin(theta);
+  return read(
+      fmt::format("[nodes]\ntip = [0, 0]\na = [-1, 1]\nb = [1, 1]\n"
+                  "[[members]]\nEA = 1\nbetween = [[\"tip\", \"a\"], [\"tip\", \"b\"]]\n"
+                  "[[supports]]\nnodes = [\"a\", \"b\"]\n"
+                  "[[contact]]\nnodes = [\"tip\"]\nnormal = [{0}, {1}]\n"
+                  "[[contact]]\nnodes = [\"tip\"]\nnormal = [-{0}, {1}]\n",
+                  c, s));
+}
+
+CriticalFindings critical(const problems::Structure& structure) {
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone, {});
+  return find_critical_friction(campaign, structure, problems::wedged_problem(structure),
+                                {.width = 1e-8});
+}
+
+TEST(Corner, OfAGrooveHoldsFromTheTangentOfItsHalfAngle) {
+  for (const double degrees : {10.0, 30.0}) {
+    const double theta = degrees * std::numbers::pi / 180;
+    const auto found = critical(tip_in_groove(theta));
+    ASSERT_TRUE(found.upper);
+    EXPECT_LT(found.lower, std::tan(theta) + 1e-12);
+    EXPECT_GT(*found.upper, std::tan(theta) - 1e-12);
+    EXPECT_LE(*found.upper - found.lower, 2.5e-8);
+    EXPECT_TRUE(found.lower_proved && found.upper_proved);
+  }
+}
+
+// The point cannot sink any farther, so the wedge is never squeezed: its point alone is caught, and
+// the other candidates are at rest.
+TEST(Corner, AtTheBottomOfAWedgeIsAllThatHoldsIt) {
+  for (const double degrees : {10.0, 30.0}) {
+    const double theta = degrees * std::numbers::pi / 180;
+    const auto structure = wedge_in_groove(theta);
+    const auto problem = problems::wedged_problem(structure);
+    EXPECT_EQ(problem.contact_names,
+              (std::vector<std::string>{"point@l", "left", "point@r", "right"}));
+    EXPECT_TRUE(leaves_of(problem, std::tan(theta) * 0.999).empty());
+    const auto above = leaves_of(problem, std::tan(theta) * 1.001);
+    ASSERT_EQ(above.size(), 1U);
+    EXPECT_EQ(above[0].state, LeafState::flat);
+    EXPECT_EQ(above[0].pattern.contact, support::IndexSet(0b0101));
+    EXPECT_EQ(above[0].pattern.at_rest, support::IndexSet(0b1010));
+    const auto found = critical(structure);
+    ASSERT_TRUE(found.upper);
+    EXPECT_GT(*found.upper, std::tan(theta) - 1e-12);
+    EXPECT_LT(found.lower, std::tan(theta) + 1e-12);
+    EXPECT_GT(found.lower, std::tan(theta) - 1e-4);
+    EXPECT_TRUE(found.lower_proved);
+  }
+}
+
+// Left and right change places, and so do the patterns.
+TEST(Corner, OfASymmetricStructureHasSymmetricPatterns) {
+  const auto structure = read(
+      "[nodes]\ntip = [0, 0]\na = [-1, 1]\nb = [1, 1]\nc = [-1, 2]\nd = [1, 2]\n"
+      "[[members]]\nEA = 1\nbetween = [[\"tip\", \"a\"], [\"tip\", \"b\"], [\"a\", \"b\"], [\"a\", "
+      "\"c\"], [\"b\", \"d\"], [\"a\", \"d\"], [\"b\", \"c\"]]\n"
+      "[[supports]]\nnodes = [\"c\", \"d\"]\n"
+      "[[contact]]\nnodes = [\"a\"]\nnormal = [4, 1]\n"
+      "[[contact]]\nnodes = [\"tip\"]\nnormal = [2, 1]\n"
+      "[[contact]]\nnodes = [\"tip\"]\nnormal = [-2, 1]\n"
+      "[[contact]]\nnodes = [\"b\"]\nnormal = [-4, 1]\n");
+  const auto problem = problems::wedged_problem(structure);
+  EXPECT_THAT(problem.contact_names, ::testing::ElementsAre("a", "tip@1", "tip@2", "b"));
+  std::size_t found = 0;
+  for (const double mu : {0.8, 3.0, 12.0}) {
+    Cones cones;
+    Cones mirrored;
+    const auto mirror = [](const support::IndexSet& set) {
+      support::IndexSet result;
+      for (const int i : set) result.insert(3 - i);
+      return result;
+    };
+    for (const auto& leaf : leaves_of(problem, mu)) {
+      cones.emplace(leaf.pattern.contact, leaf.pattern.separated);
+      mirrored.emplace(mirror(leaf.pattern.contact), mirror(leaf.pattern.separated));
+    }
+    EXPECT_EQ(cones, mirrored) << mu;
+    found += cones.size();
+  }
+  EXPECT_GT(found, 2U);
+}
+
+}  // namespace
+}  // namespace kusabi::wedged

@@ -1,0 +1,23 @@
+// Random structures in which nodes are several candidates, in all the ways there are.
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "problems/structure/structure.hpp"
+
+namespace kusabi::problems::test {
+
+/// Two bodies of bars (`random_bodies`) with other candidates: a node in a corner of rigid walls,
+/// of three in every other draw in space; one between a wall and a place of the other body; one
+/// between two such places, of which nodes are themselves in a corner or on an inclined support; a
+/// candidate on a roller, in space in a corner of two walls along it.
+Structure random_corners(int dimension, std::mt19937& bits);
+
+/// Unit normals at right angles to each other or less, so that a corner does not hold by itself
+/// below a friction of 0.7, and no less than 0.3 of a unit from depending on each other.
+std::vector<Eigen::VectorXd> random_normals(int dimension, int count, std::mt19937& bits);
+
+}  // namespace kusabi::problems::test
