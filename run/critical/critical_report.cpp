@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -111,10 +112,10 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
     const auto& [contact, separated, at_rest] = entry.pattern;
     fmt::format_to(out, "{:>5}  {:>16.12g}  {:>16}  {}{}\n", ++number, entry.lower,
                    entry.upper ? fmt::format("{:.12g}", *entry.upper) : "?",
-                   listed(candidate_names(problem, contact)),
-                   at_rest.empty()
-                       ? ""
-                       : fmt::format("  at rest: {}", listed(candidate_names(problem, at_rest))));
+                   with_ranges(candidate_names(problem, contact)),
+                   at_rest.empty() ? ""
+                                   : fmt::format("  at rest: {}",
+                                                 with_ranges(candidate_names(problem, at_rest))));
   }
   const auto* const times =
       problems::uniform_friction(problem) ? "" : " (times that of each candidate)";

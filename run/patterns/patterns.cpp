@@ -97,6 +97,13 @@ void Patterns::describe(OptionTable& table) {
       .flag("--candidates", options_.list_candidates,
             "list the patterns that the polyhedral cones let live, and what the test says of each")
       .needs("--method");
+  table.choice(
+      "--sort", options_.sort,
+      {{"number", PatternSort::number},
+       {"margin", PatternSort::margin},
+       {"contact", PatternSort::contact}},
+      "the table: as found, by the largest margin, or by the fewest candidates in contact");
+  table.number("--top", &options_.top, above(0), "list so many in the table; all are in the file");
   // By the number of signs decided, see SignPatternTree::bound.
   table.choice(
       "--order", options_.order,

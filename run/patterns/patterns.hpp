@@ -1,6 +1,8 @@
 // `kusabi patterns FILE --mu MU`: all sign patterns of wedged configurations (Algorithms 5.1, 5.8).
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -11,6 +13,14 @@
 
 namespace kusabi::run {
 
+/// How the table is ordered. A pattern keeps its number, by which result files and pictures know
+/// it.
+enum class PatternSort {
+  number,   ///< as the tree has them
+  margin,   ///< the largest first
+  contact,  ///< the fewest candidates in contact first
+};
+
 struct PatternsOptions {
   std::string file;                                            ///< the problem
   double friction = 0;                                         ///< mu
@@ -19,6 +29,8 @@ struct PatternsOptions {
   bool polyhedral = false;                                     ///< Algorithm 5.8, otherwise 5.1
   int facets = 16;               ///< of the polyhedral friction cones of Algorithm 5.8
   bool list_candidates = false;  ///< of Algorithm 5.8, in the table
+  PatternSort sort = PatternSort::number;
+  std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< so many of them in the table
   engine::Order order = engine::Order::depth_first;
   engine::Limits limits;        ///< where to stop early
   CheckpointChoice checkpoint;  ///< where the state is kept

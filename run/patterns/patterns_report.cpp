@@ -2,11 +2,15 @@
 #include "run/patterns/patterns_report.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -52,28 +56,51 @@ const char* name_of(wedged::Branching branching) {
 
 }  // namespace
 
+std::vector<std::size_t> PatternsReport::order() const {
+  std::vector<std::size_t> order(findings_.leaves.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto& leaves = findings_.leaves;
+  switch (options_.sort) {
+    case PatternSort::number:
+      break;
+    case PatternSort::margin:
+      std::ranges::stable_sort(order, std::greater(), [&](auto i) { return leaves[i].lower; });
+      break;
+    case PatternSort::contact:
+      std::ranges::stable_sort(order, std::less(),
+                               [&](auto i) { return leaves[i].pattern.contact.size(); });
+      break;
+  }
+  return order;
+}
+
 std::string PatternsReport::list() const {
   std::string text;
   auto out = std::back_inserter(text);
   const auto names = [&](const support::IndexSet& set) {
-    return listed(candidate_names(problem_, set));
+    return with_ranges(candidate_names(problem_, set));
   };
+  auto shown = order();
+  const std::size_t all = shown.size();
+  shown.resize(std::min<std::size_t>(all, options_.top));
   std::size_t contact_width = std::string_view("in contact (U)").size();
-  for (const auto& leaf : findings_.leaves)
-    contact_width = std::max(contact_width, names(leaf.pattern.contact).size());
-  if (!findings_.leaves.empty()) {
+  for (const std::size_t i : shown)
+    contact_width =
+        std::max(contact_width, shown_width(names(findings_.leaves[i].pattern.contact)));
+  if (!shown.empty()) {
     fmt::format_to(out, "\n{:>5}  {:>10}  {:<{}}  {}\n", "", "margin t*", "in contact (U)",
                    contact_width, "separated (R)");
   }
-  std::size_t number = 0;
-  for (const auto& leaf : findings_.leaves) {
+  for (const std::size_t i : shown) {
+    const auto& leaf = findings_.leaves[i];
     const auto& [contact, separated, at_rest] = leaf.pattern;
-    fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}{}\n", ++number,
+    fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}{}\n", i + 1,
                    leaf.state == wedged::LeafState::alive ? fmt::format("{:.3e}", leaf.lower)
                                                           : state_name(leaf.state),
                    names(contact), contact_width, names(separated),
                    at_rest.empty() ? "" : "  at rest: " + names(at_rest));
   }
+  if (shown.size() < all) fmt::format_to(out, "{:>5}  {} more\n", "…", all - shown.size());
   return text;
 }
 
@@ -83,7 +110,7 @@ std::string PatternsReport::candidates() const {
   if (!options_.list_candidates) return text;
   auto out = std::back_inserter(text);
   const auto names = [&](const support::IndexSet& set) {
-    return listed(candidate_names(problem_, set));
+    return with_ranges(candidate_names(problem_, set));
   };
   fmt::format_to(out, "\n{:>5}  {:>13}  {:>10}  {}\n", "", "polyhedral t*", "t* of (23)",
                  "in contact (U) | separated (R)");
@@ -110,6 +137,38 @@ ordered_json PatternsReport::candidates_json() const {
   return list;
 }
 
+// What was asked, in a sentence; none if the search stopped early.
+std::string PatternsReport::sentence() const {
+  if (!findings_.whole()) return {};
+  if (findings_.leaves.empty())
+    return fmt::format("\nIt cannot stick at friction coefficient {}.\n", options_.friction);
+  const auto& leaves = findings_.leaves;
+  const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
+  if (best->state != wedged::LeafState::alive) return {};
+  return fmt::format(
+      "\nIt can stick: {} at friction coefficient {}. The largest margin, {:.3g}, has number {} "
+      "({} in "
+      "contact); its configuration holds from {:.4g} on.\n",
+      counted(findings_.count(), "way"), options_.friction, best->lower, best - leaves.begin() + 1,
+      with_ranges(candidate_names(problem_, best->pattern.contact)), least_friction_of(*best));
+}
+
+// Of the friction coefficients (or factors of them) at which a configuration is within its cones,
+// the least.
+double PatternsReport::least_friction_of(const wedged::Configuration& leaf) const {
+  const auto d = static_cast<std::size_t>(problem_.dimension);
+  const auto whole = of_all_candidates(problem_, leaf.block, leaf.reaction);
+  double least = 0;
+  for (const int i : leaf.pattern.contact) {
+    const auto* const own = whole.data() + d * static_cast<std::size_t>(i);
+    const double factor =
+        problem_.friction.empty() ? 1 : problem_.friction[static_cast<std::size_t>(i)];
+    const double tangential = d == 2 ? std::abs(own[1]) : std::hypot(own[1], own[2]);
+    if (tangential > 0) least = std::max(least, tangential / (factor * own[0]));
+  }
+  return least;
+}
+
 // The answer, and what it leaves open.
 std::string PatternsReport::verdict() const {
   std::string text;
@@ -132,7 +191,7 @@ std::string PatternsReport::verdict() const {
                    "itself:\n",
                    findings_.blocks.size());
     for (const auto& block : findings_.blocks) {
-      fmt::format_to(out, "  {}: {}\n", listed(candidate_names(problem_, block.candidates)),
+      fmt::format_to(out, "  {}: {}\n", with_ranges(candidate_names(problem_, block.candidates)),
                      block.rests() ? "at rest always" : patterns(block.cones));
     }
     const auto wedging = std::count_if(findings_.blocks.begin(), findings_.blocks.end(),
@@ -163,7 +222,7 @@ std::string PatternsReport::table() const {
   for (const auto& rank : findings_.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
   for (const auto& rank : findings_.outcome.earlier)
     ranks.add_earlier(rank.statistics, own(rank.tally));
-  return list() + candidates() + verdict() + '\n' + ranks.text();
+  return list() + candidates() + sentence() + verdict() + '\n' + ranks.text();
 }
 
 ordered_json PatternsReport::json(const WholeStateJson& whole) const {

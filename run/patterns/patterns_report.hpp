@@ -1,7 +1,9 @@
 // What `kusabi patterns` says: the table for a person and the JSON for a program.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -26,7 +28,11 @@ class PatternsReport {
   [[nodiscard]] nlohmann::ordered_json json(const WholeStateJson& whole) const;
 
  private:
+  /// The leaves as they are listed.
+  [[nodiscard]] std::vector<std::size_t> order() const;
   [[nodiscard]] std::string list() const;
+  [[nodiscard]] std::string sentence() const;
+  [[nodiscard]] double least_friction_of(const wedged::Configuration& leaf) const;
   [[nodiscard]] std::string candidates() const;
   [[nodiscard]] nlohmann::ordered_json candidates_json() const;
   [[nodiscard]] std::string verdict() const;

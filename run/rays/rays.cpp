@@ -92,7 +92,9 @@ void Rays::describe(OptionTable& table) {
             "write a picture of each ray to this folder, for ParaView: rays.pvd opens them")
       .ends_in({"/rays.pvd"});
   table.output("--csv", "write the rays to this file, a line each");
-  table.output("--dot", "write the cross-complementarity graph to this file, for Graphviz");
+  table.output(
+      "--dot",
+      "write which rays each cone has to this file, as a graph for Graphviz; up to 200 rays");
   table
       .flag("--whole", options_.whole,
             "write all displacements and support reactions of each ray, too: a result file some "
@@ -202,6 +204,12 @@ Verdict Rays::verdict(CommandRun& run) {
   Verdict verdict;
   const auto drawn = series_remark(found_.rays.size(), "rays");
   if (run.wants("--vtu") && !drawn.empty()) verdict.remarks.push_back(drawn);
+  if (run.wants("--dot") && found_.rays.size() > most_drawn_rays) {
+    verdict.remarks.push_back(fmt::format(
+        "--dot: {} rays are more than a graph shows ({}); which rays each cone has is in "
+        "the file of --output, and --csv has a line for each ray",
+        found_.rays.size(), most_drawn_rays));
+  }
   if (whole()) return verdict;
   verdict.code = stopped_early;
   verdict.remarks.push_back(

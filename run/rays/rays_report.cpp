@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "run/output/csv.hpp"
+#include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -123,8 +124,8 @@ std::string RaysReport::summary() const {
           return belongs({zero, cone_.all()}, each);
         });
     fmt::format_to(out, "{:>7}  {:>6}  {} | {}\n", number + 1, count,
-                   listed(candidate_names(problem_, cone_.all() & ~each.separated)),
-                   listed(candidate_names(problem_, each.separated)));
+                   with_ranges(candidate_names(problem_, cone_.all() & ~each.separated)),
+                   with_ranges(candidate_names(problem_, each.separated)));
   }
   if (found_.cones.size() > longest_table) {
     fmt::format_to(out, "        and {} more (--output)\n", found_.cones.size() - longest_table);
@@ -248,15 +249,19 @@ std::string RaysReport::csv_line(std::size_t number, const rays::Ray& ray) const
 }
 
 void RaysReport::draw(std::ostream& out) const {
-  out << "graph rays {\n";
-  for (std::size_t i = 0; i < found_.rays.size(); ++i) {
-    out << fmt::format("  {} [label=\"{}\\n{}\"];\n", i + 1, i + 1, states(i));
+  if (!can_be_drawn()) {
+    out << fmt::format("graph rays {{\n  label=\"{} rays: more than a graph shows\";\n}}\n",
+                       found_.rays.size());
+    return;
   }
-  for (std::size_t i = 0; i < found_.rays.size(); ++i) {
-    for (std::size_t j = i + 1; j < found_.rays.size(); ++j) {
-      if (cross_complementary(supports(i), supports(j))) {
-        out << fmt::format("  {} -- {};\n", i + 1, j + 1);
-      }
+  out << "graph rays {\n  rankdir=LR;\n";
+  for (std::size_t i = 0; i < found_.rays.size(); ++i)
+    out << fmt::format("  {} [label=\"{}\\n{}\"];\n", i + 1, i + 1, states(i));
+  for (std::size_t cone = 0; cone < found_.cones.size(); ++cone) {
+    out << fmt::format("  cone{} [shape=box, label=\"cone {}\"];\n", cone + 1, cone + 1);
+    for (std::size_t i = 0; i < found_.rays.size(); ++i) {
+      if (belongs(supports(i), found_.cones[cone]))
+        out << fmt::format("  cone{} -- {};\n", cone + 1, i + 1);
     }
   }
   out << "}\n";

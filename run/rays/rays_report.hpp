@@ -23,6 +23,9 @@ namespace kusabi::run {
 /// "double-description" or "tree".
 std::string method_name(wedged::RayMethod method);
 
+/// A graph of more is a black square.
+inline constexpr std::size_t most_drawn_rays = 200;
+
 class RaysReport {
  public:
   /// All must outlive it.
@@ -34,8 +37,11 @@ class RaysReport {
   /// there. The health of the numbers is then part of `found`.
   void write(std::ostream* table, std::ostream* csv, JsonWriter* json);
 
-  /// The cross-complementarity graph of the paper's section 4.3, in the language of Graphviz.
+  /// Cones and their rays, an edge for each that belongs to one, in the language of Graphviz; of
+  /// too many rays how many there are, and nothing else.
   void draw(std::ostream& out) const;
+
+  [[nodiscard]] bool can_be_drawn() const { return found_.rays.size() <= most_drawn_rays; }
 
  private:
   [[nodiscard]] rays::Supports supports(std::size_t number) const {

@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -25,7 +27,9 @@
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using namespace kusabi::test;
 
 // The text of the file from "command" to "statistics", byte for byte.
@@ -462,6 +466,47 @@ TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
   };
   EXPECT_LT(opened("relative"), opened("paper"));
   opened("deepest");
+}
+
+// The numbers are those of the result file, whatever the order.
+TEST_F(Command, ListsPatternsInTheOrderThatIsAskedFor) {
+  const auto patterns = [&](const std::string& more) {
+    return shell(command + " patterns " + truss + " --mu 0.65" + more).output;
+  };
+  const auto run = patterns(" --sort margin --top 2 --output " + argument("result.json"));
+  const auto all = nlohmann::json::parse(content(in_folder("result.json")))["result"]["patterns"];
+  EXPECT_EQ(all.size(), 27U);
+  std::vector<std::pair<double, int>> margins;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    margins.emplace_back(all[i]["margin"].get<double>(), static_cast<int>(i) + 1);
+  std::ranges::sort(margins, std::greater());
+  const auto row = [&](std::size_t rank) {
+    return fmt::format("\n{:>5}  {:>10}  ", margins[rank].second,
+                       fmt::format("{:.3e}", margins[rank].first));
+  };
+  EXPECT_THAT(run, AllOf(HasSubstr(row(0)), HasSubstr(row(1)), Not(HasSubstr(row(2))),
+                         HasSubstr("  25 more\n")));
+  EXPECT_LT(run.find(row(0)), run.find(row(1)));
+  EXPECT_THAT(run, HasSubstr(fmt::format(", has number {} (", margins[0].second)));
+  EXPECT_THAT(patterns(" --sort contact --top 1"), HasSubstr("   27  "));
+}
+
+// At less than what the sentence says the configuration is no longer one; the pattern may live on.
+TEST_F(Command, SaysFromWhatFrictionOnTheSafestConfigurationHolds) {
+  const auto run =
+      shell(command + " patterns " + truss + " --mu 0.65 --output " + argument("result.json"));
+  const auto all = nlohmann::json::parse(content(in_folder("result.json")))["result"]["patterns"];
+  const auto best = std::ranges::max_element(
+      all, {}, [](const nlohmann::json& pattern) { return pattern["margin"].get<double>(); });
+  double least = 0;
+  for (const auto& reaction : (*best)["reaction"]) {
+    const auto r = reaction.get<std::vector<double>>();
+    if (r[0] > 0) least = std::max(least, std::hypot(r[1], r[2]) / r[0]);
+  }
+  EXPECT_LT(least, 0.65);
+  EXPECT_THAT(run.output, HasSubstr(fmt::format("its configuration holds from {:.4g} on.", least)));
+  EXPECT_THAT(shell(command + " patterns " + truss + " --mu 0.3").output,
+              HasSubstr("It cannot stick at friction coefficient 0.3."));
 }
 
 TEST_F(Command, FindsTheCriticalFrictionOnAnyNumberOfRanks) {
@@ -1001,7 +1046,7 @@ TEST_F(Command, ShowsTheTableOfRays) {
   const auto run = shell(command + " rays " + plane_truss + " --mu 0.65");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("16 extremal rays in 1 maximal cone at friction"));
-  EXPECT_THAT(run.output, HasSubstr("      1      16  r1 r2 r3 r4 r5 | -\n"));
+  EXPECT_THAT(run.output, HasSubstr("      1      16  r1…5 | -\n"));
 }
 
 TEST_F(Command, FindsTheSameRaysByBothMethodsOnAnyNumberOfRanks) {
@@ -1104,12 +1149,26 @@ TEST_F(Command, WritesRaysAsCsvAndTheirGraphForGraphviz) {
     EXPECT_EQ(std::count(line.begin(), line.end(), ','), 21);
   }
   EXPECT_FALSE(std::getline(lines, line));
-  // One cone: every two of the 16 are joined.
+  // One cone, of all 16.
   const auto graph = content(dot);
   std::size_t edges = 0;
   for (auto at = graph.find(" -- "); at != std::string::npos; at = graph.find(" -- ", at + 1))
     ++edges;
-  EXPECT_EQ(edges, 16U * 15 / 2);
+  EXPECT_EQ(edges, 16U);
+}
+
+TEST_F(Command, DrawsNoGraphThatNobodyCouldRead) {
+  const auto file = in_folder("many.toml");
+  ASSERT_EQ(shell(command + " example plane-truss --rows 7 --output " + quoted(file)).exit_code, 0);
+  const auto run = shell(command + " rays " + quoted(file) + " --mu 1 --dot " +
+                         argument("rays.dot") + " --output " + argument("rays.json"));
+  EXPECT_EQ(run.exit_code, 0);
+  const auto count =
+      nlohmann::json::parse(content(in_folder("rays.json")))["result"]["rays"].size();
+  ASSERT_GT(count, 200U);
+  EXPECT_THAT(run.output,
+              HasSubstr(fmt::format("--dot: {} rays are more than a graph shows", count)));
+  EXPECT_LT(content(in_folder("rays.dot")).size(), 200U);
 }
 
 // By hand (docs/problem-files.md): r_t = 2 r_n, one ray from mu = 2 on.
