@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -99,19 +101,30 @@ Structure read_structure(const ProblemText& text, const std::string& file_name) 
 }
 
 std::string file_text(const std::filesystem::path& file) {
-  std::error_code failure;
-  const std::uintmax_t size = std::filesystem::file_size(file, failure);
-  if (!failure && size > largest_file) {
-    throw support::InputError(
-        file.string(), {},
-        fmt::format("the file has {} bytes; expected at most {}", size, largest_file));
+  const bool standard_input = file == "-";
+  std::ifstream opened;
+  if (!standard_input) opened.open(file, std::ios::binary);
+  std::istream& stream = standard_input ? std::cin : opened;
+  std::string text;
+  // Pipes do not know their size, and folders can be opened.
+  for (std::vector<char> part(std::size_t{1} << 16U); stream && text.size() <= largest_file;) {
+    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
   }
-  std::ifstream stream(file, std::ios::binary);
-  if (failure || !stream) {
+  if (!stream.eof() && text.size() <= largest_file) {
     throw support::InputError(file.string(), {},
                               "the file cannot be read; expected a problem file in TOML");
   }
-  return {std::istreambuf_iterator<char>(stream), {}};
+  if (text.size() > largest_file) {
+    std::error_code unknown;
+    const auto size = std::filesystem::file_size(file, unknown);
+    throw support::InputError(
+        file.string(), {},
+        fmt::format("the file has {} bytes; expected at most {}",
+                    unknown ? fmt::format("more than {}", largest_file) : fmt::to_string(size),
+                    largest_file));
+  }
+  return text;
 }
 
 Structure load_structure(const std::filesystem::path& file) {

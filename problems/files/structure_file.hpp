@@ -25,7 +25,7 @@ Structure read_structure(std::string_view toml_text, const std::string& file_nam
 /// The same, with the mesh files that the text names.
 Structure read_structure(const ProblemText& text, const std::string& file_name);
 
-/// The text of a problem file.
+/// The text of a problem file, or of the standard input: "-".
 /// @throws InputError if it cannot be read or is larger than `largest_file`
 std::string file_text(const std::filesystem::path& file);
 

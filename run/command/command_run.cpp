@@ -16,11 +16,25 @@
 #include "run/session/restart.hpp"
 
 namespace kusabi::run {
+namespace {
+
+constexpr const char* standard_output = "-";
+
+// Where an output goes; empty: nowhere.
+std::string place_of(const OptionRow& row) {
+  if (row.role == Role::output && row.given == standard_output) return "/dev/stdout";
+  return row.given.value_or(std::string{});
+}
+
+}  // namespace
 
 CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable& table)
     : session_(session), command_(command), table_(table) {
   const auto* const quiet = table.find("--quiet");
   quiet_ = quiet != nullptr && quiet->given;
+  // What a program reads there is not for people.
+  for (const auto& row : table.rows())
+    quiet_ = quiet_ || (row.role == Role::output && row.given == standard_output);
 }
 
 int CommandRun::execute() {
@@ -59,7 +73,7 @@ void CommandRun::open_outputs() {
   for (const auto& row : table_.rows()) {
     if (!row.given || row.given->empty()) continue;
     if (row.role == Role::output || row.role == Role::evidence || row.role == Role::folder) {
-      for (const auto& ending : row.endings) outputs.push_back({row.name, *row.given + ending});
+      for (const auto& ending : row.endings) outputs.push_back({row.name, place_of(row) + ending});
     } else if (row.role == Role::input && row.named()) {
       read_too.push_back({row.name, *row.given});
     } else if (row.role == Role::checkpoint || row.role == Role::restart) {
@@ -76,7 +90,7 @@ void CommandRun::open_outputs() {
     check_outputs(input(), outputs, others);
     for (const auto& row : table_.rows()) {
       if (row.role != Role::output) continue;
-      outputs_.try_emplace(row.name, row.name, row.given.value_or(std::string{}), input());
+      outputs_.try_emplace(row.name, row.name, place_of(row), input());
     }
   });
 }

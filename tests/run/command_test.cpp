@@ -468,6 +468,27 @@ TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
   opened("deepest");
 }
 
+TEST_F(Command, IsPartOfAPipe) {
+  const auto through = shell(command + " example plane-truss --rows 5 | " + command +
+                             " patterns - --mu 1 --output - 2>/dev/null");
+  EXPECT_EQ(through.exit_code, 0);
+  const auto piped = nlohmann::json::parse(through.output);
+  ASSERT_EQ(shell(command + " example plane-truss --rows 5 --output " + argument("five.toml") +
+                  " && " + command + " patterns " + argument("five.toml") +
+                  " --mu 1 --quiet --output " + argument("result.json"))
+                .exit_code,
+            0);
+  const auto filed = nlohmann::json::parse(content(in_folder("result.json")));
+  EXPECT_EQ(piped["result"]["patterns"], filed["result"]["patterns"]);
+  EXPECT_EQ(piped["problem"]["fingerprint"], filed["problem"]["fingerprint"]);
+  EXPECT_FALSE(fs::exists("-"));
+  const auto wrong = shell("echo 'name = ' | " + command + " patterns - --mu 1");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("-:1:8: "));
+  const auto twice = shell(command + " patterns " + truss + " --mu 1 --output - --trace -");
+  EXPECT_EQ(twice.exit_code, 2);
+}
+
 // The numbers are those of the result file, whatever the order.
 TEST_F(Command, ListsPatternsInTheOrderThatIsAskedFor) {
   const auto patterns = [&](const std::string& more) {
