@@ -10,7 +10,7 @@
 
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
-#include "run/draw/result_scenes.hpp"
+#include "run/results/result_scenes.hpp"
 #include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
