@@ -23,7 +23,9 @@ Markup& Markup::open(std::string_view tag, Attributes attributes) {
 }
 
 Markup& Markup::close() {
-  fmt::format_to(std::back_inserter(text_), "</{}>\n", open_.back());
+  // A line's end is a space to who reads: none within a line of numbers.
+  const bool within_words = open_.back() == "data";
+  fmt::format_to(std::back_inserter(text_), "</{}>{}", open_.back(), within_words ? "" : "\n");
   open_.pop_back();
   return *this;
 }

@@ -37,7 +37,7 @@ std::string inline_svg(const InlinePicture& picture, const Scene& scene) {
   canvas.begin_group(picture.large ? "large" : "small");
   draw_scene(canvas, scene, {{side, side}, {inner, high}},
              picture.large ? large_detail : small_detail);
-  if (picture.large && scene.dimension == 3) draw_axes(canvas, {4, high + 2 * side - 52});
+  if (picture.large && scene.dimension == 3) draw_axes(canvas, {4, high + 2 * side - 60});
   canvas.end_group();
   return svg_element(picture, {across, std::round(high + 2 * side)}, canvas);
 }

@@ -47,7 +47,8 @@ class LimitSection {
     };
     take(result_, "nominal", "nominal load factor");
     take(result_, "nominal_interval", "nominal load is carried from, to");
-    take(result_, "alpha", "α, how far each uncertain load may go");
+    const auto force = reader_.text(reader_.at(problem_, "units"), "force");
+    take(result_, "alpha", ("α, how far each uncertain load may go, " + force).c_str());
     if (const auto* const worst = ResultReader::find(result_, "worst_case")) {
       take(*worst, "lower", "worst case, at least");
       take(*worst, "lower_proved", "at least: proved");

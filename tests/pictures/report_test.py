@@ -21,7 +21,7 @@ EVIL = '<a> & "b" \'c\' </script><script>alert(1)</script>'
 class Element:
     def __init__(self, tag, attributes, parent):
         self.tag, self.attributes, self.parent = tag, dict(attributes), parent
-        self.children, self.words = [], ""
+        self.children, self.inside = [], []  # elements; elements and words
 
     def all(self, tag=None):
         for child in self.children:
@@ -33,7 +33,12 @@ class Element:
         return (self.attributes.get("class") or "").split()
 
     def text(self):
-        return self.words
+        return "".join(each if isinstance(each, str) else each.text() for each in self.inside)
+
+    def add(self, element):
+        self.children.append(element)
+        self.inside.append(element)
+        return element
 
 
 class Page(html.parser.HTMLParser):
@@ -42,7 +47,7 @@ class Page(html.parser.HTMLParser):
     def __init__(self, text):
         super().__init__()
         self.root = self.inner = Element("", [], None)
-        self.errors = []
+        self.errors, self.named = [], {}
         self.feed(text)
         self.close()
         if self.inner is not self.root:
@@ -52,14 +57,14 @@ class Page(html.parser.HTMLParser):
         names = [name for name, _ in attrs]
         if len(set(names)) != len(names):
             self.errors.append(f"<{tag}> has an attribute twice")
-        element = Element(tag, attrs, self.inner)
-        self.inner.children.append(element)
+        element = self.inner.add(Element(tag, attrs, self.inner))
+        self.named.setdefault(element.attributes.get("id"), element)
         # An option is closed by the next, or has its text and an end.
         if tag not in VOID or (tag == "option" and self.inner.tag == "select"):
             self.inner = element
 
     def handle_startendtag(self, tag, attrs):
-        self.inner.children.append(Element(tag, attrs, self.inner))
+        self.inner.add(Element(tag, attrs, self.inner))
 
     def handle_endtag(self, tag):
         if tag != self.inner.tag:
@@ -68,15 +73,10 @@ class Page(html.parser.HTMLParser):
         self.inner = self.inner.parent
 
     def handle_data(self, data):
-        element = self.inner
-        while element is not None:
-            element.words += data
-            element = element.parent
+        self.inner.inside.append(data)
 
     def with_id(self, name):
-        found = [element for element in self.root.all() if element.attributes.get("id") == name]
-        assert len(found) == 1, f"{len(found)} elements are called {name}"
-        return found[0]
+        return self.named[name]  # `check` shows that no two have one name
 
     def with_class(self, kind):
         return [element for element in self.root.all() if kind in element.kinds()]
