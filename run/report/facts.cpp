@@ -20,7 +20,7 @@ std::string with_spaces(std::string text) {
 
 void add_value(Markup& page, const ResultJson& value) {
   if (value.is_number()) {
-    add_number(page, &value);
+    add_number(page, &value, many_digits);
   } else if (value.is_string()) {
     page.words(value.get<std::string>());
   } else if (value.is_boolean()) {
@@ -54,16 +54,15 @@ void add_rows(Markup& page, const std::string& before, const ResultJson& object)
 
 }  // namespace
 
-void add_number(Markup& page, const ResultJson* value, std::string_view unit) {
+void add_number(Markup& page, const ResultJson* value, int digits) {
   if (value == nullptr || !value->is_number()) {
     page.words(nothing);
     return;
   }
-  page.element(
-      "data",
-      value->is_number_float() ? fmt::format("{:.6g}", value->get<double>()) : value->dump(),
-      {{"value", value->dump()}});
-  if (!unit.empty()) page.words(" ").words(unit);
+  page.element("data",
+               value->is_number_float() ? fmt::format("{:.{}g}", value->get<double>(), digits)
+                                        : value->dump(),
+               {{"value", value->dump()}});
 }
 
 std::string joined(const std::vector<std::string>& names) {

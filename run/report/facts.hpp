@@ -10,8 +10,13 @@
 
 namespace kusabi::run {
 
-/// A data element that shows six digits and has the number of the file as its value; "–" if null.
-void add_number(pictures::Markup& page, const ResultJson* value, std::string_view unit = {});
+/// Digits that are shown: of a number among many, and of one that is an answer.
+inline constexpr int few_digits = 6;
+inline constexpr int many_digits = 10;
+
+/// A data element that shows so many digits and has the number of the file as its value; "–" if
+/// null.
+void add_number(pictures::Markup& page, const ResultJson* value, int digits = few_digits);
 
 /// Names as text; "–" if there are none.
 std::string joined(const std::vector<std::string>& names);

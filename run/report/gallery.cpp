@@ -26,6 +26,11 @@ std::string meaning(std::string_view key) {
   return "sticks at μ";
 }
 
+// The ends of a bracket may be that near to each other.
+int digits_of(std::string_view key) {
+  return key == "lower" || key == "upper" ? many_digits : few_digits;
+}
+
 class Gallery {
  public:
   Gallery(Markup& page, const ResultReader& reader, std::string things,
@@ -124,7 +129,7 @@ class Gallery {
     if (!answer.state.empty()) page_.element("dt", "state").element("dd", answer.state);
     for (const auto& [key, value] : answer.numbers) {
       page_.element("dt", meaning(key)).open("dd", {{"class", key}});
-      add_number(page_, value);
+      add_number(page_, value, digits_of(key));
       page_.close();
     }
     page_.close();
@@ -179,7 +184,7 @@ class Gallery {
       page_.element("td", answer.state.empty() ? "–" : answer.state);
       for (const auto& [key, value] : answer.numbers) {
         page_.open("td", {{"class", key}});
-        add_number(page_, value);
+        add_number(page_, value, digits_of(key));
         page_.close();
       }
       page_.close();

@@ -23,7 +23,7 @@ svg.picture { display: block; max-width: 100%; height: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding: .3rem 0; }
 th, td { text-align: left; vertical-align: top; padding: .2rem .8rem .2rem 0; border-bottom: 1px solid var(--rule); }
-th { font-weight: 400; color: var(--faint); }
+th { font-weight: 400; color: var(--faint); overflow-wrap: normal; }
 thead th { font-weight: 600; }
 .gallery { list-style: none; padding: 0; display: grid; gap: .8rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 17rem), 1fr)); }
 li.answer { background: var(--card); border: 1px solid var(--rule); border-radius: .4rem; padding: .6rem; content-visibility: auto; contain-intrinsic-size: auto 17rem auto 28rem; }

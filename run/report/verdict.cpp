@@ -92,8 +92,10 @@ class Concluding {
           fmt::format("It cannot stick up to friction coefficient {}.", rounded_down(lower));
     } else {
       const double upper = reader_.number(bracket, "upper");
-      all_.sentence = fmt::format("It cannot stick below friction coefficient {}; at {} it can.",
-                                  rounded_down(lower), rounded_up(upper));
+      all_.sentence =
+          lower > 0 ? fmt::format("It cannot stick below friction coefficient {}; at {} it can.",
+                                  rounded_down(lower), rounded_up(upper))
+                    : fmt::format("It can stick at friction coefficient {}.", rounded_up(upper));
       if (!is_true(bracket, "upper_proved")) reserve("The upper end is computed, not proved.");
     }
     if (!is_true(bracket, "lower_proved")) reserve("The lower end is computed, not proved.");

@@ -245,6 +245,9 @@ class Report(unittest.TestCase):
         self.assertLess(upper - lower, bracket["upper"] - bracket["lower"] + 2.1e-5)
         self.assertEqual(self.numbers(page.with_id("bracket")), [bracket["lower"], bracket["upper"]])
         self.assertEqual(page.with_id("bracket").text().count("yes"), 2)
+        # Both ends are told apart on the page, too.
+        shown = [each.text() for each in page.with_id("bracket").all("data")]
+        self.assertEqual(len(set(shown)), 2)
         self.assertEqual(len(page.with_class("answer")), 1)
 
     def test_an_end_that_is_not_proved(self):
