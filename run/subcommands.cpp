@@ -12,6 +12,7 @@
 #include "run/mip/mip.hpp"
 #include "run/patterns/patterns.hpp"
 #include "run/rays/rays.hpp"
+#include "run/report/report.hpp"
 #include "run/show/show.hpp"
 #include "run/verify/verify.hpp"
 
@@ -27,6 +28,7 @@ CommandLine command_line() {
   all.push_back(verify_subcommand());
   all.push_back(show_subcommand());
   all.push_back(draw_subcommand());
+  all.push_back(report_subcommand());
   all.push_back(example_space_truss_subcommand());
   all.push_back(example_plane_truss_subcommand());
   all.push_back(example_grid_subcommand());

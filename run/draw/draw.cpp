@@ -10,8 +10,8 @@
 
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
-#include "run/draw/result_scenes.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/results/result_scenes.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -1,5 +1,5 @@
 // Of bodies the faces that two elements share are inside, and nobody sees them.
-#include "run/draw/drawn_structure.hpp"
+#include "run/results/drawn_structure.hpp"
 
 #include <algorithm>
 #include <array>

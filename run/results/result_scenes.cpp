@@ -1,15 +1,15 @@
 // Command by command.
-#include "run/draw/result_scenes.hpp"
+#include "run/results/result_scenes.hpp"
 
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "run/draw/drawn_structure.hpp"
-#include "run/draw/result_reader.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/results/drawn_structure.hpp"
+#include "run/results/result_reader.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -51,6 +51,8 @@ class SceneReader {
     all.picture = {reader_.text(problem, "name"),
                    {},
                    {reader_.text(units, "length"), reader_.text(units, "force")}};
+    all.structure = structure_.scene;
+    all.structure.name = "structure";
     const auto command = reader_.text(reader_.all(), "command");
     all.things = command == "rays" ? "rays" : command == "limit" ? "collapses" : "patterns";
     if (command == "patterns") {
@@ -92,6 +94,7 @@ class SceneReader {
         add_line(scene, fmt::format("margin t* = {:.6g}", reader_.number(pattern, "margin")));
       add_signs(scene, pattern);
       add_configuration(scene, pattern);
+      all.entries.push_back(all.scenes.size());
       all.scenes.push_back(std::move(scene));
     }
   }
@@ -103,7 +106,9 @@ class SceneReader {
             ? fmt::format("nothing can wedge up to {:.10g}", reader_.number(bracket, "lower"))
             : fmt::format("critical friction coefficient: between {:.10g} and {:.10g}",
                           reader_.number(bracket, "lower"), reader_.number(bracket, "upper"))};
+    std::size_t entry = 0;
     for (const auto& pattern : reader_.list(result_, "patterns")) {
+      ++entry;
       if (ResultReader::find(pattern, "reaction") == nullptr) continue;
       const double friction = reader_.number(pattern, "upper");
       auto scene = at_friction(friction);
@@ -111,6 +116,7 @@ class SceneReader {
       scene.note = fmt::format("μ {:.6g}", friction);
       add_signs(scene, pattern);
       add_configuration(scene, pattern);
+      all.entries.push_back(entry - 1);
       all.scenes.push_back(std::move(scene));
     }
   }
@@ -140,6 +146,7 @@ class SceneReader {
       if (!words.empty()) words.back().pop_back();
       add_line(scene, listed_names("candidates", words));
       add_configuration(scene, ray);
+      all.entries.push_back(all.scenes.size());
       all.scenes.push_back(std::move(scene));
     }
   }
@@ -257,9 +264,12 @@ class SceneReader {
 
 }  // namespace
 
+ResultScenes all_scenes(const ResultReader& reader) {
+  return SceneReader(reader).read();
+}
+
 ResultScenes result_scenes(const std::string& text, const std::string& file) {
-  const ResultReader reader(text, file);
-  auto all = SceneReader(reader).read();
+  auto all = all_scenes(ResultReader(text, file));
   if (all.scenes.empty()) {
     throw WrongInput(fmt::format("{}: has no {}; expected one or more to draw", file, all.things));
   }

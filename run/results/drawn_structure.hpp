@@ -5,7 +5,7 @@
 #include <string>
 
 #include "pictures/svg/scene.hpp"
-#include "run/draw/result_reader.hpp"
+#include "run/results/result_reader.hpp"
 
 namespace kusabi::run {
 

@@ -1,5 +1,5 @@
 // Every access is checked: the file may be anybody's.
-#include "run/draw/result_reader.hpp"
+#include "run/results/result_reader.hpp"
 
 #include <cmath>
 #include <utility>

@@ -1,0 +1,76 @@
+// Like a card of a sheet, or a picture in detail.
+#include "pictures/svg/inline_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pictures/svg/canvas.hpp"
+#include "pictures/svg/legend.hpp"
+#include "pictures/svg/scales.hpp"
+#include "pictures/svg/scene_drawing.hpp"
+#include "pictures/svg/style.hpp"
+#include "pictures/xml_text.hpp"
+
+namespace kusabi::pictures {
+namespace {
+
+std::string svg_element(const InlinePicture& picture, const Point& size, const Canvas& canvas) {
+  return fmt::format(
+      "<svg id=\"{0}\" class=\"picture\" viewBox=\"0 0 {1:g} {2:g}\" width=\"{1:g}\" "
+      "height=\"{2:g}\" role=\"img\" aria-labelledby=\"{0}-title {0}-desc\">\n"
+      "<title id=\"{0}-title\">{3}</title>\n<desc id=\"{0}-desc\">{4}</desc>\n{5}</svg>\n",
+      xml_text(picture.id), size.x(), size.y(), xml_text(picture.title),
+      xml_text(picture.description), canvas.text());
+}
+
+}  // namespace
+
+std::string inline_svg(const InlinePicture& picture, const Scene& scene) {
+  const double across = picture.large ? 720 : 320;
+  const double side = picture.large ? 72 : 16;
+  const double shape = View::shape(scene.dimension, extent(scene, scales_of(scene)));
+  const double inner = across - 2 * side;
+  const double high = std::clamp(inner * shape, 0.3 * inner, inner);
+  Canvas canvas;
+  canvas.begin_group(picture.large ? "large" : "small");
+  draw_scene(canvas, scene, {{side, side}, {inner, high}},
+             picture.large ? large_detail : small_detail);
+  if (picture.large && scene.dimension == 3) draw_axes(canvas, {4, high + 2 * side - 60});
+  canvas.end_group();
+  return svg_element(picture, {across, std::round(high + 2 * side)}, canvas);
+}
+
+std::string inline_legend(const InlinePicture& picture, const std::vector<Scene>& scenes) {
+  const auto entries = common_legend(scenes);
+  constexpr double across = 320;
+  Canvas canvas;
+  draw_legend(canvas, entries, {4, 4}, across, 1);
+  return svg_element(picture, {across, legend_height(entries, 1) + 8}, canvas);
+}
+
+std::string inline_style() {
+  std::string scoped;
+  std::string_view rest = style;
+  while (!rest.empty()) {
+    const auto line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    const auto brace = line.find('{');
+    if (brace == std::string_view::npos || line.front() == '@') {
+      scoped.append(line) += '\n';
+      continue;
+    }
+    auto selectors = line.substr(0, brace);
+    while (!selectors.empty()) {
+      const auto one = selectors.substr(0, selectors.find(','));
+      selectors.remove_prefix(std::min(selectors.size(), one.size() + 1));
+      const auto first = one.find_first_not_of(' ');
+      scoped.append("svg.picture ").append(one.substr(first)) += selectors.empty() ? "" : ", ";
+    }
+    scoped.append(line.substr(brace)) += '\n';
+  }
+  return scoped;
+}
+
+}  // namespace kusabi::pictures

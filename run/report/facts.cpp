@@ -1,0 +1,121 @@
+// Whatever keys there are: the file may be of another version.
+#include "run/report/facts.hpp"
+
+#include <fmt/format.h>
+
+namespace kusabi::run {
+namespace {
+
+using pictures::Markup;
+
+constexpr std::string_view nothing = "–";
+constexpr std::size_t longest_list = 8;
+
+std::string with_spaces(std::string text) {
+  for (char& c : text) {
+    if (c == '_') c = ' ';
+  }
+  return text;
+}
+
+void add_value(Markup& page, const ResultJson& value) {
+  if (value.is_number()) {
+    add_number(page, &value, many_digits);
+  } else if (value.is_string()) {
+    page.words(value.get<std::string>());
+  } else if (value.is_boolean()) {
+    page.words(value.get<bool>() ? "yes" : "no");
+  } else if (value.is_array() && value.size() > longest_list) {
+    page.words(fmt::format("{} entries", value.size()));
+  } else if (value.is_array() && !value.empty()) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (i > 0) page.words(", ");
+      add_value(page, value[i]);
+    }
+  } else if (value.is_object()) {
+    page.words(fmt::format("{} entries", value.size()));
+  } else {
+    page.words(nothing);
+  }
+}
+
+void add_rows(Markup& page, const std::string& before, const ResultJson& object) {
+  for (const auto& [key, value] : object.items()) {
+    const auto name = before + with_spaces(key);
+    if (value.is_object() && !value.empty()) {
+      add_rows(page, name + ", ", value);
+      continue;
+    }
+    page.open("tr").element("th", name, {{"scope", "row"}}).open("td");
+    add_value(page, value);
+    page.close().close();
+  }
+}
+
+}  // namespace
+
+void add_number(Markup& page, const ResultJson* value, int digits) {
+  if (value == nullptr || !value->is_number()) {
+    page.words(nothing);
+    return;
+  }
+  page.element("data",
+               value->is_number_float() ? fmt::format("{:.{}g}", value->get<double>(), digits)
+                                        : value->dump(),
+               {{"value", value->dump()}});
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? std::string(nothing) : text;
+}
+
+void add_facts(Markup& page, std::string_view caption, const ResultJson& object) {
+  if (!object.is_object() || object.empty()) return;
+  page.open("div", {{"class", "scroll"}}).open("table").element("caption", caption).open("tbody");
+  add_rows(page, "", object);
+  page.close().close().close();
+}
+
+void add_problem(Markup& page, const ResultReader& reader) {
+  const auto& problem = reader.at(reader.all(), "problem");
+  auto facts = ResultJson::object();
+  for (const auto& [key, value] : problem.items()) {
+    if (key != "structure" && key != "contact" && key != "d" && key != "m") facts[key] = value;
+  }
+  facts["dimension"] = reader.at(problem, "d");
+  const bool wedged = ResultReader::find(problem, "contact") != nullptr;
+  if (const auto* const m = ResultReader::find(problem, "m"))
+    facts[wedged ? "contact candidates" : "uncertain loads"] = *m;
+  const auto& result = reader.at(reader.all(), "result");
+  if (const auto* const friction = ResultReader::find(result, "friction"))
+    facts["friction coefficient"] = *friction;
+  add_facts(page, "The problem", facts);
+}
+
+void add_origin(Markup& page, const ResultReader& reader) {
+  const auto& all = reader.all();
+  auto call = ResultJson::object();
+  for (const char* const key : {"command", "version", "status"}) call[key] = reader.at(all, key);
+  for (const char* const key : {"certificate", "digest"}) {
+    if (const auto* const value = ResultReader::find(all, key)) call[key] = *value;
+  }
+  add_facts(page, "How it was called", call);
+  if (const auto* const options = ResultReader::find(all, "options"))
+    add_facts(page, "Options", *options);
+  const auto& result = reader.at(all, "result");
+  for (const char* const key : {"tree", "programs", "zero_one"}) {
+    if (const auto* const value = ResultReader::find(result, key))
+      add_facts(page, key == std::string_view("tree") ? "The search tree" : with_spaces(key),
+                *value);
+  }
+  if (const auto* const statistics = ResultReader::find(all, "statistics")) {
+    auto counts = *statistics;
+    const auto* const ranks = ResultReader::find(counts, "ranks");
+    if (ranks != nullptr && ranks->is_array()) counts["ranks"] = ranks->size();
+    add_facts(page, "This run: differs from one to the next", counts);
+  }
+}
+
+}  // namespace kusabi::run

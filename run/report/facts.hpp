@@ -1,0 +1,34 @@
+// Parts of a page that all results have: numbers, names and tables of what is told by a key.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pictures/html/markup.hpp"
+#include "run/results/result_reader.hpp"
+
+namespace kusabi::run {
+
+/// Digits that are shown: of a number among many, and of one that is an answer.
+inline constexpr int few_digits = 6;
+inline constexpr int many_digits = 10;
+
+/// A data element that shows so many digits and has the number of the file as its value; "–" if
+/// null.
+void add_number(pictures::Markup& page, const ResultJson* value, int digits = few_digits);
+
+/// Names as text; "–" if there are none.
+std::string joined(const std::vector<std::string>& names);
+
+/// A table of the keys and values of an object; what is an object within is told as "key, key".
+/// Lists of more than that a person reads are counted.
+void add_facts(pictures::Markup& page, std::string_view caption, const ResultJson& object);
+
+/// Name, file, sizes, units, fingerprint. @throws WrongInput
+void add_problem(pictures::Markup& page, const ResultReader& reader);
+
+/// How it was called, the search tree, all fingerprints. @throws WrongInput
+void add_origin(pictures::Markup& page, const ResultReader& reader);
+
+}  // namespace kusabi::run

@@ -1,0 +1,147 @@
+// Nominal and worst case side by side, where there are both.
+#include "run/report/limit_section.hpp"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pictures/svg/inline_picture.hpp"
+#include "run/report/facts.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using pictures::Markup;
+
+class LimitSection {
+ public:
+  LimitSection(Markup& page, const ResultReader& reader, const ResultScenes& scenes)
+      : page_(page),
+        reader_(reader),
+        result_(reader.at(reader.all(), "result")),
+        problem_(reader.at(reader.all(), "problem")),
+        scenes_(scenes) {}
+
+  void add() {
+    page_.open("section", {{"id", "factors"}}).element("h2", "Load factors");
+    factors();
+    for (const auto& scene : scenes_.scenes) {
+      page_.element("h3", "Collapse under the " + scene.name);
+      const auto id = scene.name == "worst case" ? "collapse-worst" : "collapse-nominal";
+      page_.verbatim(inline_svg(
+          {id, "Collapse mode, " + scene.name, "The structure at collapse, " + scene.note, true},
+          scene));
+      mode(scene.name == "worst case" ? "collapse_mode" : "nominal_mode");
+    }
+    critical_load();
+    utilisation();
+    page_.close();
+  }
+
+ private:
+  void factors() {
+    auto facts = ResultJson::object();
+    const auto take = [&](const ResultJson& object, const char* key, const char* name) {
+      if (const auto* const value = ResultReader::find(object, key)) facts[name] = *value;
+    };
+    take(result_, "nominal", "nominal load factor");
+    take(result_, "nominal_interval", "nominal load is carried from, to");
+    const auto force = reader_.text(reader_.at(problem_, "units"), "force");
+    take(result_, "alpha", ("α, how far each uncertain load may go, " + force).c_str());
+    if (const auto* const worst = ResultReader::find(result_, "worst_case")) {
+      take(*worst, "lower", "worst case, at least");
+      take(*worst, "lower_proved", "at least: proved");
+      take(*worst, "upper", "worst case, at most");
+      take(*worst, "upper_proved", "at most: proved");
+      take(*worst, "from", "worst case by");
+    }
+    take(result_, "critical_interval", "critical load is carried from, to");
+    add_facts(page_, "Factors of the reference load", facts);
+  }
+
+  void begin_table(const std::string& caption, const std::vector<std::string>& columns) {
+    page_.open("div", {{"class", "scroll"}}).open("table").element("caption", caption);
+    page_.open("thead").open("tr");
+    for (const auto& column : columns) page_.element("th", column, {{"scope", "col"}});
+    page_.close().close().open("tbody");
+  }
+
+  void end_table() { page_.close().close().close(); }
+
+  void mode(const char* key) {
+    const auto& yielding = reader_.list(reader_.at(result_, key), "yielding");
+    if (yielding.empty()) return;
+    begin_table("Members that yield", {"member", "in", "rate of elongation"});
+    for (const auto& each : yielding) {
+      page_.open("tr").element("th", joined(reader_.names(each, "member")), {{"scope", "row"}});
+      page_.element("td", reader_.text(each, "in")).open("td");
+      add_number(page_, &reader_.at(each, "elongation"));
+      page_.close().close();
+    }
+    end_table();
+  }
+
+  void critical_load() {
+    if (ResultReader::find(result_, "critical_load") == nullptr) return;
+    const auto force = reader_.text(reader_.at(problem_, "units"), "force");
+    const auto d = static_cast<int>(reader_.number(problem_, "d"));
+    std::vector<std::string> columns{"node", "x", "y", "z"};
+    columns.resize(static_cast<std::size_t>(d) + 1);
+    begin_table("The critical dead load, " + force, columns);
+    for (const auto& load : reader_.list(result_, "critical_load")) {
+      page_.open("tr").element("th", reader_.text(load, "node"), {{"scope", "row"}});
+      for (const auto& component : reader_.list(load, "force", columns.size() - 1)) {
+        page_.open("td");
+        add_number(page_, &component);
+        page_.close();
+      }
+      page_.close();
+    }
+    end_table();
+  }
+
+  void utilisation() {
+    const auto& structure = reader_.at(problem_, "structure");
+    if (ResultReader::find(structure, "members") == nullptr) return;
+    const auto& members = reader_.list(structure, "members");
+    const auto names = reader_.names(structure, "node_names");
+    std::vector<std::string> columns{"member"};
+    std::vector<const ResultJson*> used;
+    for (const char* const key : {"nominal_utilisation", "utilisation"}) {
+      if (ResultReader::find(result_, key) == nullptr) continue;
+      used.push_back(&reader_.list(result_, key, members.size()));
+      columns.emplace_back(key == std::string_view("utilisation") ? "worst case" : "nominal load");
+    }
+    if (used.empty()) return;
+    page_.open("details").element("summary", "How much of its strength each member uses");
+    begin_table("Utilisation: 1 where a member yields", columns);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const auto a = static_cast<std::size_t>(reader_.index(members[i][0], names.size()));
+      const auto b = static_cast<std::size_t>(reader_.index(members[i][1], names.size()));
+      page_.open("tr").element("th", joined({names[a], names[b]}), {{"scope", "row"}});
+      for (const auto* const list : used) {
+        page_.open("td");
+        add_number(page_, &(*list)[i]);
+        page_.close();
+      }
+      page_.close();
+    }
+    end_table();
+    page_.close();
+  }
+
+  Markup& page_;
+  const ResultReader& reader_;
+  const ResultJson& result_;
+  const ResultJson& problem_;
+  const ResultScenes& scenes_;
+};
+
+}  // namespace
+
+void add_limit(Markup& page, const ResultReader& reader, const ResultScenes& scenes) {
+  LimitSection(page, reader, scenes).add();
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,13 @@
+// The limit loads of a page: the interval, the collapse modes, how much the members are used.
+#pragma once
+
+#include "pictures/html/markup.hpp"
+#include "run/results/result_reader.hpp"
+#include "run/results/result_scenes.hpp"
+
+namespace kusabi::run {
+
+/// @throws WrongInput
+void add_limit(pictures::Markup& page, const ResultReader& reader, const ResultScenes& scenes);
+
+}  // namespace kusabi::run

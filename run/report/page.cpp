@@ -1,0 +1,108 @@
+// From the verdict down to how it was come by.
+#include "run/report/page.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pictures/html/markup.hpp"
+#include "pictures/svg/inline_picture.hpp"
+#include "run/report/answers.hpp"
+#include "run/report/facts.hpp"
+#include "run/report/gallery.hpp"
+#include "run/report/limit_section.hpp"
+#include "run/report/page_script.hpp"
+#include "run/report/page_style.hpp"
+#include "run/report/verdict.hpp"
+#include "run/results/result_scenes.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using pictures::Markup;
+
+// Whoever opens the page asks nobody else for anything, whatever is in the file.
+constexpr const char* nothing_from_elsewhere =
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; "
+    "form-action 'none'";
+
+void add_head(Markup& page, const std::string& title) {
+  page.open("head").single("meta", {{"charset", "utf-8"}});
+  page.single("meta",
+              {{"http-equiv", "Content-Security-Policy"}, {"content", nothing_from_elsewhere}});
+  page.single("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
+  page.single("meta", {{"name", "color-scheme"}, {"content", "light dark"}});
+  page.element("title", title);
+  page.open("style").verbatim(page_style).verbatim(pictures::inline_style()).close();
+  page.close();
+}
+
+void add_verdict(Markup& page, const Conclusion& verdict) {
+  page.element("p", verdict.sentence, {{"id", "verdict"}});
+  if (verdict.reservations.empty()) return;
+  page.open("ul", {{"id", "reservations"}});
+  for (const auto& each : verdict.reservations) page.element("li", each);
+  page.close();
+}
+
+// Facts on one side, the structure and what the marks mean on the other.
+void add_problem_section(Markup& page, const ResultReader& reader, const ResultScenes& scenes) {
+  page.open("section", {{"id", "problem"}}).element("h2", "Problem");
+  page.verbatim(
+      inline_svg({"structure", "The structure at rest",
+                  fmt::format("{} nodes, {} contact candidates", scenes.structure.positions.cols(),
+                              scenes.structure.candidates.size()),
+                  true},
+                 scenes.structure));
+  add_problem(page, reader);
+  if (!scenes.scenes.empty()) {
+    page.element("h3", "What the marks of the pictures mean");
+    page.verbatim(inline_legend(
+        {"legend", "Legend", "What the marks mean; a name shows when one points at a dot."},
+        scenes.scenes));
+  }
+  page.close();
+}
+
+void add_bracket(Markup& page, const ResultReader& reader) {
+  const auto& bracket = reader.at(reader.at(reader.all(), "result"), "critical_friction");
+  page.open("section", {{"id", "bracket"}}).element("h2", "Critical friction coefficient");
+  auto facts = ResultJson::object();
+  const auto take = [&](const char* key, const char* name) {
+    if (const auto* const value = ResultReader::find(bracket, key)) facts[name] = *value;
+  };
+  take("lower", "nothing can stick at");
+  take("lower_proved", "this end is proved");
+  take("upper", "something can at");
+  take("upper_proved", "that end is proved");
+  add_facts(page, "Between what it is", facts);
+  page.close();
+}
+
+}  // namespace
+
+std::string report_page(const ResultReader& reader) {
+  const auto scenes = all_scenes(reader);
+  const auto list = answers(reader, scenes);
+  const auto command = reader.text(reader.all(), "command");
+  Markup page;
+  page.verbatim("<!DOCTYPE html>\n").open("html", {{"lang", "en"}});
+  add_head(page, scenes.picture.title + " · kusabi " + command);
+  page.open("body").open("header").element("h1", scenes.picture.title);
+  add_verdict(page, conclusion(reader));
+  page.close().open("main");
+  if (command == "critical") add_bracket(page, reader);
+  if (command == "limit") add_limit(page, reader, scenes);
+  add_problem_section(page, reader, scenes);
+  if (!list.empty()) add_gallery(page, reader, scenes.things, list);
+  page.open("section", {{"id", "origin"}}).element("h2", "How this was found");
+  add_origin(page, reader);
+  page.close().close();
+  page.open("script").verbatim(page_script).close();
+  page.close().close();
+  return page.text();
+}
+
+}  // namespace kusabi::run

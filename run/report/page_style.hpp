@@ -1,0 +1,52 @@
+// How the page looks: on light and dark screens, on phones, on paper. Pictures have their own style
+// (pictures/svg/style.hpp).
+#pragma once
+
+#include <string_view>
+
+namespace kusabi::run {
+
+inline constexpr std::string_view page_style = R"(
+:root { --ink: #1f2328; --faint: #57606a; --paper: #ffffff; --card: #f6f8fa; --rule: #d8dee4; --mark: #0969da; }
+@media (prefers-color-scheme: dark) {
+:root { --ink: #e6edf3; --faint: #9ea7b3; --paper: #0d1117; --card: #151b23; --rule: #30363d; --mark: #58a6ff; }
+}
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 1rem; max-width: 76rem; background: var(--paper); color: var(--ink); font: 1rem/1.5 system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif; overflow-wrap: anywhere; }
+h1 { font-size: 1.6rem; line-height: 1.25; margin: .5rem 0; }
+h2 { font-size: 1.25rem; border-bottom: 1px solid var(--rule); padding-bottom: .2rem; margin-top: 2rem; }
+h3 { font-size: 1rem; margin: .3rem 0; }
+#verdict { font-size: 1.25rem; font-weight: 600; border-left: .3rem solid var(--mark); padding-left: .8rem; margin: .8rem 0; }
+#reservations, .remark { color: var(--faint); }
+svg.picture { display: block; max-width: 100%; height: auto; }
+.scroll { overflow-x: auto; margin: .6rem 0; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+caption { text-align: left; font-weight: 600; padding: .3rem 0; }
+th, td { text-align: left; vertical-align: top; padding: .2rem .8rem .2rem 0; border-bottom: 1px solid var(--rule); }
+th { font-weight: 400; color: var(--faint); overflow-wrap: normal; }
+thead th { font-weight: 600; }
+.gallery { list-style: none; padding: 0; display: grid; gap: .8rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 17rem), 1fr)); }
+li.answer { background: var(--card); border: 1px solid var(--rule); border-radius: .4rem; padding: .6rem; content-visibility: auto; contain-intrinsic-size: auto 17rem auto 28rem; }
+li.answer svg { margin: 0 auto; }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: .1rem .7rem; margin: .5rem 0; font-size: .9rem; }
+dt { color: var(--faint); }
+dd { margin: 0; }
+#controls { display: flex; flex-wrap: wrap; gap: .4rem 1.2rem; }
+#controls p { margin: 0; }
+[hidden], #controls[hidden] { display: none; }
+input, select, button { font: inherit; color: inherit; background: var(--card); border: 1px solid var(--faint); border-radius: .3rem; padding: .25rem .5rem; max-width: 100%; }
+:focus-visible { outline: 3px solid var(--mark); outline-offset: 2px; }
+summary { cursor: pointer; }
+@media print {
+#controls { display: none; }
+body { max-width: none; padding: 0; font-size: .8rem; }
+li.answer { break-inside: avoid; content-visibility: visible; }
+.gallery { display: block; }
+.gallery li.answer { display: inline-block; width: 48%; vertical-align: top; }
+details:not([open]) { display: none; }
+.scroll { overflow: visible; }
+h2, h3, caption { break-after: avoid; }
+}
+)";
+
+}  // namespace kusabi::run

@@ -1,0 +1,51 @@
+// Reads the result, writes the page.
+#include "run/report/report.hpp"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "problems/files/structure_file.hpp"
+#include "run/command/command_run.hpp"
+#include "run/report/page.hpp"
+
+namespace kusabi::run {
+namespace {
+
+class Report final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "report"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "a result file as a page of HTML, whole in one file: verdict, pictures, numbers";
+  }
+  void describe(OptionTable& table) override {
+    table.file("file", file_, Role::input, "the result, a JSON file").required();
+    table.output("--output", "write the page to this HTML file instead of standard output");
+    table.quiet();
+    table.serial();
+  }
+  void read(CommandRun& run) override {
+    text_ = run.session().from_first_rank([&] { return problems::file_text(file_); });
+  }
+  void prepare(CommandRun& /*run*/) override { page_ = report_page(ResultReader(text_, file_)); }
+  void search(CommandRun& /*run*/) override {}
+  std::vector<Step> results(CommandRun& run) override {
+    if (run.wants("--output"))
+      return {run.file("--output", [this](std::ostream& out) { out << page_; })};
+    return {CommandRun::print(page_)};
+  }
+  Verdict verdict(CommandRun& /*run*/) override { return {}; }
+
+ private:
+  std::string file_;
+  std::string text_;
+  std::string page_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> report_subcommand() {
+  return std::make_unique<Report>();
+}
+
+}  // namespace kusabi::run

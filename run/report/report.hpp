@@ -1,0 +1,12 @@
+// `kusabi report RESULT`: a result file as a page for whoever gets it by mail.
+#pragma once
+
+#include <memory>
+
+#include "run/command/subcommand.hpp"
+
+namespace kusabi::run {
+
+std::unique_ptr<Subcommand> report_subcommand();
+
+}  // namespace kusabi::run

@@ -1,0 +1,24 @@
+// What a result comes to, in a sentence for a person who has not asked for it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/results/result_reader.hpp"
+
+namespace kusabi::run {
+
+struct Conclusion {
+  std::string sentence;
+  std::vector<std::string> reservations;  ///< what is open, or not proved
+};
+
+/// @throws WrongInput
+Conclusion conclusion(const ResultReader& reader);
+
+/// Five digits, of which the last is rounded so that the text is not greater (not smaller) than
+/// the number: a bound stays one.
+std::string rounded_down(double number);
+std::string rounded_up(double number);
+
+}  // namespace kusabi::run

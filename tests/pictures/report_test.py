@@ -1,0 +1,322 @@
+"""That the page which kusabi report writes is well-formed, whole in itself, labelled, and says what the
+result file says.
+
+    python3 report_test.py KUSABI SOURCES
+"""
+import html.parser
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCES = pathlib.Path(sys.argv.pop()).resolve()
+KUSABI = sys.argv.pop()
+VOID = {"meta", "input", "option", "link", "br", "img"}  # the end of an option may be left out
+EVIL = '<a> & "b" \'c\' </script><script>alert(1)</script>'
+
+
+class Element:
+    def __init__(self, tag, attributes, parent):
+        self.tag, self.attributes, self.parent = tag, dict(attributes), parent
+        self.children, self.inside = [], []  # elements; elements and words
+
+    def all(self, tag=None):
+        for child in self.children:
+            if tag in (None, child.tag):
+                yield child
+            yield from child.all(tag)
+
+    def kinds(self):
+        return (self.attributes.get("class") or "").split()
+
+    def text(self):
+        return "".join(each if isinstance(each, str) else each.text() for each in self.inside)
+
+    def add(self, element):
+        self.children.append(element)
+        self.inside.append(element)
+        return element
+
+
+class Page(html.parser.HTMLParser):
+    """A tree of elements; whatever is not closed in order is an error."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.root = self.inner = Element("", [], None)
+        self.errors, self.named = [], {}
+        self.feed(text)
+        self.close()
+        if self.inner is not self.root:
+            self.errors.append(f"<{self.inner.tag}> is left open")
+
+    def handle_starttag(self, tag, attrs):
+        names = [name for name, _ in attrs]
+        if len(set(names)) != len(names):
+            self.errors.append(f"<{tag}> has an attribute twice")
+        element = self.inner.add(Element(tag, attrs, self.inner))
+        self.named.setdefault(element.attributes.get("id"), element)
+        # An option is closed by the next, or has its text and an end.
+        if tag not in VOID or (tag == "option" and self.inner.tag == "select"):
+            self.inner = element
+
+    def handle_startendtag(self, tag, attrs):
+        self.inner.add(Element(tag, attrs, self.inner))
+
+    def handle_endtag(self, tag):
+        if tag != self.inner.tag:
+            self.errors.append(f"{self.getpos()}: </{tag}> within <{self.inner.tag}>")
+            return
+        self.inner = self.inner.parent
+
+    def handle_data(self, data):
+        self.inner.inside.append(data)
+
+    def with_id(self, name):
+        return self.named[name]  # `check` shows that no two have one name
+
+    def with_class(self, kind):
+        return [element for element in self.root.all() if kind in element.kinds()]
+
+
+class Report(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.result = self.folder / "result.json"
+
+    def kusabi(self, *words):
+        return subprocess.run([KUSABI, *map(str, words), "--serial"], capture_output=True, text=True, check=False)
+
+    def solve(self, command, name, *words):
+        run = self.kusabi(command, SOURCES / "examples" / name, *words, "--output", self.result)
+        self.assertIn(run.returncode, (0, 3), run.stderr)
+        return json.loads(self.result.read_text())
+
+    def page(self):
+        place = self.folder / "page.html"
+        run = self.kusabi("report", self.result, "--output", place)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        text = place.read_text()
+        page = Page(text)
+        self.check(page, text)
+        return page
+
+    def check(self, page, text):
+        """What holds of all pages."""
+        self.assertEqual(page.errors, [])
+        self.assertTrue(text.startswith("<!DOCTYPE html>"))
+        everything = list(page.root.all())
+        ids = [element.attributes["id"] for element in everything if "id" in element.attributes]
+        self.assertEqual(len(ids), len(set(ids)))
+
+        # Nothing is from elsewhere, and nothing may be.
+        for element in everything:
+            self.assertNotIn(element.tag, ("link", "img", "iframe", "object", "embed", "base"))
+            for name, value in element.attributes.items():
+                self.assertNotIn(name, ("src", "href", "xlink:href", "srcset", "action", "style"))
+                self.assertFalse(name.startswith("on"), name)
+        styles = "".join(element.text() for element in everything if element.tag == "style")
+        self.assertNotRegex(styles, r"url\(|@import")
+        self.assertEqual(len(list(page.root.all("script"))), 1)
+        policy = next(each for each in everything if each.attributes.get("http-equiv") == "Content-Security-Policy")
+        self.assertIn("default-src 'none'", policy.attributes["content"])
+
+        # One style for all pictures, which touches nothing else.
+        self.assertEqual(sum(element.tag == "style" for element in everything), 1)
+        drawn = styles[styles.index("svg.picture text"):]
+        for selectors in re.findall(r"^([^@}\n][^{]*)\{", drawn, re.MULTILINE):
+            for selector in selectors.split(","):
+                self.assertTrue(selector.strip().startswith("svg.picture "), selector)
+        for query in ("prefers-color-scheme: dark", "@media print"):
+            self.assertIn(query, styles)
+
+        # Pictures and controls have names.
+        for svg in page.root.all("svg"):
+            self.assertEqual(svg.attributes["role"], "img")
+            title, description = (page.with_id(name) for name in svg.attributes["aria-labelledby"].split())
+            self.assertEqual((title.tag, description.tag), ("title", "desc"))
+            self.assertTrue(title.text() and description.text())
+            self.assertIn("picture", svg.kinds())
+        labelled = {label.attributes["for"] for label in page.root.all("label")}
+        for tag in ("input", "select"):
+            for control in page.root.all(tag):
+                self.assertIn(control.attributes["id"], labelled)
+        for table in page.root.all("table"):
+            self.assertEqual(table.children[0].tag, "caption")
+
+    def numbers(self, element):
+        return [json.loads(each.attributes["value"]) for each in element.all("data")]
+
+    def verdict(self, page):
+        return page.with_id("verdict").text()
+
+    def test_patterns(self):
+        result = self.solve("patterns", "space-truss.toml", "--mu", 0.65)
+        page = self.page()
+        self.assertEqual(self.verdict(page),
+                         f"It can stick: {result['result']['count']} ways at friction coefficient 0.65.")
+        cards = page.with_class("answer")
+        patterns = result["result"]["patterns"]
+        self.assertEqual(len(cards), len(patterns))
+        names = [each["node"] for each in result["problem"]["contact"]]
+        for number, (card, pattern) in enumerate(zip(cards, patterns), 1):
+            self.assertEqual(card.attributes["data-number"], str(number))
+            self.assertEqual(json.loads(card.attributes["data-contact"]), pattern["contact"])
+            self.assertEqual(float(card.attributes["data-order"]), pattern["margin"])
+            self.assertEqual(int(card.attributes["data-size"]), len(pattern["contact"]))
+            margin = next(each for each in card.all("dd") if "margin" in each.kinds())
+            self.assertEqual(self.numbers(margin), [pattern["margin"]])
+            # What is seen is the same number, in six digits.
+            self.assertAlmostEqual(float(margin.text()) / pattern["margin"], 1, delta=1e-5)
+            told = {term.text(): definition.text() for term, definition in zip(card.all("dt"), card.all("dd"))}
+            self.assertEqual(told["in contact"], ", ".join(pattern["contact"]))
+            self.assertEqual(told["separated"], ", ".join(pattern["separated"]) or "–")
+            rows = {next(row.all("th")).text(): self.numbers(row) for row in next(card.all("tbody")).all("tr")}
+            self.assertEqual(rows, {name: force for name, force in zip(names, pattern["reaction"]) if any(force)})
+            self.assertEqual(len(list(card.all("svg"))), 1)
+            marks = [mark for mark in card.all("circle") if "contact" in mark.kinds()]
+            self.assertEqual(len(marks), len(pattern["contact"]))
+        problem = page.with_id("problem").text()
+        for known in (result["problem"]["fingerprint"], result["problem"]["units"]["force"], "space truss"):
+            self.assertIn(known, problem)
+        origin = page.with_id("origin").text()
+        for known in (result["version"], result["result"]["tree"]["fingerprint"], str(result["result"]["tree"]["opened"])):
+            self.assertIn(known, origin)
+        # Without a script it is a list, and no control is there that would do nothing.
+        self.assertIn("hidden", page.with_id("controls").attributes)
+        self.assertFalse(any("hidden" in card.attributes for card in cards))
+
+    def test_beyond_three_hundred_there_are_rows(self):
+        result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
+        patterns = result["result"]["patterns"]
+        count = 302
+        result["result"]["patterns"] = [patterns[i % len(patterns)] for i in range(count)]
+        self.result.write_text(json.dumps(result))
+        page = self.page()
+        answers = page.with_class("answer")
+        self.assertEqual([each.attributes["data-number"] for each in answers], [str(i) for i in range(1, count + 1)])
+        self.assertEqual([each.tag for each in answers], ["li"] * 300 + ["tr"] * 2)
+        self.assertIn(f"first 300 of {count} patterns", page.with_id("answers").text())
+        self.assertIn(result["result"]["patterns"][-1]["margin"], self.numbers(answers[-1]))
+
+    def test_nothing_sticks(self):
+        result = self.solve("rays", "two-bars.toml", "--mu", 0.5)
+        self.assertEqual(result["result"]["count"], 0)
+        page = self.page()
+        self.assertEqual(self.verdict(page), "It cannot stick at friction coefficient 0.5.")
+        self.assertEqual(page.with_class("answer"), [])
+
+    def test_what_is_not_known_is_not_claimed(self):
+        result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
+        result.update(status="time-limit")
+        self.result.write_text(json.dumps(result))
+        page = self.page()
+        self.assertIn("at least", self.verdict(page))
+        self.assertIn("time-limit", page.with_id("reservations").text())
+        result["result"].update(count=0, patterns=[])
+        self.result.write_text(json.dumps(result))
+        self.assertIn("not known", self.verdict(self.page()))
+        result["status"] = "solved"
+        result["result"]["undecided"] = 2
+        self.result.write_text(json.dumps(result))
+        self.assertIn("not known", self.verdict(self.page()))
+
+    def test_rays(self):
+        result = self.solve("rays", "plane-truss.toml", "--mu", 0.6)["result"]
+        page = self.page()
+        self.assertIn(f"{result['count']} extremal ray", self.verdict(page))
+        names = [each["node"] for each in json.loads(self.result.read_text())["problem"]["contact"]]
+        for card, ray in zip(page.with_class("answer"), result["rays"]):
+            touching = [name for name, state in zip(names, ray["state"]) if state not in ("separates", "idle")]
+            self.assertEqual(json.loads(card.attributes["data-contact"]), touching)
+
+    def test_critical(self):
+        bracket = self.solve("critical", "plane-truss.toml")["result"]["critical_friction"]
+        page = self.page()
+        lower, upper = map(float, re.findall(r"\d+\.\d+", self.verdict(page)))
+        # Five digits, and still an enclosure.
+        self.assertLessEqual(lower, bracket["lower"])
+        self.assertGreaterEqual(upper, bracket["upper"])
+        self.assertLess(upper - lower, bracket["upper"] - bracket["lower"] + 2.1e-5)
+        self.assertEqual(self.numbers(page.with_id("bracket")), [bracket["lower"], bracket["upper"]])
+        self.assertEqual(page.with_id("bracket").text().count("yes"), 2)
+        # Both ends are told apart on the page, too.
+        shown = [each.text() for each in page.with_id("bracket").all("data")]
+        self.assertEqual(len(set(shown)), 2)
+        self.assertEqual(len(page.with_class("answer")), 1)
+
+    def test_an_end_that_is_not_proved(self):
+        result = self.solve("critical", "plane-truss.toml")
+        result["result"]["critical_friction"].update(upper=None, lower_proved=False, upper_proved=False)
+        result["result"]["patterns"] = []
+        self.result.write_text(json.dumps(result))
+        page = self.page()
+        self.assertRegex(self.verdict(page), r"^It cannot stick up to friction coefficient \d\.\d+\.$")
+        self.assertIn("not proved", page.with_id("reservations").text())
+
+    def test_limit(self):
+        result = self.solve("limit", "gust.toml", "--alpha", 0.5)
+        answer, worst = result["result"], result["result"]["worst_case"]
+        page = self.page()
+        factor = float(re.search(r"at least (\S+) times", self.verdict(page))[1])
+        self.assertLessEqual(factor, worst["lower"])
+        self.assertLess(worst["lower"] - factor, 1e-3)
+        factors = self.numbers(page.with_id("factors"))
+        for known in (answer["nominal"], worst["lower"], worst["upper"], answer["alpha"]):
+            self.assertIn(known, factors)
+        for known in (*answer["utilisation"], *(each["elongation"] for each in answer["collapse_mode"]["yielding"])):
+            self.assertIn(known, factors)
+        for name in ("collapse-nominal", "collapse-worst"):
+            self.assertEqual(page.with_id(name).tag, "svg")
+        self.solve("limit", "gust.toml")
+        self.assertIn("as the simplex method finds it", self.page().with_id("reservations").text())
+
+    def test_names_may_be_anything(self):
+        self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
+        text = self.result.read_text().replace('"r1"', json.dumps(EVIL)).replace('"plane truss, 5 rows"', json.dumps(EVIL))
+        text = text.replace('"kN"', json.dumps(EVIL))
+        self.result.write_text(text)
+        page = self.page()
+        self.assertEqual(next(page.root.all("h1")).text(), EVIL)
+        self.assertIn(EVIL, [each.attributes["value"] for each in page.root.all("option")])
+        card = next(each for each in page.with_class("answer") if EVIL in json.loads(each.attributes["data-contact"]))
+        self.assertIn(EVIL, [each.text() for each in card.all("th")])
+
+    def test_what_is_no_result_is_refused_in_a_line(self):
+        result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
+        text = json.dumps(result)
+
+        def without(*way):
+            broken = json.loads(text)
+            inner = broken
+            for key in way[:-1]:
+                inner = inner[key]
+            del inner[way[-1]]
+            return json.dumps(broken)
+
+        page = self.folder / "page.html"
+        for broken, why in (("{", "is no JSON object"), (without("status"), "'status' is missing"),
+                            (without("result", "count"), "'count' is missing"),
+                            (without("version"), "'version' is missing"),
+                            (without("problem", "structure"), "'structure' is missing"),
+                            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
+                            (text.replace('"margin": ', '"margin": true, "old": '), "'margin' is no number")):
+            with self.subTest(why):
+                self.assertNotEqual(broken, text)
+                self.result.write_text(broken)
+                run = self.kusabi("report", self.result, "--output", page)
+                self.assertEqual(run.returncode, 2)
+                self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+                self.assertIn(why, run.stderr)
+                self.assertFalse(page.exists())
+        run = self.kusabi("report", self.folder / "nowhere.json")
+        self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)
