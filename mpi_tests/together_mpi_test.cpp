@@ -7,6 +7,7 @@
 #include <boost/serialization/vector.hpp>
 #include <gtest/gtest.h>
 
+#include "engine/search.hpp"
 #include "engine/shared_work.hpp"
 #include "engine/together.hpp"
 #include "engine/transport/mpi.hpp"
@@ -47,6 +48,36 @@ TEST(MpiTogether, EveryRankGetsAllResultsInOrder) {
       transport, pieces, [](std::uint64_t number) { return number * number; });
   ASSERT_EQ(results.size(), pieces);
   for (std::uint64_t i = 0; i < pieces; ++i) ASSERT_EQ(results[i], i * i);
+}
+
+// Rank 0 finds something to tell the others of as soon as it begins.
+struct AtOnce {
+  using Node = int;  ///< depth
+  using Solution = int;
+
+  int root() const { return 0; }
+  void expand(int&& depth, Expansion<AtOnce>& out) {
+    out.solution(-depth);
+    for (int child = 0; child < 2 && depth < 3; ++child) out.branch(depth + 1);
+  }
+  double objective(int solution) const { return solution; }
+  double bound(int /*node*/) const { return -3; }
+};
+
+// A rank that has handed in its report must not take for its own what another, which is farther,
+// says of the next search: it would be missing there, and that search would never end.
+TEST(MpiTogether, SearchesOneAfterAnotherDoNotMixTheirMessages) {
+  MpiTransport transport;
+  Options options;
+  options.goal = Goal::best;
+  for (int search = 0; search < 2000; ++search) {
+    AtOnce problem;
+    const auto outcome = engine::search(problem, transport, options);
+    const auto best = from_first_rank(transport, [&] {
+      return outcome.solutions.empty() ? 1 : outcome.solutions.front().solution;
+    });
+    ASSERT_EQ(best, -3);
+  }
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Pace Rank::step() {
       close();
       break;
     case Phase::reporting:
-      if (transport_.rank() != 0 || reports_in_ == transport_.size() - 1) enter(Phase::done);
+      if (reports_in_ == transport_.size() - 1) enter(Phase::done);
       break;
     case Phase::done:
       break;
@@ -136,8 +136,11 @@ void Rank::close() {
   if (!joined_ || !transport_.survey()) return;
   local_.statistics().seconds = now_ - started_;
   if (trace_) trace_->end(transport_.now());
-  if (transport_.rank() != 0) send_report();
-  enter(Phase::reporting);
+  if (transport_.rank() == 0) return enter(Phase::reporting);
+  send_report();
+  // As soon as rank 0 has all reports it may begin another search, and send what belongs to that:
+  // from here on nothing is received in this one.
+  enter(Phase::done);
 }
 
 void Rank::send_report() {
