@@ -100,7 +100,7 @@ Structure read_structure(const ProblemText& text, const std::string& file_name) 
   return read(text.toml, file_name, {file_name, text.meshes});
 }
 
-std::string file_text(const std::filesystem::path& file) {
+std::string file_text(const std::filesystem::path& file, std::string_view expected) {
   const bool standard_input = file == "-";
   std::ifstream opened;
   if (!standard_input) opened.open(file, std::ios::binary);
@@ -113,7 +113,7 @@ std::string file_text(const std::filesystem::path& file) {
   }
   if (!stream.eof() && text.size() <= largest_file) {
     throw support::InputError(file.string(), {},
-                              "the file cannot be read; expected a problem file in TOML");
+                              fmt::format("the file cannot be read; expected {}", expected));
   }
   if (text.size() > largest_file) {
     std::error_code unknown;

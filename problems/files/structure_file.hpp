@@ -25,9 +25,11 @@ Structure read_structure(std::string_view toml_text, const std::string& file_nam
 /// The same, with the mesh files that the text names.
 Structure read_structure(const ProblemText& text, const std::string& file_name);
 
-/// The text of a problem file, or of the standard input: "-".
+/// The text of a file that a user names, or of the standard input: "-".
+/// @param expected what the message says if there is none
 /// @throws InputError if it cannot be read or is larger than `largest_file`
-std::string file_text(const std::filesystem::path& file);
+std::string file_text(const std::filesystem::path& file,
+                      std::string_view expected = "a problem file in TOML");
 
 /// `read_structure` of `problem_text`.
 Structure load_structure(const std::filesystem::path& file);

@@ -32,7 +32,8 @@ class Draw final : public Subcommand {
     table.serial();
   }
   void read(CommandRun& run) override {
-    text_ = run.session().from_first_rank([&] { return problems::file_text(file_); });
+    text_ = run.session().from_first_rank(
+        [&] { return problems::file_text(file_, "a result file in JSON"); });
   }
   void prepare(CommandRun& /*run*/) override {
     drawn_ = result_scenes(text_, file_);

@@ -126,8 +126,8 @@ void Limit::check() const {
 void Limit::read(CommandRun& run) {
   text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
   if (options_.curve_load.empty()) return;
-  load_text_ =
-      run.session().from_first_rank([&] { return problems::file_text(options_.curve_load); });
+  load_text_ = run.session().from_first_rank(
+      [&] { return problems::file_text(options_.curve_load, "a result file in JSON"); });
 }
 
 void Limit::prepare(CommandRun& run) {

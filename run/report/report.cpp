@@ -25,7 +25,8 @@ class Report final : public Subcommand {
     table.serial();
   }
   void read(CommandRun& run) override {
-    text_ = run.session().from_first_rank([&] { return problems::file_text(file_); });
+    text_ = run.session().from_first_rank(
+        [&] { return problems::file_text(file_, "a result file in JSON"); });
   }
   void prepare(CommandRun& /*run*/) override { page_ = report_page(ResultReader(text_, file_)); }
   void search(CommandRun& /*run*/) override {}

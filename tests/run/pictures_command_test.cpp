@@ -80,6 +80,14 @@ TEST_F(Pictures, ShowNothingThatBisectionHasNot) {
   EXPECT_THAT(run.output, HasSubstr("expected --method descent"));
 }
 
+TEST_F(Pictures, AreOfResultFiles) {
+  for (const std::string subcommand : {"draw", "report"}) {
+    const auto run = called(subcommand + " " + argument("none.json"));
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_THAT(run.output, HasSubstr("the file cannot be read; expected a result file in JSON"));
+  }
+}
+
 TEST_F(Pictures, ShowTellsWhatAFileDescribes) {
   const auto run = called("show " + example("gust.toml") + " --vtu " + argument("gust.vtu"));
   EXPECT_EQ(run.exit_code, 0);
