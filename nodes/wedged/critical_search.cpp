@@ -120,17 +120,22 @@ CriticalFindings descend(engine::Campaign& campaign, const problems::WedgedProbl
   for (;;) {
     double coarse = width;
     while (coarse < few_digits * start) coarse *= 2;
-    auto findings = smallest(campaign, problem, down, coarse, known, start);
+    // A search says nothing of what is beyond the last point of its grid.
+    const double reach = coarse == width ? start : coarse * std::floor(start / coarse);
+    auto findings = smallest(campaign, problem, down, coarse, known, reach);
     const auto found = engine::from_first_rank(campaign.transport(), [&] {
       return Bracket{findings.status, findings.lower, or_infinity(findings.upper)};
     });
     if (found.status != engine::Status::solved) return findings;
-    const bool dead = std::isinf(found.upper) && found.lower >= start;
-    if (!dead && coarse == width) return findings;
-    if (!dead)
-      return smallest(campaign, problem, down, width, found.lower, std::min(found.upper, start));
-    if (start >= most) return findings;
-    known = start;
+    if (std::isfinite(found.upper) || found.lower < reach) {  // something lives, or may live
+      if (coarse == width) return findings;
+      return smallest(campaign, problem, down, width, found.lower, std::min(found.upper, most));
+    }
+    if (start >= most) {
+      if (reach == most) return findings;
+      return smallest(campaign, problem, down, width, reach, most);
+    }
+    known = reach;
     start = std::min(most, next_start * start);
   }
 }

@@ -5,14 +5,18 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/campaign.hpp"
 #include "engine/simulation.hpp"
+#include "engine/transport/single_process.hpp"
 #include "nodes/wedged/bisection.hpp"
+#include "nodes/wedged/critical_search.hpp"
 #include "nodes/wedged/critical_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
@@ -127,6 +131,34 @@ void expect_reference(const nlohmann::json& list, const Found& found, double rou
     const auto& cell = found.cells.at(contact);
     EXPECT_GT(entry[0].get<double>(), width * static_cast<double>(cell.dead) - rounding) << entry;
     EXPECT_LT(entry[0].get<double>(), width * static_cast<double>(cell.alive) + rounding) << entry;
+  }
+}
+
+// Anywhere between the points where a descent starts, and beside them, also where --mu-max cuts it
+// off: the friction of all candidates times as much divides the critical factor.
+TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
+  const auto structure =
+      problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/space-truss.toml");
+  const auto found = [&](CriticalWay way, double factor, std::optional<double> most) {
+    auto problem = problems::wedged_problem(structure);
+    problem.friction.assign(problem.contact_names.size(), 0.470279645 / factor);
+    engine::SingleProcess alone;
+    engine::Campaign campaign(alone);
+    return find_critical_friction(campaign, structure, problem,
+                                  {.way = way, .most = most, .width = 1e-6});
+  };
+  for (const double factor : {0.9, 0.9985, 0.99999, 1.00001, 3.99, 4.01}) {
+    for (const auto most : {std::optional<double>(), std::optional(factor * 1.002)}) {
+      const auto down = found(CriticalWay::descent, factor, most);
+      const auto up = found(CriticalWay::global, factor, most);
+      EXPECT_EQ(down.lower, up.lower) << factor;
+      EXPECT_EQ(down.upper, up.upper) << factor;
+      EXPECT_NEAR(down.lower, factor, 2e-6 * factor);
+      EXPECT_TRUE(down.lower_proved && down.upper_proved) << factor;
+    }
+    const auto below = found(CriticalWay::descent, factor, factor * 0.999);
+    EXPECT_EQ(below.lower, factor * 0.999);
+    EXPECT_FALSE(below.upper) << factor;
   }
 }
 
