@@ -36,7 +36,8 @@ constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>
 }  // namespace
 
 ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
-                             std::span<const double> friction, conic::Tolerances tolerances)
+                             std::span<const double> friction, conic::Tolerances tolerances,
+                             int most_cuts)
     : dimension_(problem.dimension),
       unit_(problems::mean_normal_compliance(problem)),
       tolerances_(tolerances),
@@ -53,9 +54,9 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
         std::iota(owners.begin(), owners.end(), 0);
         if (problem.dimension == 2)
           return conic::NodeSolver<2>(scaled, friction, std::move(owners), tolerances, error,
-                                      motions<double>());
+                                      motions<double>(), most_cuts);
         return conic::NodeSolver<3>(scaled, friction, std::move(owners), tolerances, error,
-                                    motions<double>());
+                                    motions<double>(), most_cuts);
       }()) {}
 
 Eigen::VectorXd ContactSolver::motion() const {
@@ -152,6 +153,24 @@ bool ContactSolver::is_open(const conic::Answer& answer, conic::StopEarly stop) 
   if (answer.sign == conic::Sign::marginal) return !conic::is_tie(answer, tolerances_);
   return answer.sign == conic::Sign::alive && !stop.when_alive &&
          answer.upper - answer.lower > three_digits * answer.lower;
+}
+
+conic::Answer ContactSolver::solve_with(std::span<const conic::Cut> cuts, const IndexSet& contact,
+                                        const IndexSet& separated, conic::StopEarly stop) {
+  return std::visit(
+      [&](auto& solver) {
+        const conic::Answer answer = solver.solve(contact, separated, stop, {}, cuts);
+        reaction_ = solver.reaction();
+        displacement_ = solver.displacement();
+        multipliers_ = solver.multipliers();
+        has_centre_ = answer.sign == conic::Sign::alive && stop.when_alive;
+        return answer;
+      },
+      solver_);
+}
+
+double ContactSolver::most_of(std::size_t cut) {
+  return std::visit([&](auto& solver) { return solver.most_of(cut); }, solver_);
 }
 
 conic::Answer ContactSolver::solve(const IndexSet& contact, const IndexSet& separated,

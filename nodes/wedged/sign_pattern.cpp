@@ -32,7 +32,8 @@ SignPatternTree::Block::Block(const problems::WedgedProblem& problem, IndexSet w
     : candidates(std::move(within_whole)),
       all(problems::all_candidates(problem)),
       rule(problem, friction, options.branching),
-      solver(problem, friction, options.tolerances),
+      solver(problem, friction, options.tolerances,
+             problem.motions.cols() == 0 ? all.size() : 0),
       mean_motion(problem) {
   if (options.facets != 0)
     outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances,
@@ -87,6 +88,21 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
       return split(node, block.rule.most_violated(block.free(node.pattern), [&block](int i) {
         return block.outer->normal_displacement(i) * block.outer->normal_reaction(i);
       }));
+  }
+  if (!leaf && !block.bounds.empty()) {
+    const auto free = block.free(node.pattern);
+    Node fixed = node;
+    for (const int i : free) {
+      const auto& own = block.bounds[static_cast<std::size_t>(i)];
+      if (own.gap <= 0) fixed.pattern.contact.insert(i);
+      else if (own.reaction <= 0) fixed.pattern.separated.insert(i);
+    }
+    if (!(fixed == node)) { Fate fate; fate.children.push_back(fixed); return fate; }
+    const auto cuts = cuts_of(free, block.bounds);
+    const auto answer = block.solver.solve_with(cuts, contact, separated, stop);
+    tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+    if (answer.sign == conic::Sign::dead) return prune(node, block.solver.multipliers());
+    if (answer.sign == conic::Sign::alive) return branch(node, free);
   }
   const auto answer = block.solver.solve(contact, separated, stop);
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);

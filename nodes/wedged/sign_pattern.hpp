@@ -34,6 +34,7 @@
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "nodes/wedged/branching.hpp"
+#include "nodes/wedged/candidate_bounds.hpp"
 #include "nodes/wedged/contact_solver.hpp"
 #include "nodes/wedged/facets.hpp"
 #include "nodes/wedged/mean_motion.hpp"
@@ -207,6 +208,11 @@ class SignPatternTree {
   /// From now on the nodes of this block are split by another rule.
   void split_by(std::size_t block, Branching branching) { blocks_[block].rule.set(branching); }
 
+  /// From now on the nodes of this block know these bounds.
+  void tighten(std::size_t block, std::vector<CandidateBounds> bounds) {
+    blocks_[block].bounds = std::move(bounds);
+  }
+
   Node root() const { return {.block = blocks_.size() == 1 ? 0 : Node::all_blocks, .pattern = {}}; }
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
   Tally tally() const { return tally_; }
@@ -242,6 +248,7 @@ class SignPatternTree {
     support::IndexSet candidates;  // as the whole problem numbers them
     support::IndexSet all;         // the same as the block does
     BranchingRule rule;
+    std::vector<CandidateBounds> bounds;  // empty: no cuts
     ContactSolver solver;
     MeanMotion mean_motion;
     std::optional<FacetBound> outer;  // of Algorithm 5.8

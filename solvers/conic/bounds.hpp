@@ -10,7 +10,9 @@
 //
 //   t* <= tau / N,   N = sum_{j not in U} y_j + sum_C (tau - w_nk) / mu_k  >= 0,
 //
-// so the sign is that of tau, whatever the scale of y. w_k is wrong by eps R_k sum_i |y_i| R_i.
+// so the sign is that of tau, whatever the scale of y. w_k is wrong by eps R_k sum_i |y_i| R_i. A cut
+// (cut.hpp) with the multiplier eta >= 0 adds eta level to N, and to w its left side as a function
+// of r.
 //
 // From below: a reaction r with a residual rho in u_n = 0 on U is mended by normal reactions delta
 // on U, F_nn,UU delta = -rho. With s > 0 not above the least eigenvalue of F_nn scaled to a unit
@@ -31,6 +33,7 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
+#include "solvers/conic/cut.hpp"
 #include "solvers/conic/motion_bounds.hpp"
 #include "solvers/conic/motions.hpp"
 #include "support/index_set.hpp"
@@ -44,6 +47,7 @@ struct NodeSets {
   std::span<const int> gap_rows;      ///< candidates whose u_n must not be below t
   std::span<const int> contact_rows;  ///< U
   const support::IndexSet& contact;   ///< U
+  std::span<const Cut> cuts = {};     ///< a loose body has none
 };
 
 /// By how much r_n exceeds x_0 of the standard form for each unit of t: 1 / mu, or 1 without
@@ -130,6 +134,8 @@ class Bounds {
     const double mended = rho == 0 ? 0 : safety * rho / least_;
     const double elsewhere = rho == 0 ? 0 : safety * rho / std::sqrt(least_);
     const double unit = 4 * numbers::unit_roundoff<Real>;
+    const double loose = mended * std::sqrt(inverse) * safety + rounding_ * sizes +
+                         load.reaction * static_cast<double>(sets.cones.size());
 
     double level = infinity;
     double raw = infinity;
@@ -164,8 +170,19 @@ class Bounds {
                                          unit * (std::abs(numbers::rounded(normal_part)) +
                                                  std::abs(numbers::rounded(tangential))));
     }
-    const double loose = mended * std::sqrt(inverse) * safety + rounding_ * sizes +
-                         load.reaction * static_cast<double>(sets.cones.size());
+    for (const Cut& cut : sets.cuts) {
+      Real own = 0;
+      for (const int k : sets.cones)
+        if (owners_[static_cast<std::size_t>(k)] == cut.candidate) own += r[D * k];
+      const double gap = std::abs(cut.displacement) * normal_root(cut.candidate);
+      const double mending_force = mended / (normal_root(cut.candidate) / safety);
+      const Real left = Real(cut.share) * sum - Real(cut.displacement) * normal[cut.candidate] -
+                        Real(cut.reaction) * own;
+      take(left / Real(cut.level),
+           (std::abs(cut.share) * loose + gap * (noise + elsewhere) +
+            std::abs(cut.reaction) * mending_force + unit * (std::abs(cut.share) * sizes)) /
+               cut.level);
+    }
     const double least_sum = (numbers::rounded(sum) - loose) * (1 - double_rounding);
     const double most_sum = (numbers::rounded(sum) + loose) * (1 + double_rounding);
     if (!(least_sum > 0) || !std::isfinite(level)) return result;
@@ -177,10 +194,52 @@ class Bounds {
 
   /// What multipliers prove: t* is not above this.
   /// @param y >= 0 on the gap rows, zero on ignored candidates; of a loose body with beta after
-  ///        the m multipliers  @param w = sum_i y_i (row i of F~_n) + G beta
+  ///        the m multipliers; then one >= 0 for each cut
+  /// @param w = sum_i y_i (row i of F~_n) + G beta and what the cuts add
   template <class Multipliers, class Pull>
   [[nodiscard]] double above(const NodeSets& sets, std::span<const double> friction,
                              const Multipliers& y, const Pull& w) const {
+    const Reach reach = examine(sets, friction, y, w);
+    if (!(reach.tau < infinity)) return infinity;
+    const double tau = reach.tau;
+    // N between two numbers; t = (1 - sum x_0) / omega is never above 1 / omega.
+    double omega = 0;
+    double scale = numbers::rounded(reach.pushes);
+    double wrong = (double_rounding + rounding_ + reach.balanced) * std::abs(scale);
+    for (const int k : sets.cones) {
+      const double weight = level_weight(friction[static_cast<std::size_t>(k)]);
+      const double rest = numbers::rounded(Real(Real(tau) - w[D * k]));
+      omega += weight;
+      scale += weight * rest;
+      wrong += weight * (reach.noise * roots_[D * k] + reach.cut_noise +
+                         8 * double_rounding * std::abs(rest));
+    }
+    wrong = safety *
+            (wrong + double_rounding * static_cast<double>(sets.cones.size()) * std::abs(scale));
+    const double trivial = (1 + 8 * double_rounding) / omega;
+    if (tau < 0) return tau / (scale + wrong) * (1 - 2 * double_rounding);
+    if (!(scale - wrong > 0)) return trivial;
+    return std::min(trivial, tau / (scale - wrong) * (1 + 2 * double_rounding));
+  }
+
+  /// What multipliers prove of r with sum_k r_nk = 1 and t >= 0: w'r is not above this tau.
+  template <class Multipliers, class Pull>
+  [[nodiscard]] double reach(const NodeSets& sets, std::span<const double> friction,
+                             const Multipliers& y, const Pull& w) const {
+    return examine(sets, friction, y, w).tau;
+  }
+
+ private:
+  struct Reach {
+    double tau = infinity;
+    double noise = 0;      ///< w_k may be wrong by this times R_k, and w_nk by this besides:
+    double cut_noise = 0;
+    double balanced = 0;   ///< the share by which forces change to be in equilibrium
+    Real pushes = 0;       ///< what N is without the cones
+  };
+  template <class Multipliers, class Pull>
+  [[nodiscard]] Reach examine(const NodeSets& sets, std::span<const double> friction,
+                              const Multipliers& y, const Pull& w) const {
     double size = 0;
     for (const int i : sets.contact_rows)
       size += std::abs(numbers::rounded(Real(y[i]))) * normal_root(i);
@@ -189,14 +248,24 @@ class Bounds {
       size += std::abs(numbers::rounded(Real(y[j]))) * normal_root(j);
       pushes += y[j];
     }
+    double shares = 0;
+    const auto first_cut = static_cast<Eigen::Index>(first_cones_.size()) + motions_.count();
+    for (std::size_t i = 0; i < sets.cuts.size(); ++i) {
+      const Cut& cut = sets.cuts[i];
+      const Real force = y[first_cut + static_cast<Eigen::Index>(i)];
+      const double much = std::abs(numbers::rounded(force));
+      size += much * std::abs(cut.displacement) * normal_root(cut.candidate);
+      shares += much * (std::abs(cut.share) + std::abs(cut.reaction));
+      pushes += force * Real(cut.level);
+    }
     const double balanced = motions_.any() ? balance(sets, y) : 0;
-    if (!(balanced <= most_balance)) return infinity;
+    if (!(balanced <= most_balance)) return {};
+    const double cut_noise = safety * rounding_ * shares;
     // A force that changes to be in equilibrium moves the candidates by no more than this over R.
     const double noise = safety * ((error_ + rounding_) * size + balanced * balance_size(sets, y) +
                                    (motions_.any() ? motion_noise(y) / motions_.least_root() : 0));
     const double unit = 4 * numbers::unit_roundoff<Real>;
     double tau = -infinity;
-    double omega = 0;
     for (const int k : sets.cones) {
       const auto mu = friction[static_cast<std::size_t>(k)];
       Real tangential = 0;
@@ -211,28 +280,12 @@ class Bounds {
       const double wrong = noise * (roots_[D * k] + mu * std::sqrt(roots) * safety) +
                            unit * (std::abs(numbers::rounded(Real(w[D * k]))) +
                                    std::abs(numbers::rounded(tangential))) +
-                           double_rounding * std::abs(reach);
+                           double_rounding * std::abs(reach) + cut_noise;
       tau = std::max(tau, reach + wrong * safety);
-      omega += level_weight(mu);
     }
-    // N between two numbers; t = (1 - sum x_0) / omega is never above 1 / omega.
-    double scale = numbers::rounded(pushes);
-    double wrong = (double_rounding + rounding_ + balanced) * std::abs(scale);
-    for (const int k : sets.cones) {
-      const double weight = level_weight(friction[static_cast<std::size_t>(k)]);
-      const double rest = numbers::rounded(Real(Real(tau) - w[D * k]));
-      scale += weight * rest;
-      wrong += weight * (noise * roots_[D * k] + 8 * double_rounding * std::abs(rest));
-    }
-    wrong = safety *
-            (wrong + double_rounding * static_cast<double>(sets.cones.size()) * std::abs(scale));
-    const double trivial = (1 + 8 * double_rounding) / omega;
-    if (tau < 0) return tau / (scale + wrong) * (1 - 2 * double_rounding);
-    if (!(scale - wrong > 0)) return trivial;
-    return std::min(trivial, tau / (scale - wrong) * (1 + 2 * double_rounding));
+    return {tau, noise, cut_noise, balanced, pushes};
   }
 
- private:
   /// What it costs to bring a reaction into equilibrium.
   struct Unbalanced {
     double residual = 0;      ///< |G'r| as it was computed

@@ -69,6 +69,9 @@ KUSABI_INLINE void InteriorPoint<D>::store_cones(Points<D>& points, int cone, co
 template <int D>
 void InteriorPoint<D>::start(const NodeProgram<D>& program) {
   const auto count = static_cast<int>(program.cones().size());
+  normal_equations_.resize(program.rows());
+  for (Eigen::VectorXd* numbers : {&predictor_, &correction_, &dy_, &trial_, &step_v_, &step_y_})
+    numbers->setZero();  // those of rows that this node has not
   y_ = program.slack();
   transposed_product(program.matrix(), y_.data(), products_.data());
   double size = start_limit;
@@ -294,7 +297,7 @@ bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
   // the length of the predictor's step, and A dx = (1 - sigma) (b - A x), hence
   // M dy = b - sigma (b - A x) - B q. Mehrotra's method has the second-order term in full; where
   // the predictor's step is short it is out of proportion, and the iteration can cycle.
-  const auto degree = static_cast<double>(program.cones().size() + program.gap_rows().size());
+  const auto degree = static_cast<double>(program.cones().size() + program.slacks());
   const double sigma = (1 - affine_length) * (1 - affine_length) * (1 - affine_length);
   correct(program, sigma * complementarity_ / degree, affine_length);
   normal_equations_.solve(trial_.data());
@@ -342,17 +345,18 @@ void InteriorPoint<D>::measure(const NodeProgram<D>& program,
   // A face that the others leave no room to go to is as far as digits tell.
   constexpr double least = 1e-14;
   constexpr int height = D + 1;  // rows of a cone among the reduced ones, and one of its slack
-  const int stride = program.matrix().stride;
+  const Columns matrix = program.matrix();
   const auto& cones = program.cones();
   const auto count = static_cast<int>(cones.size());
   for (auto& distance : distances) distance = {};
   for (int first = 0; first < count; first += lanes) {
     const int present = std::min(lanes, count - first);
-    reduced_.setZero();
+    reduced_.leftCols(matrix.rows).setZero();
     for (int lane = 0; lane < present; ++lane) {
       const int row = cones[static_cast<std::size_t>(first + lane)];
       for (int d = 0; d < D; ++d)
-        reduced_.row(lane * height + d) = scaled_matrix_.col(d * stride + first + lane);
+        reduced_.row(lane * height + d).head(matrix.rows) = Eigen::Map<const Eigen::RowVectorXd>(
+            scaled_matrix_.data() + (d * matrix.stride + first + lane) * matrix.rows, matrix.rows);
       reduced_(lane * height + D, row) = w_[row];
     }
     normal_equations_.reduce(reduced_.data(), static_cast<int>(reduced_.rows()));
@@ -360,14 +364,14 @@ void InteriorPoint<D>::measure(const NodeProgram<D>& program,
     for (int lane = 0; lane < present; ++lane) {
       const auto row = cones[static_cast<std::size_t>(first + lane)];
       if (program.slack()[row] == 0) continue;
-      const auto own = reduced_.middleRows(lane * height, D);
+      const auto own = reduced_.middleRows(lane * height, D).leftCols(matrix.rows);
       Eigen::Matrix<double, D, D> rest = -own * own.transpose();
       Eigen::Matrix<double, D, 1> lambda;
       for (int d = 0; d < D; ++d) {
         rest(d, d) += 1 + least;
         lambda[d] = lambdas[static_cast<std::size_t>(d)][lane];
       }
-      const double slack = 1 - reduced_.row(lane * height + D).squaredNorm();
+      const double slack = 1 - reduced_.row(lane * height + D).head(matrix.rows).squaredNorm();
       distances[static_cast<std::size_t>(row)] = {
           .separation = lambda.dot(rest.ldlt().solve(lambda)),
           .contact = lambda_[row] * lambda_[row] / std::max(slack, least)};

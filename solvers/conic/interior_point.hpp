@@ -46,8 +46,8 @@ struct FaceDistances {
 template <int D>
 class InteriorPoint {
  public:
-  /// @param rows m + p  @param motions that lift: columns of H
-  InteriorPoint(int rows, int motions, int most_cones);
+  /// @param most_rows m + p and the cuts  @param motions that lift: columns of H
+  InteriorPoint(int most_rows, int motions, int most_cones);
 
   /// Takes the start: x and v from the identity, y on the rows with a slack so small that z is
   /// well inside the cones. It depends on the node only.

@@ -78,10 +78,12 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
 
 template <int D>
 NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                            std::vector<int> owners, Motions<double> motions)
+                            std::vector<int> owners, Motions<double> motions, int most_cuts)
     : motions_(std::move(motions)),
       friction_(friction.begin(), friction.end()),
-      owners_(std::move(owners)) {
+      owners_(std::move(owners)),
+      most_cuts_(most_cuts),
+      padded_cones_(padded(this->most_cones())) {
   check(compliance, friction, owners_, D);
   if (motions_.count() > 0 && motions_.at_cones.rows() != compliance.rows())
     throw std::invalid_argument("the motions must have as many rows as the compliance");
@@ -100,11 +102,13 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
       normal_motions_(owners_[k], l) = motions_.at_cones(D * static_cast<Eigen::Index>(k), l);
   }
   free_columns_ = normal_motions_;
-  matrix_.setZero(padded(all_rows), D * padded(most_cones()));
-  right_side_.setZero(padded(all_rows));
-  slack_.setZero(padded(all_rows));
-  gap_.setZero(padded(all_rows));
+  const Eigen::Index room = padded(most_rows());
+  matrix_.setZero(room * D * padded_cones_);
+  right_side_.setZero(room);
+  slack_.setZero(room);
+  gap_.setZero(room);
   pull_.setZero(normal_compliance_.cols());
+  forces_.setZero(normal_compliance_.rows());
   cones_.reserve(friction.size());
   gap_rows_.reserve(static_cast<std::size_t>(m));
   contact_rows_.reserve(static_cast<std::size_t>(m));
@@ -120,7 +124,7 @@ void NodeProgram<D>::set_friction(std::span<const double> friction) {
 
 template <int D>
 void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
-                            const IndexSet& ignored) {
+                            const IndexSet& ignored, std::span<const Cut> cuts) {
   const int m = candidates();
   const IndexSet without_reaction = separated | ignored;
   if (contact.meets(separated))
@@ -129,12 +133,16 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
     throw std::invalid_argument("a candidate is ignored and has a sign");
   if (!IndexSet::below(m).includes(contact | without_reaction))
     throw std::invalid_argument("a sign pattern names a candidate that does not exist");
+  if (static_cast<int>(cuts.size()) > most_cuts_)
+    throw std::invalid_argument("there are more cuts than there is room for");
 
   cones_.clear();
   gap_rows_.clear();
   contact_rows_.clear();
   contact_ = contact;
   ignored_ = ignored;
+  cuts_ = cuts;
+  padded_rows_ = padded(rows());
   omega_ = 0;
   for (std::size_t k = 0; k < friction_.size(); ++k) {
     if (without_reaction.contains(owners_[k])) continue;
@@ -150,29 +158,72 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
   //   sum_C [F_nn, mu F_nt] x + g t - v = 0,  g = sum_C F_nn / mu - [i not in U],
   //   t = (1 - sum x_0) / omega.
   right_side_.setZero();
+  auto whole = right_side_.head(normal_compliance_.rows());
   for (const int k : cones_)
-    right_side_ +=
-        level_weight(friction_[static_cast<std::size_t>(k)]) * normal_compliance_.col(D * k);
+    whole += level_weight(friction_[static_cast<std::size_t>(k)]) * normal_compliance_.col(D * k);
   slack_.setZero();
   for (const int j : gap_rows_) slack_[j] = 1;
-  right_side_ = (right_side_ - slack_) / -omega_;
+  for (std::size_t cut = 0; cut < cuts_.size(); ++cut) {
+    const auto row = first_cut() + static_cast<Eigen::Index>(cut);
+    const auto& [i, share, displacement, reaction, level] = cuts_[cut];
+    double own = 0;
+    for (const int k : cones_)
+      if (owners_[static_cast<std::size_t>(k)] == i)
+        own += level_weight(friction_[static_cast<std::size_t>(k)]);
+    right_side_[row] = -displacement * right_side_[i] - reaction * own - level;
+  }
+  whole -= slack_.head(whole.size());
+  right_side_ /= -omega_;
   for (const int i : ignored) right_side_[i] = 0;
-  const Eigen::Index stride = padded(most_cones());
+  fill_columns();
+  for (std::size_t cut = 0; cut < cuts_.size(); ++cut) slack_[first_cut() + static_cast<int>(cut)] = 1;
+}
+
+template <int D>
+void NodeProgram<D>::fill_columns() {
+  const auto height = normal_compliance_.rows();
   Eigen::Index c = 0;
   for (const int k : cones_) {
-    matrix_.col(c) = normal_compliance_.col(D * k) + right_side_;
-    for (Eigen::Index d = 1; d < D; ++d)
-      matrix_.col(d * stride + c) =
-          friction_[static_cast<std::size_t>(k)] * normal_compliance_.col(D * k + d);
+    for (Eigen::Index d = 0; d < D; ++d) {
+      auto own = column(d, c);
+      if (padded_rows_ > height) own.tail(padded_rows_ - height).setZero();
+      own.head(height) = normal_compliance_.col(D * k + d);
+      if (d > 0) own.head(height) *= friction_[static_cast<std::size_t>(k)];
+    }
     ++c;
   }
+  const Eigen::Index absent = padded(static_cast<int>(c)) - c;
+  for (Eigen::Index d = 0; d < D; ++d)
+    for (Eigen::Index more = 0; more < absent; ++more) column(d, c + more).setZero();
+  for (std::size_t cut = 0; cut < cuts_.size(); ++cut) fill_cut(cut);
+  for (Eigen::Index each = 0; each < c; ++each) column(0, each) += right_side_.head(padded_rows_);
+  for (std::size_t cut = 0; cut < cuts_.size(); ++cut)
+    right_side_[first_cut() + static_cast<Eigen::Index>(cut)] -= cuts_[cut].share;
   if (motions_.lifting > 0) free_columns_ = normal_motions_;
-  for (const int i : ignored) {
-    matrix_.row(i).setZero();
+  for (const int i : ignored_) {
+    for (Eigen::Index d = 0; d < D; ++d)
+      for (Eigen::Index each = 0; each < c; ++each) column(d, each)[i] = 0;
     free_columns_.row(i).setZero();
   }
-  const Eigen::Index absent = padded(static_cast<int>(c)) - c;
-  for (Eigen::Index d = 0; d < D; ++d) matrix_.middleCols(d * stride + c, absent).setZero();
+}
+
+// With t eliminated a cut is the row
+//   share - displacement F_n x - reaction x_i0 + g t - v = 0,
+// g = -displacement sum_C F_nn / mu - reaction / mu_i - level, of which g / -omega is in the right
+// side already.
+template <int D>
+void NodeProgram<D>::fill_cut(std::size_t cut) {
+  const auto row = first_cut() + static_cast<Eigen::Index>(cut);
+  Eigen::Index c = 0;
+  for (const int k : cones_) {
+    const bool own = owners_[static_cast<std::size_t>(k)] == cuts_[cut].candidate;
+    for (Eigen::Index d = 0; d < D; ++d) {
+      auto entries = column(d, c);
+      entries[row] = -cuts_[cut].displacement * entries[cuts_[cut].candidate];
+      if (d == 0 && own) entries[row] -= cuts_[cut].reaction;
+    }
+    ++c;
+  }
 }
 
 template <int D>
@@ -203,9 +254,10 @@ template <int D>
 const Eigen::VectorXd& NodeProgram<D>::normal_displacements(const Eigen::VectorXd& r,
                                                             const Eigen::VectorXd& motion) {
   const auto size = static_cast<int>(r.size());
-  product({normal_compliance_.data(), static_cast<int>(gap_.size()), 1, size, size}, r.data(),
-          gap_.data());
-  if (motion.size() > 0) gap_ += normal_motions_ * motion;
+  gap_.setZero();
+  product({normal_compliance_.data(), static_cast<int>(normal_compliance_.rows()), 1, size, size},
+          r.data(), gap_.data());
+  if (motion.size() > 0) gap_.head(normal_motions_.rows()) += normal_motions_ * motion;
   return gap_;
 }
 
@@ -220,9 +272,25 @@ const Eigen::VectorXd& NodeProgram<D>::discrepancy() {
 template <int D>
 const Eigen::VectorXd& NodeProgram<D>::pull(const Eigen::VectorXd& y) {
   const auto columns = static_cast<int>(pull_.size());
-  transposed_product(
-      {normal_compliance_.data(), static_cast<int>(gap_.size()), 1, columns, columns}, y.data(),
-      pull_.data());
+  const auto all = static_cast<int>(normal_compliance_.rows());
+  forces_.setZero();
+  forces_.head(first_cut()) = y.head(first_cut());
+  double shares = 0;
+  for (std::size_t cut = 0; cut < cuts_.size(); ++cut) {
+    const double force = y[first_cut() + static_cast<Eigen::Index>(cut)];
+    forces_[cuts_[cut].candidate] -= force * cuts_[cut].displacement;
+    shares += force * cuts_[cut].share;
+  }
+  transposed_product({normal_compliance_.data(), all, 1, columns, columns}, forces_.data(),
+                     pull_.data());
+  if (cuts_.empty()) return pull_;
+  for (const int k : cones_) pull_[D * k] += shares;
+  for (std::size_t cut = 0; cut < cuts_.size(); ++cut) {
+    const double force = y[first_cut() + static_cast<Eigen::Index>(cut)];
+    for (const int k : cones_)
+      if (owners_[static_cast<std::size_t>(k)] == cuts_[cut].candidate)
+        pull_[D * k] -= force * cuts_[cut].reaction;
+  }
   return pull_;
 }
 

@@ -20,6 +20,8 @@
 // normal rows of G, and p rows G'r = 0 without a slack. So there are m + p rows and free columns H
 // (docs/theory/wedged.md, "Loose bodies").
 //
+// Cuts (cut.hpp) are rows with a slack after all of these; a body with motions has none.
+//
 // A candidate may have several cones, whose reactions add up to its own and which share its row: so
 // polyhedral friction cones are solved, as sums of plane ones (nodes/wedged/facets.hpp).
 // docs/theory/wedged.md, "Standard form with m rows", derives it.
@@ -32,6 +34,7 @@
 
 #include "solvers/conic/bounds.hpp"
 #include "solvers/conic/columns.hpp"
+#include "solvers/conic/cut.hpp"
 #include "solvers/conic/motions.hpp"
 #include "support/index_set.hpp"
 
@@ -56,8 +59,9 @@ class NodeProgram {
   /// The same with several cones for a candidate: all sizes above but m count cones.
   /// @param owners the candidate of each cone: 0, ..., 0, 1, ..., 1, ..., m - 1
   /// @param motions of a loose body
+  /// @param most_cuts there is room for so many
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-              std::vector<int> owners, Motions<double> motions = {});
+              std::vector<int> owners, Motions<double> motions = {}, int most_cuts = 0);
 
   /// From the next select() on, mu is this, one number a cone.
   /// @throws std::invalid_argument when the size differs or a number is out of range
@@ -66,13 +70,19 @@ class NodeProgram {
   /// Builds the standard form of the node with the candidates of `contact` in U and those of
   /// `separated` in R. The candidates of `ignored` have neither a reaction
   /// nor a row: r = 0, and u_n is free.
-  /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
+  /// @param cuts of candidates that are not ignored; valid until the next call
+  /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist,
+  ///   or there are more cuts than there is room for
   void select(const support::IndexSet& contact, const support::IndexSet& separated,
-              const support::IndexSet& ignored = {});
+              const support::IndexSet& ignored = {}, std::span<const Cut> cuts = {});
 
   int candidates() const { return owners_.back() + 1; }
-  /// m + p.
-  int rows() const { return candidates() + motions_.count(); }
+  /// m + p and the cuts.
+  int rows() const { return first_cut() + static_cast<int>(cuts_.size()); }
+  /// m + p: the row of the first cut.
+  int first_cut() const { return candidates() + motions_.count(); }
+  /// Of rows(), at any node.
+  int most_rows() const { return first_cut() + most_cuts_; }
   const Motions<double>& motions() const { return motions_; }
   /// H of the node: rows padded with zeros, a column for each motion that lifts.
   const Eigen::MatrixXd& free_columns() const { return free_columns_; }
@@ -85,7 +95,9 @@ class NodeProgram {
   /// The candidates not in U: the rows with a slack.
   const std::vector<int>& gap_rows() const { return gap_rows_; }
   /// All of these.
-  NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
+  NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_, cuts_}; }
+  /// How many rows have a slack.
+  std::size_t slacks() const { return gap_rows_.size() + cuts_.size(); }
   /// The candidates without a row.
   const support::IndexSet& ignored() const { return ignored_; }
 
@@ -94,12 +106,11 @@ class NodeProgram {
   const std::vector<int>& owners() const { return owners_; }
   const Eigen::MatrixXd& compliance() const { return compliance_; }
 
-  /// The cone columns of A, (m + p) x D|C|, rows and cones padded with zeros.
+  /// The cone columns of A, rows() x D|C|, rows and cones padded with zeros.
   Columns matrix() const {
-    return {matrix_.data(), static_cast<int>(matrix_.rows()), D, static_cast<int>(cones_.size()),
-            static_cast<int>(matrix_.cols()) / D};
+    return {matrix_.data(), padded_rows_, D, static_cast<int>(cones_.size()), stride()};
   }
-  /// b, m + p numbers padded with zeros.
+  /// b, rows() numbers padded with zeros to most_rows(), like the next.
   const Eigen::VectorXd& right_side() const { return right_side_; }
   /// One for each row with a slack, zero for the others and the padding.
   const Eigen::VectorXd& slack() const { return slack_; }
@@ -118,12 +129,13 @@ class NodeProgram {
   /// @param motion alpha of a loose body
   const Eigen::VectorXd& normal_displacements(const Eigen::VectorXd& r,
                                               const Eigen::VectorXd& motion = {});
-  /// What the numbers asked for last must change by: m + p numbers padded with zeros, zero at gap
-  /// rows. Overwrites them.
+  /// What the numbers asked for last must change by: rows() numbers padded with zeros, zero at rows
+  /// with a slack. Overwrites them.
   const Eigen::VectorXd& discrepancy();
 
-  /// w = sum_i y_i (row (n, i) of F) + G beta: Dm numbers, valid until the next call.
-  /// @param y m + p numbers, beta last
+  /// w = sum_i y_i (row (n, i) of F) + G beta, and what the multipliers of cuts add: Dm numbers,
+  /// valid until the next call.
+  /// @param y m + p numbers, beta last, then one a cut
   const Eigen::VectorXd& pull(const Eigen::VectorXd& y);
 
   /// u = F r + G alpha, Dm.
@@ -134,6 +146,15 @@ class NodeProgram {
   }
 
  private:
+  int stride() const { return padded_cones_; }
+  // The column of component d of the cone c of the standard form.
+  auto column(Eigen::Index d, Eigen::Index c) {
+    return Eigen::Map<Eigen::VectorXd>(matrix_.data() + (d * stride() + c) * padded_rows_,
+                                       padded_rows_);
+  }
+  void fill_columns();
+  void fill_cut(std::size_t cut);
+
   Eigen::MatrixXd compliance_;         // F
   Motions<double> motions_;            // G
   Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, then G': both padded with zeros
@@ -142,11 +163,14 @@ class NodeProgram {
   std::vector<double> friction_;       // by cone, like the next
   std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;  // contact: U, the rows without a slack
-  Eigen::MatrixXd matrix_;                            // A, room for all cones
+  std::span<const Cut> cuts_;
+  int most_cuts_, padded_rows_ = 0, padded_cones_;
+  Eigen::VectorXd matrix_;  // A, room for all cones and rows
   Eigen::VectorXd right_side_;                        // b
   Eigen::VectorXd slack_;
   Eigen::VectorXd gap_;   // normal displacements, then the discrepancy
   Eigen::VectorXd pull_;  // w
+  Eigen::VectorXd forces_;  // of the rows of F: what cuts make of y
   support::IndexSet contact_, ignored_;
   double omega_ = 0;  // sum_C 1 / mu
 };

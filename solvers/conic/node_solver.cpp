@@ -35,28 +35,29 @@ NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const dou
 template <int D>
 NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
                           std::vector<int> owners, Tolerances tolerances, double error,
-                          const Motions<double>& motions)
-    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners), motions), tolerances,
-                 error) {}
+                          const Motions<double>& motions, int most_cuts)
+    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners), motions, most_cuts),
+                 tolerances, error) {}
 
 template <int D>
 NodeSolver<D>::NodeSolver(NodeProgram<D> program, Tolerances tolerances, double error)
     : program_(std::move(program)),
-      iteration_(program_.rows(), program_.motions().lifting, program_.most_cones()),
+      iteration_(program_.most_rows(), program_.motions().lifting, program_.most_cones()),
       bounds_(program_.compliance(), error, program_.owners(), program_.motions()),
       tolerances_(tolerances),
       reaction_(Eigen::VectorXd::Zero(D * program_.most_cones())),
       displacement_(reaction_),
       motion_(Eigen::VectorXd::Zero(program_.motions().lifting)),
-      multipliers_(Eigen::VectorXd::Zero(program_.rows())),
+      multipliers_(Eigen::VectorXd::Zero(program_.first_cut())),
       trial_(reaction_),
       face_distances_(static_cast<std::size_t>(program_.candidates())),
-      best_(Eigen::VectorXd::Zero(padded(program_.rows()))) {}
+      best_(Eigen::VectorXd::Zero(padded(program_.most_rows()))) {}
 
 template <int D>
 Answer NodeSolver<D>::solve(const support::IndexSet& contact, const support::IndexSet& separated,
-                            StopEarly stop, const support::IndexSet& ignored) {
-  program_.select(contact, separated, ignored);
+                            StopEarly stop, const support::IndexSet& ignored,
+                            std::span<const Cut> cuts) {
+  program_.select(contact, separated, ignored, cuts);
   reaction_.setZero();
   displacement_.setZero();
   motion_.setZero();
@@ -141,6 +142,15 @@ void NodeSolver<D>::prove_upper_loose(Answer& answer) {
 }
 
 template <int D>
+double NodeSolver<D>::most_of(std::size_t cut) {
+  const double force = best_[program_.first_cut() + static_cast<Eigen::Index>(cut)];
+  if (!(force > 0)) return infinity;
+  const double most =
+      bounds_.reach(program_.sets(), program_.friction(), best_, program_.pull(best_)) / force;
+  return most + 0x1p-51 * std::abs(most);
+}
+
+template <int D>
 void NodeSolver<D>::raise_lower(Answer& answer) {
   program_.reaction(iteration_.project(program_), trial_);
   if (answer.has_point && program_.friction_level(trial_) <= answer.lower) return;
@@ -170,7 +180,7 @@ void NodeSolver<D>::raise_lower(Answer& answer) {
 // On the central path the bracket of t is as wide as the sum of all complementarities, over omega.
 template <int D>
 std::span<const FaceDistances> NodeSolver<D>::face_distances() {
-  const auto pairs = static_cast<double>(program_.cones().size() + program_.gap_rows().size());
+  const auto pairs = static_cast<double>(program_.cones().size() + program_.slacks());
   const double width = centring_depth * program_.level(iteration_.dual_value(program_));
   const double per_unit = program_.level(0) - program_.level(1);
   if (!iteration_.centre(program_, width / per_unit / pairs)) return {};

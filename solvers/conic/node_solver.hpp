@@ -33,19 +33,21 @@ class NodeSolver {
 
   /// The same with several cones for a candidate (NodeProgram): reactions and displacements are
   /// then those of the cones.
-  /// @param motions of a loose body
+  /// @param motions of a loose body, which takes no cuts
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
              std::vector<int> owners, Tolerances tolerances = {}, double error = 0,
-             const Motions<double>& motions = {});
+             const Motions<double>& motions = {}, int most_cuts = 0);
 
   /// From the next solve() on, mu is this. See NodeProgram.
   void set_friction(std::span<const double> friction) { program_.set_friction(friction); }
 
   /// Bounds the node with the candidates `contact` in U and `separated` in R; those of `ignored`
   /// have r = 0 and u_n free.
+  /// @param cuts further rows; valid until the next call
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
   Answer solve(const support::IndexSet& contact, const support::IndexSet& separated,
-               StopEarly stop = {}, const support::IndexSet& ignored = {});
+               StopEarly stop = {}, const support::IndexSet& ignored = {},
+               std::span<const Cut> cuts = {});
 
   /// r, Dm: zero on R, sum of the normal parts 1, u_n = 0 on U. The point that proves `lower`;
   /// when there is none, the last projection, which may serve for branching; zero if R is
@@ -62,6 +64,13 @@ class NodeSolver {
   /// y, m, and beta of the p motions of a loose body: proves `upper` (solvers/conic/bounds.hpp);
   /// y_j >= 0 for j not in U; zero if R is everything.
   const Eigen::VectorXd& multipliers() const { return multipliers_; }
+  /// Of the cuts of the last node, >= 0.
+  auto cut_multipliers() const {
+    return best_.segment(program_.first_cut(), program_.rows() - program_.first_cut());
+  }
+  /// What the left side of a cut of the last node can be at most, for sum_k r_nk = 1 and wherever
+  /// t >= 0 is possible: proved by the same multipliers. Infinity if these say nothing.
+  double most_of(std::size_t cut);
 
  private:
   NodeSolver(NodeProgram<D> program, Tolerances tolerances, double error);

@@ -126,12 +126,18 @@ KUSABI_INLINE void substitute_back(const double* factor, int distance, int rows,
 
 }  // namespace
 
-NormalEquations::NormalEquations(int rows)
-    : rows_(rows),
-      padded_rows_(padded(rows)),
+NormalEquations::NormalEquations(int most_rows)
+    : rows_(most_rows),
+      padded_rows_(padded(most_rows)),
       height_(padded_rows_ + lanes),
       matrix_(static_cast<std::size_t>(height_ * padded_rows_), 0.0),
       inverse_(static_cast<std::size_t>(padded_rows_), 0.0) {}
+
+void NormalEquations::resize(int rows) {
+  rows_ = rows;
+  padded_rows_ = padded(rows);
+  height_ = padded_rows_ + lanes;
+}
 
 KUSABI_ALSO_FOR_AVX2
 void NormalEquations::assemble(const Columns& b) {

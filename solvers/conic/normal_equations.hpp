@@ -12,7 +12,10 @@ namespace kusabi::conic {
 /// and for those that fill it up to a multiple of four, where M is the identity.
 class NormalEquations {
  public:
-  explicit NormalEquations(int rows);
+  explicit NormalEquations(int most_rows);
+
+  /// From now on M has so many rows, no more than at construction; call assemble() next.
+  void resize(int rows);
 
   /// M = B B'.
   void assemble(const Columns& b);
