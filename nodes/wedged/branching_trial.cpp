@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <random>
 #include <utility>
@@ -66,62 +67,87 @@ Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number,
   return result;
 }
 
-// The trees by all rules, and what the dives into one of their blocks say.
+// The trees by the rules that are tried, and what the dives into one of their blocks say.
 class Trial {
  public:
   Trial(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-        std::span<const double> friction, const SignPatternOptions& options)
-      : campaign_(campaign) {
-    for (const Branching rule : tried) {
+        std::span<const double> friction, const SignPatternOptions& options,
+        std::span<const Branching> rules)
+      : campaign_(campaign), rules_(rules) {
+    for (const Branching rule : rules) {
       SignPatternOptions own = options;
       own.branching = rule;
       trees_.emplace_back(problem, friction, own);
     }
   }
 
-  Branching best_of(std::uint32_t block, int candidates) {
+  TriedTree best_of(std::uint32_t block, int candidates) {
+    constexpr auto unknown = std::numeric_limits<double>::infinity();
     const auto few = few_nodes(candidates);
-    if (engine::from_first_rank(campaign_.transport(), [&] { return is_plain(block, few); }))
-      return tried.front();
-    std::array<double, tried.size()> sum{};
+    const auto first =
+        engine::from_first_rank(campaign_.transport(), [&] { return look(block, few); });
+    if (first.whole) return {rules_.front(), static_cast<double>(first.opened)};
+    if (candidates < fewest_candidates) return {rules_.front(), unknown};
+    const auto rules = first.much ? 1 : trees_.size();
+    std::vector<double> sum(rules);
     std::uint64_t opened = 0;
-    for (std::uint64_t round = 0; round < most_rounds; ++round) {
-      const auto dives = share(block, round);
+    std::uint64_t round = 0;
+    while (round < most_rounds) {
+      const auto dives = share(block, round++, rules);
       for (std::size_t i = 0; i < dives.size(); ++i) {
-        sum[i % tried.size()] += dives[i].size;
+        sum[i % rules] += dives[i].size;
         opened += dives[i].opened;
       }
-      const double least =
-          *std::ranges::min_element(sum) / static_cast<double>(dives_a_round * (round + 1));
-      if ((opened >= few && static_cast<double>(opened) >= least) || ended()) break;
+      const double least = mean(*std::ranges::min_element(sum), round);
+      if (rules == 1 || (opened >= few && static_cast<double>(opened) >= least) || ended()) break;
     }
     const auto least = std::ranges::min_element(sum);
-    return *least * times_fewer < sum.front() ? tried[static_cast<std::size_t>(least - sum.begin())]
-                                              : tried.front();
+    const auto best =
+        *least * times_fewer < sum.front() ? static_cast<std::size_t>(least - sum.begin()) : 0;
+    return {rules_[best], mean(sum[best], round)};
   }
 
  private:
-  // Whether the first tree has few nodes, or much to list: then most of the work is its leaves,
-  // which all trees have.
-  bool is_plain(std::uint32_t block, std::uint64_t few) {
+  // The beginning of the first tree. Where much is found most of the work is its leaves, which all
+  // trees have.
+  struct Look {
+    std::uint64_t opened = 0;
+    bool whole = false, much = false;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& opened& whole& much;
+    }
+  };
+  Look look(std::uint32_t block, std::uint64_t few) {
     std::vector<SignPatternTree::Node> open{{.block = block, .pattern = {}}};
+    Look result;
     int found = 0;
-    for (std::uint64_t opened = 0; opened < few && !open.empty(); ++opened) {
-      if (found == much || campaign_.budget().spent()) return true;
+    while (result.opened < few && !open.empty()) {
+      if (found == much || campaign_.budget().spent()) {
+        result.much = true;
+        return result;
+      }
       const auto node = open.back();
       open.pop_back();
       const auto fate = trees_.front().decide(node);
+      ++result.opened;
       if (fate.leaf) ++found;
       open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
     }
-    return open.empty();
+    result.whole = open.empty();
+    return result;
   }
 
-  std::vector<Dive> share(std::uint32_t block, std::uint64_t round) {
+  static double mean(double sum, std::uint64_t rounds) {
+    return sum / static_cast<double>(dives_a_round * rounds);
+  }
+
+  std::vector<Dive> share(std::uint32_t block, std::uint64_t round, std::size_t rules) {
     return engine::share_work<Dive>(
-        campaign_.transport(), dives_a_round * tried.size(), [&](std::uint64_t piece) {
-          return dive(trees_[piece % tried.size()], block,
-                      round * dives_a_round + piece / tried.size(), campaign_.budget());
+        campaign_.transport(), dives_a_round * rules, [&](std::uint64_t piece) {
+          return dive(trees_[piece % rules], block, round * dives_a_round + piece / rules,
+                      campaign_.budget());
         });
   }
 
@@ -131,8 +157,11 @@ class Trial {
   }
 
   engine::Campaign& campaign_;
+  std::span<const Branching> rules_;
   std::vector<SignPatternTree> trees_;
 };
+
+constexpr std::array without_centre{Branching::relative};
 
 }  // namespace
 
@@ -140,23 +169,32 @@ Branching untried_branching(int candidates) {
   return candidates < fewest_candidates ? Branching::relative : tried.front();
 }
 
-std::vector<Branching> tried_branching(engine::Campaign& campaign,
-                                       const problems::WedgedProblem& problem,
-                                       std::span<const double> friction,
-                                       const SignPatternOptions& options) {
+std::vector<TriedTree> tried_trees(engine::Campaign& campaign,
+                                   const problems::WedgedProblem& problem,
+                                   std::span<const double> friction,
+                                   const SignPatternOptions& options, int fewest) {
   const auto blocks = problems::blocks_of(problem);
-  if (options.branching != Branching::automatic)
-    return std::vector<Branching>(blocks.size(), options.branching);
-  std::vector<Branching> rules(blocks.size(), Branching::relative);
+  std::vector<TriedTree> result(blocks.size());
+  const std::array asked{options.branching};
+  const bool automatic = options.branching == Branching::automatic;
+  if (!automatic) std::ranges::fill(result, TriedTree{.branching = options.branching});
   // Loose bodies and polyhedral cones have no centre, by which the rules differ.
-  if (options.facets != 0 || problem.motions.cols() > 0) return rules;
-  std::optional<Trial> trial;
+  if (options.facets != 0 || problem.motions.cols() > 0) return result;
+  std::optional<Trial> small, large;
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
-    if (blocks[block].size() < fewest_candidates) continue;
-    if (!trial) trial.emplace(campaign, problem, friction, options);
-    rules[block] = trial->best_of(block, blocks[block].size());
+    const int candidates = blocks[block].size();
+    const bool is_large = automatic && candidates >= fewest_candidates;
+    if (candidates < fewest && !is_large) continue;
+    auto& trial = is_large ? large : small;
+    if (!trial) {
+      const auto rules = is_large    ? std::span<const Branching>(tried)
+                         : automatic ? std::span<const Branching>(without_centre)
+                                     : std::span<const Branching>(asked);
+      trial.emplace(campaign, problem, friction, options, rules);
+    }
+    result[block] = trial->best_of(block, candidates);
   }
-  return rules;
+  return result;
 }
 
 }  // namespace kusabi::wedged

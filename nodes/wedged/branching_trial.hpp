@@ -1,6 +1,6 @@
-// Which rule of branching the tree of each block is searched by, found out by sampling its trees
-// by all of them. On faces of meshes one rule takes a hundred times the nodes of another, and
-// which one that is differs from face to face.
+// Which rule of branching the tree of a block is searched by, and how large that tree is, found out
+// by sampling its trees by all of them. On faces of meshes one rule takes a hundred times the nodes
+// of another, and which one that is differs from face to face.
 //
 // A sample is a dive from the root: of each branched node both children are opened, and the dive
 // goes on from one of those that are branched in turn, with even odds. The nodes met, each times
@@ -21,11 +21,18 @@ namespace kusabi::wedged {
 /// What is best without a trial.
 Branching untried_branching(int candidates);
 
-/// The rule for each block: the one that was asked for, or what the trial says. The ranks share
-/// the dives, and come to the same, however many they are. Every rank makes the same call.
-std::vector<Branching> tried_branching(engine::Campaign& campaign,
-                                       const problems::WedgedProblem& problem,
-                                       std::span<const double> friction,
-                                       const SignPatternOptions& options);
+/// A rule, and how many nodes its tree has.
+struct TriedTree {
+  Branching branching = Branching::relative;
+  double nodes = 0;  ///< an estimate; zero if nobody looked, infinity if only that it is not small
+};
+
+/// For each block the rule that was asked for, or what the trial says. The ranks share the dives,
+/// and come to the same, however many they are. Every rank makes the same call.
+/// @param fewest smaller blocks are not looked at
+std::vector<TriedTree> tried_trees(engine::Campaign& campaign,
+                                   const problems::WedgedProblem& problem,
+                                   std::span<const double> friction,
+                                   const SignPatternOptions& options, int fewest);
 
 }  // namespace kusabi::wedged

@@ -1,100 +1,235 @@
-// The bounds, one program at a time.
+// Sweeps of programs, each for one side of one candidate.
 #include "nodes/wedged/candidate_bounds.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "engine/shared_work.hpp"
+#include "engine/together.hpp"
+#include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
 
 using support::IndexSet;
 
 namespace {
-const double floor_share = std::getenv("FLOOR") ? std::atof(std::getenv("FLOOR")) : 1e-2;
+
+/// No bound goes below this share of the first one, that of the candidate's own reach: a cut of a
+/// smaller one asks for reactions and gaps so small that t*, which no inequality leaves more room
+/// than the others, comes near the tolerance.
+constexpr double least_share = 1e-2;
+
+/// Bounds are loosened by this share, which leaves the proofs room for rounding.
+constexpr double room = 1e-6;
+
+/// A bound that takes less than this share off is not taken up.
+constexpr double hardly_better = 1e-2;
+
+/// The level of the row that asks for more than the bound, in units of the others: so that these
+/// give way by a thousandth of what it falls short of.
+constexpr double level_of_bound = 1e3;
+
+/// A bound needs few digits, of a t* that this level makes small.
+constexpr double digits_of_bound = 1e-6;
+
+/// Candidates whose programs do not wait for each other's bounds.
+constexpr int group_size = 8;
+
+/// Sweeps end when bounds fall by no more than this share on average, or after so many.
+constexpr double slow_progress = 0.05;
+constexpr int most_sweeps = 10;
+
+conic::Tolerances for_bounds(conic::Tolerances tolerances) {
+  tolerances.value = std::max(tolerances.value, digits_of_bound);
+  return tolerances;
 }
 
-CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
-                                     std::span<const double> friction, conic::Tolerances tolerances)
-    : count_(static_cast<int>(friction.size())),
-      least_gap_(0),
-      solver_(problem, friction, {.sign = tolerances.sign, .value = std::getenv("VALUE") ? std::atof(std::getenv("VALUE")) : 1e-8, .iterations = tolerances.iterations}, count_ + 1) {
-  bounds_.resize(friction.size());
-  const Eigen::Index d = problem.dimension;
-  for (int i = 0; i < count_; ++i) {
-    double most = 0;
-    for (int k = 0; k < count_; ++k) {
-      if (k == i) continue;
-      const auto row = problem.compliance.row(d * i).segment(d * k, d);
-      most = std::max(most, row[0] + friction[static_cast<std::size_t>(k)] * row.tail(d - 1).norm());
-    }
-    bounds_[static_cast<std::size_t>(i)].gap = most / solver_.unit();
-  }
-  trivial_ = bounds_;
-}
+}  // namespace
 
-double CandidateBounding::improved(int candidate, bool touching) {
-  auto& own = bounds_[static_cast<std::size_t>(candidate)];
-  double& bound = touching ? own.reaction : own.gap;
-  if (bound <= 0) return bound;
-  IndexSet contact, separated, free;
-  for (int i = 0; i < count_; ++i) {
-    const auto& other = bounds_[static_cast<std::size_t>(i)];
-    if (i == candidate) (touching ? contact : separated).insert(i);
-    else if (other.gap <= 0) contact.insert(i);
-    else if (other.reaction <= 0) separated.insert(i);
-    else free.insert(i);
-  }
-  auto cuts = cuts_of(free, bounds_);
-  cuts.push_back({.candidate = candidate, .share = -bound, .displacement = touching ? 0.0 : -1.0,
-                  .reaction = touching ? -1.0 : 0.0, .level = std::getenv("LEVEL") ? std::atof(std::getenv("LEVEL")) : 1000});
-  ++programs_;
-  const auto answer = solver_.solve_with(cuts, contact, separated, {.when_dead = false, .when_alive = false});
-  if (answer.upper < -1e-9) { }
-  const double most = bound + solver_.most_of(cuts.size() - 1);
-  return most;
-}
-
-void CandidateBounding::sweep() {
-  const int group = std::getenv("GROUP") ? std::atoi(std::getenv("GROUP")) : 1;
-  for (int first = 0; first < count_; first += group) {
-  std::vector<double> found2;
-  for (int i = first; i < std::min(count_, first + group); ++i) { found2.push_back(improved(i, false)); found2.push_back(improved(i, true)); }
-  for (int i = first; i < std::min(count_, first + group); ++i) {
-    auto& own = bounds_[static_cast<std::size_t>(i)];
-    const auto& trivial = trivial_[static_cast<std::size_t>(i)];
-    for (const bool touching : {false, true}) {
-      double& bound = touching ? own.reaction : own.gap;
-      const double least = floor_share * (touching ? trivial.reaction : trivial.gap);
-      const double found = found2[static_cast<std::size_t>(2 * (i - first) + touching)];
-      if (found < 0) bound = -1;
-      else if (found < bound) bound = std::max(found, std::min(bound, least));
-    }
-  }
-  }
-  return;
-  for (int i = 0; i < count_; ++i) {
-    auto& own = bounds_[static_cast<std::size_t>(i)];
-    const auto& trivial = trivial_[static_cast<std::size_t>(i)];
-    for (const bool touching : {false, true}) {
-      double& bound = touching ? own.reaction : own.gap;
-      const double least = floor_share * (touching ? trivial.reaction : trivial.gap);
-      const double found = improved(i, touching);
-      if (found < 0) bound = -1;
-      else if (found < bound) bound = std::max(found, std::min(bound, least));
-    }
-  }
-}
-
-std::vector<conic::Cut> cuts_of(const IndexSet& free, std::span<const CandidateBounds> bounds) {
+std::vector<conic::Cut> cuts_of(const IndexSet& candidates,
+                                std::span<const CandidateBounds> bounds) {
   std::vector<conic::Cut> cuts;
-  for (const int i : free) {
+  for (const int i : candidates) {
     const auto& own = bounds[static_cast<std::size_t>(i)];
-    if (own.gap <= 0 || own.reaction <= 0) continue;
-    const double scale = 1 / std::max({1.0, 1 / own.gap, 1 / own.reaction});
-    cuts.push_back({.candidate = i, .share = scale, .displacement = scale / own.gap,
-                    .reaction = scale / own.reaction, .level = scale});
+    if (!own.is_free()) continue;
+    const double scale = std::min({1.0, own.gap, own.reaction});
+    cuts.push_back({.candidate = i,
+                    .share = scale,
+                    .displacement = scale / own.gap,
+                    .reaction = scale / own.reaction,
+                    .level = scale});
   }
   return cuts;
+}
+
+std::vector<double> cut_forces(const ContactSolver& solver, std::span<const conic::Cut> cuts) {
+  std::vector<double> forces(static_cast<std::size_t>(solver.candidates()));
+  for (std::size_t cut = 0; cut < cuts.size(); ++cut)
+    forces[static_cast<std::size_t>(cuts[cut].candidate)] =
+        solver.unit() * cuts[cut].share * solver.cut_multiplier(cut);
+  return forces;
+}
+
+// u_ni <= s max_k (F_nn,ik + mu_k |F_nt,ik|), k != i.
+CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
+                                     std::span<const double> friction, conic::Tolerances tolerances)
+    : solver_(problem, friction, for_bounds(tolerances)), bounds_(friction.size()) {
+  solver_.make_room(candidates() + 1);
+  const Eigen::Index d = problem.dimension;
+  for (int i = 0; i < candidates(); ++i) {
+    double most = 0;
+    for (int k = 0; k < candidates(); ++k) {
+      if (k == i) continue;
+      const auto row = problem.compliance.row(d * i).segment(d * k, d);
+      const double mu = friction[static_cast<std::size_t>(k)];
+      most = std::max(most, row[0] + mu * row.tail(d - 1).norm());
+    }
+    // What F may be wrong by is far less than this.
+    most += room * problem.compliance.row(d * i).cwiseAbs().maxCoeff();
+    std::vector<double> numbers(2 * friction.size() + 1);
+    numbers[static_cast<std::size_t>(i)] = 1;
+    numbers.back() = 1;
+    take_up({.candidate = i, .side = Side::separated, .most = most, .numbers = numbers});
+  }
+  least_ = bounds_;
+  for (auto& [gap, reaction] : least_) {
+    gap *= least_share;
+    reaction *= least_share;
+  }
+}
+
+double& CandidateBounding::known(int candidate, Side side) {
+  auto& own = bounds_[static_cast<std::size_t>(candidate)];
+  return side == Side::contact ? own.reaction : own.gap;
+}
+
+double CandidateBounding::in_units(double scaled, Side side) const {
+  return side == Side::contact ? scaled : solver_.unit() * scaled;
+}
+
+void CandidateBounding::take_up(ProvedBound bound) {
+  known(bound.candidate, bound.side) =
+      bound.most / (bound.side == Side::contact ? 1 : solver_.unit());
+  proved_.push_back(std::move(bound));
+}
+
+std::vector<double> CandidateBounding::evidence(std::span<const conic::Cut> cuts, Side side) const {
+  const auto& y = solver_.multipliers();
+  std::vector<double> numbers(y.begin(), y.end());
+  const auto forces = cut_forces(solver_, cuts.first(cuts.size() - 1));
+  numbers.insert(numbers.end(), forces.begin(), forces.end());
+  const double own = solver_.cut_multiplier(cuts.size() - 1);
+  numbers.push_back(side == Side::contact ? solver_.unit() * own : own);
+  return numbers;
+}
+
+// The program of the side with the cuts, and the row  r_ni - bound s >= level t  or the same of
+// u_ni. Its multipliers prove how much larger than the bound there is at most: it is less by as
+// much as the bound can come down.
+std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side) {
+  const double bound = known(candidate, side);
+  if (!bounds_[static_cast<std::size_t>(candidate)].is_free()) return {};
+  IndexSet contact, separated, free;
+  for (int i = 0; i < candidates(); ++i) {
+    const auto& other = bounds_[static_cast<std::size_t>(i)];
+    if (i == candidate) {
+      (side == Side::contact ? contact : separated).insert(i);
+    } else if (!other.can_separate()) {
+      contact.insert(i);
+    } else if (!other.can_touch()) {
+      separated.insert(i);
+    } else {
+      free.insert(i);
+    }
+  }
+  auto cuts = cuts_of(free, bounds_);
+  cuts.push_back({.candidate = candidate,
+                  .share = -bound,
+                  .displacement = side == Side::separated ? -1.0 : 0.0,
+                  .reaction = side == Side::contact ? -1.0 : 0.0,
+                  .level = level_of_bound});
+  solver_.solve_with(cuts, contact, separated, {.when_dead = false, .when_alive = false});
+  const double most = bound + solver_.most_of(cuts.size() - 1);
+  const auto& least = least_[static_cast<std::size_t>(candidate)];
+  ProvedBound result{.candidate = candidate, .side = side, .most = most, .numbers = {}};
+  if (!(most < -room * bound)) {
+    result.most = std::max(most + room * bound, side == Side::contact ? least.reaction : least.gap);
+    if (!(result.most < (1 - hardly_better) * bound)) return {};
+  }
+  result.most = in_units(result.most, side);
+  result.numbers = evidence(cuts, side);
+  if (result.never()) result.numbers.pop_back();
+  return result;
+}
+
+namespace {
+
+// By what factor all bounds together have come down, as a logarithm, and whether any sides have
+// gone.
+double progress(std::span<const CandidateBounds> before, std::span<const CandidateBounds> after) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!before[i].is_free()) continue;
+    ++count;
+    sum += after[i].is_free() ? (std::log(before[i].gap / after[i].gap) +
+                                 std::log(before[i].reaction / after[i].reaction)) /
+                                    2
+                              : 1;
+  }
+  return count == 0 ? 0 : sum / count;
+}
+
+bool is_decided(std::span<const CandidateBounds> bounds) {
+  const auto impossible = [](const auto& own) { return !own.can_separate() && !own.can_touch(); };
+  const auto free = [](const auto& own) { return own.is_free(); };
+  return std::ranges::any_of(bounds, impossible) || std::ranges::none_of(bounds, free);
+}
+
+}  // namespace
+
+RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                            std::span<const double> friction, std::uint32_t block,
+                            conic::Tolerances tolerances) {
+  const auto candidates = problems::blocks_of(problem)[block];
+  std::vector<double> own_friction;
+  for (const int i : candidates) own_friction.push_back(friction[static_cast<std::size_t>(i)]);
+  CandidateBounding bounding(problems::block_problem(problem, candidates), own_friction,
+                             tolerances);
+  RootBounds result;
+  bool spent = false;
+  for (int sweep = 0; sweep < most_sweeps && !spent; ++sweep) {
+    const auto before = bounding.bounds();
+    for (int first = 0; first < bounding.candidates() && !spent; first += group_size) {
+      const auto pieces =
+          static_cast<std::uint64_t>(2 * std::min(group_size, bounding.candidates() - first));
+      auto found = engine::share_work<std::vector<ProvedBound>>(
+          campaign.transport(), pieces, [&](std::uint64_t piece) {
+            std::vector<ProvedBound> own;
+            const int candidate = first + static_cast<int>(piece / 2);
+            if (auto one =
+                    bounding.improved(candidate, piece % 2 == 0 ? Side::separated : Side::contact))
+              own.push_back(std::move(*one));
+            return own;
+          });
+      for (auto& each : found)
+        for (auto& one : each) bounding.take_up(std::move(one));
+      result.programs += pieces;
+      spent =
+          engine::from_first_rank(campaign.transport(), [&] { return campaign.budget().spent(); });
+    }
+    if (is_decided(bounding.bounds()) || progress(before, bounding.bounds()) < slow_progress) break;
+  }
+  result.bounds = bounding.bounds();
+  result.proved = bounding.proved();
+  std::vector<int> in_whole(candidates.begin(), candidates.end());
+  for (auto& each : result.proved) {
+    each.block = block;
+    each.candidate = in_whole[static_cast<std::size_t>(each.candidate)];
+  }
+  return result;
 }
 
 }  // namespace kusabi::wedged

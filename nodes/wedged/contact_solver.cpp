@@ -36,8 +36,7 @@ constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>
 }  // namespace
 
 ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
-                             std::span<const double> friction, conic::Tolerances tolerances,
-                             int most_cuts)
+                             std::span<const double> friction, conic::Tolerances tolerances)
     : dimension_(problem.dimension),
       unit_(problems::mean_normal_compliance(problem)),
       tolerances_(tolerances),
@@ -54,10 +53,14 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
         std::iota(owners.begin(), owners.end(), 0);
         if (problem.dimension == 2)
           return conic::NodeSolver<2>(scaled, friction, std::move(owners), tolerances, error,
-                                      motions<double>(), most_cuts);
+                                      motions<double>());
         return conic::NodeSolver<3>(scaled, friction, std::move(owners), tolerances, error,
-                                    motions<double>(), most_cuts);
+                                    motions<double>());
       }()) {}
+
+void ContactSolver::make_room(int most_cuts) {
+  std::visit([&](auto& solver) { solver.make_room(most_cuts); }, solver_);
+}
 
 Eigen::VectorXd ContactSolver::motion() const {
   return motions_.combination.cast<double>().leftCols(motion_.size()) * motion_;
@@ -163,6 +166,8 @@ conic::Answer ContactSolver::solve_with(std::span<const conic::Cut> cuts, const 
         reaction_ = solver.reaction();
         displacement_ = solver.displacement();
         multipliers_ = solver.multipliers();
+        for (std::size_t cut = 0; cut < cuts.size(); ++cut)
+          multipliers_[cuts[cut].candidate] -= cuts[cut].displacement * solver.cut_multiplier(cut);
         has_centre_ = answer.sign == conic::Sign::alive && stop.when_alive;
         return answer;
       },
@@ -171,6 +176,10 @@ conic::Answer ContactSolver::solve_with(std::span<const conic::Cut> cuts, const 
 
 double ContactSolver::most_of(std::size_t cut) {
   return std::visit([&](auto& solver) { return solver.most_of(cut); }, solver_);
+}
+
+double ContactSolver::cut_multiplier(std::size_t cut) const {
+  return std::visit([&](const auto& solver) { return solver.cut_multiplier(cut); }, solver_);
 }
 
 conic::Answer ContactSolver::solve(const IndexSet& contact, const IndexSet& separated,

@@ -35,18 +35,23 @@ class ContactSolver {
   /// @param friction mu of each contact candidate, m numbers: 0 or 1e-6 to 1e6
   /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
   ContactSolver(const problems::WedgedProblem& problem, std::span<const double> friction,
-                conic::Tolerances tolerances, int most_cuts = 0);
+                conic::Tolerances tolerances);
+
+  /// From now on solve_with() has room for so many cuts. @pre a body without motions
+  void make_room(int most_cuts);
 
   /// From the next solve() on, mu is this.
   void set_friction(std::span<const double> friction);
 
   /// The node's program with cuts, in doubles only: where it is marginal, more digits are for the
   /// one without. Solved to the end if `stop` says so.
-  /// @pre a body without motions, room for so many cuts
+  /// @pre room for so many cuts
   conic::Answer solve_with(std::span<const conic::Cut> cuts, const support::IndexSet& contact,
                            const support::IndexSet& separated, conic::StopEarly stop);
   /// What the left side of a cut of the last such node can be at most, see conic::NodeSolver.
   double most_of(std::size_t cut);
+  /// Of the last such node, where multipliers() have taken in what the cuts say of u_n.
+  [[nodiscard]] double cut_multiplier(std::size_t cut) const;
 
   /// Bounds the node with the candidates `contact` in U and `separated` in R. The candidates of
   /// `ignored` have neither a reaction nor a row: r = 0, and u_n is free.
@@ -92,6 +97,8 @@ class ContactSolver {
   std::span<const conic::FaceDistances> face_distances();
 
   [[nodiscard]] int dimension() const { return dimension_; }
+  /// m.
+  [[nodiscard]] int candidates() const { return static_cast<int>(friction_.size()); }
   /// By what the compliance is divided, length/force.
   [[nodiscard]] double unit() const { return unit_; }
   /// Where the normal part of a candidate stands in r and u.

@@ -13,11 +13,11 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/together.hpp"
-#include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 #include "nodes/wedged/evidence_check.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/preparation.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -87,10 +87,12 @@ class Ends {
 template <class Wanted>
 Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted) {
   const auto friction = candidate_friction(problem_, factor);
-  const SignPatternOptions options{.tolerances = CriticalFriction::tolerances, .thorough = true};
+  const SignPatternOptions options{.tolerances = CriticalFriction::tolerances,
+                                   .tightening = Tightening::never,
+                                   .thorough = true};
   SignPatternTree tree(problem_, friction, options);
-  const auto rules = tried_branching(campaign_, problem_, friction, options);
-  for (std::size_t block = 0; block < rules.size(); ++block) tree.split_by(block, rules[block]);
+  const auto prepared = prepare(campaign_, problem_, friction, options);
+  inform(tree, prepared);
   const auto record = recorder_ ? recorder_(end, factor, friction) : nullptr;
   std::optional<EvidenceCheck> check;
   if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&stiffness_)) {
@@ -203,8 +205,9 @@ void prove_ends(engine::Campaign& campaign, const problems::Structure& structure
                 const EndRecorder& recorder, CriticalFindings& findings) {
   // All ranks move the ends alike.
   const auto bracket = engine::from_first_rank(campaign.transport(), [&] {
-    std::vector<double> known{findings.lower};
-    if (findings.upper) known.push_back(*findings.upper);
+    std::vector<double> known;
+    for (const auto& end : {std::optional(findings.lower), findings.upper})
+      if (end) known.push_back(*end);
     return known;
   });
   findings.lower = bracket[0];

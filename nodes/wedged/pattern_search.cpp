@@ -2,11 +2,9 @@
 #include "nodes/wedged/pattern_search.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstdio>
 #include <utility>
 
-#include "nodes/wedged/branching_trial.hpp"
+#include "nodes/wedged/preparation.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -14,23 +12,10 @@ namespace kusabi::wedged {
 PatternFindings find_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                               std::span<const double> friction, const PatternQuestion& question) {
   SignPatternTree tree(problem, friction, question.tree);
-  const auto rules = tried_branching(campaign, problem, friction, question.tree);
-  for (std::size_t block = 0; block < rules.size(); ++block) tree.split_by(block, rules[block]);
-  if (const char* sweeps = std::getenv("SWEEPS"); sweeps && !question.witness) {
-    const auto sets = problems::blocks_of(problem);
-    for (std::size_t block = 0; block < sets.size(); ++block) {
-      std::vector<double> own;
-      for (int i : sets[block]) own.push_back(friction[static_cast<std::size_t>(i)]);
-      CandidateBounding bounding(problems::block_problem(problem, sets[block]), own, question.tree.tolerances);
-      for (int k = 0; k < std::atoi(sweeps); ++k) {
-        bounding.sweep();
-        double sum = 0; int fixed = 0; double gaps = 0;
-        for (auto& b : bounding.bounds()) { if (b.gap <= 0 || b.reaction <= 0) ++fixed; else sum += b.reaction, gaps += b.gap; }
-        fprintf(stderr, "sweep %d: programs %lu fixed %d sum r %g sum u %g\n", k, bounding.programs(), fixed, sum, gaps);
-      }
-      tree.tighten(block, bounding.bounds());
-    }
-  }
+  auto options = question.tree;
+  if (question.witness) options.tightening = Tightening::never;
+  const auto prepared = prepare(campaign, problem, friction, options);
+  inform(tree, prepared);
   if (question.witness) tree.report_to(question.witness);
   PatternFindings findings;
   findings.outcome = campaign.search(tree, question.search);
@@ -41,9 +26,12 @@ PatternFindings find_patterns(engine::Campaign& campaign, const problems::Wedged
   std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {
     return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
   });
+  findings.bounds = proved_bounds(prepared);
   for (const auto& candidates : problems::blocks_of(problem)) {
+    const auto& own = prepared[findings.blocks.size()];
     findings.blocks.push_back({.candidates = candidates,
-                               .branching = rules[findings.blocks.size()],
+                               .branching = own.branching,
+                               .bound_programs = own.root.programs,
                                .cones = 0,
                                .open = 0});
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/campaign.hpp"
+#include "nodes/wedged/candidate_bounds.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -18,6 +19,7 @@ namespace kusabi::wedged {
 struct PatternBlock {
   support::IndexSet candidates;
   Branching branching = Branching::relative;  ///< the rule that its tree was searched by
+  std::uint64_t bound_programs = 0;           ///< solved to bound its candidates before
   std::uint64_t cones = 0;
   std::uint64_t open = 0;  ///< leaves of which it could not be told whether they are patterns
 
@@ -29,6 +31,7 @@ struct PatternFindings {
   engine::Outcome<SignPatternTree> outcome;
   std::vector<Configuration> leaves;  ///< the maximal cones, then the open leaves
   std::vector<PatternBlock> blocks;
+  std::vector<ProvedBound> bounds;  ///< of candidates, on every rank
   /// Of Algorithm 5.8: the leaves to test, block by block in the order of a dictionary.
   std::vector<PolyhedralCandidate> tested;
   std::size_t flat = 0, marginal = 0, undecided = 0;  ///< of the leaves

@@ -32,12 +32,20 @@ SignPatternTree::Block::Block(const problems::WedgedProblem& problem, IndexSet w
     : candidates(std::move(within_whole)),
       all(problems::all_candidates(problem)),
       rule(problem, friction, options.branching),
-      solver(problem, friction, options.tolerances,
-             problem.motions.cols() == 0 ? all.size() : 0),
+      solver(problem, friction, options.tolerances),
       mean_motion(problem) {
   if (options.facets != 0)
     outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances,
                   problem.compliance_error, problem.motions, problem.motion_error);
+}
+
+bool SignPatternTree::Block::is_impossible(const SignPattern& node) const {
+  return std::ranges::any_of(
+             node.contact,
+             [&](int i) { return !bounds[static_cast<std::size_t>(i)].can_touch(); }) ||
+         std::ranges::any_of(node.separated, [&](int i) {
+           return !bounds[static_cast<std::size_t>(i)].can_separate();
+         });
 }
 
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
@@ -60,6 +68,12 @@ double SignPatternTree::bound(const Node& node) const {
   return (node.pattern.contact | node.pattern.separated).size();
 }
 
+void SignPatternTree::tighten(std::size_t block, std::vector<CandidateBounds> bounds) {
+  auto& own = blocks_[block];
+  own.solver.make_room(static_cast<int>(bounds.size()));
+  own.bounds = std::move(bounds);
+}
+
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
   auto fate = decide(node);
   if (fate.leaf) out.solution(std::move(*fate.leaf));
@@ -73,6 +87,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
       fate.children.push_back({.block = block, .pattern = {}});
     return fate;
   }
+  if (auto fate = decide_with_cuts(node)) return std::move(*fate);
   Block& block = blocks_[node.block];
   const auto& [contact, separated, at_rest] = node.pattern;
   const bool leaf = block.free(node.pattern).empty();
@@ -89,21 +104,6 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
         return block.outer->normal_displacement(i) * block.outer->normal_reaction(i);
       }));
   }
-  if (!leaf && !block.bounds.empty()) {
-    const auto free = block.free(node.pattern);
-    Node fixed = node;
-    for (const int i : free) {
-      const auto& own = block.bounds[static_cast<std::size_t>(i)];
-      if (own.gap <= 0) fixed.pattern.contact.insert(i);
-      else if (own.reaction <= 0) fixed.pattern.separated.insert(i);
-    }
-    if (!(fixed == node)) { Fate fate; fate.children.push_back(fixed); return fate; }
-    const auto cuts = cuts_of(free, block.bounds);
-    const auto answer = block.solver.solve_with(cuts, contact, separated, stop);
-    tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-    if (answer.sign == conic::Sign::dead) return prune(node, block.solver.multipliers());
-    if (answer.sign == conic::Sign::alive) return branch(node, free);
-  }
   const auto answer = block.solver.solve(contact, separated, stop);
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
   if (answer.rung > 0) ++tally_.climbed;
@@ -118,6 +118,30 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
       return decide_doubt(node, answer);
   }
   return branch(node, block.free(node.pattern));
+}
+
+// A candidate that has no configuration on one side is branched on before anything is solved: the
+// child on that side is dead. What is marginal with cuts is so by what they leave, too.
+std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Node& node) {
+  Block& block = blocks_[node.block];
+  const auto free = block.free(node.pattern);
+  if (block.bounds.empty() || free.empty()) return {};
+  if (!block.is_impossible(node.pattern))
+    for (const int i : free)
+      if (!block.bounds[static_cast<std::size_t>(i)].is_free()) return split(node, i);
+  const auto cuts = cuts_of(free, block.bounds);
+  const auto answer =
+      block.solver.solve_with(cuts, node.pattern.contact, node.pattern.separated, {});
+  tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+  switch (answer.sign) {
+    case conic::Sign::dead:
+      return prune_with(cuts, node);
+    case conic::Sign::alive:
+      return branch(node, free);
+    case conic::Sign::marginal:
+      break;
+  }
+  return {};
 }
 
 void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
@@ -200,6 +224,22 @@ SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::Vect
   const Block& block = blocks_[node.block];
   const auto numbers = block.mean_motion.with_multipliers(multipliers, block.solver.unit());
   witness_({.kind = Evidence::Kind::dead,
+            .block = node.block,
+            .node = in_whole(node.pattern, block.candidates),
+            .numbers = numbers});
+  return {};
+}
+
+SignPatternTree::Fate SignPatternTree::prune_with(std::span<const conic::Cut> cuts,
+                                                  const Node& node) {
+  ++tally_.dead;
+  if (!witness_) return {};
+  const Block& block = blocks_[node.block];
+  const auto& y = block.solver.multipliers();
+  std::vector<double> numbers(y.begin(), y.end());
+  const auto forces = cut_forces(block.solver, cuts);
+  numbers.insert(numbers.end(), forces.begin(), forces.end());
+  witness_({.kind = Evidence::Kind::cut,
             .block = node.block,
             .node = in_whole(node.pattern, block.candidates),
             .numbers = numbers});

@@ -120,6 +120,7 @@ struct PolyhedralCandidate {
 struct Evidence {
   enum class Kind {
     dead,   ///< numbers: the multipliers that prove it, one a candidate of the block
+    cut,    ///< dead with cuts; numbers: the same, then one for the cut of each candidate
     alive,  ///< a leaf; numbers: the tangential reactions of the candidates in U. Of loose bodies
             ///< both go on with the mean motion of w, of u (mean_motion.hpp)
     marginal,  ///< flat, marginal or undecided: nothing is claimed; no numbers
@@ -175,10 +176,18 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   }
 };
 
+/// Whether the candidates are bounded before the tree is searched (candidate_bounds.hpp).
+enum class Tightening {
+  automatic,  ///< where the tree is large: find_patterns looks at it
+  never,
+  always,  ///< held bodies, that is, by the cones themselves
+};
+
 /// How the tree is searched. Whatever is chosen, the patterns are the same.
 struct SignPatternOptions {
   conic::Tolerances tolerances;
-  Branching branching = Branching::automatic;  ///< without a trial: find_patterns makes one
+  Branching branching = Branching::automatic;     ///< without a trial: find_patterns makes one
+  Tightening tightening = Tightening::automatic;  ///< likewise
   /// 0: a node is bounded with the friction cones themselves (Algorithm 5.1). Otherwise, in space,
   /// with polyhedral cones of so many facets around them, and each leaf that these let live is put
   /// to the test of the cones (Algorithm 5.8).
@@ -208,10 +217,8 @@ class SignPatternTree {
   /// From now on the nodes of this block are split by another rule.
   void split_by(std::size_t block, Branching branching) { blocks_[block].rule.set(branching); }
 
-  /// From now on the nodes of this block know these bounds.
-  void tighten(std::size_t block, std::vector<CandidateBounds> bounds) {
-    blocks_[block].bounds = std::move(bounds);
-  }
+  /// From now on the nodes of this block know these bounds of its candidates.
+  void tighten(std::size_t block, std::vector<CandidateBounds> bounds);
 
   Node root() const { return {.block = blocks_.size() == 1 ? 0 : Node::all_blocks, .pattern = {}}; }
   void expand(Node&& node, engine::Expansion<SignPatternTree>& out);
@@ -245,20 +252,26 @@ class SignPatternTree {
       return all - (node.contact | node.separated);
     }
 
+    // Whether the bounds leave a candidate nothing on the side that it has here.
+    [[nodiscard]] bool is_impossible(const SignPattern& node) const;
+
     support::IndexSet candidates;  // as the whole problem numbers them
     support::IndexSet all;         // the same as the block does
     BranchingRule rule;
-    std::vector<CandidateBounds> bounds;  // empty: no cuts
     ContactSolver solver;
     MeanMotion mean_motion;
-    std::optional<FacetBound> outer;  // of Algorithm 5.8
+    std::vector<CandidateBounds> bounds;  // empty: no cuts
+    std::optional<FacetBound> outer;      // of Algorithm 5.8
   };
 
+  // What bounds say of a node that is no leaf; nothing if the program without cuts must be asked.
+  std::optional<Fate> decide_with_cuts(const Node& node);
   Fate decide_doubt(const Node& node, const conic::Answer& answer);
   void note_tested(const Node& leaf, double polyhedral, const conic::Answer& answer);
   Fate branch(const Node& node, const support::IndexSet& open);
   Fate split(const Node& node, int candidate);
   Fate prune(const Node& node, const Eigen::VectorXd& multipliers);
+  Fate prune_with(std::span<const conic::Cut> cuts, const Node& node);
   Fate close(const Node& node, Configuration leaf);
   [[nodiscard]] Configuration configuration(const Node& node, LeafState state,
                                             const conic::Answer& answer) const;

@@ -87,6 +87,13 @@ void Patterns::describe(OptionTable& table) {
       "split nodes by the largest u_n r_n as the paper does, by its size relative to the "
       "candidate's compliance, where both children lose most, by a mean of these two, or by what "
       "samples of the trees say: the same patterns from more or fewer nodes");
+  table.choice(
+      "--cuts", options_.tightening,
+      {{"auto", wedged::Tightening::automatic},
+       {"none", wedged::Tightening::never},
+       {"always", wedged::Tightening::always}},
+      "bound the reaction and the gap of each candidate before the tree is searched, which "
+      "cuts its nodes: where the tree is large, nowhere, or wherever the body is held");
   table.choice("--method", options_.polyhedral, {{"cones", false}, {"polyhedral", true}},
                "bound nodes with the friction cones themselves, or with polyhedral ones around "
                "them, and put each pattern that these let live to the test of the cones");
@@ -148,6 +155,7 @@ std::uint64_t Patterns::tree_fingerprint() const {
   fingerprint.add(options_.friction);
   fingerprint.add(options_.tolerance);
   fingerprint.add(static_cast<std::uint64_t>(options_.branching));
+  fingerprint.add(static_cast<std::uint64_t>(options_.tightening));
   fingerprint.add(static_cast<std::uint64_t>(options_.facets_in_use()));
   return fingerprint.value();
 }
@@ -167,6 +175,7 @@ void Patterns::prepare(CommandRun& run) {
   }
   question_.tree = {.tolerances = {.sign = options_.tolerance},
                     .branching = options_.branching,
+                    .tightening = options_.tightening,
                     .facets = options_.facets_in_use(),
                     .thorough = !options_.certificate.empty()};
   auto& search = question_.search;

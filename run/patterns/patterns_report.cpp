@@ -38,6 +38,17 @@ std::string patterns(std::uint64_t count) {
   return counted(count, "sign pattern");
 }
 
+const char* name_of(wedged::Tightening tightening) {
+  switch (tightening) {
+    case wedged::Tightening::never:
+      return "none";
+    case wedged::Tightening::always:
+      return "always";
+    default:
+      return "auto";
+  }
+}
+
 const char* name_of(wedged::Branching branching) {
   switch (branching) {
     case wedged::Branching::automatic:
@@ -242,7 +253,8 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   for (const auto& block : findings_.blocks) {
     blocks.push_back({{"candidates", candidate_names(problem_, block.candidates)},
                       {"count", block.cones},
-                      {"branching", name_of(block.branching)}});
+                      {"branching", name_of(block.branching)},
+                      {"bound_programs", block.bound_programs}});
   }
   ordered_json tree = counts_json(findings_.outcome.tally());
   tree["opened"] = findings_.outcome.opened();
@@ -264,6 +276,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
         {"method", options_.polyhedral ? "polyhedral" : "cones"},
         {"facets", options_.facets_in_use()},
         {"branching", name_of(options_.branching)},
+        {"cuts", name_of(options_.tightening)},
         {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}}},
       {"status", status_name(findings_.outcome.status)},
       {"result", std::move(result)},

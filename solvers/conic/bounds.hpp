@@ -10,9 +10,9 @@
 //
 //   t* <= tau / N,   N = sum_{j not in U} y_j + sum_C (tau - w_nk) / mu_k  >= 0,
 //
-// so the sign is that of tau, whatever the scale of y. w_k is wrong by eps R_k sum_i |y_i| R_i. A cut
-// (cut.hpp) with the multiplier eta >= 0 adds eta level to N, and to w its left side as a function
-// of r.
+// so the sign is that of tau, whatever the scale of y. w_k is wrong by eps R_k sum_i |y_i| R_i. A
+// cut (cut.hpp) with the multiplier eta >= 0 adds eta level to N, and to w its left side as a
+// function of r.
 //
 // From below: a reaction r with a residual rho in u_n = 0 on U is mended by normal reactions delta
 // on U, F_nn,UU delta = -rho. With s > 0 not above the least eigenvalue of F_nn scaled to a unit
@@ -232,10 +232,10 @@ class Bounds {
  private:
   struct Reach {
     double tau = infinity;
-    double noise = 0;      ///< w_k may be wrong by this times R_k, and w_nk by this besides:
+    double noise = 0;  ///< w_k may be wrong by this times R_k, and w_nk by this besides:
     double cut_noise = 0;
-    double balanced = 0;   ///< the share by which forces change to be in equilibrium
-    Real pushes = 0;       ///< what N is without the cones
+    double balanced = 0;  ///< the share by which forces change to be in equilibrium
+    Real pushes = 0;      ///< what N is without the cones
   };
   template <class Multipliers, class Pull>
   [[nodiscard]] Reach examine(const NodeSets& sets, std::span<const double> friction,

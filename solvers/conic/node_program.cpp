@@ -78,11 +78,10 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
 
 template <int D>
 NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-                            std::vector<int> owners, Motions<double> motions, int most_cuts)
+                            std::vector<int> owners, Motions<double> motions)
     : motions_(std::move(motions)),
       friction_(friction.begin(), friction.end()),
       owners_(std::move(owners)),
-      most_cuts_(most_cuts),
       padded_cones_(padded(this->most_cones())) {
   check(compliance, friction, owners_, D);
   if (motions_.count() > 0 && motions_.at_cones.rows() != compliance.rows())
@@ -102,16 +101,22 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
       normal_motions_(owners_[k], l) = motions_.at_cones(D * static_cast<Eigen::Index>(k), l);
   }
   free_columns_ = normal_motions_;
-  const Eigen::Index room = padded(most_rows());
-  matrix_.setZero(room * D * padded_cones_);
-  right_side_.setZero(room);
-  slack_.setZero(room);
-  gap_.setZero(room);
+  make_room(0);
   pull_.setZero(normal_compliance_.cols());
   forces_.setZero(normal_compliance_.rows());
   cones_.reserve(friction.size());
   gap_rows_.reserve(static_cast<std::size_t>(m));
   contact_rows_.reserve(static_cast<std::size_t>(m));
+}
+
+template <int D>
+void NodeProgram<D>::make_room(int most_cuts) {
+  most_cuts_ = most_cuts;
+  const Eigen::Index room = padded(most_rows());
+  matrix_.setZero(room * D * padded_cones_);
+  right_side_.setZero(room);
+  slack_.setZero(room);
+  gap_.setZero(room);
 }
 
 template <int D>
@@ -176,7 +181,8 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
   right_side_ /= -omega_;
   for (const int i : ignored) right_side_[i] = 0;
   fill_columns();
-  for (std::size_t cut = 0; cut < cuts_.size(); ++cut) slack_[first_cut() + static_cast<int>(cut)] = 1;
+  for (std::size_t cut = 0; cut < cuts_.size(); ++cut)
+    slack_[first_cut() + static_cast<int>(cut)] = 1;
 }
 
 template <int D>

@@ -59,9 +59,11 @@ class NodeProgram {
   /// The same with several cones for a candidate: all sizes above but m count cones.
   /// @param owners the candidate of each cone: 0, ..., 0, 1, ..., 1, ..., m - 1
   /// @param motions of a loose body
-  /// @param most_cuts there is room for so many
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
-              std::vector<int> owners, Motions<double> motions = {}, int most_cuts = 0);
+              std::vector<int> owners, Motions<double> motions = {});
+
+  /// From now on there is room for so many cuts; at first there is none.
+  void make_room(int most_cuts);
 
   /// From the next select() on, mu is this, one number a cone.
   /// @throws std::invalid_argument when the size differs or a number is out of range
@@ -164,12 +166,12 @@ class NodeProgram {
   std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;  // contact: U, the rows without a slack
   std::span<const Cut> cuts_;
-  int most_cuts_, padded_rows_ = 0, padded_cones_;
-  Eigen::VectorXd matrix_;  // A, room for all cones and rows
-  Eigen::VectorXd right_side_;                        // b
+  int most_cuts_ = 0, padded_rows_ = 0, padded_cones_;
+  Eigen::VectorXd matrix_;      // A, room for all cones and rows
+  Eigen::VectorXd right_side_;  // b
   Eigen::VectorXd slack_;
-  Eigen::VectorXd gap_;   // normal displacements, then the discrepancy
-  Eigen::VectorXd pull_;  // w
+  Eigen::VectorXd gap_;     // normal displacements, then the discrepancy
+  Eigen::VectorXd pull_;    // w
   Eigen::VectorXd forces_;  // of the rows of F: what cuts make of y
   support::IndexSet contact_, ignored_;
   double omega_ = 0;  // sum_C 1 / mu

@@ -35,9 +35,9 @@ NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const dou
 template <int D>
 NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
                           std::vector<int> owners, Tolerances tolerances, double error,
-                          const Motions<double>& motions, int most_cuts)
-    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners), motions, most_cuts),
-                 tolerances, error) {}
+                          const Motions<double>& motions)
+    : NodeSolver(NodeProgram<D>(compliance, friction, std::move(owners), motions), tolerances,
+                 error) {}
 
 template <int D>
 NodeSolver<D>::NodeSolver(NodeProgram<D> program, Tolerances tolerances, double error)
@@ -52,6 +52,14 @@ NodeSolver<D>::NodeSolver(NodeProgram<D> program, Tolerances tolerances, double 
       trial_(reaction_),
       face_distances_(static_cast<std::size_t>(program_.candidates())),
       best_(Eigen::VectorXd::Zero(padded(program_.most_rows()))) {}
+
+template <int D>
+void NodeSolver<D>::make_room(int most_cuts) {
+  program_.make_room(most_cuts);
+  iteration_ =
+      InteriorPoint<D>(program_.most_rows(), program_.motions().lifting, program_.most_cones());
+  best_.setZero(padded(program_.most_rows()));
+}
 
 template <int D>
 Answer NodeSolver<D>::solve(const support::IndexSet& contact, const support::IndexSet& separated,

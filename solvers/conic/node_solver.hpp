@@ -36,7 +36,10 @@ class NodeSolver {
   /// @param motions of a loose body, which takes no cuts
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
              std::vector<int> owners, Tolerances tolerances = {}, double error = 0,
-             const Motions<double>& motions = {}, int most_cuts = 0);
+             const Motions<double>& motions = {});
+
+  /// From now on there is room for so many cuts; at first there is none.
+  void make_room(int most_cuts);
 
   /// From the next solve() on, mu is this. See NodeProgram.
   void set_friction(std::span<const double> friction) { program_.set_friction(friction); }
@@ -64,9 +67,9 @@ class NodeSolver {
   /// y, m, and beta of the p motions of a loose body: proves `upper` (solvers/conic/bounds.hpp);
   /// y_j >= 0 for j not in U; zero if R is everything.
   const Eigen::VectorXd& multipliers() const { return multipliers_; }
-  /// Of the cuts of the last node, >= 0.
-  auto cut_multipliers() const {
-    return best_.segment(program_.first_cut(), program_.rows() - program_.first_cut());
+  /// Of a cut of the last node, >= 0.
+  double cut_multiplier(std::size_t cut) const {
+    return best_[program_.first_cut() + static_cast<Eigen::Index>(cut)];
   }
   /// What the left side of a cut of the last node can be at most, for sum_k r_nk = 1 and wherever
   /// t >= 0 is possible: proved by the same multipliers. Infinity if these say nothing.

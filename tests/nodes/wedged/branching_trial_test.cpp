@@ -60,9 +60,11 @@ TEST(BranchingTrial, LeavesSmallBlocksAndRulesThatWereAskedForAlone) {
   const std::vector<double> friction(problem.contact_names.size(), 5.2);
   engine::SingleProcess alone;
   engine::Campaign campaign(alone);
-  EXPECT_THAT(tried_branching(campaign, problem, friction,
-                              {.tolerances = {}, .branching = Branching::deepest}),
-              testing::ElementsAre(Branching::deepest));
+  EXPECT_THAT(tried_trees(campaign, problem, friction,
+                          {.tolerances = {}, .branching = Branching::deepest}, 45),
+              testing::ElementsAre(testing::AllOf(
+                  testing::Field(&TriedTree::branching, Branching::deepest),
+                  testing::Field(&TriedTree::nodes, 0))));
 }
 
 }  // namespace
