@@ -5,15 +5,15 @@ result file says.
 """
 import html.parser
 import json
+import os
 import pathlib
 import re
 import subprocess
 import sys
-import tempfile
-import unittest
 
-SOURCES = pathlib.Path(sys.argv.pop()).resolve()
-KUSABI = sys.argv.pop()
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from kusabi_case import KUSABI, KusabiCase, main, nested, without  # noqa: E402: beside the folder of this file
+
 VOID = {"meta", "input", "option", "link", "br", "img"}  # the end of an option may be left out
 EVIL = '<a> & "b" \'c\' </script><script>alert(1)</script>'
 
@@ -82,21 +82,7 @@ class Page(html.parser.HTMLParser):
         return [element for element in self.root.all() if kind in element.kinds()]
 
 
-class Report(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.result = self.folder / "result.json"
-
-    def kusabi(self, *words):
-        return subprocess.run([KUSABI, *map(str, words), "--serial"], capture_output=True, text=True, check=False)
-
-    def solve(self, command, name, *words):
-        run = self.kusabi(command, SOURCES / "examples" / name, *words, "--output", self.result)
-        self.assertIn(run.returncode, (0, 3), run.stderr)
-        return json.loads(self.result.read_text())
-
+class Report(KusabiCase):
     def page(self):
         place = self.folder / "page.html"
         run = self.kusabi("report", self.result, "--output", place)
@@ -290,33 +276,48 @@ class Report(unittest.TestCase):
     def test_what_is_no_result_is_refused_in_a_line(self):
         result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         text = json.dumps(result)
-
-        def without(*way):
-            broken = json.loads(text)
-            inner = broken
-            for key in way[:-1]:
-                inner = inner[key]
-            del inner[way[-1]]
-            return json.dumps(broken)
-
+        self.result.write_text(text)
         page = self.folder / "page.html"
-        for broken, why in (("{", "is no JSON object"), (without("status"), "'status' is missing"),
-                            (without("result", "count"), "'count' is missing"),
-                            (without("version"), "'version' is missing"),
-                            (without("problem", "structure"), "'structure' is missing"),
-                            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
-                            (text.replace('"margin": ', '"margin": true, "old": '), "'margin' is no number")):
-            with self.subTest(why):
-                self.assertNotEqual(broken, text)
-                self.result.write_text(broken)
-                run = self.kusabi("report", self.result, "--output", page)
-                self.assertEqual(run.returncode, 2)
-                self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
-                self.assertIn(why, run.stderr)
-                self.assertFalse(page.exists())
-        run = self.kusabi("report", self.folder / "nowhere.json")
-        self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1))
+        self.check_refusals("report", (
+            ("{", "is no JSON object"), (nested(32), "'problem' is missing"),
+            (nested(33), "is nested deeper than 32;"),
+            (without(result, "status"), "'status' is missing"),
+            (without(result, "result", "count"), "'count' is missing"),
+            (without(result, "version"), "'version' is missing"),
+            (without(result, "problem", "structure"), "'structure' is missing"),
+            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
+            (text.replace('"margin": ', '"margin": true, "old": '), "'margin' is no number")), "--output", page)
+        self.assertFalse(page.exists())
+        self.refused("report", self.folder / "nowhere.json")
+
+    def test_a_file_may_be_longer_than_any_problem(self):
+        self.solve("rays", "two-bars.toml", "--mu", 0.5)
+        with self.result.open("a") as file:
+            file.write(" " * (65 << 20))
+        self.page()
+
+    def test_answers_without_a_picture_take_no_room(self):
+        result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
+        structure, patterns = result["problem"]["structure"], result["result"]["patterns"]
+        more = 5000
+        structure["node_names"] += [f"more {i}" for i in range(more)]
+        structure["positions"] += [[0, 0]] * more
+        for pattern in patterns:
+            del pattern["all_displacements"], pattern["support_reactions"]
+
+        def megabytes(count):
+            result["result"]["patterns"] = [patterns[i % len(patterns)] for i in range(count)]
+            self.result.write_text(json.dumps(result))
+            child = subprocess.Popen([KUSABI, "report", self.result, "--output", self.folder / "page.html", "--serial",
+                                      "--quiet"])
+            _, status, usage = os.wait4(child.pid, 0)
+            child.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(child.returncode, 0)
+            return usage.ru_maxrss / 1024
+
+        # A picture of one has more than 24 bytes a node; two thousand of them 240 MB.
+        self.assertLess(megabytes(2300) - megabytes(300), 80)
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv)
+    main()
