@@ -197,13 +197,15 @@ def _said(text):
         if line.startswith("----------"):
             break
         if line.strip():
-            lines.append(line)
+            lines.append(line.strip())
     return lines
 
 
 def _error(ended, result=None):
-    said = _said(ended.stderr) or ended.stderr.split("\n")[:2]
-    message = said[-1].strip() or f"kusabi ended with exit code {ended.returncode} and said nothing"
+    # Warnings come before the error. Refused proofs are an answer, which is printed; else the launcher has spoken.
+    of_launcher = [line.strip() for line in ended.stderr.splitlines() if line.strip(" -")]
+    said = _said(ended.stderr)[-1:] or _said(ended.stdout)[:1] or of_launcher[:1]
+    message = said[0] if said else f"kusabi ended with exit code {ended.returncode} and said nothing"
     kind = WrongInput if ended.returncode == _WRONG_INPUT else Failed
     return kind(message, ended.returncode, ended.stderr, result)
 
