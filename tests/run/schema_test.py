@@ -112,6 +112,8 @@ class Schema(KusabiCase):
 
     def test_patterns(self):
         self.check_wedged("patterns", 0)
+        result = self.check("patterns", "../tests/cases/plane_truss_and_post.toml", ("--mu", 0.5))
+        self.assertTrue(result["result"]["patterns"][0]["at_rest"])
 
     def test_rays(self):
         self.check_wedged("rays", 1)

@@ -54,7 +54,8 @@ class Table(KusabiCase):
 
     def test_patterns(self):
         for name, mu, least in (("space-truss.toml", 0.65, 2), ("plane-truss.toml", 0.8, 2), ("two-bars.toml", 0.5, 0),
-                                ("../tests/cases/two_pieces.toml", 1, 0)):
+                                ("../tests/cases/two_pieces.toml", 1, 0),
+                                ("../tests/cases/plane_truss_and_post.toml", 0.5, 1)):
             with self.subTest(name):
                 result, rows = self.table("patterns", name, "--mu", mu)
                 self.assertGreaterEqual(len(rows), least)
