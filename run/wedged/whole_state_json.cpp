@@ -16,9 +16,9 @@ namespace {
 
 // Without a look whether the name is there: nodes have names of their own, and to look for each
 // among all others would take longer than everything else.
-void append(ordered_json& object, const std::string& name, std::vector<double> values) {
+void append(ordered_json& object, const std::string& name, const std::vector<double>& values) {
   ordered_json::object_t::Container& members = object.get_ref<ordered_json::object_t&>();
-  members.emplace_back(name, std::move(values));
+  members.emplace_back(name, values);
 }
 
 }  // namespace
