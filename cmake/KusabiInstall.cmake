@@ -17,3 +17,6 @@ install(FILES ${PROJECT_BINARY_DIR}/kusabiConfig.cmake ${PROJECT_BINARY_DIR}/kus
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY tests/install/colouring DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/install)
+
+# For PYTHONPATH, or to be copied beside a script: it is one file.
+install(FILES run/python/kusabi.py DESTINATION ${CMAKE_INSTALL_DATADIR}/kusabi/python)

@@ -100,29 +100,30 @@ Structure read_structure(const ProblemText& text, const std::string& file_name) 
   return read(text.toml, file_name, {file_name, text.meshes});
 }
 
-std::string file_text(const std::filesystem::path& file, std::string_view expected) {
+std::string file_text(const std::filesystem::path& file, std::string_view expected,
+                      std::uintmax_t largest) {
   const bool standard_input = file == "-";
   std::ifstream opened;
   if (!standard_input) opened.open(file, std::ios::binary);
   std::istream& stream = standard_input ? std::cin : opened;
   std::string text;
   // Pipes do not know their size, and folders can be opened.
-  for (std::vector<char> part(std::size_t{1} << 16U); stream && text.size() <= largest_file;) {
+  for (std::vector<char> part(std::size_t{1} << 16U); stream && text.size() <= largest;) {
     stream.read(part.data(), static_cast<std::streamsize>(part.size()));
     text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
   }
-  if (!stream.eof() && text.size() <= largest_file) {
+  if (!stream.eof() && text.size() <= largest) {
     throw support::InputError(file.string(), {},
                               fmt::format("the file cannot be read; expected {}", expected));
   }
-  if (text.size() > largest_file) {
+  if (text.size() > largest) {
     std::error_code unknown;
     const auto size = std::filesystem::file_size(file, unknown);
     throw support::InputError(
         file.string(), {},
         fmt::format("the file has {} bytes; expected at most {}",
-                    unknown ? fmt::format("more than {}", largest_file) : fmt::to_string(size),
-                    largest_file));
+                    unknown ? fmt::format("more than {}", largest) : fmt::to_string(size),
+                    largest));
   }
   return text;
 }

@@ -27,9 +27,11 @@ Structure read_structure(const ProblemText& text, const std::string& file_name);
 
 /// The text of a file that a user names, or of the standard input: "-".
 /// @param expected what the message says if there is none
-/// @throws InputError if it cannot be read or is larger than `largest_file`
+/// @param largest in bytes
+/// @throws InputError if it cannot be read or is larger
 std::string file_text(const std::filesystem::path& file,
-                      std::string_view expected = "a problem file in TOML");
+                      std::string_view expected = "a problem file in TOML",
+                      std::uintmax_t largest = largest_file);
 
 /// `read_structure` of `problem_text`.
 Structure load_structure(const std::filesystem::path& file);

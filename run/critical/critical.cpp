@@ -68,6 +68,7 @@ void Critical::describe(OptionTable& table) {
                "no larger coefficient is of interest");
   table.number("--width", &options_.question.width, above(0), "of the brackets");
   table.output();
+  table.output("--csv", "write the patterns to this file, a line each");
   table
       .file("--vtu", vtu_, Role::folder,
             "write a picture of each pattern that lives at the upper end to this folder, for "
@@ -151,6 +152,8 @@ std::vector<Step> Critical::results(CommandRun& run) {
   return {run.result([this, states] {
             return critical_json(options_, problem_, findings_, WholeStateJson(*states));
           }),
+          run.file("--csv",
+                   [this](std::ostream& out) { write_critical_csv(out, problem_, findings_); }),
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.answer([this] { return critical_table(options_, problem_, findings_); })};
 }

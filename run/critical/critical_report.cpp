@@ -8,6 +8,7 @@
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
+#include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -164,6 +165,28 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
             {"open", open_sentences(options, findings)},
             {"patterns", std::move(patterns)}}},
           {"statistics", statistics_json(findings)}};
+}
+
+void write_critical_csv(std::ostream& out, const problems::WedgedProblem& problem,
+                        const wedged::CriticalFindings& findings) {
+  CsvWriter csv(out);
+  csv.word("pattern");
+  add_pattern_columns(csv);
+  csv.word("lower").word("upper");
+  add_configuration_columns(csv, problem);
+  csv.end_row();
+  std::size_t number = 0;
+  for (const auto& entry : findings.patterns) {
+    csv.count(++number);
+    add_pattern(csv, problem, entry.block, entry.pattern);
+    csv.number(entry.lower).number(entry.upper);
+    const bool known = !entry.reaction.empty();
+    const auto of_all = [&](const std::vector<double>& values) {
+      return known ? of_all_candidates(problem, entry.block, values) : std::vector<double>{};
+    };
+    add_configuration(csv, problem, of_all(entry.reaction), of_all(entry.displacement));
+    csv.end_row();
+  }
 }
 
 }  // namespace kusabi::run

@@ -1,6 +1,7 @@
 // What `kusabi critical` says: the table for a person and the JSON for a program.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,9 @@ nlohmann::ordered_json critical_json(const CriticalOptions& options,
                                      const problems::WedgedProblem& problem,
                                      const wedged::CriticalFindings& findings,
                                      const WholeStateJson& whole);
+
+/// A row a pattern, in the order of the result file.
+void write_critical_csv(std::ostream& out, const problems::WedgedProblem& problem,
+                        const wedged::CriticalFindings& findings);
 
 }  // namespace kusabi::run

@@ -33,11 +33,13 @@ class Draw final : public Subcommand {
   }
   void read(CommandRun& run) override {
     text_ = run.session().from_first_rank(
-        [&] { return problems::file_text(file_, "a result file in JSON"); });
+        [&] { return problems::file_text(file_, "a result file in JSON", largest_result); });
   }
   void prepare(CommandRun& /*run*/) override {
-    drawn_ = result_scenes(text_, file_);
-    const auto count = drawn_.scenes.size();
+    drawn_ = result_scenes(
+        text_, file_,
+        pattern_ > 0 ? SceneChoice{pattern_ - 1, 1} : SceneChoice{0, pictures::most_on_a_sheet});
+    const auto count = drawn_.count;
     if (pattern_ > count) {
       throw WrongInput(fmt::format("--pattern {}: expected 1 to {}, the {} of {}", pattern_, count,
                                    drawn_.things, file_));
@@ -59,8 +61,8 @@ class Draw final : public Subcommand {
  private:
   void write(std::ostream& out) const {
     const auto& scenes = drawn_.scenes;
-    if (pattern_ > 0 || scenes.size() == 1) {
-      write_svg(out, drawn_.picture, scenes[pattern_ > 0 ? pattern_ - 1 : 0]);
+    if (scenes.size() == 1) {
+      write_svg(out, drawn_.picture, scenes.front());
     } else {
       write_sheet(out, drawn_.picture, scenes);
     }

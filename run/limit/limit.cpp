@@ -18,6 +18,7 @@
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_pictures.hpp"
 #include "run/limit/limit_report.hpp"
+#include "run/limit/members_csv.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/restart.hpp"
@@ -100,6 +101,7 @@ void Limit::describe(OptionTable& table) {
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.output();
+  table.output("--csv", "write the members to this file, a line each: forces, utilisation, yield");
   table
       .file("--vtu", vtu_, Role::folder,
             "write pictures of the collapse, nominal and in the worst case, to this folder, for "
@@ -168,6 +170,8 @@ std::vector<Step> Limit::results(CommandRun& run) {
   const auto report = std::make_shared<const LimitReport>(
       LimitReport{options_, truss_, *problem_, found_.answer, run.session().ranks()});
   std::vector<Step> steps{run.result([report] { return report->json(); })};
+  steps.push_back(
+      run.file("--csv", [report](std::ostream& out) { write_members_csv(out, *report); }));
   steps.push_back(run.file("--curve-csv", [report](std::ostream& out) {
     CurveReport{report->options, report->problem, report->answer}.write_csv(out);
   }));

@@ -30,6 +30,24 @@ ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd&
   return list;
 }
 
+// T, column by column: what each uncertain load puts where when its zeta is one unit of force.
+ordered_json uncertain_loads_json(const LimitProblem& problem) {
+  auto list = ordered_json::array();
+  for (int j = 0; j < problem.uncertain_count(); ++j) {
+    const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
+    auto components = ordered_json::array();
+    for (const auto& [degree, value] : column.direction) {
+      const auto& [node, axis] = problem.degrees.free[static_cast<std::size_t>(degree)];
+      components.push_back({{"node", node_name(problem, node)},
+                            {"axis", problems::axis_name(axis)},
+                            {"weight", column.weight * value}});
+    }
+    list.push_back(
+        {{"name", problems::parameter_name(problem, j)}, {"components", std::move(components)}});
+  }
+  return list;
+}
+
 // A load node by node, where it is not zero.
 ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load) {
   auto list = ordered_json::array();
@@ -115,6 +133,7 @@ ordered_json problem_json(const LimitReport& report) {
           {"members", problem.member_count()},
           {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
           {"fingerprint", hexadecimal(problem.fingerprint)},
+          {"uncertain_loads", uncertain_loads_json(problem)},
           {"structure", structure_json(report.truss)}};
 }
 

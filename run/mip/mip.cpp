@@ -101,6 +101,7 @@ void Mip::describe(OptionTable& table) {
   table.flag("--no-tighten", options_.tighten, "leave big Ms as they are", false);
   table.flag("--no-dive", options_.dive, "do not look for points before the search", false);
   table.output();
+  table.output("--csv", "write the columns of the point found to this file, a line each");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table
@@ -145,6 +146,7 @@ std::vector<Step> Mip::results(CommandRun& run) {
   const auto report =
       std::make_shared<const MipReport>(MipReport{options_, program_, fingerprint_, *found_});
   return {run.result([report] { return report->json(); }),
+          run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
           run.answer([report] { return report->table(); })};
 }
 

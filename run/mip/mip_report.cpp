@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "run/output/csv.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 
@@ -148,11 +149,26 @@ std::string MipReport::table() const {
   return text;
 }
 
+bool MipReport::has_point() const {
+  return found.status() == MixedStatus::optimal || found.status() == MixedStatus::feasible;
+}
+
+void MipReport::write_csv(std::ostream& out) const {
+  CsvWriter csv(out);
+  csv.word("column").word("value").end_row();
+  if (!has_point()) return;
+  const auto& columns = program.mixed.program.columns;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const double value = found.point()->values[j];
+    if (!is_zero(value, columns[j].cost)) csv.text(columns[j].name).number(value).end_row();
+  }
+}
+
 ordered_json MipReport::json() const {
   const auto& given = program.mixed.program;
   const auto& counts = found.tree.prepared().counts;
   ordered_json result{{"answer", answer_name(found.status())}};
-  if (found.status() == MixedStatus::optimal || found.status() == MixedStatus::feasible) {
+  if (has_point()) {
     result["objective"] = objective();
     result["bound"] = number_or_null(bound());
     result["gap"] = number_or_null(gap());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ostream>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -30,8 +31,13 @@ struct MipReport {
   /// The result file; its schema is in docs/result-files.md.
   [[nodiscard]] nlohmann::ordered_json json() const;
 
+  /// A row a column of the program that is not zero at the point found; the header alone if the
+  /// result file has no point.
+  void write_csv(std::ostream& out) const;
+
  private:
   [[nodiscard]] double in_the_files_sense(double objective) const;
+  [[nodiscard]] bool has_point() const;  // that is told
   [[nodiscard]] std::string verdict() const;
   [[nodiscard]] std::string doubts() const;
 };

@@ -1,8 +1,16 @@
-// Text in CSV files (RFC 4180).
+// Tables as CSV files (RFC 4180, but lines end in a line feed): the header first, numbers that give
+// back the same bits when they are read, nothing where there is none.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace kusabi::run {
 
@@ -12,5 +20,43 @@ inline std::string csv_cell(std::string_view text) {
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + '"';
 }
+
+/// A table cell by cell, row by row.
+class CsvWriter {
+ public:
+  explicit CsvWriter(std::ostream& out) : out_(out) {}
+
+  /// A name of the program's own: a column, a state.
+  CsvWriter& word(std::string_view word) { return add(word); }
+  /// Any text.
+  CsvWriter& text(std::string_view text) { return add(csv_cell(text)); }
+  /// Names, with a blank between two.
+  template <class Names>
+  CsvWriter& names(const Names& names) {
+    return text(fmt::format("{}", fmt::join(names, " ")));
+  }
+  CsvWriter& count(std::uint64_t count) { return add(fmt::format("{}", count)); }
+  CsvWriter& number(double number) {
+    return std::isfinite(number) ? add(fmt::format("{}", number)) : nothing();
+  }
+  CsvWriter& number(std::optional<double> value) { return value ? number(*value) : nothing(); }
+  CsvWriter& nothing() { return add({}); }
+
+  void end_row() {
+    out_ << '\n';
+    begins_ = true;
+  }
+
+ private:
+  CsvWriter& add(std::string_view cell) {
+    if (!begins_) out_ << ',';
+    begins_ = false;
+    out_ << cell;
+    return *this;
+  }
+
+  std::ostream& out_;
+  bool begins_ = true;  // whether a row is to begin
+};
 
 }  // namespace kusabi::run

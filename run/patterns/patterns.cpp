@@ -117,6 +117,7 @@ void Patterns::describe(OptionTable& table) {
       {{"depth-first", engine::Order::depth_first}, {"breadth-first", engine::Order::best_first}},
       "which node is opened next: the same patterns; breadth-first keeps many nodes");
   table.output();
+  table.output("--csv", "write the patterns to this file, a line each");
   table
       .file("--vtu", vtu_, Role::folder,
             "write a picture of each pattern to this folder, for ParaView: patterns.pvd opens them")
@@ -241,9 +242,11 @@ std::vector<Step> Patterns::results(CommandRun& run) {
   goes_on_ = !kept.empty() && engine::checkpoint_exists(kept);
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
   return {run.result([report, states] { return report->json(WholeStateJson(*states)); }),
+          run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
           run.file("--trace", [this](auto& out) { write_trace(out, findings_->outcome.traces); }),
-          [this] { end_certificate(); }, run.answer([report] { return report->table(); })};
+          [this] { end_certificate(); },
+          run.answer([report] { return report->table(); })};
 }
 
 Verdict Patterns::verdict(CommandRun& run) {

@@ -13,6 +13,7 @@
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
+#include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -234,6 +235,24 @@ std::string PatternsReport::table() const {
   for (const auto& rank : findings_.outcome.earlier)
     ranks.add_earlier(rank.statistics, own(rank.tally));
   return list() + candidates() + sentence() + verdict() + '\n' + ranks.text();
+}
+
+void PatternsReport::write_csv(std::ostream& out) const {
+  CsvWriter csv(out);
+  csv.word("pattern");
+  add_pattern_columns(csv);
+  csv.word("state").word("margin").word("margin_upper");
+  add_configuration_columns(csv, problem_);
+  csv.end_row();
+  std::size_t number = 0;
+  for (const auto& leaf : findings_.leaves) {
+    csv.count(++number);
+    add_pattern(csv, problem_, leaf.block, leaf.pattern, findings_.idle());
+    csv.word(state_name(leaf.state)).number(leaf.lower).number(leaf.upper);
+    add_configuration(csv, problem_, of_all_candidates(problem_, leaf.block, leaf.reaction),
+                      of_all_candidates(problem_, leaf.block, leaf.displacement));
+    csv.end_row();
+  }
 }
 
 ordered_json PatternsReport::json(const WholeStateJson& whole) const {

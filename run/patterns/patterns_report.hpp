@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ class PatternsReport {
 
   /// The result file; its schema is in docs/result-files.md. @param whole of the same structure
   [[nodiscard]] nlohmann::ordered_json json(const WholeStateJson& whole) const;
+
+  /// A row a pattern, in the order of the result file.
+  void write_csv(std::ostream& out) const;
 
  private:
   /// The leaves as they are listed.

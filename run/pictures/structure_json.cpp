@@ -34,6 +34,25 @@ ordered_json members_json(const Structure& structure) {
   return list;
 }
 
+// "a-b" of each, as the collapse modes of curves call them.
+ordered_json member_names_json(const Structure& structure) {
+  const auto name = [&](int node) { return structure.node_names[static_cast<std::size_t>(node)]; };
+  auto list = ordered_json::array();
+  for (const auto& member : structure.members)
+    list.push_back(name(member.first) + '-' + name(member.second));
+  return list;
+}
+
+// EA of each member, if it is given of all.
+ordered_json axial_stiffnesses_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  for (const auto& member : structure.members) {
+    if (member.axial_stiffness == 0) return {};
+    list.push_back(member.axial_stiffness);
+  }
+  return list;
+}
+
 // Shape by shape; within one in the order of the structure.
 ordered_json elements_json(const std::vector<problems::Element>& all) {
   std::map<problems::ElementShape, std::vector<std::vector<int>>> by_shape;
@@ -71,6 +90,19 @@ ordered_json springs_json(const Structure& structure) {
   return list;
 }
 
+ordered_json shares_json(const std::vector<problems::Share>& shares) {
+  auto list = ordered_json::array();
+  for (const auto& [node, weight] : shares) list.push_back({{"node", node}, {"weight", weight}});
+  return list;
+}
+
+ordered_json ties_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  for (const auto& [node, to] : structure.ties)
+    list.push_back({{"node", node}, {"to", shares_json(to)}});
+  return list;
+}
+
 ordered_json candidates_json(const Structure& structure) {
   auto list = ordered_json::array();
   for (const auto& candidate : structure.contact) list.push_back(candidate.node);
@@ -82,9 +114,7 @@ ordered_json against_json(const Structure& structure) {
   auto list = ordered_json::array();
   bool any = false;
   for (const auto& candidate : structure.contact) {
-    auto shares = ordered_json::array();
-    for (const auto& [node, weight] : candidate.against)
-      shares.push_back({{"node", node}, {"weight", weight}});
+    auto shares = shares_json(candidate.against);
     any = any || !shares.empty();
     list.push_back(std::move(shares));
   }
@@ -114,12 +144,15 @@ ordered_json yield_forces_json(const Structure& structure) {
 ordered_json structure_json(const Structure& structure) {
   ordered_json json{{"node_names", structure.node_names}, {"positions", positions_json(structure)}};
   add_if_any(json, "members", members_json(structure));
+  add_if_any(json, "member_names", member_names_json(structure));
+  add_if_any(json, "axial_stiffnesses", axial_stiffnesses_json(structure));
   add_if_any(json, "yield_forces", yield_forces_json(structure));
   add_if_any(json, "elements", elements_json(structure.elements));
   add_if_any(json, "outlines", elements_json(structure.outlines));
   add_if_any(json, "fixed", fixed_json(structure));
   add_if_any(json, "inclined_supports", inclined_supports_json(structure));
   add_if_any(json, "springs", springs_json(structure));
+  add_if_any(json, "ties", ties_json(structure));
   add_if_any(json, "candidates", candidates_json(structure));
   add_if_any(json, "against", against_json(structure));
   add_if_any(json, "dead_loads", loads_json(structure, problems::Load::Kind::dead));

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "run/output/csv.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
+#include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -81,12 +82,13 @@ void RaysReport::write(std::ostream* table, std::ostream* csv, JsonWriter* json)
     *table << "        x sticks   + slides, r_t = mu r_n   - slides, r_t = -mu r_n   o separates   "
               ". neither\n";
   }
-  if (csv != nullptr) *csv << csv_head();
+  std::optional<CsvWriter> rows;
+  if (csv != nullptr) begin(rows.emplace(*csv));
   if (json != nullptr) begin(*json);
   for (std::size_t at = 0; at < found_.rays.size(); ++at) {
     const rays::Ray ray = cone_.ray(found_.rays[at], found_.health);
     if (table != nullptr && at < longest_table) *table << ray_lines(at, ray);
-    if (csv != nullptr) *csv << csv_line(at, ray);
+    if (rows) add(*rows, at, ray);
     if (json != nullptr) json->value(ray_json(at, ray));
   }
   if (json != nullptr) end_rays_and_all(*json);
@@ -226,26 +228,16 @@ ordered_json RaysReport::cone_json(const rays::Cone& each) const {
   return json;
 }
 
-std::string RaysReport::csv_head() const {
-  std::string line = "ray,state";
-  for (const char* what : {"r_n", "r_t", "u_n", "u_t"}) {
-    for (const std::string& name : problem_.contact_names) {
-      line += ',' + csv_cell(fmt::format("{} {}", what, name));
-    }
-  }
-  return line + '\n';
+void RaysReport::begin(CsvWriter& csv) const {
+  csv.word("ray").word("state");
+  add_configuration_columns(csv, problem_);
+  csv.end_row();
 }
 
-std::string RaysReport::csv_line(std::size_t number, const rays::Ray& ray) const {
-  std::string line = fmt::format("{},{}", number + 1, csv_cell(states(number)));
-  for (const Eigen::VectorXd* vector : {&ray.reaction, &ray.displacement}) {
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
-      for (Eigen::Index i = axis; i < vector->size(); i += 2) {
-        line += fmt::format(",{}", (*vector)(i));
-      }
-    }
-  }
-  return line + '\n';
+void RaysReport::add(CsvWriter& csv, std::size_t number, const rays::Ray& ray) const {
+  csv.count(number + 1).text(states(number));
+  add_configuration(csv, problem_, numbers(ray.reaction), numbers(ray.displacement));
+  csv.end_row();
 }
 
 void RaysReport::draw(std::ostream& out) const {

@@ -12,6 +12,7 @@
 
 #include "nodes/wedged/ray_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "run/output/csv.hpp"
 #include "run/output/json_writer.hpp"
 #include "run/rays/rays.hpp"
 #include "run/wedged/whole_state_json.hpp"
@@ -56,8 +57,8 @@ class RaysReport {
   [[nodiscard]] nlohmann::ordered_json motion_json(std::size_t number);
   [[nodiscard]] nlohmann::ordered_json cone_json(const rays::Cone& cone) const;
   [[nodiscard]] std::string ray_lines(std::size_t number, const rays::Ray& ray) const;
-  [[nodiscard]] std::string csv_head() const;
-  [[nodiscard]] std::string csv_line(std::size_t number, const rays::Ray& ray) const;
+  void begin(CsvWriter& csv) const;  // its header
+  void add(CsvWriter& csv, std::size_t number, const rays::Ray& ray) const;
 
   const RaysOptions& options_;
   const problems::WedgedProblem& problem_;

@@ -84,7 +84,7 @@ void add_bracket(Markup& page, const ResultReader& reader) {
 }  // namespace
 
 std::string report_page(const ResultReader& reader) {
-  const auto scenes = all_scenes(reader);
+  const auto scenes = chosen_scenes(reader, {.most = most_pictures});
   const auto list = answers(reader, scenes);
   const auto command = reader.text(reader.all(), "command");
   Markup page;

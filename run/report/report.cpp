@@ -26,7 +26,7 @@ class Report final : public Subcommand {
   }
   void read(CommandRun& run) override {
     text_ = run.session().from_first_rank(
-        [&] { return problems::file_text(file_, "a result file in JSON"); });
+        [&] { return problems::file_text(file_, "a result file in JSON", largest_result); });
   }
   void prepare(CommandRun& /*run*/) override { page_ = report_page(ResultReader(text_, file_)); }
   void search(CommandRun& /*run*/) override {}

@@ -21,7 +21,9 @@ bool is_drawable(const ResultJson& value) {
 }  // namespace
 
 ResultReader::ResultReader(const std::string& text, std::string file) : file_(std::move(file)) {
-  json_ = ResultJson::parse(text, nullptr, false);
+  auto [json, too_deep] = parse_result(text);
+  if (too_deep) refuse(fmt::format("is nested deeper than {}", deepest_result));
+  json_ = std::move(json);
   if (!json_.is_object()) refuse("is no JSON object");
 }
 

@@ -2,16 +2,19 @@
 // or out of range is an error that says so.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
+
+#include "run/results/result_parser.hpp"
 
 namespace kusabi::run {
 
-using ResultJson = nlohmann::ordered_json;
+/// Largest result file that is read, in bytes: ten thousand patterns of a hundred nodes have 70 MB.
+inline constexpr std::uintmax_t largest_result = std::uintmax_t{1} << 30U;
 
 class ResultReader {
  public:

@@ -38,8 +38,9 @@ void add_line(Scene& scene, std::string line) {
 
 class SceneReader {
  public:
-  explicit SceneReader(const ResultReader& reader)
+  SceneReader(const ResultReader& reader, SceneChoice choice)
       : reader_(reader),
+        choice_(choice),
         result_(reader.at(reader.all(), "result")),
         structure_(drawn_structure(reader)),
         dimension_(structure_.scene.dimension) {}
@@ -70,6 +71,12 @@ class SceneReader {
   }
 
  private:
+  // Counts a scene. @return whether it is to be made
+  [[nodiscard]] bool is_chosen(ResultScenes& all) const {
+    const std::size_t number = all.count++;
+    return number >= choice_.first && number - choice_.first < choice_.most;
+  }
+
   // The structure with friction at a coefficient.
   [[nodiscard]] Scene at_friction(double coefficient) const {
     auto scene = structure_.scene;
@@ -83,8 +90,9 @@ class SceneReader {
     all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
                                      counted(patterns.size(), "sign pattern"), friction)};
     for (const auto& pattern : patterns) {
+      if (!is_chosen(all)) continue;
       auto scene = at_friction(friction);
-      scene.name = fmt::format("pattern {}", all.scenes.size() + 1);
+      scene.name = fmt::format("pattern {}", all.count);
       const auto state = reader_.text(pattern, "state");
       const bool has_margin = ResultReader::find(pattern, "margin") != nullptr;
       scene.note = state != "alive" || !has_margin
@@ -94,7 +102,7 @@ class SceneReader {
         add_line(scene, fmt::format("margin t* = {:.6g}", reader_.number(pattern, "margin")));
       add_signs(scene, pattern);
       add_configuration(scene, pattern);
-      all.entries.push_back(all.scenes.size());
+      all.entries.push_back(all.count - 1);
       all.scenes.push_back(std::move(scene));
     }
   }
@@ -109,10 +117,10 @@ class SceneReader {
     std::size_t entry = 0;
     for (const auto& pattern : reader_.list(result_, "patterns")) {
       ++entry;
-      if (ResultReader::find(pattern, "reaction") == nullptr) continue;
+      if (ResultReader::find(pattern, "reaction") == nullptr || !is_chosen(all)) continue;
       const double friction = reader_.number(pattern, "upper");
       auto scene = at_friction(friction);
-      scene.name = fmt::format("pattern {}", all.scenes.size() + 1);
+      scene.name = fmt::format("pattern {}", all.count);
       scene.note = fmt::format("μ {:.6g}", friction);
       add_signs(scene, pattern);
       add_configuration(scene, pattern);
@@ -131,8 +139,9 @@ class SceneReader {
           "without the displacements of the whole: kusabi rays --whole writes them");
     }
     for (const auto& ray : rays) {
+      if (!is_chosen(all)) continue;
       auto scene = at_friction(friction);
-      scene.name = fmt::format("ray {}", all.scenes.size() + 1);
+      scene.name = fmt::format("ray {}", all.count);
       const auto states = reader_.names(ray, "state");
       if (states.size() != scene.candidates.size()) reader_.refuse("'state' has another length");
       std::vector<std::string> words;
@@ -146,15 +155,16 @@ class SceneReader {
       if (!words.empty()) words.back().pop_back();
       add_line(scene, listed_names("candidates", words));
       add_configuration(scene, ray);
-      all.entries.push_back(all.scenes.size());
+      all.entries.push_back(all.count - 1);
       all.scenes.push_back(std::move(scene));
     }
   }
 
   void read_collapses(ResultScenes& all) {
-    if (const auto* const mode = ResultReader::find(result_, "nominal_mode")) {
+    const auto* const nominal = ResultReader::find(result_, "nominal_mode");
+    if (nominal != nullptr && is_chosen(all)) {
       const double factor = reader_.number(result_, "nominal");
-      all.scenes.push_back(collapse("nominal load", factor, *mode));
+      all.scenes.push_back(collapse("nominal load", factor, *nominal));
       const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
       if (ResultReader::find(structure, "dead_loads") != nullptr) {
         for (const auto& load : reader_.list(structure, "dead_loads"))
@@ -162,13 +172,14 @@ class SceneReader {
                    reader_.index(reader_.at(load, "node"), structure_.nodes.size()), load);
       }
     }
-    if (const auto* const mode = ResultReader::find(result_, "collapse_mode")) {
+    const auto* const worst_mode = ResultReader::find(result_, "collapse_mode");
+    if (worst_mode != nullptr && is_chosen(all)) {
       const auto& interval = reader_.list(result_, "critical_interval", 2);
       const auto& worst = reader_.at(result_, "worst_case");
       const bool known = ResultReader::find(worst, "upper") != nullptr;
       if (!known && !interval[1].is_number()) reader_.refuse("'upper' is missing");
       const double factor = known ? reader_.number(worst, "upper") : interval[1].get<double>();
-      all.scenes.push_back(collapse("worst case", factor, *mode));
+      all.scenes.push_back(collapse("worst case", factor, *worst_mode));
       for (const auto& load : reader_.list(result_, "critical_load"))
         add_load(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
                  node_named(reader_.text(load, "node")), load);
@@ -257,6 +268,7 @@ class SceneReader {
   }
 
   const ResultReader& reader_;
+  SceneChoice choice_;
   const ResultJson& result_;
   DrawnStructure structure_;
   int dimension_;
@@ -264,13 +276,13 @@ class SceneReader {
 
 }  // namespace
 
-ResultScenes all_scenes(const ResultReader& reader) {
-  return SceneReader(reader).read();
+ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice) {
+  return SceneReader(reader, choice).read();
 }
 
-ResultScenes result_scenes(const std::string& text, const std::string& file) {
-  auto all = all_scenes(ResultReader(text, file));
-  if (all.scenes.empty()) {
+ResultScenes result_scenes(const std::string& text, const std::string& file, SceneChoice choice) {
+  auto all = chosen_scenes(ResultReader(text, file), choice);
+  if (all.count == 0) {
     throw WrongInput(fmt::format("{}: has no {}; expected one or more to draw", file, all.things));
   }
   return all;

@@ -2,13 +2,26 @@
 #include "run/wedged/whole_state_json.hpp"
 
 #include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "run/output/values.hpp"
 
 namespace kusabi::run {
 
 using nlohmann::ordered_json;
+
+namespace {
+
+// Without a look whether the name is there: nodes have names of their own, and to look for each
+// among all others would take longer than everything else.
+void append(ordered_json& object, const std::string& name, const std::vector<double>& values) {
+  ordered_json::object_t::Container& members = object.get_ref<ordered_json::object_t&>();
+  members.emplace_back(name, values);
+}
+
+}  // namespace
 
 void WholeStateJson::add_to(ordered_json& configuration, std::span<const double> reactions,
                             std::span<const double> displacements) const {
@@ -18,9 +31,9 @@ void WholeStateJson::add_to(ordered_json& configuration, std::span<const double>
   auto supports = ordered_json::object();
   for (std::size_t node = 0; node < names.size(); ++node) {
     const auto column = static_cast<Eigen::Index>(node);
-    everywhere[names[node]] = numbers(state.displacements.col(column));
+    append(everywhere, names[node], numbers(state.displacements.col(column)));
     if (states_.whole().is_supported(static_cast<int>(node))) {
-      supports[names[node]] = numbers(state.reactions.col(column));
+      append(supports, names[node], numbers(state.reactions.col(column)));
     }
   }
   configuration["all_displacements"] = std::move(everywhere);

@@ -68,3 +68,14 @@ expect("worst case 37\\.012004.*, proved\n")
 
 run(${work}/prefix/bin/kusabi patterns ${work}/prefix/${documents}/examples/two-bars.toml --mu 2)
 expect("sign pattern")
+
+# And from Python; the coefficient is known by hand.
+find_program(python3 python3)
+if(python3)
+  set(ENV{PYTHONPATH} ${work}/prefix/${python_folder})
+  set(ENV{KUSABI} ${work}/prefix/bin/kusabi)
+  run(${python3} -c "print(__import__('kusabi').run('critical', '${examples}/two-bars.toml').answer['critical_friction'])")
+  expect("'lower': 1\\.99999999, 'upper': 2\\.00000001,")
+endif()
+file(READ ${work}/prefix/${documents}/docs/result.schema.json printed)
+expect("json-schema\\.org")

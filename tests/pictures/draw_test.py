@@ -5,14 +5,12 @@
 import json
 import pathlib
 import re
-import subprocess
 import sys
-import tempfile
-import unittest
 import xml.etree.ElementTree
 
-SOURCES = pathlib.Path(sys.argv.pop()).resolve()
-KUSABI = sys.argv.pop()
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from kusabi_case import KusabiCase, main, nested, without  # noqa: E402: beside the folder of this file
+
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -28,21 +26,7 @@ def group(root, kind):
     return next(iter(with_class(root, "g", kind)))
 
 
-class Draw(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.result = self.folder / "result.json"
-
-    def kusabi(self, *words):
-        return subprocess.run([KUSABI, *map(str, words), "--serial"], capture_output=True, text=True, check=False)
-
-    def solve(self, command, name, *words):
-        run = self.kusabi(command, SOURCES / "examples" / name, *words, "--output", self.result)
-        self.assertIn(run.returncode, (0, 3), run.stderr)
-        return json.loads(self.result.read_text())
-
+class Draw(KusabiCase):
     def draw(self, *words):
         place = self.folder / "out.svg"
         run = self.kusabi("draw", self.result, "--svg", place, *words)
@@ -158,37 +142,21 @@ class Draw(unittest.TestCase):
         self.assertEqual((run.returncode, run.stderr), (2, f"{self.result}: has no rays; expected one or more to draw\n"))
 
     def test_what_is_no_result_is_refused_in_a_line(self):
-        self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
-        whole = json.loads(self.result.read_text())
+        whole = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         text = json.dumps(whole)
-
-        def without(*way):
-            broken = json.loads(text)
-            inner = broken
-            for key in way[:-1]:
-                inner = inner[key]
-            del inner[way[-1]]
-            return json.dumps(broken)
-
-        for broken, why in (("{", "is no JSON object"), ("[1]", "is no JSON object"),
-                            (without("problem", "structure"), "'structure' is missing"),
-                            (without("result", "patterns", 0, "reaction"), "'reaction' is missing"),
-                            (text.replace('"members": [[0', '"members": [[99'), "99 is none of 15 nodes"),
-                            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
-                            (text.replace('"contact": ["', '"contact": ["z'), "there is no candidate 'z"),
-                            (text.replace('"d": 2', '"d": 3'), "is no list of 3 numbers")):
-            with self.subTest(why):
-                self.assertNotEqual(broken, text)
-                self.result.write_text(broken)
-                run = self.kusabi("draw", self.result)
-                self.assertEqual(run.returncode, 2)
-                self.assertEqual(run.stderr.count("\n"), 1)
-                self.assertIn(why, run.stderr)
         self.result.write_text(text)
-        run = self.kusabi("draw", self.result, "--pattern", 99)
-        self.assertEqual(run.returncode, 2)
-        self.assertIn("expected 1 to ", run.stderr)
+        self.check_refusals("draw", (
+            ("{", "is no JSON object"), ("[1]", "is no JSON object"), ("", "is no JSON object"),
+            (nested(32), "'problem' is missing"), (nested(33), "is nested deeper than 32;"),
+            ("[" * 1000000, "is nested deeper than 32;"),
+            (without(whole, "problem", "structure"), "'structure' is missing"),
+            (without(whole, "result", "patterns", 0, "reaction"), "'reaction' is missing"),
+            (text.replace('"members": [[0', '"members": [[99'), "99 is none of 15 nodes"),
+            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
+            (text.replace('"contact": ["', '"contact": ["z'), "there is no candidate 'z"),
+            (text.replace('"d": 2', '"d": 3'), "is no list of 3 numbers")))
+        self.assertIn("expected 1 to ", self.refused("draw", self.result, "--pattern", 99))
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv)
+    main()

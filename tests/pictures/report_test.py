@@ -7,13 +7,11 @@ import html.parser
 import json
 import pathlib
 import re
-import subprocess
 import sys
-import tempfile
-import unittest
 
-SOURCES = pathlib.Path(sys.argv.pop()).resolve()
-KUSABI = sys.argv.pop()
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from kusabi_case import KusabiCase, main, nested, without  # noqa: E402: beside the folder of this file
+
 VOID = {"meta", "input", "option", "link", "br", "img"}  # the end of an option may be left out
 EVIL = '<a> & "b" \'c\' </script><script>alert(1)</script>'
 
@@ -82,21 +80,7 @@ class Page(html.parser.HTMLParser):
         return [element for element in self.root.all() if kind in element.kinds()]
 
 
-class Report(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.result = self.folder / "result.json"
-
-    def kusabi(self, *words):
-        return subprocess.run([KUSABI, *map(str, words), "--serial"], capture_output=True, text=True, check=False)
-
-    def solve(self, command, name, *words):
-        run = self.kusabi(command, SOURCES / "examples" / name, *words, "--output", self.result)
-        self.assertIn(run.returncode, (0, 3), run.stderr)
-        return json.loads(self.result.read_text())
-
+class Report(KusabiCase):
     def page(self):
         place = self.folder / "page.html"
         run = self.kusabi("report", self.result, "--output", place)
@@ -290,33 +274,20 @@ class Report(unittest.TestCase):
     def test_what_is_no_result_is_refused_in_a_line(self):
         result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         text = json.dumps(result)
-
-        def without(*way):
-            broken = json.loads(text)
-            inner = broken
-            for key in way[:-1]:
-                inner = inner[key]
-            del inner[way[-1]]
-            return json.dumps(broken)
-
+        self.result.write_text(text)
         page = self.folder / "page.html"
-        for broken, why in (("{", "is no JSON object"), (without("status"), "'status' is missing"),
-                            (without("result", "count"), "'count' is missing"),
-                            (without("version"), "'version' is missing"),
-                            (without("problem", "structure"), "'structure' is missing"),
-                            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
-                            (text.replace('"margin": ', '"margin": true, "old": '), "'margin' is no number")):
-            with self.subTest(why):
-                self.assertNotEqual(broken, text)
-                self.result.write_text(broken)
-                run = self.kusabi("report", self.result, "--output", page)
-                self.assertEqual(run.returncode, 2)
-                self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
-                self.assertIn(why, run.stderr)
-                self.assertFalse(page.exists())
-        run = self.kusabi("report", self.folder / "nowhere.json")
-        self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1))
+        self.check_refusals("report", (
+            ("{", "is no JSON object"), (nested(32), "'problem' is missing"),
+            (nested(33), "is nested deeper than 32;"),
+            (without(result, "status"), "'status' is missing"),
+            (without(result, "result", "count"), "'count' is missing"),
+            (without(result, "version"), "'version' is missing"),
+            (without(result, "problem", "structure"), "'structure' is missing"),
+            (text.replace('"command": "patterns"', '"command": "mip"'), "is of kusabi mip"),
+            (text.replace('"margin": ', '"margin": true, "old": '), "'margin' is no number")), "--output", page)
+        self.assertFalse(page.exists())
+        self.refused("report", self.folder / "nowhere.json")
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv)
+    main()

@@ -1,0 +1,263 @@
+"""Kusabi from Python: runs the command `kusabi` and reads what it answers.
+
+One file on the standard library (Python 3.9 or later); pandas is used if it is there. The command is what the
+environment variable KUSABI names, else `kusabi` of the PATH.
+
+    import kusabi
+
+    result = kusabi.run("patterns", "examples/space-truss.toml", mu=0.65, ranks=2)
+    result["result"]["count"]               # the result file, see docs/result-files.md
+    result.partial                          # stopped early, or something is open
+    result.to_dataframe()                   # a row a pattern; a list of dicts without pandas
+
+    try:
+        kusabi.run("patterns", "wrong.toml", mu=0.65)
+    except kusabi.WrongInput as error:
+        print(error)                        # wrong.toml:16:3: unknown key "menbers" …
+"""
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import tempfile
+
+__all__ = ["Error", "Failed", "NotFound", "Result", "WrongInput", "call", "load", "run"]
+
+_SOLVED, _WRONG_INPUT, _STOPPED_EARLY = 0, 2, 3  # exit codes; 1 and all others: the run failed
+
+
+class Error(Exception):
+    """What went wrong, in the line that the command says it in.
+
+    returncode: of the command, None if it was not run; stderr: all that it said;
+    result: what it has written nevertheless (a Result), or None.
+    """
+
+    def __init__(self, message, returncode=None, stderr="", result=None):
+        super().__init__(message)
+        self.returncode = returncode
+        self.stderr = stderr
+        self.result = result
+
+
+class WrongInput(Error):
+    """The problem file or the call is wrong (exit code 2), or a file is no result."""
+
+
+class Failed(Error):
+    """The run failed: exit code 1, a signal, or what the launcher says."""
+
+
+class NotFound(Error):
+    """There is no command `kusabi`, or no launcher."""
+
+
+class Result(dict):
+    """A result file: a dict with its keys, and a few ways to look at it.
+
+    remarks: what the command said besides, a line each: warnings, what is left open, how to go on.
+    """
+
+    def __init__(self, content, partial=None, remarks=()):
+        super().__init__(content)
+        self.partial = _is_partial(content) if partial is None else partial
+        self.remarks = list(remarks)
+
+    @property
+    def answer(self):
+        """The key `result`: what was asked for."""
+        return self["result"]
+
+    @property
+    def structure(self):
+        """Nodes, members, elements, supports and loads (not of `mip`)."""
+        return self["problem"]["structure"]
+
+    @property
+    def candidates(self):
+        """The names of the contact candidates, in the order of all reactions."""
+        return [each["node"] for each in self["problem"]["contact"]]
+
+    def rows(self):
+        """The table of the answer as a list of dicts with the names of the result file: a row a pattern (`patterns`,
+        `critical`), a ray, a member (`limit`), or a column of the program that is not zero (`mip`)."""
+        tables = {"patterns": _patterns, "critical": _patterns, "rays": _rays, "limit": _members, "mip": _columns}
+        if self["command"] not in tables:
+            raise Error(f"results of kusabi {self['command']} have no rows; expected one of {', '.join(tables)}")
+        return tables[self["command"]](self)
+
+    def to_dataframe(self):
+        """rows() as a pandas.DataFrame; without pandas rows() itself."""
+        try:
+            import pandas
+        except ImportError:
+            return self.rows()
+        return pandas.DataFrame(self.rows())
+
+
+def run(command, file, *, ranks=None, input=None, **options):
+    """Runs `kusabi COMMAND FILE` and returns its Result.
+
+    command: "patterns", "rays", "critical", "limit", "mip", or any other that has --output
+    file: the problem; "-" for the text `input`
+    ranks: on so many ranks, by mpirun (or what the environment variable KUSABI_MPIRUN says); None: in one process
+    options: those of the command, with _ for -: mu=0.65, time_limit=60; True switches one on, None and False leave it
+      out. output="FILE" keeps the result file.
+
+    A run that was stopped, or leaves something open (exit code 3), is no error: `partial` of its Result is true.
+    Raises WrongInput, Failed, NotFound.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        kept = options.pop("output", None)
+        place = pathlib.Path(folder, "result.json") if kept is None else pathlib.Path(kept)
+        before = _stamp(place)
+        ended = _execute(command, file, ranks, input, {**options, "output": place, "quiet": True})
+        written = _stamp(place) != before
+        if ended.returncode not in (_SOLVED, _STOPPED_EARLY):
+            raise _error(ended, load(place) if written else None)
+        if not written:
+            raise Failed(f"kusabi {command} has written no result", ended.returncode, ended.stderr)
+        return Result(_read(place), ended.returncode == _STOPPED_EARLY, _said(ended.stderr))
+
+
+def call(command, *files, ranks=None, input=None, **options):
+    """Runs any command, such as kusabi.call("verify", "a.cert", problem="a.toml"), and returns what it prints.
+
+    Raises WrongInput, Failed (of `verify` also: refused), NotFound.
+    """
+    ended = _execute(command, files, ranks, input, options)
+    if ended.returncode not in (_SOLVED, _STOPPED_EARLY):
+        raise _error(ended)
+    return ended.stdout
+
+
+def load(path):
+    """Reads a result file. Raises WrongInput if it is none, OSError if it cannot be read."""
+    return Result(_read(path))
+
+
+def _read(path):
+    try:
+        content = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
+    except (ValueError, RecursionError) as error:
+        raise WrongInput(f"{path}: is no JSON: {error}") from None
+    missing = [key for key in ("command", "problem", "status", "result")
+               if not isinstance(content, dict) or key not in content]
+    if missing:
+        raise WrongInput(f"{path}: '{missing[0]}' is missing; expected what --output of kusabi has written")
+    return content
+
+
+def _execute(command, files, ranks, input, options):
+    words = [_executable(), *command.split()]  # "export mps" is two
+    files = files if isinstance(files, tuple) else (files,)
+    words += [_file_word(file) for file in files]
+    for name, value in options.items():
+        if value is None or value is False:
+            continue
+        words.append("--" + name.replace("_", "-"))
+        if value is not True:
+            words.append(repr(value) if isinstance(value, float) else str(value))
+    if ranks is None:
+        words.append("--serial")
+    else:
+        words = [*_launcher(), "-n", str(ranks), *words]
+    return subprocess.run(words, input="" if input is None else input, capture_output=True, encoding="utf-8",
+                          errors="replace", check=False)
+
+
+def _file_word(file):
+    word = os.fspath(file)
+    return f"./{word}" if word.startswith("-") and word != "-" else word  # no option
+
+
+def _executable():
+    named = os.environ.get("KUSABI", "kusabi")
+    found = shutil.which(named)
+    if found is None:
+        raise NotFound(f"there is no command {named}; expected it on the PATH, or its place in the environment "
+                       "variable KUSABI")
+    return found
+
+
+def _launcher():
+    words = shlex.split(os.environ.get("KUSABI_MPIRUN", "mpirun"))
+    if not words or shutil.which(words[0]) is None:
+        raise NotFound(f"there is no launcher {' '.join(words)}; expected mpirun on the PATH, or another in the "
+                       "environment variable KUSABI_MPIRUN")
+    return words
+
+
+def _said(text):
+    """The lines of the command; what mpirun adds about a rank that ended with an error begins with a line of dashes."""
+    lines = []
+    for line in text.splitlines():
+        if line.startswith("----------"):
+            break
+        if line.strip():
+            lines.append(line.strip())
+    return lines
+
+
+def _error(ended, result=None):
+    # Warnings come before the error. Refused proofs are an answer, which is printed; else the launcher has spoken.
+    of_launcher = [line.strip() for line in ended.stderr.splitlines() if line.strip(" -")]
+    said = _said(ended.stderr)[-1:] or _said(ended.stdout)[:1] or of_launcher[:1]
+    message = said[0] if said else f"kusabi ended with exit code {ended.returncode} and said nothing"
+    kind = WrongInput if ended.returncode == _WRONG_INPUT else Failed
+    return kind(message, ended.returncode, ended.stderr, result)
+
+
+def _stamp(path):
+    """Changes when a file is written anew: it is renamed into its place."""
+    try:
+        status = os.stat(path)
+    except OSError:
+        return None
+    return status.st_ino, status.st_mtime_ns, status.st_size
+
+
+def _is_partial(content):
+    """What exit code 3 says, from the file alone."""
+    answer = content["result"]
+    if content["status"] not in ("solved", "not-carried"):
+        return True
+    if content["command"] == "patterns":
+        return answer["marginal"] + answer["undecided"] > 0
+    if content["command"] == "critical":
+        return bool(answer["open"])
+    if content["command"] == "mip":
+        return answer["answer"] in ("feasible", "unknown")
+    return False
+
+
+def _patterns(result):
+    return [{"pattern": number, **each} for number, each in enumerate(result.answer["patterns"], 1)]
+
+
+def _rays(result):
+    return [{"ray": each["number"], **each} for each in result.answer["rays"]]
+
+
+def _columns(result):
+    return [{"column": name, "value": value} for name, value in result.answer.get("columns", {}).items()]
+
+
+def _members(result):
+    answer, structure = result.answer, result.structure
+    names = structure["node_names"]
+    yielding = {mode: {tuple(each["member"]): each["in"] for each in answer.get(mode, {}).get("yielding", [])}
+                for mode in ("nominal_mode", "collapse_mode")}
+    rows = []
+    for i, (first, second) in enumerate(structure["members"]):
+        row = {"member": structure["member_names"][i], "first": names[first], "second": names[second]}
+        row["yield_tension"], row["yield_compression"] = structure["yield_forces"][i]
+        for forces, utilisation, mode in (("nominal_forces", "nominal_utilisation", "nominal_mode"),
+                                          ("forces", "utilisation", "collapse_mode")):
+            row[forces] = answer[forces][i] if forces in answer else None
+            row[utilisation] = answer[utilisation][i] if utilisation in answer else None
+            row[mode] = yielding[mode].get((row["first"], row["second"]))
+        rows.append(row)
+    return rows

@@ -1,0 +1,67 @@
+"""What tests of the command have in common that are written in Python. The last two words of their call are
+KUSABI SOURCES: the command, and the folder of the sources.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCES = pathlib.Path(sys.argv.pop()).resolve()
+KUSABI = sys.argv.pop()
+EXAMPLES = SOURCES / "examples"
+
+
+class KusabiCase(unittest.TestCase):
+    """Each test has a `folder` of its own, and a place for a `result` file in it."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.result = self.folder / "result.json"
+
+    def kusabi(self, *words, **how):
+        return subprocess.run([KUSABI, *map(str, words), "--serial"], capture_output=True, text=True, check=False, **how)
+
+    def solve(self, command, name, *words):
+        """The result, or part of it, of an example, which is then in the file `result`, too."""
+        run = self.kusabi(command, EXAMPLES / name, *words, "--output", self.result)
+        self.assertIn(run.returncode, (0, 3), run.stderr)
+        return json.loads(self.result.read_text())
+
+    def refused(self, *words):
+        """The one line with which a call is refused as wrong."""
+        run = self.kusabi(*words)
+        self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1), run.stderr)
+        return run.stderr
+
+    def check_refusals(self, command, broken_texts, *words):
+        """Each pair is a text that is no result and what is said of it."""
+        text = self.result.read_text()
+        for broken, why in broken_texts:
+            with self.subTest(why):
+                self.assertNotEqual(broken, text)
+                self.result.write_text(broken)
+                self.assertIn(why, self.refused(command, self.result, *words))
+        self.result.write_text(text)
+
+
+def without(content, *way):
+    """The text of a result in which a key, or an entry of a list, is missing."""
+    broken = json.loads(json.dumps(content))
+    inner = broken
+    for key in way[:-1]:
+        inner = inner[key]
+    del inner[way[-1]]
+    return json.dumps(broken)
+
+
+def nested(depth):
+    """The text of an object that has lists so deep that with it there are `depth` levels."""
+    return '{"result": ' + "[" * (depth - 1) + "]" * (depth - 1) + "}"
+
+
+def main():
+    unittest.main(argv=sys.argv)

@@ -1,0 +1,171 @@
+"""That docs/result.schema.json accepts every result of every example, and nothing in which a key is missing, has
+another name, or holds something else.
+
+    python3 schema_test.py [Schema.test_NAME] KUSABI SOURCES
+
+Exit code 77 (skipped): jsonschema is not installed (Debian: python3-jsonschema).
+"""
+import json
+import pathlib
+import sys
+
+try:
+    from jsonschema import Draft202012Validator
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(77)
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main  # noqa: E402: beside the folder of this file
+
+FEW = ("--pattern-limit", 2)
+# What is asked of each example: words of `patterns`, `rays`, `critical`; None: it cannot be asked.
+WEDGED = {
+    "two-bars.toml": (("--mu", 2), ("--mu", 2, "--whole"), ()),
+    "plane-truss.toml": (("--mu", 0.8), ("--mu", 0.6, "--whole"), ("--method", "newton", "--mu-max", 0.6)),
+    "space-truss.toml": (("--mu", 0.65, "--method", "polyhedral"), None, ("--node-limit", 3)),
+    "elastic-body.toml": (("--mu", 1), ("--mu", 0.9, "--method", "tree", "--node-limit", 5), ("--node-limit", 3)),
+    "wedge-in-groove.toml": (("--mu", 0.9), ("--mu", 0.27), ("--node-limit", 3)),
+    "snap-hook.toml": (("--mu", 0.9, *FEW), ("--mu", 0.9, "--method", "tree", "--node-limit", 5), ("--node-limit", 3)),
+    "morse-taper.toml": (("--mu", 0.3, "--node-limit", 2), None, ("--node-limit", 1)),
+    "brick-by-calculix.toml": (("--mu", 0.9, *FEW), None, ("--node-limit", 3)),
+    "peg-in-hole.toml": (("--mu", 0.9, "--node-limit", 4), ("--mu", 0.9, "--method", "tree", "--node-limit", 5),
+                         ("--node-limit", 2)),
+    "paper/elastic-body.toml": (("--mu", 1, *FEW), ("--mu", 0.3), ("--node-limit", 3)),
+    "paper/space-truss-fit.toml": (("--mu", 0.65, *FEW), None, ("--method", "global", "--node-limit", 3)),
+}
+LIMIT = {
+    "gust.toml": ((), ("--alpha", 0.5, "--curve", "--samples", 10, "--cuts", "all", "--curve-to", 3)),
+    "static-gap.toml": ((), ("--alpha", 0.1)),
+    "paper/limit-3x3.toml": ((), ("--alpha", 40, "--cuts", "none", "--big-m", 5, "--node-limit", 5)),
+    "paper/limit-4x4.toml": ((),),
+}
+PROGRAMS = (("assignment.mps", ()), ("knapsack.lp", ("--cuts", "disjunctive")), ("odd-cycle.lp", ()),
+            ("generalised-assignment.mps", ("--node-limit", 2)), ("parity.lp", ("--branching", "look-ahead")))
+# What a result may be without, by docs/result-files.md: what there is nothing of, or was not asked for.
+OPTIONAL = {
+    "structure": {"inclined_supports", "springs", "ties", "elements", "outlines", "axial_stiffnesses", "fixed", "against",
+                  "dead_loads"},
+    "fixed": {"x", "y", "z"},
+    "problem": {"rigid_motions"},
+    "contact": {"t2"},
+}
+OPTIONAL_OF = {
+    "patterns": {"result": {"candidates"}, "patterns": {"block", "at_rest", "axial_forces"},
+                 "candidates": {"block", "at_rest", "margin"}},
+    "rays": {"result": {"tree", "motions"}, "cones": {"motions"}, "rays": {"axial_forces"}},
+    "critical": {"patterns": {"block", "at_rest", "axial_forces"}, "pattern": {"block", "at_rest", "axial_forces"},
+                 "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},  # by the method
+    "limit": {"options": {"curve_load"}, "statistics": {"nodes", "tree_programs", "zero_one"},
+              "result": {"zero_one", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
+    "mip": {},
+}
+NAMED = {"all_displacements", "support_reactions", "columns"}  # their keys are names of the problem
+
+
+def places(value, way=(), name=""):
+    """The way to every key of an object, with the name of the object that has it; of lists the first entries."""
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            if name not in NAMED:
+                yield (*way, key), name
+            yield from places(inner, (*way, key), key)
+    elif isinstance(value, list):
+        for at, inner in enumerate(value[:1]):
+            yield from places(inner, (*way, at), name)
+
+
+def short(value):
+    """The same with three entries of each long list."""
+    if isinstance(value, dict):
+        return {key: short(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [short(inner) for inner in (value[:3] if len(value) > 20 else value)]
+    return value
+
+
+class Schema(KusabiCase):
+    @classmethod
+    def setUpClass(cls):
+        schema = json.loads((SOURCES / "docs" / "result.schema.json").read_text())
+        Draft202012Validator.check_schema(schema)
+        cls.schema = Draft202012Validator(schema)
+
+    def check(self, command, name, words):
+        with self.subTest(command=command, name=name, words=words):
+            result = self.solve(command, name, *words)
+            for error in self.schema.iter_errors(result):
+                self.fail(f"{list(error.absolute_path)}: {error.message[:200]}")
+            return result
+
+    def check_wedged(self, command, which):
+        for name, words in WEDGED.items():
+            if words[which] is None:
+                self.assertEqual(command, "rays")
+                self.assertIn("expected 2", self.refused(command, EXAMPLES / name, "--mu", 1))
+            else:
+                self.check(command, name, words[which])
+
+    def test_every_example_is_asked(self):
+        found = {str(path.relative_to(EXAMPLES)) for path in EXAMPLES.rglob("*.toml")}
+        self.assertEqual(found, WEDGED.keys() | LIMIT.keys())
+
+    def test_patterns(self):
+        self.check_wedged("patterns", 0)
+        result = self.check("patterns", "../tests/cases/plane_truss_and_post.toml", ("--mu", 0.5))
+        self.assertTrue(result["result"]["patterns"][0]["at_rest"])
+
+    def test_rays(self):
+        self.check_wedged("rays", 1)
+
+    def test_critical(self):
+        self.check_wedged("critical", 2)
+
+    def test_limit(self):
+        for name, calls in LIMIT.items():
+            for words in calls:
+                self.check("limit", name, words)
+        self.check("limit", "../tests/cases/lambda_zero_not_carried.toml", ("--alpha", 1))
+
+    def test_mip(self):
+        for name, words in PROGRAMS:
+            self.check("mip", f"../tests/programs/{name}", words)
+
+    def check_it_is_told(self, result):
+        """Each key in turn is missing, has another name, and holds something of another type."""
+        result = short(result)
+        self.assertTrue(self.schema.is_valid(result))
+        own = OPTIONAL_OF[result["command"]]
+        for way, owner in list(places(result)):
+            inner = result
+            for key in way[:-1]:
+                inner = inner[key]
+            key, value = way[-1], inner[way[-1]]
+            del inner[key]
+            with self.subTest(missing=way):
+                self.assertEqual(self.schema.is_valid(result), key in OPTIONAL.get(owner, set()) | own.get(owner, set()))
+            inner[key + "_"] = value
+            with self.subTest(renamed=way):
+                self.assertFalse(self.schema.is_valid(result))
+            del inner[key + "_"]
+            other = {} if isinstance(value, list) else "0" if not isinstance(value, str) else 0
+            if way != ("statistics",):
+                inner[key] = other
+                with self.subTest(retyped=way):
+                    self.assertFalse(self.schema.is_valid(result))
+            inner[key] = value
+
+    def test_wrong_patterns_are_told(self):
+        self.check_it_is_told(self.solve("patterns", "space-truss.toml", "--mu", 0.65, "--method", "polyhedral",
+                                         "--pattern-limit", 2))
+        self.check_it_is_told(self.solve("rays", "two-bars.toml", "--mu", 2, "--whole"))
+        self.check_it_is_told(self.solve("rays", "wedge-in-groove.toml", "--mu", 0.27))
+
+    def test_what_else_is_wrong_is_told(self):
+        self.check_it_is_told(self.solve("critical", "two-bars.toml"))
+        self.check_it_is_told(self.solve("limit", "gust.toml", *LIMIT["gust.toml"][1]))
+        self.check_it_is_told(self.solve("mip", "../tests/programs/knapsack.lp"))
+
+
+if __name__ == "__main__":
+    main()
