@@ -110,15 +110,18 @@ std::string progress_explained(bool minimising) {
   progress.idle = 1;
   progress.closed = 0.613;
   return fmt::format(
-      "While it searches, a line now and then on standard error, on a terminal a bar:\n{}\n{}\n"
-      "time since the beginning (m:ss); nodes opened so far, and per second lately; open: nodes "
-      "that\nwait; {};\nidle: how many of the ranks have no work; done: the share of the tree that "
-      "is closed, where each\nnode has half of the node above it; left: a guess from how that "
-      "share "
-      "grew.",
+      "While it searches, a line now and then on standard error (on a terminal a bar):\n{}\n{}\n"
+      "  time    since the beginning\n"
+      "  nodes   opened so far, and lately per second\n"
+      "  open    nodes that wait to be opened\n"
+      "{}"
+      "  idle    how many of the ranks have no work\n"
+      "  done    the share of the tree that is closed: each node is half of the one above it\n"
+      "  left    a guess, from how that share has grown",
       progress_header(minimising), progress_row(example),
-      minimising ? "objective: the best so far; bound: nothing is better; gap between them"
-                 : "found: solutions so far");
+      minimising ? "  objective, bound, gap   the best so far, what nothing is better than, and "
+                   "between them\n"
+                 : "  found   solutions so far\n");
 }
 
 std::string progress_bar(const ProgressState& state, std::size_t width) {

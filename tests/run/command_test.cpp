@@ -554,7 +554,7 @@ TEST_F(Command, ProvesBothEndsOfTheCriticalFriction) {
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("between 0.47027964 and 0.47027965"));
   EXPECT_THAT(shell(command + " verify " + argument("cert.lower")).output,
-              HasSubstr("PROVED: the list of 0 patterns"));
+              HasSubstr("PROVED: the list of 0 patterns is complete: it cannot stick\n"));
   EXPECT_THAT(shell(command + " verify " + argument("cert.upper")).output,
               HasSubstr("PROVED: the list of 1 pattern is"));
 }

@@ -267,7 +267,12 @@ TEST_F(Words, HelpExplainsALineOfTheLog) {
     EXPECT_THAT(shell(command + " " + name + " --help").output, HasSubstr(found)) << name;
   for (const std::string name : {"critical", "limit", "mip"})
     EXPECT_THAT(shell(command + " " + name + " --help").output, HasSubstr(best)) << name;
-  EXPECT_THAT(shell(command + " --manual").output, HasSubstr("idle: how many of the ranks"));
+  EXPECT_THAT(shell(command + " --manual").output, HasSubstr("idle    how many of the ranks"));
+  // The page explains the same line.
+  const auto help = shell(command + " patterns --help").output;
+  const auto line = help.substr(help.find('\n', help.find(found)) + 1);
+  const auto page = content(std::string(KUSABI_SOURCE_DIR) + "/docs/result-files.md");
+  EXPECT_THAT(page, HasSubstr(found + "\n    " + line.substr(0, line.find('\n')) + "\n"));
 }
 
 }  // namespace
