@@ -36,6 +36,7 @@ engine::Outcome<PatternBisection> bracket_patterns(engine::Campaign& campaign,
                                                    std::int64_t start) {
   const auto blocks = problems::blocks_of(problem);
   std::vector<PatternBisection::Pattern> patterns;
+  patterns.reserve(leaves.size());
   for (const auto& leaf : leaves) patterns.push_back(pattern_of(leaf, blocks));
   const auto count = static_cast<std::int64_t>(patterns.size());
   const auto sections = count == 0 ? 1 : campaign.transport().size() / count;

@@ -67,7 +67,7 @@ std::string ranks_text(const wedged::CriticalFindings& findings, const Page& pag
 
 // Which pattern begins to live first, and who slips there.
 std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first) {
-  auto text = fmt::format(" The first way is number 1 ({} in contact)",
+  auto text = fmt::format(" The first way is number 1 (in contact: {})",
                           contact_text(problem, first.pattern));
   if (first.reaction.empty() || !first.upper) return text + '.';
   const auto nearest = nearest_failure(problem, *first.upper, first.block, first.pattern,

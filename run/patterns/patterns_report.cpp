@@ -87,10 +87,12 @@ std::string PatternsReport::firmest() const {
   const auto& leaves = findings_.leaves;
   if (leaves.empty()) return {};
   const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
+  if (best->state == wedged::LeafState::flat)
+    return " None has a margin: in each, some inequality is an equality.";
   if (best->state != wedged::LeafState::alive) return {};
   const auto nearest = nearest_failure(problem_, options_.friction, best->block, best->pattern,
                                        best->reaction, best->displacement);
-  return fmt::format(" The largest margin, {:.3g}, has number {} ({} in contact). {}", best->lower,
+  return fmt::format(" The largest margin, {:.3g}, has number {} (in contact: {}). {}", best->lower,
                      best - leaves.begin() + 1, contact_text(problem_, best->pattern),
                      nearest_failure_text(problem_, nearest));
 }

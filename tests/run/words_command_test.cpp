@@ -133,6 +133,13 @@ TEST_F(Words, TheMarginIsOfTheInequalityNearestToFailing) {
                                           steepest, slips)));
 }
 
+TEST_F(Words, AFlatPatternHasNoMargin) {
+  const auto file = quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/critical_flat_grid.toml");
+  EXPECT_EQ(last_line(answer("patterns " + file + " --mu 3")),
+            "It can stick: 1 way at friction coefficient 3. None has a margin: in each, some "
+            "inequality is an equality.");
+}
+
 TEST_F(Words, SortsByTheCriticalFrictionOfEachPattern) {
   const auto table = answer("patterns " + truss + " --mu 0.65 --sort critical");
   const auto patterns = result()["result"]["patterns"];
