@@ -112,7 +112,7 @@ void Patterns::describe(OptionTable& table) {
       "programs a pattern");
   table.number("--group", &options_.group, between(1, 1000),
                "list patterns whose contact sets differ in at most so many candidates, step by "
-               "step, as one line; the groups are in the result file, too");
+               "step, as one line, the firmest first; the groups are in the result file, too");
   table.number("--top", &options_.top, above(0), "list so many in the table; all are in the file");
   // By the number of signs decided, see SignPatternTree::bound.
   table.choice(

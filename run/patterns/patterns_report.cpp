@@ -205,23 +205,24 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   if (options_.polyhedral) result["candidates"] = candidates_json();
   result["patterns"] = patterns_json(whole);
   if (options_.group > 0) result["groups"] = groups_json();
-  return {
-      {"command", "patterns"},
-      {"version", KUSABI_VERSION},
-      {"problem", problem_json(whole.structure(), problem_, options_.file)},
-      {"options",
-       {{"mu", options_.friction},
-        {"tolerance", options_.tolerance},
-        {"method", options_.polyhedral ? "polyhedral" : "cones"},
-        {"facets", options_.facets_in_use()},
-        {"branching", name_of(options_.branching)},
-        {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}}},
-      {"status", status_name(findings_.outcome.status)},
-      {"result", std::move(result)},
-      {"statistics",
-       {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
-        {"earlier_runs",
-         rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}}}};
+  ordered_json chosen = {
+      {"mu", options_.friction},
+      {"tolerance", options_.tolerance},
+      {"method", options_.polyhedral ? "polyhedral" : "cones"},
+      {"facets", options_.facets_in_use()},
+      {"branching", name_of(options_.branching)},
+      {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}};
+  if (options_.group > 0) chosen["group"] = options_.group;
+  return {{"command", "patterns"},
+          {"version", KUSABI_VERSION},
+          {"problem", problem_json(whole.structure(), problem_, options_.file)},
+          {"options", std::move(chosen)},
+          {"status", status_name(findings_.outcome.status)},
+          {"result", std::move(result)},
+          {"statistics",
+           {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
+            {"earlier_runs",
+             rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}}}};
 }
 
 }  // namespace kusabi::run

@@ -195,6 +195,7 @@ TEST_F(Words, GroupsPatternsThatDifferInFewCandidates) {
                                              group["firmest"].get<int>())));
   }
   EXPECT_EQ(members, all["patterns"].size());
+  EXPECT_EQ(result()["options"]["group"], 1);
   answer("patterns " + truss + " --mu 0.6");
   EXPECT_FALSE(result()["result"].contains("groups")) << "only if asked for";
 }

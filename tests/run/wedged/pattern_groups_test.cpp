@@ -25,6 +25,7 @@ Configuration pattern(std::uint32_t block, IndexSet contact, double margin) {
 std::vector<Configuration> random_patterns(unsigned seed, int count) {
   std::mt19937 random(seed);
   std::vector<Configuration> list;
+  list.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     list.push_back(pattern(random() % 2, IndexSet(random() % 512), double(random() % 1000)));
   return list;
