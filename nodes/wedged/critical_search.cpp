@@ -14,6 +14,7 @@
 #include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/pattern_brackets.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -65,18 +66,6 @@ Living living_patterns(engine::Campaign& campaign, const problems::WedgedProblem
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
     return Living{outcome.status, maximal_cones(std::move(leaves))};
   });
-}
-
-// A leaf of the block's tree whose cone it is: candidates at rest may be called separated.
-PatternBisection::Pattern pattern_of(const Configuration& leaf,
-                                     const std::vector<support::IndexSet>& blocks) {
-  const auto& block = blocks[leaf.block];
-  const auto contact = leaf.pattern.contact;
-  return {.leaf = {.block = leaf.block,
-                   .pattern = {.contact = problems::in_block(contact, block),
-                               .separated = problems::in_block(block - contact, block),
-                               .at_rest = {}}},
-          .lives = leaf.state == LeafState::alive || leaf.state == LeafState::flat};
 }
 
 // @param known nothing wedges below
@@ -148,13 +137,8 @@ CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
   findings.status = living.status;
   // A part of them would say nothing.
   if (findings.status != engine::Status::solved) return findings;
-  const auto blocks = problems::blocks_of(problem);
-  std::vector<PatternBisection::Pattern> patterns;
-  for (const auto& leaf : living.leaves) patterns.push_back(pattern_of(leaf, blocks));
-  const auto count = static_cast<std::int64_t>(patterns.size());
-  const auto sections = count == 0 ? 1 : campaign.transport().size() / count;
-  PatternBisection tree(problem, width, patterns, multiples(most, width), method, sections);
-  auto outcome = campaign.search(tree, {});
+  auto outcome =
+      bracket_patterns(campaign, problem, living.leaves, method, width, multiples(most, width));
   findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
   if (!campaign.is_first()) return findings;
   for (const auto& found : outcome.solutions) {

@@ -109,6 +109,7 @@ CommandLine::Asked CommandLine::parse(int argc, const char* const* argv) {
     auto& command = *above.add_subcommand(std::string(grouped ? name.substr(space + 1) : name),
                                           std::string(entry.subcommand->purpose()));
     add_options(command, entry.table);
+    command.footer(entry.subcommand->notes());
     command.callback([&asked, &entry] { asked.entry = &entry; });
   }
   try {
@@ -161,6 +162,8 @@ Each of the searches runs in one process, or on all ranks of an MPI job.
     fmt::format_to(out, ".SS kusabi {}\n{}.\n", roff(subcommand->name()),
                    roff(subcommand->purpose()));
     for (const auto& row : table.rows()) text += manual_entry(row);
+    if (const auto notes = subcommand->notes(); !notes.empty())
+      text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(notes));
   }
   text += R"(.SH EXIT STATUS
 .TP

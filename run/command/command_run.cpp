@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "engine/checkpoint.hpp"
 #include "engine/together.hpp"
+#include "engine/transport/mpi.hpp"
 #include "run/output/last_steps.hpp"
 #include "run/output/outputs.hpp"
 #include "run/output/standard_output.hpp"
@@ -51,7 +53,13 @@ int CommandRun::execute() {
       for (const auto& name : written_) tell("wrote {}\n", name);
     }
     const auto verdict = command_.verdict(*this);
-    for (const auto& remark : verdict.remarks) tell("{}\n", remark);
+    for (const auto& remark : verdict.remarks) {
+      if (verdict.code == solved) {
+        tell("{}\n", remark);
+      } else {
+        tell_doubt(remark);
+      }
+    }
     code = static_cast<std::uint64_t>(verdict.code);
   }
   // A survey adds up, and only rank 0 has something to add; the others sleep until it is written.
@@ -99,7 +107,9 @@ void CommandRun::announce() {
   const auto line =
       command_.announcement(counted(static_cast<std::uint64_t>(session_.ranks()), "rank"));
   if (line.empty()) return;
-  tell("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, command_.name(), input(), line);
+  const auto text =
+      fmt::format("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, command_.name(), input(), line);
+  show_heading(folded(text, page().width));
 }
 
 engine::CheckpointOptions CommandRun::checkpoint(const CheckpointChoice& choice,
@@ -176,8 +186,12 @@ Step CommandRun::folder(const std::string& option, std::function<void(OutputFold
 
 Step CommandRun::answer(std::function<std::string()> make) {
   return [this, make = std::move(make)] {
-    if (!quiet_) print_answer(make());
+    if (!quiet_) print_answer(folded(make(), page().width));
   };
+}
+
+Page CommandRun::page() {
+  return engine::MpiEnvironment::launched() ? Page{} : page_of(STDOUT_FILENO);
 }
 
 Step CommandRun::print(std::string text) {

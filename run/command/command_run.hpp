@@ -17,6 +17,7 @@
 #include "run/output/json_writer.hpp"
 #include "run/output/output_file.hpp"
 #include "run/output/output_folder.hpp"
+#include "run/output/page.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {
@@ -61,7 +62,10 @@ class CommandRun {
   Step file(const std::string& option, std::function<void(std::ostream&)> write);
   /// Fills a folder, if it is wanted.
   Step folder(const std::string& option, std::function<void(OutputFolder&)> fill);
-  /// Prints the answer, unless quiet.
+  /// What answers are printed on. The standard output of a job is the launcher's, of which it is
+  /// not known what becomes: as endless and plain as a file.
+  [[nodiscard]] static Page page();
+  /// Prints the answer, folded for the page, unless quiet.
   Step answer(std::function<std::string()> make);
   /// Prints even if quiet.
   static Step print(std::string text);

@@ -37,6 +37,8 @@ class Subcommand {
   [[nodiscard]] virtual std::string_view name() const = 0;
   /// What it does, in a line of help.
   [[nodiscard]] virtual std::string_view purpose() const = 0;
+  /// What help says below the options; empty: nothing. As it is laid out here.
+  [[nodiscard]] virtual std::string notes() const { return {}; }
   /// Its options. What they are stored in lives as long as the subcommand.
   virtual void describe(OptionTable& table) = 0;
 

@@ -18,6 +18,7 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
+#include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
@@ -34,6 +35,7 @@ class Critical final : public Subcommand {
   [[nodiscard]] std::string_view purpose() const override {
     return "the smallest friction coefficient at which anything can wedge, proved";
   }
+  [[nodiscard]] std::string notes() const override { return progress_explained(true); }
   void describe(OptionTable& table) override;
   void check() const override;
   void read(CommandRun& run) override;
@@ -67,6 +69,8 @@ void Critical::describe(OptionTable& table) {
   table.number("--mu-max", &options_.question.most, above(0),
                "no larger coefficient is of interest");
   table.number("--width", &options_.question.width, above(0), "of the brackets");
+  table.number("--top", &options_.top, above(0),
+               "list so many of the patterns, those that begin to live first; all are in the file");
   table.output();
   table.output("--csv", "write the patterns to this file, a line each");
   table
@@ -155,7 +159,9 @@ std::vector<Step> Critical::results(CommandRun& run) {
           run.file("--csv",
                    [this](std::ostream& out) { write_critical_csv(out, problem_, findings_); }),
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
-          run.answer([this] { return critical_table(options_, problem_, findings_); })};
+          run.answer([this] {
+            return critical_table(options_, problem_, findings_, CommandRun::page());
+          })};
 }
 
 Verdict Critical::verdict(CommandRun& /*run*/) {

@@ -2,6 +2,8 @@
 // proved bracket: by one global search, or pattern by pattern (Algorithm 6.1 of the paper).
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -14,6 +16,7 @@ namespace kusabi::run {
 struct CriticalOptions {
   std::string file;  ///< the problem
   wedged::CriticalQuestion question;
+  std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< so many in the table
   std::string certificate;  ///< evidence of both ends goes to NAME.lower and NAME.upper
   engine::Limits limits;    ///< where to stop early
 };

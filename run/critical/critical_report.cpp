@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "run/output/conclusions.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/configuration_csv.hpp"
+#include "run/wedged/nearest_failure.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -48,20 +50,43 @@ std::vector<std::uint64_t> columns_of(const wedged::CriticalTree::Tally& tally) 
 }
 
 // What the search for the bracket has cost; empty if there was none.
-std::string ranks_text(const wedged::CriticalFindings& findings) {
+std::string ranks_text(const wedged::CriticalFindings& findings, const Page& page) {
   if (!findings.global_ranks.empty()) {
     RankTable table({"branched", "pruned", "leaves", "programs"});
     for (const auto& [statistics, tally] : findings.global_ranks) {
       table.add(statistics, columns_of(tally));
     }
-    return table.text();
+    return table.text(page.width);
   }
   if (findings.bisection_ranks.empty()) return {};
   RankTable table({"programs"});
   for (const auto& [statistics, tally] : findings.bisection_ranks) {
     table.add(statistics, {tally.programs});
   }
-  return table.text();
+  return table.text(page.width);
+}
+
+// Which pattern begins to live first, and who slips there.
+std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first) {
+  auto text = fmt::format(" The first way is number 1 (in contact: {})",
+                          contact_text(problem, first.pattern));
+  if (first.reaction.empty() || !first.upper) return text + '.';
+  const auto nearest = nearest_failure(problem, *first.upper, first.block, first.pattern,
+                                       first.reaction, first.displacement);
+  if (nearest.slips_there.empty()) return text + '.';
+  support::IndexSet slips;
+  for (const int i : nearest.slips_there) slips.insert(i);
+  return fmt::format("{}: with less friction {} would slip.", text,
+                     with_ranges(candidate_names(problem, slips)));
+}
+
+// The answer, as a report has it.
+std::string sentence(const problems::WedgedProblem& problem,
+                     const wedged::CriticalFindings& findings, const Page& page) {
+  auto text = page.strong(critical_sentence(findings.lower, findings.upper));
+  if (findings.upper && !findings.patterns.empty())
+    text += first_way(problem, findings.patterns.front());
+  return text + '\n';
 }
 
 ordered_json statistics_json(const wedged::CriticalFindings& findings) {
@@ -101,22 +126,22 @@ std::vector<std::string> open_sentences(const CriticalOptions& options,
 }
 
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
-                           const wedged::CriticalFindings& findings) {
+                           const wedged::CriticalFindings& findings, const Page& page) {
   std::string text;
   auto out = std::back_inserter(text);
   if (!findings.patterns.empty()) {
     fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "dead at", "alive at",
-                   "in contact (U)");
+                   "in contact (U); others separated (R)");
   }
   std::size_t number = 0;
   for (const auto& entry : findings.patterns) {
-    const auto& [contact, separated, at_rest] = entry.pattern;
-    fmt::format_to(out, "{:>5}  {:>16.12g}  {:>16}  {}{}\n", ++number, entry.lower,
+    if (number == options.top) {
+      fmt::format_to(out, "{:>5}  {} more\n", "…", findings.patterns.size() - number);
+      break;
+    }
+    fmt::format_to(out, "{:>5}  {:>16.12g}  {:>16}  {}\n", ++number, entry.lower,
                    entry.upper ? fmt::format("{:.12g}", *entry.upper) : "?",
-                   with_ranges(candidate_names(problem, contact)),
-                   at_rest.empty() ? ""
-                                   : fmt::format("  at rest: {}",
-                                                 with_ranges(candidate_names(problem, at_rest))));
+                   contact_text(problem, entry.pattern));
   }
   const auto* const times =
       problems::uniform_friction(problem) ? "" : " (times that of each candidate)";
@@ -130,17 +155,17 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
                    findings.lower);
   }
   if (findings.upper && findings.status == engine::Status::solved && !findings.upper_proved) {
-    text +=
+    text += page.doubtful(
         "What wedges at the upper end is a tie: it holds within the rounding of the file's numbers "
-        "and is not proved in exact arithmetic.\n";
+        "and is not proved in exact arithmetic.\n");
   }
-  for (const auto& sentence : open_sentences(options, findings))
-    fmt::format_to(out, "Open: {}.\n", sentence);
+  for (const auto& doubt : open_sentences(options, findings))
+    text += page.doubtful(fmt::format("Open: {}.\n", doubt));
   if (!looks_for_smallest(options.question.way) && findings.upper) {
     fmt::format_to(out, "(of the {} patterns that live at {})\n", findings.patterns.size(),
                    options.question.most.value_or(0));
   }
-  return text + '\n' + ranks_text(findings);
+  return text + '\n' + ranks_text(findings, page) + '\n' + sentence(problem, findings, page);
 }
 
 ordered_json critical_json(const CriticalOptions& options, const problems::WedgedProblem& problem,

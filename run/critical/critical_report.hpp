@@ -10,6 +10,7 @@
 #include "nodes/wedged/critical_findings.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/critical/critical.hpp"
+#include "run/output/page.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
 namespace kusabi::run {
@@ -19,8 +20,9 @@ std::vector<std::string> open_sentences(const CriticalOptions& options,
                                         const wedged::CriticalFindings& findings);
 
 /// The result as text.
+/// @param page that it is printed on
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
-                           const wedged::CriticalFindings& findings);
+                           const wedged::CriticalFindings& findings, const Page& page);
 
 /// The result file; its schema is in docs/result-files.md. @param whole of the same structure
 nlohmann::ordered_json critical_json(const CriticalOptions& options,

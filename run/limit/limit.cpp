@@ -21,6 +21,7 @@
 #include "run/limit/members_csv.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "verify/limit_certificate.hpp"
@@ -35,6 +36,7 @@ class Limit final : public Subcommand {
     return "the load factor at which a truss collapses, and its worst case under loads that are "
            "not known exactly";
   }
+  [[nodiscard]] std::string notes() const override { return progress_explained(true); }
   void describe(OptionTable& table) override;
   void check() const override;
   void read(CommandRun& run) override;
@@ -181,7 +183,7 @@ std::vector<Step> Limit::results(CommandRun& run) {
       out << limit_certificate_text(*found_.certificate);
     }));
   }
-  steps.push_back(run.answer([report] { return report->table(); }));
+  steps.push_back(run.answer([report] { return report->table(CommandRun::page()); }));
   return steps;
 }
 

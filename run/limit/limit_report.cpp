@@ -10,6 +10,7 @@
 
 #include "problems/limit/collapse_mode.hpp"
 #include "run/limit/curve_report.hpp"
+#include "run/limit/limit_words.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
 
@@ -35,34 +36,6 @@ void write_mode(std::string& text, const LimitProblem& problem,
   if (!tension.empty()) fmt::format_to(out, "    in tension:     {}\n", fmt::join(tension, " "));
   if (!compression.empty()) {
     fmt::format_to(out, "    in compression: {}\n", fmt::join(compression, " "));
-  }
-}
-
-void write_critical_load(std::string& text, const LimitProblem& problem,
-                         const Eigen::VectorXd& zeta) {
-  const auto out = std::back_inserter(text);
-  text += "  critical part of the dead load:\n";
-  for (int axis = 0; axis < problem.dimension; ++axis) {
-    for (const bool positive : {true, false}) {
-      std::vector<std::string> names;
-      for (int j = 0; j < problem.uncertain_count(); ++j) {
-        const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
-        if (!column.name.empty()) continue;
-        const auto degree = static_cast<std::size_t>(column.direction.front().degree);
-        const auto& free = problem.degrees.free[degree];
-        if (free.axis == axis && (zeta(j) >= 0) == positive) {
-          names.push_back(problem.node_names[static_cast<std::size_t>(free.node)]);
-        }
-      }
-      if (names.empty()) continue;
-      fmt::format_to(out, "    {}{} at {}\n", positive ? '+' : '-', problems::axis_name(axis),
-                     fmt::join(names, " "));
-    }
-  }
-  for (int j = 0; j < problem.uncertain_count(); ++j) {
-    const auto& name = problem.uncertain[static_cast<std::size_t>(j)].name;
-    if (name.empty()) continue;
-    fmt::format_to(out, "    {}{}\n", zeta(j) >= 0 ? '+' : '-', name);
   }
 }
 
@@ -115,15 +88,16 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
     fmt::format_to(out,
                    "  some admissible dead load is carried at no load factor, of either sign{}\n",
                    worst.proved ? ", proved" : without_proof(false));
-    write_critical_load(text, problem, worst.zeta);
+    text += critical_load_text(problem, worst.zeta);
   } else {
     write_ends(text, worst);
     if (worst.collapse) {
       write_zero(text, worst.collapse->factor < 0 ? "an admissible dead load" : "this dead load",
                  *worst.collapse);
       write_mode(text, problem, *worst.collapse);
+      text += utilisation_text(problem, *worst.collapse);
     }
-    if (worst.zeta.size() > 0) write_critical_load(text, problem, worst.zeta);
+    if (worst.zeta.size() > 0) text += critical_load_text(problem, worst.zeta);
   }
   if (worst.zero_one) text += zero_one_text(worst);
   if (worst.search != engine::Status::solved) {
@@ -153,13 +127,15 @@ std::string no_nominal(const limit::LimitAnswer& answer) {
 
 }  // namespace
 
-std::string LimitReport::table() const {
-  if (!answer.nominal) return no_nominal(answer);
+std::string LimitReport::table(const Page& page) const {
+  const auto verdict = limit_verdict(options, problem, answer, page);
+  if (!answer.nominal) return page.doubtful(no_nominal(answer)) + verdict;
   std::string text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "nominal load factor {:.10g}\n", answer.nominal->factor);
   write_zero(text, "the dead load", *answer.nominal);
   write_mode(text, problem, *answer.nominal);
+  text += utilisation_text(problem, *answer.nominal);
   if (answer.worst) write_worst(text, options, problem, *answer.worst);
   if (!answer.samples.empty()) {
     const auto [least, greatest] = std::ranges::minmax(answer.samples);
@@ -171,10 +147,10 @@ std::string LimitReport::table() const {
   }
   text += CurveReport{options, problem, answer}.table();
   if (answer.rest != engine::Status::solved) {
-    fmt::format_to(out, "stopped early ({}): not all that was asked for is here\n",
-                   status_name(answer.rest));
+    text += page.doubtful(fmt::format("stopped early ({}): not all that was asked for is here\n",
+                                      status_name(answer.rest)));
   }
-  return text;
+  return text + verdict;
 }
 
 }  // namespace kusabi::run

@@ -10,6 +10,7 @@
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/structure.hpp"
 #include "run/limit/limit.hpp"
+#include "run/output/page.hpp"
 
 namespace kusabi::run {
 
@@ -21,7 +22,8 @@ struct LimitReport {
   const limit::LimitAnswer& answer;
   int ranks = 1;
 
-  [[nodiscard]] std::string table() const;
+  /// @param page that it is printed on
+  [[nodiscard]] std::string table(const Page& page) const;
   [[nodiscard]] nlohmann::ordered_json json() const;
 };
 

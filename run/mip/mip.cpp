@@ -12,6 +12,7 @@
 #include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/values.hpp"
+#include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "solvers/linear/program_file.hpp"
@@ -61,6 +62,7 @@ class Mip final : public Subcommand {
   [[nodiscard]] std::string_view purpose() const override {
     return "the optimum of a mixed zero-one linear program, with its bound";
   }
+  [[nodiscard]] std::string notes() const override { return progress_explained(true); }
   void describe(OptionTable& table) override;
   void read(CommandRun& run) override;
   void prepare(CommandRun& run) override;
@@ -147,7 +149,7 @@ std::vector<Step> Mip::results(CommandRun& run) {
       std::make_shared<const MipReport>(MipReport{options_, program_, fingerprint_, *found_});
   return {run.result([report] { return report->json(); }),
           run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
-          run.answer([report] { return report->table(); })};
+          run.answer([report] { return report->table(CommandRun::page()); })};
 }
 
 Verdict Mip::verdict(CommandRun& run) {

@@ -112,7 +112,7 @@ std::string MipReport::doubts() const {
   return text;
 }
 
-std::string MipReport::table() const {
+std::string MipReport::table(const Page& page) const {
   std::string text;
   auto out = std::back_inserter(text);
   if (found.point() != nullptr && found.status() != MixedStatus::unbounded) {
@@ -128,7 +128,7 @@ std::string MipReport::table() const {
       fmt::format_to(out, "{:<{}}  {:>14.8g}\n", columns[j].name, width, values[j]);
     }
   }
-  text += '\n' + verdict() + doubts();
+  text += '\n';
   const auto tally = found.outcome.tally();
   const auto& counts = found.tree.prepared().counts;
   fmt::format_to(out,
@@ -145,7 +145,7 @@ std::string MipReport::table() const {
   for (const auto& rank : found.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
   for (const auto& rank : found.outcome.earlier)
     ranks.add_earlier(rank.statistics, own(rank.tally));
-  text += '\n' + ranks.text();
+  text += '\n' + ranks.text(page.width) + '\n' + page.strong(verdict()) + page.doubtful(doubts());
   return text;
 }
 

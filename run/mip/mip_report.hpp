@@ -9,6 +9,7 @@
 
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/mip/mip.hpp"
+#include "run/output/page.hpp"
 #include "solvers/linear/program_file.hpp"
 
 namespace kusabi::run {
@@ -26,7 +27,7 @@ struct MipReport {
   [[nodiscard]] double gap() const;
 
   /// The answer, the point, the ranks' shares and the times, as text.
-  [[nodiscard]] std::string table() const;
+  [[nodiscard]] std::string table(const Page& page) const;
 
   /// The result file; its schema is in docs/result-files.md.
   [[nodiscard]] nlohmann::ordered_json json() const;

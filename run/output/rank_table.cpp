@@ -20,6 +20,31 @@ constexpr std::size_t opened_column = 0;
 constexpr std::size_t share_column = 1;
 constexpr std::string_view after_own[] = {"requests", "gifts", "messages", "idle", "seconds"};
 
+// The first column in front of as many others as fit, these below each other.
+std::string side_by_side(const std::vector<std::vector<std::string>>& lines, std::size_t width) {
+  std::vector<std::size_t> widths(lines.front().size(), 0);
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  }
+  std::string text;
+  auto out = std::back_inserter(text);
+  for (std::size_t first = 1; first < widths.size();) {
+    std::size_t end = first;
+    for (auto used = widths.front(); end < widths.size(); ++end) {
+      used += widths[end] + 2;
+      if (used > width && end > first) break;
+    }
+    if (first > 1) text += '\n';
+    for (const auto& line : lines) {
+      fmt::format_to(out, "{:<{}}", line.front(), widths.front());
+      for (std::size_t i = first; i < end; ++i) fmt::format_to(out, "  {:>{}}", line[i], widths[i]);
+      text += '\n';
+    }
+    first = end;
+  }
+  return text;
+}
+
 double ratio(double part, double whole) {
   return whole > 0 ? part / whole : 0;
 }
@@ -65,7 +90,7 @@ RankTable::Row RankTable::sum() const {
   return total;
 }
 
-std::string RankTable::text() const {
+std::string RankTable::text(std::size_t width) const {
   const std::size_t seconds_column = columns_.size() - 1;
   const std::size_t idle_column = columns_.size() - 2;
   const Row total = sum();
@@ -119,20 +144,7 @@ std::string RankTable::text() const {
     add_line("all", all, total[seconds_column]);
   }
 
-  std::vector<std::size_t> widths(lines.front().size(), 0);
-  for (const auto& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-  }
-  std::string text;
-  auto out = std::back_inserter(text);
-  for (const auto& line : lines) {
-    fmt::format_to(out, "{:<{}}", line.front(), widths.front());
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      fmt::format_to(out, "  {:>{}}", line[i], widths[i]);
-    }
-    text += '\n';
-  }
-  return text;
+  return side_by_side(lines, width);
 }
 
 void add_statistics(nlohmann::ordered_json& rank, const engine::RankStatistics& statistics) {

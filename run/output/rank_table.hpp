@@ -2,6 +2,7 @@
 // the engine are here; a subcommand adds those of its own tree.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/outcome.hpp"
+#include "run/output/page.hpp"
 
 namespace kusabi::run {
 
@@ -27,7 +29,8 @@ class RankTable {
   /// A line a rank and their sum; with more than 16 ranks the least, the mean and the greatest of
   /// each column instead, over the ranks of this run. Shares are of all nodes opened, idle time is
   /// in percent of the time of the run, and the sum's seconds are those of this run.
-  [[nodiscard]] std::string text() const;
+  /// @param width columns that do not fit go below, with the ranks in front of them again
+  [[nodiscard]] std::string text(std::size_t width = Page::endless) const;
 
  private:
   // One rank's values in the order of the columns. Averages need not be whole.

@@ -5,10 +5,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
 #include <fcntl.h>
 #include <unistd.h>
+
+#include "run/output/page.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -43,12 +46,25 @@ void print_answer(std::string_view text) {
   flush_standard_output();
 }
 
+void show_heading(std::string_view text) noexcept {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stdout));
+  static_cast<void>(std::fflush(stdout));
+}
+
 void flush_standard_output() {
   if (std::fflush(stdout) != 0) fail();
 }
 
 void tell_text(std::string_view text) noexcept {
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+}
+
+void tell_doubt(std::string_view line) noexcept {
+  try {
+    tell_text(page_of(STDERR_FILENO).doubtful(line) + '\n');
+  } catch (const std::bad_alloc&) {
+    tell_text(line);
+  }
 }
 
 void tell_written(std::initializer_list<std::string> files) {

@@ -1,4 +1,5 @@
-// What the command prints: its answer on standard output, everything else on standard error.
+// What the command prints: its answer and the heading above it on standard output, everything else
+// on standard error.
 //
 // Nothing computed may be lost because nobody reads what is printed: a closed pipe is an error that
 // is told, not a signal that kills; a message that cannot be shown is dropped; and the answer is
@@ -24,6 +25,10 @@ void secure_standard_streams();
 /// @throws std::runtime_error if not all of it has got through: the disk is full, nobody reads
 void print_answer(std::string_view text);
 
+/// Prints what stands above the answer, before the work begins: that nobody reads it is told when
+/// the answer is printed, and keeps no work from being done.
+void show_heading(std::string_view text) noexcept;
+
 /// @throws std::runtime_error if not all that was printed has got through
 void flush_standard_output();
 
@@ -35,6 +40,9 @@ template <class... Arguments>
 void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   tell_text(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
+
+/// A line that warns, or says what is left open: marked as such on a terminal.
+void tell_doubt(std::string_view line) noexcept;
 
 /// One line for each of `files`, but those without a name, on standard error.
 void tell_written(std::initializer_list<std::string> files);

@@ -12,6 +12,7 @@
 #include "engine/campaign.hpp"
 #include "engine/checkpoint.hpp"
 #include "nodes/wedged/facets.hpp"
+#include "nodes/wedged/pattern_brackets.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
@@ -23,6 +24,7 @@
 #include "run/output/wrong_input.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/pictures/vtu_series.hpp"
+#include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
@@ -40,6 +42,7 @@ class Patterns final : public Subcommand {
   [[nodiscard]] std::string_view purpose() const override {
     return "every sign pattern of wedged configurations (contact or separated, node by node)";
   }
+  [[nodiscard]] std::string notes() const override { return progress_explained(false); }
   void describe(OptionTable& table) override;
   void check() const override;
   void read(CommandRun& run) override;
@@ -66,7 +69,8 @@ class Patterns final : public Subcommand {
   wedged::PatternQuestion question_;
   std::optional<CertificateFile> certificate_;
   std::optional<wedged::PatternFindings> findings_;
-  bool goes_on_ = false;  // whether a checkpoint is there to go on from
+  std::vector<wedged::PatternBracket> brackets_;  // on rank 0, if they are asked for
+  bool goes_on_ = false;                          // whether a checkpoint is there to go on from
 };
 
 void Patterns::describe(OptionTable& table) {
@@ -108,8 +112,14 @@ void Patterns::describe(OptionTable& table) {
       "--sort", options_.sort,
       {{"number", PatternSort::number},
        {"margin", PatternSort::margin},
-       {"contact", PatternSort::contact}},
-      "the table: as found, by the largest margin, or by the fewest candidates in contact");
+       {"contact", PatternSort::contact},
+       {"critical", PatternSort::critical}},
+      "the table: as found, by the largest margin, by the fewest candidates in contact, or by the "
+      "friction coefficient that each pattern begins to live at, which is then computed: some ten "
+      "programs a pattern");
+  table.number("--group", &options_.group, between(1, 1000),
+               "list patterns whose contact sets differ in at most so many candidates, step by "
+               "step, as one line, the firmest first; the groups are in the result file, too");
   table.number("--top", &options_.top, above(0), "list so many in the table; all are in the file");
   // By the number of signs decided, see SignPatternTree::bound.
   table.choice(
@@ -200,6 +210,10 @@ void Patterns::search(CommandRun& run) {
   engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
   findings_ = wedged::find_patterns(campaign, problem_, friction_, question_);
   if (certificate_->wanted()) certificate_->close();
+  if (options_.sort != PatternSort::critical) return;
+  const bool searched = run.session().from_first_rank([&] { return whole(); });
+  if (!searched) return;
+  brackets_ = wedged::pattern_brackets(campaign, problem_, findings_->leaves, options_.friction);
 }
 
 // After an early stop the parts of the certificate are kept only if a checkpoint is there to go on
@@ -237,7 +251,8 @@ void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
 }
 
 std::vector<Step> Patterns::results(CommandRun& run) {
-  const auto report = std::make_shared<const PatternsReport>(options_, problem_, *findings_);
+  const auto report = std::make_shared<const PatternsReport>(
+      PatternsReport{options_, problem_, *findings_, brackets_, CommandRun::page()});
   const auto& kept = question_.search.checkpoint.file;
   goes_on_ = !kept.empty() && engine::checkpoint_exists(kept);
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
@@ -266,6 +281,12 @@ Verdict Patterns::verdict(CommandRun& run) {
         "open: of {} sign pattern{} it could not be told whether anything wedges: the list is "
         "complete but for {}",
         open, open == 1 ? "" : "s", open == 1 ? "it" : "them"));
+  }
+  if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_->leaves.empty()) {
+    verdict.code = stopped_early;
+    remarks.emplace_back(
+        "--sort critical: stopped before it was known where each pattern begins "
+        "to live; the table is as found");
   }
   const auto drawn = series_remark(findings_->leaves.size(), "patterns");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);

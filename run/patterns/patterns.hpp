@@ -16,9 +16,10 @@ namespace kusabi::run {
 /// How the table is ordered. A pattern keeps its number, by which result files and pictures know
 /// it.
 enum class PatternSort {
-  number,   ///< as the tree has them
-  margin,   ///< the largest first
-  contact,  ///< the fewest candidates in contact first
+  number,    ///< as the tree has them
+  margin,    ///< the largest first
+  contact,   ///< the fewest candidates in contact first
+  critical,  ///< those that begin to live at the least friction first
 };
 
 struct PatternsOptions {
@@ -31,6 +32,7 @@ struct PatternsOptions {
   int facets = 16;               ///< of the polyhedral friction cones of Algorithm 5.8
   bool list_candidates = false;  ///< of Algorithm 5.8, in the table
   PatternSort sort = PatternSort::number;
+  int group = 0;  ///< patterns that differ in so many candidates are one line; 0: no groups
   std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< so many of them in the table
   engine::Order order = engine::Order::depth_first;
   engine::Limits limits;        ///< where to stop early

@@ -1,39 +1,24 @@
-// The table and the JSON of `kusabi patterns`.
+// What is said below the table, and the JSON, of `kusabi patterns`.
 #include "run/patterns/patterns_report.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <iterator>
-#include <numeric>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "run/output/conclusions.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/configuration_csv.hpp"
+#include "run/wedged/nearest_failure.hpp"
+#include "run/wedged/pattern_groups.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 namespace {
 
 using nlohmann::ordered_json;
-
-const char* state_name(wedged::LeafState state) {
-  switch (state) {
-    case wedged::LeafState::alive:
-      return "alive";
-    case wedged::LeafState::flat:
-      return "flat";
-    case wedged::LeafState::marginal:
-      return "marginal";
-    case wedged::LeafState::undecided:
-      break;
-  }
-  return "undecided";
-}
 
 std::string patterns(std::uint64_t count) {
   return counted(count, "sign pattern");
@@ -68,72 +53,18 @@ const char* name_of(wedged::Branching branching) {
 
 }  // namespace
 
-std::vector<std::size_t> PatternsReport::order() const {
-  std::vector<std::size_t> order(findings_.leaves.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto& leaves = findings_.leaves;
-  switch (options_.sort) {
-    case PatternSort::number:
-      break;
-    case PatternSort::margin:
-      std::ranges::stable_sort(order, std::greater(), [&](auto i) { return leaves[i].lower; });
-      break;
-    case PatternSort::contact:
-      std::ranges::stable_sort(order, std::less(),
-                               [&](auto i) { return leaves[i].pattern.contact.size(); });
+const char* state_name(wedged::LeafState state) {
+  switch (state) {
+    case wedged::LeafState::alive:
+      return "alive";
+    case wedged::LeafState::flat:
+      return "flat";
+    case wedged::LeafState::marginal:
+      return "marginal";
+    case wedged::LeafState::undecided:
       break;
   }
-  return order;
-}
-
-std::string PatternsReport::list() const {
-  std::string text;
-  auto out = std::back_inserter(text);
-  const auto names = [&](const support::IndexSet& set) {
-    return with_ranges(candidate_names(problem_, set));
-  };
-  auto shown = order();
-  const std::size_t all = shown.size();
-  shown.resize(std::min<std::size_t>(all, options_.top));
-  std::size_t contact_width = std::string_view("in contact (U)").size();
-  for (const std::size_t i : shown)
-    contact_width =
-        std::max(contact_width, shown_width(names(findings_.leaves[i].pattern.contact)));
-  if (!shown.empty()) {
-    fmt::format_to(out, "\n{:>5}  {:>10}  {:<{}}  {}\n", "", "margin t*", "in contact (U)",
-                   contact_width, "separated (R)");
-  }
-  for (const std::size_t i : shown) {
-    const auto& leaf = findings_.leaves[i];
-    const auto& [contact, separated, at_rest] = leaf.pattern;
-    fmt::format_to(out, "{:>5}  {:>10}  {:<{}}  {}{}\n", i + 1,
-                   leaf.state == wedged::LeafState::alive ? fmt::format("{:.3e}", leaf.lower)
-                                                          : state_name(leaf.state),
-                   names(contact), contact_width, names(separated),
-                   at_rest.empty() ? "" : "  at rest: " + names(at_rest));
-  }
-  if (shown.size() < all) fmt::format_to(out, "{:>5}  {} more\n", "…", all - shown.size());
-  return text;
-}
-
-// Of Algorithm 5.8: Y_1, ..., Y_k, and what (23) says of each.
-std::string PatternsReport::candidates() const {
-  std::string text;
-  if (!options_.list_candidates) return text;
-  auto out = std::back_inserter(text);
-  const auto names = [&](const support::IndexSet& set) {
-    return with_ranges(candidate_names(problem_, set));
-  };
-  fmt::format_to(out, "\n{:>5}  {:>13}  {:>10}  {}\n", "", "polyhedral t*", "t* of (23)",
-                 "in contact (U) | separated (R)");
-  std::size_t number = 0;
-  for (const auto& candidate : findings_.tested) {
-    const auto& [contact, separated, at_rest] = candidate.pattern;
-    fmt::format_to(out, "{:>5}  {:>13.3e}  {:>10}  {} | {}\n", ++number, candidate.polyhedral,
-                   candidate.discarded() ? "discarded" : fmt::format("{:.3e}", candidate.lower),
-                   names(contact), names(separated));
-  }
-  return text;
+  return "undecided";
 }
 
 ordered_json PatternsReport::candidates_json() const {
@@ -149,40 +80,36 @@ ordered_json PatternsReport::candidates_json() const {
   return list;
 }
 
-// What was asked, in a sentence; none if the search stopped early.
+// With a whole search behind it, or what is known without.
 std::string PatternsReport::sentence() const {
-  if (!findings_.whole()) return {};
-  if (findings_.leaves.empty())
-    return fmt::format("\nIt cannot stick at friction coefficient {}.\n", options_.friction);
+  const auto open = static_cast<double>(findings_.open());
+  auto text =
+      '\n' + page_.strong(sticking_sentence({.thing = "way",
+                                             .friction = options_.friction,
+                                             .count = static_cast<double>(findings_.count()),
+                                             .doubtful = open,
+                                             .whole = findings_.whole()}));
+  text += firmest() + '\n';
+  if (open > 0) text += page_.doubtful(doubtful_sentence(open)) + '\n';
+  return text;
+}
+
+// The pattern with the largest margin, and what would be the first to go wrong there.
+std::string PatternsReport::firmest() const {
   const auto& leaves = findings_.leaves;
+  if (leaves.empty()) return {};
   const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
+  if (best->state == wedged::LeafState::flat)
+    return " None has a margin: in each, some inequality is an equality.";
   if (best->state != wedged::LeafState::alive) return {};
-  return fmt::format(
-      "\nIt can stick: {} at friction coefficient {}. The largest margin, {:.3g}, has number {} "
-      "({} in "
-      "contact); its configuration holds from {:.4g} on.\n",
-      counted(findings_.count(), "way"), options_.friction, best->lower, best - leaves.begin() + 1,
-      with_ranges(candidate_names(problem_, best->pattern.contact)), least_friction_of(*best));
+  const auto nearest = nearest_failure(problem_, options_.friction, best->block, best->pattern,
+                                       best->reaction, best->displacement);
+  return fmt::format(" The largest margin, {:.3g}, has number {} (in contact: {}). {}", best->lower,
+                     best - leaves.begin() + 1, contact_text(problem_, best->pattern),
+                     nearest_failure_text(problem_, nearest));
 }
 
-// Of the friction coefficients (or factors of them) at which a configuration is within its cones,
-// the least.
-double PatternsReport::least_friction_of(const wedged::Configuration& leaf) const {
-  const auto d = static_cast<std::size_t>(problem_.dimension);
-  const auto whole = of_all_candidates(problem_, leaf.block, leaf.reaction);
-  double least = 0;
-  for (const int i : leaf.pattern.contact) {
-    const auto* const own = whole.data() + d * static_cast<std::size_t>(i);
-    const double factor =
-        problem_.friction.empty() ? 1 : problem_.friction[static_cast<std::size_t>(i)];
-    const double tangential = d == 2 ? std::abs(own[1]) : std::hypot(own[1], own[2]);
-    if (tangential > 0) least = std::max(least, tangential / (factor * own[0]));
-  }
-  return least;
-}
-
-// The answer, and what it leaves open.
-std::string PatternsReport::verdict() const {
+std::string PatternsReport::details() const {
   std::string text;
   auto out = std::back_inserter(text);
   fmt::format_to(out,
@@ -234,7 +161,8 @@ std::string PatternsReport::table() const {
   for (const auto& rank : findings_.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
   for (const auto& rank : findings_.outcome.earlier)
     ranks.add_earlier(rank.statistics, own(rank.tally));
-  return list() + candidates() + sentence() + verdict() + '\n' + ranks.text();
+  return (options_.group > 0 ? groups() : list()) + candidates() + details() + '\n' +
+         ranks.text(page_.width) + sentence();
 }
 
 void PatternsReport::write_csv(std::ostream& out) const {
@@ -256,18 +184,41 @@ void PatternsReport::write_csv(std::ostream& out) const {
 }
 
 ordered_json PatternsReport::json(const WholeStateJson& whole) const {
+ordered_json PatternsReport::patterns_json(const WholeStateJson& whole) const {
   ordered_json patterns = ordered_json::array();
-  for (const auto& leaf : findings_.leaves) {
+  for (std::size_t i = 0; i < findings_.leaves.size(); ++i) {
+    const auto& leaf = findings_.leaves[i];
     auto pattern = pattern_json(problem_, leaf.block, leaf.pattern, findings_.idle());
     pattern["state"] = state_name(leaf.state);
     pattern["margin"] = leaf.lower;
     pattern["margin_upper"] = leaf.upper;
+    if (!brackets_.empty()) {
+      pattern["critical_friction"] = {{"lower", brackets_[i].lower},
+                                      {"upper", number_or_null(brackets_[i].upper)}};
+    }
     pattern["reaction"] = block_rows(problem_, leaf.block, leaf.reaction);
     pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
     whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction),
                  of_all_candidates(problem_, leaf.block, leaf.displacement));
     patterns.push_back(std::move(pattern));
   }
+  return patterns;
+}
+
+ordered_json PatternsReport::groups_json() const {
+  auto list = ordered_json::array();
+  for (const auto& group : pattern_groups(findings_.leaves, options_.group)) {
+    auto members = ordered_json::array();
+    for (const auto member : group.members) members.push_back(member + 1);
+    list.push_back({{"patterns", std::move(members)},
+                    {"firmest", group.firmest + 1},
+                    {"contact", candidate_names(problem_, group.contact)},
+                    {"varying", candidate_names(problem_, group.varying)}});
+  }
+  return list;
+}
+
+ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   ordered_json blocks = ordered_json::array();
   for (const auto& block : findings_.blocks) {
     blocks.push_back({{"candidates", candidate_names(problem_, block.candidates)},
@@ -284,25 +235,26 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
                          {"marginal", findings_.marginal}, {"undecided", findings_.undecided},
                          {"blocks", std::move(blocks)},    {"tree", std::move(tree)}};
   if (options_.polyhedral) result["candidates"] = candidates_json();
-  result["patterns"] = std::move(patterns);
-  return {
-      {"command", "patterns"},
-      {"version", KUSABI_VERSION},
-      {"problem", problem_json(whole.structure(), problem_, options_.file)},
-      {"options",
-       {{"mu", options_.friction},
-        {"tolerance", options_.tolerance},
-        {"method", options_.polyhedral ? "polyhedral" : "cones"},
-        {"facets", options_.facets_in_use()},
-        {"branching", name_of(options_.branching)},
-        {"cuts", name_of(options_.tightening)},
-        {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}}},
-      {"status", status_name(findings_.outcome.status)},
-      {"result", std::move(result)},
-      {"statistics",
-       {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
-        {"earlier_runs",
-         rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}}}};
+  result["patterns"] = patterns_json(whole);
+  if (options_.group > 0) result["groups"] = groups_json();
+  ordered_json chosen = {
+      {"mu", options_.friction},
+      {"tolerance", options_.tolerance},
+      {"method", options_.polyhedral ? "polyhedral" : "cones"},
+      {"facets", options_.facets_in_use()},
+      {"branching", name_of(options_.branching)},
+      {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}};
+  if (options_.group > 0) chosen["group"] = options_.group;
+  return {{"command", "patterns"},
+          {"version", KUSABI_VERSION},
+          {"problem", problem_json(whole.structure(), problem_, options_.file)},
+          {"options", std::move(chosen)},
+          {"status", status_name(findings_.outcome.status)},
+          {"result", std::move(result)},
+          {"statistics",
+           {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},
+            {"earlier_runs",
+             rank_reports(findings_.outcome.earlier, counts_json<wedged::SignPatternTally>)}}}};
 }
 
 }  // namespace kusabi::run

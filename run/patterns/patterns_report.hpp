@@ -8,8 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nodes/wedged/pattern_brackets.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "run/output/page.hpp"
 #include "run/patterns/patterns.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
@@ -18,9 +20,15 @@ namespace kusabi::run {
 /// Everything that the command has to tell.
 class PatternsReport {
  public:
+  /// All references must outlive it. @param brackets one a leaf, or none
   PatternsReport(const PatternsOptions& options, const problems::WedgedProblem& problem,
-                 const wedged::PatternFindings& findings)
-      : options_(options), problem_(problem), findings_(findings) {}
+                 const wedged::PatternFindings& findings,
+                 const std::vector<wedged::PatternBracket>& brackets, const Page& page)
+      : options_(options),
+        problem_(problem),
+        findings_(findings),
+        brackets_(brackets),
+        page_(page) {}
 
   /// The patterns, the ranks' shares and the times, as text.
   [[nodiscard]] std::string table() const;
@@ -34,16 +42,29 @@ class PatternsReport {
  private:
   /// The leaves as they are listed.
   [[nodiscard]] std::vector<std::size_t> order() const;
+  /// The table: a line a pattern, or a line a group of them.
   [[nodiscard]] std::string list() const;
+  [[nodiscard]] std::string groups() const;
+  [[nodiscard]] std::string row(std::size_t number) const;
+  [[nodiscard]] std::string names(const support::IndexSet& candidates) const;
+  /// The answer in a sentence, and what its margin is of.
   [[nodiscard]] std::string sentence() const;
-  [[nodiscard]] double least_friction_of(const wedged::Configuration& leaf) const;
+  [[nodiscard]] std::string firmest() const;
+  /// What the sentence rests on.
+  [[nodiscard]] std::string details() const;
+  [[nodiscard]] nlohmann::ordered_json patterns_json(const WholeStateJson& whole) const;
+  [[nodiscard]] nlohmann::ordered_json groups_json() const;
   [[nodiscard]] std::string candidates() const;
   [[nodiscard]] nlohmann::ordered_json candidates_json() const;
-  [[nodiscard]] std::string verdict() const;
 
   const PatternsOptions& options_;
   const problems::WedgedProblem& problem_;
   const wedged::PatternFindings& findings_;
+  const std::vector<wedged::PatternBracket>& brackets_;
+  Page page_;
 };
+
+/// As the table and the result file call it.
+const char* state_name(wedged::LeafState state);
 
 }  // namespace kusabi::run

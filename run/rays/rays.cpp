@@ -15,11 +15,11 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
-#include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
 #include "run/rays/rays_report.hpp"
+#include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
@@ -51,6 +51,7 @@ class Rays final : public Subcommand {
   [[nodiscard]] std::string_view purpose() const override {
     return "every extremal ray of wedged configurations in the plane, and every maximal cone";
   }
+  [[nodiscard]] std::string notes() const override { return progress_explained(false); }
   void describe(OptionTable& table) override;
   void check() const override;
   void read(CommandRun& run) override;
@@ -177,7 +178,8 @@ void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
 
 std::vector<Step> Rays::results(CommandRun& run) {
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
-  const auto report = std::make_shared<RaysReport>(options_, *states, *cone_, found_);
+  const auto report =
+      std::make_shared<RaysReport>(options_, *states, *cone_, found_, CommandRun::page());
   // All is written in one pass over the rays, so that their numbers are made only once.
   const auto table = std::make_shared<std::ostringstream>();
   const auto write = [&run, report, table, states](JsonWriter* json) {
@@ -189,7 +191,7 @@ std::vector<Step> Rays::results(CommandRun& run) {
           run.file("--csv", {}),
           run.folder("--vtu", [this, states](auto& folder) { draw_all(folder, *states); }),
           run.file("--dot", [report](std::ostream& out) { report->draw(out); }),
-          [table] { print_answer(table->str()); }};
+          run.answer([table] { return table->str(); })};
 }
 
 Verdict Rays::verdict(CommandRun& run) {

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/output/conclusions.hpp"
+#include "run/output/csv.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
@@ -96,17 +98,30 @@ void RaysReport::write(std::ostream* table, std::ostream* csv, JsonWriter* json)
 }
 
 std::string RaysReport::ray_lines(std::size_t number, const rays::Ray& ray) const {
-  std::string normal;
-  std::string tangential;
-  for (int i = 0; i < cone_.candidates(); ++i) {
-    const bool none = (supports(number).reaction() & rays::bit(i)) == 0;
-    normal += none ? fmt::format("{:>11}", "") : fmt::format(" {:>10.4g}", ray.reaction(2 * i));
-    tangential +=
-        none ? fmt::format("{:>11}", "") : fmt::format(" {:>10.4g}", ray.reaction(2 * i + 1));
+  constexpr std::size_t cell = 11;
+  auto letters = states(number);
+  const std::size_t before = 7 + 2 + letters.size() + 2 + 3;
+  const std::size_t room = page_.width > before + cell ? (page_.width - before) / cell : 1;
+  std::string text;
+  auto name = std::to_string(number + 1);
+  for (int first = 0; first < cone_.candidates();) {
+    const auto end = static_cast<int>(std::min<std::size_t>(
+        static_cast<std::size_t>(cone_.candidates()), static_cast<std::size_t>(first) + room));
+    std::string normal;
+    std::string tangential;
+    for (int i = first; i < end; ++i) {
+      const bool none = (supports(number).reaction() & rays::bit(i)) == 0;
+      normal += none ? fmt::format("{:>11}", "") : fmt::format(" {:>10.4g}", ray.reaction(2 * i));
+      tangential +=
+          none ? fmt::format("{:>11}", "") : fmt::format(" {:>10.4g}", ray.reaction(2 * i + 1));
+    }
+    text += fmt::format("{:>7}  {}  r_n{}\n{:>7}  {:{}}  r_t{}\n", name, letters, normal, "", "",
+                        letters.size(), tangential);
+    name.clear();
+    letters.assign(letters.size(), ' ');
+    first = end;
   }
-  const std::string letters = states(number);
-  return fmt::format("{:>7}  {}  r_n{}\n{:>7}  {:{}}  r_t{}\n", number + 1, letters, normal, "", "",
-                     letters.size(), tangential);
+  return text;
 }
 
 std::string RaysReport::summary() const {
@@ -146,7 +161,16 @@ std::string RaysReport::summary() const {
                  "relative displacements taken for zero up to {:.1e}, for more from {:.1e} on "
                  "(tolerance {})\n",
                  found_.health.largest_zero, found_.health.smallest_nonzero, rays::zero_tolerance);
-  return text;
+  return text + sentence();
+}
+
+std::string RaysReport::sentence() const {
+  const auto text = sticking_sentence({.thing = "extremal ray",
+                                       .friction = options_.friction,
+                                       .count = static_cast<double>(found_.rays.size()),
+                                       .whole = found_.status == engine::Status::solved});
+  return '\n' + page_.strong(text) + '\n' +
+         (found_.health.sound() ? "" : page_.doubtful(unsound_sentence()) + '\n');
 }
 
 void RaysReport::begin(JsonWriter& json) const {

@@ -14,6 +14,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/json_writer.hpp"
+#include "run/output/page.hpp"
 #include "run/rays/rays.hpp"
 #include "run/wedged/whole_state_json.hpp"
 #include "solvers/rays/maximal_cones.hpp"
@@ -31,8 +32,13 @@ class RaysReport {
  public:
   /// All must outlive it.
   RaysReport(const RaysOptions& options, const WholeStates& states, const rays::ReactionCone& cone,
-             wedged::RayFindings& found)
-      : options_(options), problem_(states.problem()), cone_(cone), found_(found), whole_(states) {}
+             wedged::RayFindings& found, const Page& page)
+      : options_(options),
+        problem_(states.problem()),
+        cone_(cone),
+        found_(found),
+        page_(page),
+        whole_(states) {}
 
   /// Makes the numbers of all rays, and writes to those of `table`, `csv` and `json` that are
   /// there. The health of the numbers is then part of `found`.
@@ -49,8 +55,9 @@ class RaysReport {
     return {found_.rays[number], cone_.all()};
   }
   [[nodiscard]] std::string states(std::size_t number) const;
-  /// The last lines of the table: cones, counts, health.
+  /// The last lines of the table: cones, counts, health, and the answer.
   [[nodiscard]] std::string summary() const;
+  [[nodiscard]] std::string sentence() const;
   void begin(JsonWriter& json) const;       // up to the list of rays, which is open then
   void end_rays_and_all(JsonWriter& json);  // the rest
   [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;
@@ -64,6 +71,7 @@ class RaysReport {
   const problems::WedgedProblem& problem_;
   const rays::ReactionCone& cone_;
   wedged::RayFindings& found_;
+  Page page_;
   WholeStateJson whole_;
 };
 

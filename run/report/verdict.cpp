@@ -1,27 +1,16 @@
 // Command by command. Only what the file says is claimed: "it cannot" needs a whole search.
 #include "run/report/verdict.hpp"
 
-#include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "run/output/conclusions.hpp"
+
 namespace kusabi::run {
 namespace {
-
-// @param way -1 down, 1 up
-std::string rounded_to(double number, int way) {
-  if (number == 0) return "0";
-  constexpr int digits = 5;
-  const int places = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number))));
-  if (places < 0 || places > 3 * digits) return fmt::format("{}", number);
-  const double unit = std::pow(10, -places);
-  auto text = fmt::format("{:.{}f}", number, places);
-  const double shown = std::stod(text);
-  if (way * (number - shown) > 0) text = fmt::format("{:.{}f}", shown + way * unit, places);
-  return text;
-}
 
 class Concluding {
  public:
@@ -40,7 +29,7 @@ class Concluding {
       if (command == "critical") {
         critical();
       } else {
-        ways(command == "rays" ? "extremal rays" : "ways");
+        ways(command == "rays" ? "extremal ray" : "way");
       }
     }
     return std::move(all_);
@@ -58,46 +47,28 @@ class Concluding {
     return value != nullptr && value->is_boolean() && value->get<bool>();
   }
 
-  void ways(std::string_view things) {
-    const auto where = fmt::format("friction coefficient {}", reader_.number(result_, "friction"));
-    const double count = reader_.number(result_, "count");
-    const double doubtful = count_of("marginal") + count_of("undecided");
-    if (count > 0) {
-      auto some = std::string(things);
-      if (count == 1) some.pop_back();
-      all_.sentence = fmt::format("It can stick: {}{:.0f} {} at {}.",
-                                  status_ == "solved" ? "" : "at least ", count, some, where);
-    } else if (doubtful == 0 && status_ == "solved") {
-      all_.sentence = fmt::format("It cannot stick at {}.", where);
-    } else {
-      all_.sentence = fmt::format("It is not known whether it can stick at {}.", where);
-    }
-    if (doubtful > 0) {
-      reserve(
-          fmt::format("Of {:.0f} sign pattern(s) it could not be decided whether they hold a "
-                      "wedged configuration; they are not counted.",
-                      doubtful));
-    }
+  void ways(std::string_view thing) {
+    const Sticking found{.thing = thing,
+                         .friction = reader_.number(result_, "friction"),
+                         .count = reader_.number(result_, "count"),
+                         .doubtful = count_of("marginal") + count_of("undecided"),
+                         .whole = status_ == "solved"};
+    all_.sentence = sticking_sentence(found);
+    if (found.doubtful > 0) reserve(doubtful_sentence(found.doubtful));
     const auto* const health = ResultReader::find(result_, "health");
     if (health != nullptr && ResultReader::find(*health, "doubtful") != nullptr &&
         reader_.number(*health, "doubtful") > 0)
-      reserve("Some numbers are too near to zero to tell: the lists may be wrong.");
+      reserve(unsound_sentence());
   }
 
   void critical() {
     const auto& bracket = reader_.at(result_, "critical_friction");
     const double lower = reader_.number(bracket, "lower");
-    if (ResultReader::find(bracket, "upper") == nullptr) {
-      all_.sentence =
-          fmt::format("It cannot stick up to friction coefficient {}.", rounded_down(lower));
-    } else {
-      const double upper = reader_.number(bracket, "upper");
-      all_.sentence =
-          lower > 0 ? fmt::format("It cannot stick below friction coefficient {}; at {} it can.",
-                                  rounded_down(lower), rounded_up(upper))
-                    : fmt::format("It can stick at friction coefficient {}.", rounded_up(upper));
-      if (!is_true(bracket, "upper_proved")) reserve("The upper end is computed, not proved.");
-    }
+    std::optional<double> upper;
+    if (ResultReader::find(bracket, "upper") != nullptr) upper = reader_.number(bracket, "upper");
+    all_.sentence = critical_sentence(lower, upper);
+    if (upper && !is_true(bracket, "upper_proved"))
+      reserve("The upper end is computed, not proved.");
     if (!is_true(bracket, "lower_proved")) reserve("The lower end is computed, not proved.");
     if (ResultReader::find(result_, "open") == nullptr) return;
     for (auto& sentence : reader_.names(result_, "open")) reserve(std::move(sentence));
@@ -106,10 +77,7 @@ class Concluding {
   void limit() {
     const auto* const worst = ResultReader::find(result_, "worst_case");
     if (status_ == "not-carried") {
-      all_.sentence =
-          ResultReader::find(result_, "nominal") == nullptr
-              ? "It does not carry its dead load at any load factor."
-              : "There is a dead load within ± α that it does not carry at any load factor.";
+      all_.sentence = not_carried_sentence(ResultReader::find(result_, "nominal") != nullptr);
     } else if (worst == nullptr) {
       nominal();
     } else {
@@ -120,25 +88,20 @@ class Concluding {
   }
 
   void nominal() {
-    all_.sentence = ResultReader::find(result_, "nominal") == nullptr
-                        ? "No load factor was found at which it carries its dead load."
-                        : fmt::format("It carries {} times the reference load, and no more.",
-                                      rounded_down(reader_.number(result_, "nominal")));
+    all_.sentence = carried_sentence(ResultReader::find(result_, "nominal") == nullptr
+                                         ? std::nullopt
+                                         : std::optional(reader_.number(result_, "nominal")));
     reserve("This is as the simplex method finds it, for the dead load exactly as given.");
   }
 
   void worst_case(const ResultJson& worst) {
-    const auto alpha = fmt::format("{} {}", reader_.number(result_, "alpha"), force());
+    const double alpha = reader_.number(result_, "alpha");
     if (ResultReader::find(worst, "lower") == nullptr) {
-      all_.sentence = fmt::format(
-          "No load was found that it carries whatever the dead load is within ± {}.", alpha);
+      all_.sentence = always_carried_sentence({}, alpha, force());
       return;
     }
     const double lower = reader_.number(worst, "lower");
-    all_.sentence = fmt::format(
-        "It carries at least {} times the reference load, whatever the dead load is "
-        "within ± {}.",
-        rounded_down(lower), alpha);
+    all_.sentence = always_carried_sentence(lower, alpha, force());
     if (lower < 0) reserve("The factor is negative: a dead load within ± α alone collapses it.");
     if (!is_true(worst, "lower_proved")) reserve("The lower end is computed, not proved.");
     if (!is_true(worst, "upper_proved")) reserve("The upper end is computed, not proved.");
@@ -156,14 +119,6 @@ class Concluding {
 };
 
 }  // namespace
-
-std::string rounded_down(double number) {
-  return rounded_to(number, -1);
-}
-
-std::string rounded_up(double number) {
-  return rounded_to(number, 1);
-}
 
 Conclusion conclusion(const ResultReader& reader) {
   return Concluding(reader).conclude();

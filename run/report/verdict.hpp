@@ -16,9 +16,4 @@ struct Conclusion {
 /// @throws WrongInput
 Conclusion conclusion(const ResultReader& reader);
 
-/// Five digits, of which the last is rounded so that the text is not greater (not smaller) than
-/// the number: a bound stays one.
-std::string rounded_down(double number);
-std::string rounded_up(double number);
-
 }  // namespace kusabi::run

@@ -94,6 +94,36 @@ std::string progress_row(const ProgressState& state) {
                      percent(progress.closed), duration(state.remaining));
 }
 
+std::string progress_explained(bool minimising) {
+  ProgressState example;
+  example.minimising = minimising;
+  example.nodes_per_second = 4017;
+  example.remaining = 8;
+  auto& progress = example.progress;
+  progress.seconds = 12;
+  progress.opened = 48'211;
+  progress.open = 153;
+  progress.found = 27;
+  progress.objective = 12.5;
+  progress.bound = 12.25;
+  progress.ranks = 8;
+  progress.idle = 1;
+  progress.closed = 0.613;
+  return fmt::format(
+      "While it searches, a line now and then on standard error (on a terminal a bar):\n{}\n{}\n"
+      "  time    since the beginning\n"
+      "  nodes   opened so far, and lately per second\n"
+      "  open    nodes that wait to be opened\n"
+      "{}"
+      "  idle    how many of the ranks have no work\n"
+      "  done    the share of the tree that is closed: each node is half of the one above it\n"
+      "  left    a guess, from how that share has grown",
+      progress_header(minimising), progress_row(example),
+      minimising ? "  objective, bound, gap   the best so far, what nothing is better than, and "
+                   "between them\n"
+                 : "  found   solutions so far\n");
+}
+
 std::string progress_bar(const ProgressState& state, std::size_t width) {
   constexpr int bar_width = 20;
   const auto& progress = state.progress;

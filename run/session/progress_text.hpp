@@ -37,6 +37,9 @@ std::string progress_header(bool minimising);
 /// One line of the log, without an end of line.
 std::string progress_row(const ProgressState& state);
 
+/// What a row says, column by column, below one for an example: for help and the manual page.
+std::string progress_explained(bool minimising);
+
 /// The bar and as many figures as fit into `width` columns, the most wanted first.
 std::string progress_bar(const ProgressState& state, std::size_t width);
 

@@ -26,7 +26,7 @@ void require_writable_folder(const std::string& checkpoint) {
 }  // namespace
 
 void warn(const std::string& line) {
-  tell("kusabi: {}\n", line);
+  tell_doubt("kusabi: " + line);
 }
 
 void warn_all(Session& session, const std::vector<std::string>& lines) {

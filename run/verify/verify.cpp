@@ -14,6 +14,7 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
+#include "run/output/page.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/verify_limit.hpp"
 #include "run/verify/verify_patterns.hpp"
@@ -87,7 +88,10 @@ void Verify::search(CommandRun& run) {
 }
 
 std::vector<Step> Verify::results(CommandRun& run) {
-  return {CommandRun::print(findings_.refusals + (run.quiet() ? "" : findings_.summary))};
+  const auto page = CommandRun::page();
+  auto text = page.doubtful(findings_.refusals);
+  if (!run.quiet()) text += findings_.summary + page.strong(findings_.verdict);
+  return {CommandRun::print(folded(text, page.width))};
 }
 
 Verdict Verify::verdict(CommandRun& /*run*/) {

@@ -17,7 +17,8 @@ struct VerifyOptions {
 struct VerifyFindings {
   ExitCode code = solved;
   std::string refusals = {};  ///< a line each
-  std::string summary = {};   ///< what is proved, and of what
+  std::string summary = {};   ///< of what, and how
+  std::string verdict = {};   ///< what is proved: the last line
 };
 
 std::unique_ptr<Subcommand> verify_subcommand();

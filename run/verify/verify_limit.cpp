@@ -61,6 +61,7 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
     if (const auto* why = std::get_if<std::string>(&found)) {
       return {failed,
               fmt::format("{}: refused: {}: {}\n", options.certificate, options.problem, *why),
+              {},
               "NOT PROVED\n"};
     }
     truss = std::move(std::get<verify::LimitTruss>(found));
@@ -102,7 +103,7 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   }
   auto& summary = findings.summary;
   if (!refusals.empty()) {
-    summary = "NOT PROVED\n";
+    findings.verdict = "NOT PROVED\n";
     return findings;
   }
   const double above = verify::rounded_up(std::get<mpq_class>(upper));
@@ -118,9 +119,9 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   }
   fmt::format_to(out, "{} cuts, {} nodes cover all loads\n", certificate.cuts.size(),
                  certificate.nodes.size());
-  fmt::format_to(out,
-                 "PROVED: the least load factor for alpha = {} is between {:.17g} and {:.17g}\n",
-                 certificate.alpha, std::min(lower, above), above);
+  findings.verdict =
+      fmt::format("PROVED: the least load factor for alpha = {} is between {:.17g} and {:.17g}\n",
+                  certificate.alpha, std::min(lower, above), above);
   return findings;
 }
 

@@ -115,15 +115,15 @@ void write_verdict(std::string& text, bool refused, const Verification::Tally& p
                    "PROVED but for {}: the list of {} is complete but for these\n",
                    counted(proved.open(), "marginal node"), counted(proved.alive, "pattern"));
   } else {
-    fmt::format_to(std::back_inserter(text), "PROVED: the list of {} is complete\n",
-                   counted(proved.alive, "pattern"));
+    fmt::format_to(std::back_inserter(text), "PROVED: the list of {} is complete{}\n",
+                   counted(proved.alive, "pattern"), proved.alive == 0 ? ": it cannot stick" : "");
   }
 }
 
 VerifyFindings refusal_of_all(const VerifyOptions& options, const std::string& why) {
   VerifyFindings findings{.code = failed};
   findings.refusals = fmt::format("{}: refused: {}\n", options.certificate, why);
-  write_verdict(findings.summary, true, {});
+  write_verdict(findings.verdict, true, {});
   return findings;
 }
 
@@ -173,7 +173,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   if (flaw) findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, *flaw);
   write_subject(findings.summary, options, certificate, structure, agreement);
   write_summary(findings.summary, certificate, proof, !flaw, proved);
-  write_verdict(findings.summary, refused, proved);
+  write_verdict(findings.verdict, refused, proved);
   return findings;
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/wedged/problem_block.hpp"
+#include "run/output/name_ranges.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/structure_json.hpp"
 #include "run/session/session.hpp"
@@ -103,6 +104,19 @@ std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
   for (const int candidate : candidates)
     names.push_back(problem.contact_names[static_cast<std::size_t>(candidate)]);
   return names;
+}
+
+std::string contact_text(const problems::WedgedProblem& problem,
+                         const wedged::SignPattern& pattern) {
+  const auto names = [&](const support::IndexSet& set) {
+    return with_ranges(candidate_names(problem, set));
+  };
+  const auto& [contact, separated, at_rest] = pattern;
+  auto text = names(contact);
+  if (!at_rest.empty()) return text + "  at rest: " + names(at_rest);
+  if (problem.blocks.size() > 1) return text;  // the others of its block
+  const auto rest = separated.empty() ? std::string("all") : "all but " + names(separated);
+  return shown_width(rest) < shown_width(text) ? rest : text;
 }
 
 ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,

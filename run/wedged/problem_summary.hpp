@@ -30,6 +30,11 @@ std::vector<double> friction_at(const problems::WedgedProblem& problem, double c
 std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
                                          const support::IndexSet& candidates);
 
+/// Who touches in a pattern, as one cell of a table: their names, or "all but" those who do not if
+/// that is shorter, and who is at rest. In one of several blocks their names.
+std::string contact_text(const problems::WedgedProblem& problem,
+                         const wedged::SignPattern& pattern);
+
 /// Where a pattern touches, separates and, if anywhere, stays at rest; the number of its block,
 /// from 1, if there are several. Blocks that cannot wedge at all are at rest as well, see `idle`.
 /// @param idle candidates of such blocks

@@ -55,8 +55,10 @@ TEST_F(LimitCommand, ProvesATrussWithAChainOfIdleBars) {
 
 TEST_F(LimitCommand, NamesTheUncertainLoadsOfTheWorstCase) {
   const auto call = example("gust.toml") + " --alpha 0.5";
-  EXPECT_THAT(shell(command + " limit " + call).output,
-              HasSubstr("\n    -x at b1 b2\n    -gust\n    +where the load stands\n"));
+  EXPECT_THAT(
+      shell(command + " limit " + call).output,
+      HasSubstr("\n    -x at b1 b2: 0.5 kN each\n    -gust: 0.5 kN\n    +where the load stands: "
+                "0.5 kN\n"));
   const auto json = result_of(call);
   EXPECT_EQ(json["problem"]["m"], 4);
   const auto& parameters = json["result"]["critical_parameters"];

@@ -50,6 +50,30 @@ TEST(RankTable, TellsSharesMessagesAndIdleTime) {
   EXPECT_THAT(lines[3], ElementsAre("all", "400", "100.0", "12", "18", "4", "40", "50.0", "4.000"));
 }
 
+TEST(RankTable, PutsColumnsBelowEachOtherOnANarrowPage) {
+  RankTable table({"branched", "pruned", "leaves"});
+  table.add(some(300, 1), {7, 8, 9});
+  table.add(some(100, 3), {5, 6, 4});
+  const auto text = table.text(40);
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) EXPECT_LE(line.size(), 40U) << line;
+  // Side by side again, they are those of a wide page.
+  auto wide = words(table.text());
+  auto narrow = words(text);
+  std::vector<std::vector<std::string>> joined(wide.size());
+  std::size_t row = 0;
+  for (const auto& line : narrow) {
+    if (line.empty()) {
+      row = 0;
+      continue;
+    }
+    EXPECT_EQ(line.front(), wide[row].front());
+    auto& own = joined[row++];
+    own.insert(own.end(), line.begin() + (own.empty() ? 0 : 1), line.end());
+  }
+  EXPECT_EQ(joined, wide);
+}
+
 TEST(RankTable, OfOneRankHasNoSum) {
   RankTable table({});
   table.add(some(300, 1), {});

@@ -1,0 +1,68 @@
+// Leaves of the tree as patterns of the bisection, and its cells as numbers.
+#include "nodes/wedged/pattern_brackets.hpp"
+
+#include <cstddef>
+#include <utility>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/together.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// Cells from zero to the coefficient that patterns are known at.
+constexpr std::int64_t cells_to_known = 100'000'000;
+
+// A leaf of the block's tree whose cone it is: candidates at rest may be called separated.
+PatternBisection::Pattern pattern_of(const Configuration& leaf,
+                                     const std::vector<support::IndexSet>& blocks) {
+  const auto& block = blocks[leaf.block];
+  const auto contact = leaf.pattern.contact;
+  return {.leaf = {.block = leaf.block,
+                   .pattern = {.contact = problems::in_block(contact, block),
+                               .separated = problems::in_block(block - contact, block),
+                               .at_rest = {}}},
+          .lives = leaf.state == LeafState::alive || leaf.state == LeafState::flat};
+}
+
+}  // namespace
+
+engine::Outcome<PatternBisection> bracket_patterns(engine::Campaign& campaign,
+                                                   const problems::WedgedProblem& problem,
+                                                   const std::vector<Configuration>& leaves,
+                                                   CriticalMethod method, double width,
+                                                   std::int64_t start) {
+  const auto blocks = problems::blocks_of(problem);
+  std::vector<PatternBisection::Pattern> patterns;
+  patterns.reserve(leaves.size());
+  for (const auto& leaf : leaves) patterns.push_back(pattern_of(leaf, blocks));
+  const auto count = static_cast<std::int64_t>(patterns.size());
+  const auto sections = count == 0 ? 1 : campaign.transport().size() / count;
+  PatternBisection tree(problem, width, patterns, start, method, sections);
+  return campaign.search(tree, {});
+}
+
+std::vector<PatternBracket> pattern_brackets(engine::Campaign& campaign,
+                                             const problems::WedgedProblem& problem,
+                                             const std::vector<Configuration>& leaves,
+                                             double coefficient) {
+  const auto known = engine::from_first_rank(campaign.transport(), [&] { return leaves; });
+  if (known.empty()) return {};
+  const double width = coefficient / static_cast<double>(cells_to_known);
+  const auto outcome =
+      bracket_patterns(campaign, problem, known, CriticalMethod::newton, width, cells_to_known);
+  if (!campaign.is_first() || outcome.status != engine::Status::solved) return {};
+  std::vector<PatternBracket> brackets(known.size());
+  for (const auto& found : outcome.solutions) {
+    const auto& [number, cell] = found.solution;
+    auto& bracket = brackets[number];
+    bracket.lower = width * static_cast<double>(cell.dead);
+    if (cell.alive != CriticalCell::nowhere)
+      bracket.upper = width * static_cast<double>(cell.alive);
+  }
+  return brackets;
+}
+
+}  // namespace kusabi::wedged

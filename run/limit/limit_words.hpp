@@ -1,0 +1,27 @@
+// What the table of `kusabi limit` says of members and loads, and the answer in a sentence.
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+
+#include "nodes/limit/limit_answer.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "run/limit/limit.hpp"
+#include "run/output/page.hpp"
+
+namespace kusabi::run {
+
+/// The members that use most of their strength besides those that yield, the highest first.
+std::string utilisation_text(const problems::LimitProblem& problem,
+                             const limit::LimitCollapse& collapse);
+
+/// Direction by direction and size by size where the uncertain loads act; empty if zeta is.
+/// @param zeta m, force
+std::string critical_load_text(const problems::LimitProblem& problem, const Eigen::VectorXd& zeta);
+
+/// The answer as a report has it, and which members yield.
+std::string limit_verdict(const LimitOptions& options, const problems::LimitProblem& problem,
+                          const limit::LimitAnswer& answer, const Page& page);
+
+}  // namespace kusabi::run

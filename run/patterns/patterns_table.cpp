@@ -1,0 +1,126 @@
+// The table of `kusabi patterns`: a line a pattern, or a line a group of them.
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "run/output/name_ranges.hpp"
+#include "run/output/values.hpp"
+#include "run/patterns/patterns_report.hpp"
+#include "run/wedged/pattern_groups.hpp"
+#include "run/wedged/problem_summary.hpp"
+
+namespace kusabi::run {
+namespace {
+
+/// More lines than these are looked at together, not one by one.
+constexpr std::size_t many_lines = 40;
+
+constexpr const char* head_of_contact = "in contact (U); others separated (R)";
+
+std::string margin_text(const wedged::Configuration& leaf) {
+  return leaf.state == wedged::LeafState::alive ? fmt::format("{:.3e}", leaf.lower)
+                                                : state_name(leaf.state);
+}
+
+std::string start_text(const wedged::PatternBracket& bracket) {
+  return bracket.upper ? fmt::format("{:.6g}", *bracket.upper) : "?";
+}
+
+}  // namespace
+
+std::vector<std::size_t> PatternsReport::order() const {
+  std::vector<std::size_t> order(findings_.leaves.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto& leaves = findings_.leaves;
+  switch (options_.sort) {
+    case PatternSort::number:
+      break;
+    case PatternSort::margin:
+      std::ranges::stable_sort(order, std::greater(), [&](auto i) { return leaves[i].lower; });
+      break;
+    case PatternSort::contact:
+      std::ranges::stable_sort(order, std::less(),
+                               [&](auto i) { return leaves[i].pattern.contact.size(); });
+      break;
+    case PatternSort::critical:
+      if (brackets_.empty()) break;
+      std::ranges::stable_sort(order, std::less(), [&](auto i) {
+        return brackets_[i].upper.value_or(std::numeric_limits<double>::infinity());
+      });
+      break;
+  }
+  return order;
+}
+
+std::string PatternsReport::names(const support::IndexSet& candidates) const {
+  return with_ranges(candidate_names(problem_, candidates));
+}
+
+std::string PatternsReport::row(std::size_t number) const {
+  const auto& leaf = findings_.leaves[number];
+  const auto from =
+      brackets_.empty() ? std::string{} : fmt::format("  {:>10}", start_text(brackets_[number]));
+  return fmt::format("{:>5}  {:>10}{}  {}\n", number + 1, margin_text(leaf), from,
+                     contact_text(problem_, leaf.pattern));
+}
+
+std::string PatternsReport::list() const {
+  auto shown = order();
+  const std::size_t all = shown.size();
+  if (all == 0) return {};
+  shown.resize(std::min<std::size_t>(all, options_.top));
+  auto text = fmt::format("\n{:>5}  {:>10}{}  {}\n", "", "margin t*",
+                          brackets_.empty() ? "" : "  lives from", head_of_contact);
+  for (const std::size_t i : shown) text += row(i);
+  if (shown.size() < all) text += fmt::format("{:>5}  {} more\n", "…", all - shown.size());
+  if (shown.size() > many_lines) {
+    text +=
+        "       (--sort margin --top 10 lists the firmest; --group 1 those together that differ in "
+        "one candidate)\n";
+  }
+  return text;
+}
+
+std::string PatternsReport::groups() const {
+  auto groups = pattern_groups(findings_.leaves, options_.group);
+  const std::size_t all = groups.size();
+  if (all == 0) return {};
+  groups.resize(std::min<std::size_t>(all, options_.top));
+  auto text = fmt::format("\n{:>5}  {:>8}  {:>10}  {:>7}  in contact in all | in some of them\n",
+                          "group", "patterns", "margin t*", "number");
+  std::size_t number = 0;
+  for (const auto& group : groups) {
+    text += fmt::format("{:>5}  {:>8}  {:>10}  {:>7}  {} | {}\n", ++number, group.members.size(),
+                        margin_text(findings_.leaves[group.firmest]), group.firmest + 1,
+                        names(group.contact), names(group.varying));
+  }
+  if (all > groups.size()) text += fmt::format("{:>5}  {} more\n", "…", all - groups.size());
+  text += fmt::format(
+      "       {} of patterns that differ in at most {} from one to the next; margin and number are "
+      "of the firmest of each\n",
+      counted(all, "group"), counted(static_cast<std::uint64_t>(options_.group), "candidate"));
+  return text;
+}
+
+// Of Algorithm 5.8: Y_1, ..., Y_k, and what (23) says of each.
+std::string PatternsReport::candidates() const {
+  std::string text;
+  if (!options_.list_candidates) return text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "\n{:>5}  {:>13}  {:>10}  {}\n", "", "polyhedral t*", "t* of (23)",
+                 "in contact (U) | separated (R)");
+  std::size_t number = 0;
+  for (const auto& candidate : findings_.tested) {
+    const auto& [contact, separated, at_rest] = candidate.pattern;
+    fmt::format_to(out, "{:>5}  {:>13.3e}  {:>10}  {} | {}\n", ++number, candidate.polyhedral,
+                   candidate.discarded() ? "discarded" : fmt::format("{:.3e}", candidate.lower),
+                   names(contact), names(separated));
+  }
+  return text;
+}
+
+}  // namespace kusabi::run

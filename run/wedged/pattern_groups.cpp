@@ -1,0 +1,84 @@
+// Sets that are joined two by two, those of similar size only.
+#include "run/wedged/pattern_groups.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace kusabi::run {
+namespace {
+
+int difference(const support::IndexSet& a, const support::IndexSet& b) {
+  return (a - b).size() + (b - a).size();
+}
+
+/// Disjoint sets of the numbers below a count, each known by its least member.
+class Joined {
+ public:
+  explicit Joined(std::size_t count) : above_(count) {
+    std::iota(above_.begin(), above_.end(), 0U);
+  }
+
+  std::size_t set_of(std::size_t member) {
+    while (above_[member] != member) member = above_[member] = above_[above_[member]];
+    return member;
+  }
+
+  void join(std::size_t a, std::size_t b) {
+    a = set_of(a);
+    b = set_of(b);
+    above_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> above_;
+};
+
+}  // namespace
+
+std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration>& patterns,
+                                         int most_apart) {
+  // Contact sets that differ by no more differ by no more in size.
+  std::map<std::pair<std::uint32_t, int>, std::vector<std::size_t>> by_size;
+  Joined joined(patterns.size());
+  for (std::size_t i = 0; i < patterns.size(); ++i) {
+    const auto block = patterns[i].block;
+    const auto& contact = patterns[i].pattern.contact;
+    const int size = contact.size();
+    for (int other = size - most_apart; other <= size + most_apart; ++other) {
+      const auto found = by_size.find({block, other});
+      if (found == by_size.end()) continue;
+      for (const auto j : found->second) {
+        if (difference(contact, patterns[j].pattern.contact) <= most_apart) joined.join(i, j);
+      }
+    }
+    by_size[{block, size}].push_back(i);
+  }
+  std::map<std::size_t, PatternGroup> groups;
+  for (std::size_t i = 0; i < patterns.size(); ++i) {
+    const auto& contact = patterns[i].pattern.contact;
+    auto& group = groups[joined.set_of(i)];
+    if (group.members.empty()) {
+      group.firmest = i;
+      group.contact = contact;
+      group.varying = contact;  // the union, until all are there
+    }
+    group.members.push_back(i);
+    group.contact &= contact;
+    group.varying |= contact;
+    if (patterns[i].lower > patterns[group.firmest].lower) group.firmest = i;
+  }
+  std::vector<PatternGroup> list;
+  for (auto& [first, group] : groups) {
+    group.varying -= group.contact;
+    list.push_back(std::move(group));
+  }
+  std::ranges::stable_sort(list, std::greater(),
+                           [&](const auto& group) { return patterns[group.firmest].lower; });
+  return list;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,89 @@
+// Groups beside the reachability of a graph, of random patterns.
+#include "run/wedged/pattern_groups.hpp"
+
+#include <random>
+#include <set>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kusabi::run {
+namespace {
+
+using support::IndexSet;
+using wedged::Configuration;
+
+Configuration pattern(std::uint32_t block, IndexSet contact, double margin) {
+  Configuration one;
+  one.block = block;
+  one.pattern.contact = std::move(contact);
+  one.lower = margin;
+  return one;
+}
+
+std::vector<Configuration> random_patterns(unsigned seed, int count) {
+  std::mt19937 random(seed);
+  std::vector<Configuration> list;
+  list.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+    list.push_back(pattern(random() % 2, IndexSet(random() % 512), double(random() % 1000)));
+  return list;
+}
+
+// By Warshall's algorithm, on counts of ones.
+std::vector<std::vector<bool>> reachable(const std::vector<Configuration>& list, int most_apart) {
+  const auto n = list.size();
+  std::vector<std::vector<bool>> joined(n, std::vector<bool>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      int apart = 0;
+      for (int c = 0; c < 9; ++c)
+        apart += list[i].pattern.contact.contains(c) != list[j].pattern.contact.contains(c);
+      joined[i][j] = list[i].block == list[j].block && apart <= most_apart;
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j)
+        if (joined[i][k] && joined[k][j]) joined[i][j] = true;
+    }
+  }
+  return joined;
+}
+
+TEST(PatternGroups, AreWhatStepsOfFewCandidatesJoin) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const auto list = random_patterns(seed, 30);
+    const int most_apart = 1 + static_cast<int>(seed % 3);
+    const auto joined = reachable(list, most_apart);
+    std::set<std::size_t> seen;
+    double before = 1e9;
+    for (const auto& group : pattern_groups(list, most_apart)) {
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        const bool within = std::ranges::find(group.members, i) != group.members.end();
+        EXPECT_EQ(within, joined[group.members.front()][i]) << seed;
+        if (within) {
+          EXPECT_TRUE(seen.insert(i).second);
+          EXPECT_LE(list[i].lower, list[group.firmest].lower);
+        }
+      }
+      for (int c = 0; c < 9; ++c) {
+        const auto holds = std::ranges::count_if(
+            group.members, [&](auto i) { return list[i].pattern.contact.contains(c); });
+        EXPECT_EQ(group.contact.contains(c), holds == std::ssize(group.members));
+        EXPECT_EQ(group.varying.contains(c), holds > 0 && holds < std::ssize(group.members));
+      }
+      EXPECT_LE(list[group.firmest].lower, before) << "the firmest first";
+      before = list[group.firmest].lower;
+    }
+    EXPECT_EQ(seen.size(), list.size());
+  }
+}
+
+TEST(PatternGroups, OfNothingAreNone) {
+  EXPECT_TRUE(pattern_groups({}, 1).empty());
+}
+
+}  // namespace
+}  // namespace kusabi::run
