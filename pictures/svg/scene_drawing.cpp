@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "pictures/svg/support_drawing.hpp"
+
 namespace kusabi::pictures {
 namespace {
 
@@ -47,7 +49,8 @@ class SceneDrawing {
     at_rest();
     if (scales_.displacement > 0) moved_bodies();
     obstacles();
-    supports();
+    draw_ties(canvas_, scene_, scales_, view_);
+    draw_supports(canvas_, scene_, view_, detail_);
     cones();
     forces();
     candidates();
@@ -136,28 +139,6 @@ class SceneDrawing {
       points.push_back(view_(apex + 0.4 * (way - candidate.normal * candidate.normal.dot(way))));
     }
     canvas_.polygon("disc", points);
-  }
-
-  void supports() {
-    canvas_.begin_group("support");
-    const double size = 2.2 * detail_.mark;
-    for (const auto& [node, fixed] : scene_.supports) {
-      const Point tip = at(node);
-      if (scene_.dimension == 3) {
-        canvas_.rectangle("held", tip - Point(size, size) / 2, Point(size, size));
-        continue;
-      }
-      // A triangle below what is held along y, beside what is held along x alone.
-      const Point back = fixed[1] ? Point(0, 1) : Point(-1, 0);
-      const Point side(back.y(), back.x());
-      const auto* const kind = fixed[0] && fixed[1] ? "held" : "rolling";
-      canvas_.polygon(kind, {tip, tip + size * back + 0.6 * size * side,
-                             tip + size * back - 0.6 * size * side});
-      if (fixed[0] && fixed[1]) continue;
-      const Point base = tip + 1.3 * size * back;
-      canvas_.line("ground", base + 0.8 * size * side, base - 0.8 * size * side);
-    }
-    canvas_.end_group();
   }
 
   void cones() {

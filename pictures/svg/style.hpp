@@ -31,6 +31,8 @@ line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: 
 .support .held { fill: #6e7781; stroke: #6e7781; stroke-width: 1; }
 .support .rolling { fill: #ffffff; stroke: #6e7781; stroke-width: 1.3; }
 .support .ground { stroke: #6e7781; stroke-width: 1.3; }
+.support .spring { fill: none; stroke: #6e7781; stroke-width: 1.3; }
+.support .tie { stroke: #6e7781; stroke-width: 1.1; stroke-dasharray: 3 4; }
 .cone { fill: #e3a008; fill-opacity: .2; stroke: #b87a00; stroke-opacity: .55; stroke-width: .8; }
 .reaction { fill: #bc4c00; stroke: #bc4c00; stroke-width: 2.1; }
 .holding { fill: #1a7f64; stroke: #1a7f64; stroke-width: 1.6; }
@@ -48,6 +50,8 @@ line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: 
 .small .moved .tension, .small .moved .compression { stroke-width: 2.2; }
 .small .reaction { stroke-width: 1.3; }
 .small .holding, .small .dead, .small .reference { stroke-width: 1; }
+.small .support .spring, .small .support .ground, .small .support .rolling { stroke-width: .8; }
+.small .support .tie { stroke-width: .7; }
 .small .contact, .small .idle { stroke-width: .5; }
 .small .separated { stroke-width: 1.1; }
 @media (prefers-color-scheme: dark) {
@@ -64,7 +68,7 @@ text { fill: #e6edf3; }
 .moved .tension { stroke: #ff7b72; }
 .moved .compression { stroke: #58a6ff; }
 .support .rolling, .separated { fill: #0d1117; }
-.obstacle .surface, .support .ground { stroke: #9ea7b3; }
+.obstacle .surface, .support .ground, .support .spring, .support .tie { stroke: #9ea7b3; }
 .obstacle .disc { fill: #9ea7b3; }
 .cone { fill: #e3b341; stroke: #e3b341; }
 .reaction { fill: #ffa657; stroke: #ffa657; }

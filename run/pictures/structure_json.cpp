@@ -71,6 +71,19 @@ ordered_json springs_json(const Structure& structure) {
   return list;
 }
 
+ordered_json shares_json(const std::vector<problems::Share>& shares) {
+  auto list = ordered_json::array();
+  for (const auto& [node, weight] : shares) list.push_back({{"node", node}, {"weight", weight}});
+  return list;
+}
+
+ordered_json ties_json(const Structure& structure) {
+  auto list = ordered_json::array();
+  for (const auto& [node, to] : structure.ties)
+    list.push_back({{"node", node}, {"to", shares_json(to)}});
+  return list;
+}
+
 ordered_json candidates_json(const Structure& structure) {
   auto list = ordered_json::array();
   for (const auto& candidate : structure.contact) list.push_back(candidate.node);
@@ -82,9 +95,7 @@ ordered_json against_json(const Structure& structure) {
   auto list = ordered_json::array();
   bool any = false;
   for (const auto& candidate : structure.contact) {
-    auto shares = ordered_json::array();
-    for (const auto& [node, weight] : candidate.against)
-      shares.push_back({{"node", node}, {"weight", weight}});
+    auto shares = shares_json(candidate.against);
     any = any || !shares.empty();
     list.push_back(std::move(shares));
   }
@@ -120,6 +131,7 @@ ordered_json structure_json(const Structure& structure) {
   add_if_any(json, "fixed", fixed_json(structure));
   add_if_any(json, "inclined_supports", inclined_supports_json(structure));
   add_if_any(json, "springs", springs_json(structure));
+  add_if_any(json, "ties", ties_json(structure));
   add_if_any(json, "candidates", candidates_json(structure));
   add_if_any(json, "against", against_json(structure));
   add_if_any(json, "dead_loads", loads_json(structure, problems::Load::Kind::dead));
