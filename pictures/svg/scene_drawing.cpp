@@ -155,10 +155,10 @@ class SceneDrawing {
 
   void forces() {
     // Dead loads end at their node and reference loads begin there, so that both can be seen.
-    for (const auto& [kind, node, force] : scene_.loads) {
-      const Eigen::Vector3d place = scene_.positions.col(node);
-      const Eigen::Vector3d way = scales_.load * force;
-      if (kind == DrawnLoad::Kind::dead) {
+    for (const auto& load : scene_.loads) {
+      const Eigen::Vector3d place = scene_.positions.col(load.node);
+      const Eigen::Vector3d way = scale_of(load, scales_) * load.force;
+      if (load.kind == DrawnLoad::Kind::dead) {
         canvas_.arrow("dead", view_(place - way), view_(place), detail_.head);
       } else {
         canvas_.arrow("reference", view_(place), view_(place + way), detail_.head);
