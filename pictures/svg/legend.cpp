@@ -144,7 +144,8 @@ void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const 
                    const Units& units) {
   const bool bodies = !scene.faces.empty();
   const bool moves = scales.displacement > 0;
-  entries.push_back({bodies ? area_of("rest") : line_of("rest", "bar"),
+  const char* const kind = moves ? "rest" : "rest still";
+  entries.push_back({bodies ? area_of(kind) : line_of(kind, "bar"),
                      moves ? "the structure at rest" : "the structure"});
   if (moves) {
     const auto text =

@@ -68,7 +68,8 @@ class SceneDrawing {
   }
 
   void at_rest() {
-    canvas_.begin_group("rest");
+    // What nothing is drawn over is not to be pale.
+    canvas_.begin_group(scales_.displacement > 0 ? "rest" : "rest still");
     for (const auto& face : scene_.faces) {
       canvas_.polygon("face", outline(face, [this](int node) { return at(node); }));
     }
@@ -211,27 +212,35 @@ class SceneDrawing {
     const Point middle = place + 4.2 * detail_.mark * away + Point(0, 4);
     const auto* const anchor = away.x() > 0.4 ? "start" : away.x() < -0.4 ? "end" : "middle";
     // A name that would lie on another is left out; the mark's title has it.
-    const auto on_it = [&](const Point& other) {
-      return std::abs(other.y() - middle.y()) < name_height &&
-             std::abs(other.x() - middle.x()) < name_width;
+    const double across = name_letter * static_cast<double>(candidate.name.size());
+    const double left = away.x() > 0.4 ? 0 : away.x() < -0.4 ? across : across / 2;
+    const Box box{middle - Point(left, name_height), middle + Point(across - left, 0)};
+    const auto on_it = [&](const Box& other) {
+      return (box.from.array() < other.to.array()).all() &&
+             (other.from.array() < box.to.array()).all();
     };
     if (std::ranges::any_of(named_, on_it)) return;
-    named_.push_back(middle);
+    named_.push_back(box);
     canvas_.words("name", middle, anchor, candidate.name);
   }
 
   /// Shorter arrows are no more than a point.
   static constexpr double visible = 0.5;
-  /// What a name takes, more or less.
+  /// What a name takes, more or less, pixels: its height, and the width of a letter.
   static constexpr double name_height = 12;
-  static constexpr double name_width = 70;
+  static constexpr double name_letter = 6.5;
+
+  struct Box {
+    Point from;
+    Point to;
+  };
 
   Canvas& canvas_;
   const Scene& scene_;
   const Detail& detail_;
   Scales scales_;
   View view_;
-  std::vector<Point> named_;  // where names are
+  std::vector<Box> named_;  // where names are
 };
 
 }  // namespace

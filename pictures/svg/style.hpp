@@ -21,6 +21,8 @@ text { font-family: system-ui, -apple-system, "Segoe UI", "DejaVu Sans", Helveti
 line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: round; }
 .rest .bar { stroke: #b7c0c9; stroke-width: 1.1; }
 .rest .face { fill: #eef1f4; stroke: #c8d0d8; stroke-width: .7; }
+.still .bar { stroke: #6e7781; stroke-width: 1.3; }
+.still .face { fill: #e6ebf0; stroke: #8c959f; }
 .moved .bar { stroke: #24292f; stroke-width: 1.7; }
 .moved .face { fill: #cfe0f2; fill-opacity: .82; stroke: #54779b; stroke-width: .8; }
 .moved .tension { stroke: #cf222e; stroke-width: 3.4; }
@@ -63,6 +65,8 @@ text { fill: #e6edf3; }
 .rule { stroke: #30363d; }
 .rest .bar { stroke: #4b535d; }
 .rest .face { fill: #1b222b; stroke: #3a424c; }
+.still .bar { stroke: #9ea7b3; }
+.still .face { fill: #222b36; stroke: #6e7681; }
 .moved .bar { stroke: #e6edf3; }
 .moved .face { fill: #23415f; stroke: #79a6d2; }
 .moved .tension { stroke: #ff7b72; }
