@@ -30,6 +30,7 @@ data { white-space: nowrap; }
 .gallery { list-style: none; padding: 0; display: grid; gap: .8rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 17rem), 1fr)); }
 li.answer { background: var(--card); border: 1px solid var(--rule); border-radius: .4rem; padding: .6rem; content-visibility: auto; contain-intrinsic-size: auto 17rem auto 28rem; }
 li.answer svg { margin: 0 auto; }
+#answers > .scroll { content-visibility: auto; contain-intrinsic-size: auto 60rem; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .1rem .7rem; margin: .5rem 0; font-size: .9rem; }
 dt { color: var(--faint); }
 dd { margin: 0; }
@@ -53,6 +54,7 @@ li.answer { break-inside: avoid; content-visibility: visible; }
 .gallery li.answer { display: inline-block; width: 48%; vertical-align: top; }
 details:not([open]) { display: none; }
 .scroll { overflow: visible; }
+#answers > .scroll { content-visibility: visible; }
 th, td { padding: .1rem .4rem .1rem 0; }
 li.answer table { font-size: .65rem; }
 h2, h3, caption { break-after: avoid; }

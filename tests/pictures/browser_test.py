@@ -95,7 +95,7 @@ class Pages(unittest.TestCase):
     def chromium(cls, *words):
         call = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--enable-logging=stderr", "--v=0",
                 f"--user-data-dir={cls.folder / 'profile'}", *words]
-        run = subprocess.run(call, capture_output=True, text=True, check=False, timeout=120)
+        run = subprocess.run(call, capture_output=True, text=True, check=False, timeout=240)
         assert run.returncode == 0, run.stderr
         cls.console = [line for line in run.stderr.splitlines() if "CONSOLE" in line]
         return run.stdout
