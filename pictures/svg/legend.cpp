@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "pictures/svg/scales.hpp"
+#include "pictures/svg/support_drawing.hpp"
 
 namespace kusabi::pictures {
 namespace {
@@ -52,6 +53,19 @@ void cone_sample(Canvas& canvas, const Point& middle) {
 void support_sample(Canvas& canvas, const Point& middle) {
   canvas.begin_group("support");
   canvas.polygon("held", {middle - Point(0, 5), middle + Point(6, 5), middle + Point(-6, 5)});
+  canvas.end_group();
+}
+
+void inclined_sample(Canvas& canvas, const Point& middle) {
+  const Point back(std::sin(0.5), std::cos(0.5));
+  canvas.begin_group("support");
+  draw_roller(canvas, middle - 6 * back, back, 9);
+  canvas.end_group();
+}
+
+void spring_sample(Canvas& canvas, const Point& middle) {
+  canvas.begin_group("support");
+  draw_spring(canvas, middle - Point(half_sample, 0), Point(1, 0), 2 * half_sample);
   canvas.end_group();
 }
 
@@ -111,11 +125,27 @@ std::string largest(const char* what, double size, const std::string& unit) {
   return fmt::format("{}, largest {:.4g} {}", what, size, unit);
 }
 
+void add_supports(std::vector<LegendEntry>& entries, const Scene& scene) {
+  if (!scene.supports.empty())
+    entries.push_back({scene.dimension == 2 ? support_sample : support_sample_in_space, "support"});
+  if (!scene.inclined.empty()) entries.push_back({inclined_sample, "inclined support"});
+  if (!scene.springs.empty()) entries.push_back({spring_sample, "spring"});
+  if (!scene.ties.empty())
+    entries.push_back({line_of("support", "tie"), "tie: a node that follows others"});
+}
+
+void add_obstacle(std::vector<LegendEntry>& entries, const Scene& scene) {
+  if (std::ranges::any_of(scene.candidates, &DrawnCandidate::rigid))
+    entries.push_back(
+        {scene.dimension == 2 ? obstacle_sample : obstacle_sample_in_space, "obstacle"});
+}
+
 void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const Scales& scales,
                    const Units& units) {
   const bool bodies = !scene.faces.empty();
   const bool moves = scales.displacement > 0;
-  entries.push_back({bodies ? area_of("rest") : line_of("rest", "bar"),
+  const char* const kind = moves ? "rest" : "rest still";
+  entries.push_back({bodies ? area_of(kind) : line_of(kind, "bar"),
                      moves ? "the structure at rest" : "the structure"});
   if (moves) {
     const auto text =
@@ -131,15 +161,12 @@ void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const 
     entries.push_back(
         {line_of("moved", "bar compression"), fmt::format("yields in compression ({})", count)});
   }
-  if (!scene.supports.empty())
-    entries.push_back({scene.dimension == 2 ? support_sample : support_sample_in_space, "support"});
+  add_supports(entries, scene);
 }
 
 void add_contact(std::vector<LegendEntry>& entries, const Scene& scene, const Scales& scales,
                  const Units& units) {
-  if (std::ranges::any_of(scene.candidates, &DrawnCandidate::rigid))
-    entries.push_back(
-        {scene.dimension == 2 ? obstacle_sample : obstacle_sample_in_space, "obstacle"});
+  add_obstacle(entries, scene);
   const auto add_count = [&](ContactState state, const char* kind, const char* text) {
     if (const auto count = count_of(scene, state); count > 0)
       entries.push_back({mark_of(kind), fmt::format("{} ({})", text, count)});
@@ -182,6 +209,7 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
   const auto any = [&](auto&& holds) { return std::ranges::any_of(scenes, holds); };
   const bool bodies = !scenes.front().faces.empty();
   std::vector<LegendEntry> entries;
+  entries.push_back({bodies ? area_of("rest") : line_of("rest", "bar"), "the structure at rest"});
   if (any([](const Scene& its) { return its.displacements.cols() > 0; })) {
     entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"),
                        "moved, each by a factor of its own"});
@@ -190,6 +218,8 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
     entries.push_back({line_of("moved", "bar tension"), "yields in tension"});
   if (any([](const Scene& its) { return count_of(its, Yield::compression) > 0; }))
     entries.push_back({line_of("moved", "bar compression"), "yields in compression"});
+  add_supports(entries, scenes.front());  // all are of one structure
+  add_obstacle(entries, scenes.front());
   if (any([](const Scene& its) { return count_of(its, ContactState::contact) > 0; })) {
     entries.push_back({mark_of("contact"), "in contact"});
     entries.push_back({arrow_of("reaction"), "reaction"});

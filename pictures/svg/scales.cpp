@@ -26,7 +26,20 @@ double largest_column(const Eigen::Matrix3Xd& vectors) {
   return vectors.cols() == 0 ? 0 : vectors.colwise().norm().maxCoeff();
 }
 
+// The longest arrow is for the largest load of a kind; 0 if there is none.
+double load_scale(const Scene& scene, DrawnLoad::Kind kind, double size) {
+  double largest = 0;
+  for (const auto& load : scene.loads) {
+    if (load.kind == kind) largest = std::max(largest, load.force.norm());
+  }
+  return largest > 0 ? longest_arrow * size / largest : 0;
+}
+
 }  // namespace
+
+double scale_of(const DrawnLoad& load, const Scales& scales) {
+  return load.kind == DrawnLoad::Kind::dead ? scales.dead_load : scales.reference_load;
+}
 
 Scales scales_of(const Scene& scene) {
   Scales scales;
@@ -39,11 +52,12 @@ Scales scales_of(const Scene& scene) {
   for (const auto& candidate : scene.candidates)
     scales.largest_reaction = std::max(scales.largest_reaction, candidate.reaction.norm());
   scales.largest_support_reaction = largest_column(scene.support_reactions);
-  for (const auto& load : scene.loads)
-    scales.largest_load = std::max(scales.largest_load, load.force.norm());
   const double force = std::max(scales.largest_reaction, scales.largest_support_reaction);
   if (force > 0) scales.force = longest_arrow * scales.size / force;
-  if (scales.largest_load > 0) scales.load = longest_arrow * scales.size / scales.largest_load;
+  // Each kind in its own: a reference load is multiplied, so its size beside the dead one's says
+  // nothing.
+  scales.dead_load = load_scale(scene, DrawnLoad::Kind::dead, scales.size);
+  scales.reference_load = load_scale(scene, DrawnLoad::Kind::reference, scales.size);
   scales.cone = cone_side * scales.size;
   return scales;
 }
@@ -91,8 +105,8 @@ std::vector<Eigen::Vector3d> extent(const Scene& scene, const Scales& scales) {
     points.insert(points.end(), cone.begin(), cone.end());
   }
   for (const auto& load : scene.loads) {
-    const double way = load.kind == DrawnLoad::Kind::dead ? -scales.load : scales.load;
-    points.emplace_back(scene.positions.col(load.node) + way * load.force);
+    const double way = load.kind == DrawnLoad::Kind::dead ? -1 : 1;
+    points.emplace_back(scene.positions.col(load.node) + way * scale_of(load, scales) * load.force);
   }
   return points;
 }

@@ -13,15 +13,18 @@ struct Scales {
   double size = 1;          ///< of the structure, length
   double displacement = 0;  ///< drawn per real: 1, 2 or 5 times a power of ten; 0: there is none
   double force = 0;         ///< length per force, one for all arrows but those of a load
-  double load = 0;          ///< likewise of loads
-  double cone = 0;          ///< length of a friction cone's sides
+  double dead_load = 0;     ///< likewise of dead loads
+  double reference_load = 0;
+  double cone = 0;  ///< length of a friction cone's sides
   double largest_displacement = 0;
   double largest_reaction = 0;
   double largest_support_reaction = 0;
-  double largest_load = 0;
 };
 
 Scales scales_of(const Scene& scene);
+
+/// Of this load's kind: length per force.
+double scale_of(const DrawnLoad& load, const Scales& scales);
 
 /// All places that something is drawn at.
 std::vector<Eigen::Vector3d> extent(const Scene& scene, const Scales& scales);

@@ -25,6 +25,23 @@ struct DrawnSupport {
   std::array<bool, 3> fixed;
 };
 
+/// A support that holds along a direction that is no axis.
+struct DrawnInclined {
+  int node;
+  Eigen::Vector3d direction;  ///< any length but zero
+};
+
+struct DrawnSpring {
+  int node;
+  int axis;  ///< 0, 1 or 2
+};
+
+/// A node that follows others.
+struct DrawnTie {
+  int node;
+  std::vector<int> followed;
+};
+
 struct DrawnCandidate {
   int node;
   std::string name;
@@ -48,6 +65,9 @@ struct Scene {
   std::vector<DrawnBar> bars;
   std::vector<std::vector<int>> faces;  ///< of bodies, their nodes going round
   std::vector<DrawnSupport> supports;
+  std::vector<DrawnInclined> inclined;
+  std::vector<DrawnSpring> springs;
+  std::vector<DrawnTie> ties;
   std::vector<DrawnCandidate> candidates;
   std::vector<DrawnLoad> loads;
   Eigen::Matrix3Xd displacements;      ///< of all nodes; no columns: not known

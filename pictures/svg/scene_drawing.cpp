@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "pictures/svg/support_drawing.hpp"
+
 namespace kusabi::pictures {
 namespace {
 
@@ -47,7 +49,8 @@ class SceneDrawing {
     at_rest();
     if (scales_.displacement > 0) moved_bodies();
     obstacles();
-    supports();
+    draw_ties(canvas_, scene_, scales_, view_);
+    draw_supports(canvas_, scene_, view_, detail_);
     cones();
     forces();
     candidates();
@@ -65,7 +68,8 @@ class SceneDrawing {
   }
 
   void at_rest() {
-    canvas_.begin_group("rest");
+    // What nothing is drawn over is not to be pale.
+    canvas_.begin_group(scales_.displacement > 0 ? "rest" : "rest still");
     for (const auto& face : scene_.faces) {
       canvas_.polygon("face", outline(face, [this](int node) { return at(node); }));
     }
@@ -138,28 +142,6 @@ class SceneDrawing {
     canvas_.polygon("disc", points);
   }
 
-  void supports() {
-    canvas_.begin_group("support");
-    const double size = 2.2 * detail_.mark;
-    for (const auto& [node, fixed] : scene_.supports) {
-      const Point tip = at(node);
-      if (scene_.dimension == 3) {
-        canvas_.rectangle("held", tip - Point(size, size) / 2, Point(size, size));
-        continue;
-      }
-      // A triangle below what is held along y, beside what is held along x alone.
-      const Point back = fixed[1] ? Point(0, 1) : Point(-1, 0);
-      const Point side(back.y(), back.x());
-      const auto* const kind = fixed[0] && fixed[1] ? "held" : "rolling";
-      canvas_.polygon(kind, {tip, tip + size * back + 0.6 * size * side,
-                             tip + size * back - 0.6 * size * side});
-      if (fixed[0] && fixed[1]) continue;
-      const Point base = tip + 1.3 * size * back;
-      canvas_.line("ground", base + 0.8 * size * side, base - 0.8 * size * side);
-    }
-    canvas_.end_group();
-  }
-
   void cones() {
     canvas_.begin_group("cone");
     for (const auto& candidate : scene_.candidates) {
@@ -174,10 +156,10 @@ class SceneDrawing {
 
   void forces() {
     // Dead loads end at their node and reference loads begin there, so that both can be seen.
-    for (const auto& [kind, node, force] : scene_.loads) {
-      const Eigen::Vector3d place = scene_.positions.col(node);
-      const Eigen::Vector3d way = scales_.load * force;
-      if (kind == DrawnLoad::Kind::dead) {
+    for (const auto& load : scene_.loads) {
+      const Eigen::Vector3d place = scene_.positions.col(load.node);
+      const Eigen::Vector3d way = scale_of(load, scales_) * load.force;
+      if (load.kind == DrawnLoad::Kind::dead) {
         canvas_.arrow("dead", view_(place - way), view_(place), detail_.head);
       } else {
         canvas_.arrow("reference", view_(place), view_(place + way), detail_.head);
@@ -230,27 +212,35 @@ class SceneDrawing {
     const Point middle = place + 4.2 * detail_.mark * away + Point(0, 4);
     const auto* const anchor = away.x() > 0.4 ? "start" : away.x() < -0.4 ? "end" : "middle";
     // A name that would lie on another is left out; the mark's title has it.
-    const auto on_it = [&](const Point& other) {
-      return std::abs(other.y() - middle.y()) < name_height &&
-             std::abs(other.x() - middle.x()) < name_width;
+    const double across = name_letter * static_cast<double>(candidate.name.size());
+    const double left = away.x() > 0.4 ? 0 : away.x() < -0.4 ? across : across / 2;
+    const Box box{middle - Point(left, name_height), middle + Point(across - left, 0)};
+    const auto on_it = [&](const Box& other) {
+      return (box.from.array() < other.to.array()).all() &&
+             (other.from.array() < box.to.array()).all();
     };
     if (std::ranges::any_of(named_, on_it)) return;
-    named_.push_back(middle);
+    named_.push_back(box);
     canvas_.words("name", middle, anchor, candidate.name);
   }
 
   /// Shorter arrows are no more than a point.
   static constexpr double visible = 0.5;
-  /// What a name takes, more or less.
+  /// What a name takes, more or less, pixels: its height, and the width of a letter.
   static constexpr double name_height = 12;
-  static constexpr double name_width = 70;
+  static constexpr double name_letter = 6.5;
+
+  struct Box {
+    Point from;
+    Point to;
+  };
 
   Canvas& canvas_;
   const Scene& scene_;
   const Detail& detail_;
   Scales scales_;
   View view_;
-  std::vector<Point> named_;  // where names are
+  std::vector<Box> named_;  // where names are
 };
 
 }  // namespace

@@ -21,6 +21,8 @@ text { font-family: system-ui, -apple-system, "Segoe UI", "DejaVu Sans", Helveti
 line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: round; }
 .rest .bar { stroke: #b7c0c9; stroke-width: 1.1; }
 .rest .face { fill: #eef1f4; stroke: #c8d0d8; stroke-width: .7; }
+.still .bar { stroke: #6e7781; stroke-width: 1.3; }
+.still .face { fill: #e6ebf0; stroke: #8c959f; }
 .moved .bar { stroke: #24292f; stroke-width: 1.7; }
 .moved .face { fill: #cfe0f2; fill-opacity: .82; stroke: #54779b; stroke-width: .8; }
 .moved .tension { stroke: #cf222e; stroke-width: 3.4; }
@@ -31,6 +33,8 @@ line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: 
 .support .held { fill: #6e7781; stroke: #6e7781; stroke-width: 1; }
 .support .rolling { fill: #ffffff; stroke: #6e7781; stroke-width: 1.3; }
 .support .ground { stroke: #6e7781; stroke-width: 1.3; }
+.support .spring { fill: none; stroke: #6e7781; stroke-width: 1.3; }
+.support .tie { stroke: #6e7781; stroke-width: 1.1; stroke-dasharray: 3 4; }
 .cone { fill: #e3a008; fill-opacity: .2; stroke: #b87a00; stroke-opacity: .55; stroke-width: .8; }
 .reaction { fill: #bc4c00; stroke: #bc4c00; stroke-width: 2.1; }
 .holding { fill: #1a7f64; stroke: #1a7f64; stroke-width: 1.6; }
@@ -48,6 +52,8 @@ line, polyline, polygon, circle, rect { stroke-linecap: round; stroke-linejoin: 
 .small .moved .tension, .small .moved .compression { stroke-width: 2.2; }
 .small .reaction { stroke-width: 1.3; }
 .small .holding, .small .dead, .small .reference { stroke-width: 1; }
+.small .support .spring, .small .support .ground, .small .support .rolling { stroke-width: .8; }
+.small .support .tie { stroke-width: .7; }
 .small .contact, .small .idle { stroke-width: .5; }
 .small .separated { stroke-width: 1.1; }
 @media (prefers-color-scheme: dark) {
@@ -59,12 +65,14 @@ text { fill: #e6edf3; }
 .rule { stroke: #30363d; }
 .rest .bar { stroke: #4b535d; }
 .rest .face { fill: #1b222b; stroke: #3a424c; }
+.still .bar { stroke: #9ea7b3; }
+.still .face { fill: #222b36; stroke: #6e7681; }
 .moved .bar { stroke: #e6edf3; }
 .moved .face { fill: #23415f; stroke: #79a6d2; }
 .moved .tension { stroke: #ff7b72; }
 .moved .compression { stroke: #58a6ff; }
 .support .rolling, .separated { fill: #0d1117; }
-.obstacle .surface, .support .ground { stroke: #9ea7b3; }
+.obstacle .surface, .support .ground, .support .spring, .support .tie { stroke: #9ea7b3; }
 .obstacle .disc { fill: #9ea7b3; }
 .cone { fill: #e3b341; stroke: #e3b341; }
 .reaction { fill: #ffa657; stroke: #ffa657; }

@@ -110,8 +110,8 @@ void add_if_any(UnstructuredGrid& grid, const std::string& name, const Eigen::Ma
   if (!vectors.isZero(0)) grid.point_data.push_back(node_vectors(name, vectors));
 }
 
-// What supports besides fixed axes, and the friction.
-void add_supports(UnstructuredGrid& grid, const Structure& structure) {
+// What holds nodes besides fixed axes, and which follow others.
+void add_holds(UnstructuredGrid& grid, const Structure& structure) {
   auto inclined = no_vectors(structure);
   for (const auto& support : structure.inclined)
     inclined.col(support.node) = support.direction.normalized();
@@ -120,6 +120,13 @@ void add_supports(UnstructuredGrid& grid, const Structure& structure) {
   for (const auto& spring : structure.springs)
     springs(spring.axis, spring.node) += spring.stiffness;
   add_if_any(grid, "spring", springs);
+  if (structure.ties.empty()) return;
+  SmallNumbers tied = SmallNumbers::Zero(1, node_count(structure));
+  for (const auto& tie : structure.ties) tied(0, tie.node) = 1;
+  grid.point_data.push_back({"tied", std::move(tied)});
+}
+
+void add_friction(UnstructuredGrid& grid, const Structure& structure) {
   if (structure.contact.empty()) return;
   Eigen::MatrixXd friction = Eigen::MatrixXd::Zero(1, node_count(structure));
   for (const auto& candidate : structure.contact) friction(0, candidate.node) = candidate.friction;
@@ -146,11 +153,9 @@ void add_strengths(UnstructuredGrid& grid, const Structure& structure) {
   add_if_any(grid, structure, "yield_compression",
              [](const Member& its) { return its.yield ? its.yield->compression : nothing; });
   if (structure.elements.empty()) return;
-  Eigen::MatrixXd moduli =
-      Eigen::MatrixXd::Constant(1, static_cast<Eigen::Index>(grid.cells.size()), nothing);
-  auto cell = static_cast<Eigen::Index>(structure.members.size());
-  for (const auto& element : structure.elements) moduli(0, cell++) = element.modulus;
-  grid.cell_data.push_back({"modulus", std::move(moduli)});
+  Eigen::MatrixXd moduli(1, static_cast<Eigen::Index>(structure.elements.size()));
+  std::ranges::transform(structure.elements, moduli.data(), &problems::Element::modulus);
+  grid.cell_data.push_back(element_numbers(grid, structure, "modulus", moduli));
 }
 
 }  // namespace
@@ -171,12 +176,13 @@ UnstructuredGrid structure_grid(const Structure& structure) {
     grid.point_data.push_back({"candidate", std::move(candidates)});
     grid.point_data.push_back(node_vectors("normal", normals));
   }
+  add_holds(grid, structure);
   return grid;
 }
 
 UnstructuredGrid unsolved_grid(const Structure& structure) {
   auto grid = structure_grid(structure);
-  add_supports(grid, structure);
+  add_friction(grid, structure);
   add_if_any(grid, "dead_load", loads(structure, problems::Load::Kind::dead));
   add_if_any(grid, "reference_load", loads(structure, problems::Load::Kind::reference));
   add_if_any(grid, "uncertain_load", uncertain_loads(structure));
@@ -203,6 +209,14 @@ Field member_numbers(const UnstructuredGrid& grid, std::string name,
       Eigen::MatrixXd::Constant(1, static_cast<Eigen::Index>(grid.cells.size()), nothing);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     values(0, static_cast<Eigen::Index>(i)) = numbers[i];
+  return {std::move(name), std::move(values)};
+}
+
+Field element_numbers(const UnstructuredGrid& grid, const Structure& structure, std::string name,
+                      const Eigen::MatrixXd& numbers) {
+  Eigen::MatrixXd values = Eigen::MatrixXd::Constant(
+      numbers.rows(), static_cast<Eigen::Index>(grid.cells.size()), nothing);
+  values.middleCols(static_cast<Eigen::Index>(structure.members.size()), numbers.cols()) = numbers;
   return {std::move(name), std::move(values)};
 }
 

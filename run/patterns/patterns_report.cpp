@@ -183,7 +183,6 @@ void PatternsReport::write_csv(std::ostream& out) const {
   }
 }
 
-ordered_json PatternsReport::json(const WholeStateJson& whole) const {
 ordered_json PatternsReport::patterns_json(const WholeStateJson& whole) const {
   ordered_json patterns = ordered_json::array();
   for (std::size_t i = 0; i < findings_.leaves.size(); ++i) {
@@ -243,6 +242,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
       {"method", options_.polyhedral ? "polyhedral" : "cones"},
       {"facets", options_.facets_in_use()},
       {"branching", name_of(options_.branching)},
+      {"cuts", name_of(options_.tightening)},
       {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}};
   if (options_.group > 0) chosen["group"] = options_.group;
   return {{"command", "patterns"},

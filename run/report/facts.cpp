@@ -71,9 +71,18 @@ std::string joined(const std::vector<std::string>& names) {
   return text.empty() ? std::string(nothing) : text;
 }
 
+void open_table(Markup& page, std::string_view caption) {
+  page.open("div", {{"class", "scroll"},
+                    {"role", "region"},
+                    {"aria-label", std::string(caption)},
+                    {"tabindex", "0"}});
+  page.open("table").element("caption", caption);
+}
+
 void add_facts(Markup& page, std::string_view caption, const ResultJson& object) {
   if (!object.is_object() || object.empty()) return;
-  page.open("div", {{"class", "scroll"}}).open("table").element("caption", caption).open("tbody");
+  open_table(page, caption);
+  page.open("tbody");
   add_rows(page, "", object);
   page.close().close().close();
 }

@@ -21,6 +21,10 @@ void add_number(pictures::Markup& page, const ResultJson* value, int digits = fe
 /// Names as text; "–" if there are none.
 std::string joined(const std::vector<std::string>& names);
 
+/// Opens a table in a box that scrolls where it is too wide for the screen, also by the arrow keys;
+/// both are to be closed.
+void open_table(pictures::Markup& page, std::string_view caption);
+
 /// A table of the keys and values of an object; what is an object within is told as "key, key".
 /// Lists of more than that a person reads are counted.
 void add_facts(pictures::Markup& page, std::string_view caption, const ResultJson& object);

@@ -142,9 +142,8 @@ class Gallery {
     const auto& candidates = reader_.list(*problem_, "contact");
     const auto d = static_cast<int>(reader_.number(*problem_, "d"));
     page_.open("details").element("summary", fmt::format("Reactions, {}", force_));
-    page_.open("div", {{"class", "scroll"}}).open("table");
-    page_.element("caption", fmt::format("Reactions of {} {} along n and t, {}", thing_,
-                                         answer.number, force_));
+    open_table(page_,
+               fmt::format("Reactions of {} {} along n and t, {}", thing_, answer.number, force_));
     page_.open("thead").open("tr").element("th", "candidate", {{"scope", "col"}});
     for (int axis = 0; axis < d; ++axis) page_.element("th", components[axis], {{"scope", "col"}});
     page_.close().close().open("tbody");
@@ -164,8 +163,7 @@ class Gallery {
   }
 
   void table() {
-    page_.open("div", {{"class", "scroll"}}).open("table");
-    page_.element("caption", fmt::format("The other {}", things_));
+    open_table(page_, fmt::format("The other {}", things_));
     page_.open("thead").open("tr");
     const auto column = [this](std::string_view title) {
       page_.element("th", title, {{"scope", "col"}});

@@ -61,7 +61,7 @@ class LimitSection {
   }
 
   void begin_table(const std::string& caption, const std::vector<std::string>& columns) {
-    page_.open("div", {{"class", "scroll"}}).open("table").element("caption", caption);
+    open_table(page_, caption);
     page_.open("thead").open("tr");
     for (const auto& column : columns) page_.element("th", column, {{"scope", "col"}});
     page_.close().close().open("tbody");

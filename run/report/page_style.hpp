@@ -25,9 +25,12 @@ caption { text-align: left; font-weight: 600; padding: .3rem 0; }
 th, td { text-align: left; vertical-align: top; padding: .2rem .8rem .2rem 0; border-bottom: 1px solid var(--rule); }
 th { font-weight: 400; color: var(--faint); overflow-wrap: normal; }
 thead th { font-weight: 600; }
+thead + tbody td { overflow-wrap: break-word; }
+data { white-space: nowrap; }
 .gallery { list-style: none; padding: 0; display: grid; gap: .8rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 17rem), 1fr)); }
 li.answer { background: var(--card); border: 1px solid var(--rule); border-radius: .4rem; padding: .6rem; content-visibility: auto; contain-intrinsic-size: auto 17rem auto 28rem; }
 li.answer svg { margin: 0 auto; }
+#answers > .scroll { content-visibility: auto; contain-intrinsic-size: auto 60rem; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .1rem .7rem; margin: .5rem 0; font-size: .9rem; }
 dt { color: var(--faint); }
 dd { margin: 0; }
@@ -37,6 +40,12 @@ dd { margin: 0; }
 input, select, button { font: inherit; color: inherit; background: var(--card); border: 1px solid var(--faint); border-radius: .3rem; padding: .25rem .5rem; max-width: 100%; }
 :focus-visible { outline: 3px solid var(--mark); outline-offset: 2px; }
 summary { cursor: pointer; }
+@media screen and (min-width: 60rem) {
+#problem { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); grid-template-rows: auto auto auto 1fr; column-gap: 2rem; align-items: start; }
+#problem h2 { grid-column: 1 / 3; }
+#problem #structure { grid-row: 2 / 5; }
+#problem > :not(h2):not(#structure) { grid-column: 2; }
+}
 @media print {
 #controls { display: none; }
 body { max-width: none; padding: 0; font-size: .8rem; }
@@ -45,6 +54,9 @@ li.answer { break-inside: avoid; content-visibility: visible; }
 .gallery li.answer { display: inline-block; width: 48%; vertical-align: top; }
 details:not([open]) { display: none; }
 .scroll { overflow: visible; }
+#answers > .scroll { content-visibility: visible; }
+th, td { padding: .1rem .4rem .1rem 0; }
+li.answer table { font-size: .65rem; }
 h2, h3, caption { break-after: avoid; }
 }
 )";

@@ -145,6 +145,30 @@ class StructureReader {
       }
     }
     for (const auto& [number, axes] : held) scene().supports.push_back({number, axes});
+    for (const auto& each : all("inclined_supports")) {
+      const auto direction = reader_.vector(reader_.at(each, "direction"), dimension_);
+      if (direction.isZero(0)) reader_.refuse("'direction' is zero");
+      scene().inclined.push_back({node(reader_.at(each, "node")), direction});
+    }
+    for (const auto& each : all("springs")) {
+      const auto name = reader_.text(each, "axis");
+      int axis = 0;
+      while (axis < dimension_ && problems::axis_name(axis) != name) ++axis;
+      if (axis == dimension_) reader_.refuse(fmt::format("'{}' is no axis", name));
+      scene().springs.push_back({node(reader_.at(each, "node")), axis});
+    }
+    for (const auto& each : all("ties")) {
+      pictures::DrawnTie tie{node(reader_.at(each, "node")), {}};
+      for (const auto& share : reader_.list(each, "to"))
+        tie.followed.push_back(node(reader_.at(share, "node")));
+      scene().ties.push_back(std::move(tie));
+    }
+  }
+
+  // A list of the structure; an empty one if it has none.
+  [[nodiscard]] const ResultJson& all(const char* key) const {
+    static const auto none = ResultJson::array();
+    return ResultReader::find(structure_, key) == nullptr ? none : reader_.list(structure_, key);
   }
 
   void read_candidates() {

@@ -183,8 +183,8 @@ class SceneReader {
       for (const auto& load : reader_.list(result_, "critical_load"))
         add_load(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
                  node_named(reader_.text(load, "node")), load);
-      add_line(all.scenes.back(),
-               fmt::format("dead load known up to ± {:.10g}", reader_.number(result_, "alpha")));
+      add_line(all.scenes.back(), fmt::format("dead load uncertain up to α = {:.10g}",
+                                              reader_.number(result_, "alpha")));
     }
   }
 

@@ -1,16 +1,42 @@
 // Field by field.
 #include "run/wedged/configuration_grid.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include <fmt/format.h>
 
+#include "problems/structure/element_stress.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
 
 using pictures::ContactState;
+
+namespace {
+
+// Of bars their forces and, where a yield force is known, how much of it they take; of elements
+// the stress at their centre.
+void add_internal_forces(pictures::UnstructuredGrid& grid, const problems::Structure& structure,
+                         const problems::WholeState& state) {
+  if (!structure.members.empty()) {
+    grid.cell_data.push_back(
+        pictures::member_numbers(grid, "axial_force", numbers(state.axial_forces)));
+  }
+  if (std::ranges::any_of(structure.members,
+                          [](const auto& member) { return member.yield.has_value(); })) {
+    grid.cell_data.push_back(pictures::member_numbers(
+        grid, "utilisation", numbers(problems::utilisations(structure, state.axial_forces))));
+  }
+  if (structure.elements.empty()) return;
+  const auto stresses = problems::element_stresses(structure, state.displacements);
+  grid.cell_data.push_back(pictures::element_numbers(grid, structure, "stress", stresses));
+  grid.cell_data.push_back(pictures::element_numbers(grid, structure, "von_mises",
+                                                     problems::von_mises(stresses).transpose()));
+}
+
+}  // namespace
 
 pictures::UnstructuredGrid ConfigurationGrids::grid(const std::string& remark,
                                                     std::span<const double> reactions,
@@ -26,9 +52,7 @@ pictures::UnstructuredGrid ConfigurationGrids::grid(const std::string& remark,
       pictures::node_vectors("contact_reaction", states_.whole().contact_forces(reactions)));
   grid.point_data.push_back(pictures::node_vectors("support_reaction", state.reactions));
   grid.point_data.push_back(pictures::contact_states(structure, contact));
-  if (!structure.members.empty())
-    grid.cell_data.push_back(
-        pictures::member_numbers(grid, "axial_force", numbers(state.axial_forces)));
+  add_internal_forces(grid, structure, state);
   return grid;
 }
 

@@ -20,7 +20,8 @@ class ConfigurationGrids {
 
   /// The structure with, at its points, `displacement`, `contact_reaction` (of the obstacle; of two
   /// bodies on each), `support_reaction`, all in global axes, and `state`; at its members
-  /// `axial_force`.
+  /// `axial_force` and, if a yield force is known of any, `utilisation`; at its elements `stress`
+  /// (xx, yy, zz, xy, yz, xz) and `von_mises`.
   /// @param remark what it is, for the head of the file
   /// @param reactions of all candidates, dm, in their frames
   /// @param displacements likewise

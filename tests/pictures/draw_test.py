@@ -14,6 +14,38 @@ from kusabi_case import KusabiCase, main, nested, without  # noqa: E402: beside 
 SVG = "{http://www.w3.org/2000/svg}"
 
 
+# A triangle on a hinge, a roller and a spring, and a bar whose far end follows the roller.
+HELD = """
+name = "held in many ways"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+left = [0, 0]
+top = [1, 1]
+tip = [1.2, 0]
+far = [0.4, 1.5]
+[[members]]
+EA = 1
+between = [["left", "tip"], ["top", "tip"], ["left", "top"], ["far", "left"]]
+[[supports]]
+nodes = ["left"]
+[[supports]]
+nodes = ["top"]
+direction = [1, 3]
+[[springs]]
+nodes = ["tip"]
+axes = ["x"]
+stiffness = 0.5
+[[ties]]
+nodes = ["far"]
+to = ["top"]
+gap = 1
+[[contact]]
+nodes = ["tip"]
+normal = [-1, 1]
+"""
+
+
 def point(element, x, y):
     return complex(float(element.get(x)), -float(element.get(y)))
 
@@ -90,6 +122,36 @@ class Draw(KusabiCase):
             self.assertLess(abs(unit * force - (tip - marks[name][1])), 0.1)
         self.assertIn(f"reaction, largest {abs(biggest[1]):.4g} {problem['units']['force']}", self.text(root))
         self.assertIn("μ = 0.8", self.text(root))
+
+    def test_springs_ties_and_inclined_supports(self):
+        problem = self.folder / "held.toml"
+        problem.write_text(HELD)
+        result = self.solve("patterns", problem, "--mu", 5)
+        names = result["problem"]["structure"]["node_names"]
+        root = self.draw("--pattern", 1)
+        drawn = [point(line, "x1", "y1") for line in group(root, "rest").iter(SVG + "line")]
+        ends = [point(line, "x2", "y2") for line in group(root, "rest").iter(SVG + "line")]
+        members = result["problem"]["structure"]["members"]
+        place = {names[member[i]]: points[k] for k, member in enumerate(members) for i, points in enumerate((drawn, ends))}
+        corners = lambda each: [complex(float(x), -float(y)) for x, y in
+                                (corner.split(",") for corner in each.get("points").split())]
+        # A roller behind the node, along (1, 3), and its ground across that; the legend has one more.
+        tip, one, other = corners(with_class(root, "polygon", "rolling")[0])
+        way = (1 + 3j) / abs(1 + 3j)
+        self.assertLess(abs(tip - place["top"]), 0.1)
+        self.assertLess(abs(((one + other) / 2 - tip) / abs((one + other) / 2 - tip) - way), 0.01)
+        ground = with_class(root, "line", "ground")[0]
+        self.assertAlmostEqual(((point(ground, "x1", "y1") - point(ground, "x2", "y2")) / way).real, 0, delta=0.1)
+        # A zigzag from the node along x, away from the rest.
+        zigzag = corners(with_class(root, "polyline", "spring")[0])
+        self.assertLess(abs(zigzag[0] - place["tip"]), 0.1)
+        self.assertGreater((zigzag[-1] - zigzag[0]).real, 10)
+        self.assertAlmostEqual((zigzag[-1] - zigzag[0]).imag, 0, delta=0.1)
+        # A line between two nodes where they have moved, so as long and as steep as ever.
+        tie = with_class(root, "line", "tie")[0]
+        self.assertLess(abs(point(tie, "x2", "y2") - point(tie, "x1", "y1") - (place["top"] - place["far"])), 0.5)
+        for words in ("inclined support", "spring", "tie"):
+            self.assertIn(words, self.text(root))
 
     def test_a_sheet_of_all(self):
         result = self.solve("patterns", "space-truss.toml", "--mu", 0.65)

@@ -73,6 +73,14 @@ def forces_of_bars(grid):
     return forces
 
 
+def size_of(places):
+    """Area or volume of a cell with straight sides, by its nodes, corners first; no simplex: if its sides are parallel."""
+    count, d = places.shape
+    if count in ((3, 6) if d == 2 else (4, 10)):
+        return abs(np.linalg.det(places[1:d + 1] - places[0])) / math.factorial(d)
+    return abs(np.linalg.det(places[[1, 3] if d == 2 else [1, 3, 4]] - places[0]))
+
+
 class ReadVtu(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -233,6 +241,58 @@ class ReadVtu(unittest.TestCase):
         worst = {each["node"]: each["force"] for each in answer["critical_load"]}
         for name, load in zip(names, grids[1].at_points["dead_load"]):
             np.testing.assert_allclose(load[:2], worst.get(name, [0, 0]), atol=1e-12)
+
+    def one_body(self, mesh, supports, contact, plane=""):
+        problem = self.folder / f"body-{len(list(self.folder.iterdir()))}.toml"
+        problem.write_text(f'name = "body"\ndimension = {2 if plane else 3}\nunits = {{ length = "m", force = "kN" }}\n'
+                           f'[[mesh]]\nname = "m"\n{mesh}\nE = 3.0\nnu = 0.25\n{plane}\n[[supports]]\nnodes = ["{supports}"]\n'
+                           f'[[contact]]\nnodes = ["{contact}"]\nexcept = ["{supports}"]\nnormal = "surface"\n')
+        return problem
+
+    # That the stress at the centre of each element is the one that goes with the forces at its nodes, where this can be
+    # told without the shape functions: if the stress varies linearly and the sides are straight, the one at the centre is
+    # the mean, and the means times volumes add up to the sum of x f^T over all nodes. If it does not vary within
+    # simplices, V sigma grad N of all elements are the forces at each node.
+    def test_stresses_are_in_equilibrium(self):
+        mesh = lambda name: f"file = {json.dumps(str(SOURCES / 'tests/meshes' / name))}"
+        leaning = "corners = [[0, 0], [2, 0.2], [2.5, 1.5], [0.5, 1.3]]\ndivisions = [4, 3]"
+        thin, thick = ('thickness = 0.5\nplane = "%s"' % state for state in ("stress", "strain"))
+        for file, thickness, friction in ((self.one_body(mesh("box-tet4-41.msh"), "m.bottom", "m.right"), 1, 4),
+                                          (self.one_body(mesh("box-tet10-41.msh"), "m.bottom", "m.right"), 1, 4),
+                                          (self.one_body(mesh("box-hex8-41.msh"), "m.bottom", "m.right"), 1, 4),
+                                          (self.one_body(mesh("plate-t3-41.msh"), "m.left", "m.bottom", thin), 0.5, 4),
+                                          (self.one_body(mesh("plate-t3-41.msh"), "m.left", "m.bottom", thick), 0.5, 4),
+                                          (self.one_body(leaning, "m.left", "m.bottom", thick), 0.5, 4),
+                                          (SOURCES / "examples/snap-hook.toml", 5, 1.5)):
+            with self.subTest(file=file.read_text()):
+                _, grids = self.series("patterns", file, "--mu", friction)
+                self.assertTrue(grids)
+                for grid in grids[:3]:
+                    self.check_stresses(grid, thickness, 'plane = "strain"' in file.read_text())
+
+    def check_stresses(self, grid, thickness, thick):
+        stresses = grid.at_cells["stress"]
+        d = 3 if grid.points[:, 2].any() else 2
+        forces = grid.at_points["contact_reaction"] + grid.at_points["support_reaction"]
+        tensors = stresses[:, [[0, 3, 5], [3, 1, 4], [5, 4, 2]]]
+        sizes = np.array([size_of(grid.points[nodes, :d]) for _, nodes in grid.cells]) * thickness
+        mean = np.einsum("e,ekl->kl", sizes, tensors)[:d, :d]
+        self.vanish((mean - (grid.points.T @ forces)[:d, :d]) / np.abs(grid.points).max())
+        if all(len(nodes) == d + 1 for _, nodes in grid.cells):
+            for (_, nodes), size, tensor in zip(grid.cells, sizes, tensors):
+                gradients = np.linalg.inv(np.column_stack([np.ones(d + 1), grid.points[nodes, :d]]))[1:]
+                forces[nodes, :d] -= (size * tensor[:d, :d] @ gradients).T
+            self.vanish(forces)
+        if d == 2:
+            self.assertFalse(stresses[:, 4:].any())
+            across = 0.25 * (stresses[:, 0] + stresses[:, 1]) if thick else np.zeros(len(stresses))
+            self.close(stresses[:, 2] + 1, across + 1)
+        deviators = tensors - np.trace(tensors, axis1=1, axis2=2)[:, None, None] * np.eye(3) / 3
+        self.close(grid.at_cells["von_mises"].ravel(), np.sqrt(1.5 * (deviators ** 2).sum(axis=(1, 2))))
+
+    def test_stresses_are_of_elements_alone(self):
+        _, grids = self.series("patterns", SOURCES / "examples/brick-by-calculix.toml", "--mu", 0.9)
+        self.assertNotIn("stress", grids[0].at_cells)
 
     # Each mesh fills a body whose size is known by hand (tests/meshes/*.geo), and the nodes between two
     # corners are where VTK looks for them.

@@ -81,6 +81,40 @@ TEST(StructureGrid, HasTheStateOfCandidatesAlone) {
   EXPECT_EQ(std::get<SmallNumbers>(states.values), wanted);
 }
 
+TEST(StructureGrid, SaysWhatElseHolds) {
+  auto structure = corner();
+  structure.inclined = {{2, Eigen::Vector2d(3, 4)}};
+  structure.springs = {{1, 0, 5.0}, {1, 0, 2.0}};
+  structure.ties = {{3, {{0, 0.5}, {1, 0.5}}}};
+  const auto grid = structure_grid(structure);
+  EXPECT_EQ(values(grid.point_data, "inclined_support").col(2), Eigen::Vector3d(0.6, 0.8, 0));
+  EXPECT_EQ(values(grid.point_data, "spring").col(1), Eigen::Vector3d(7, 0, 0));
+  SmallNumbers tied(1, 4);
+  tied << 0, 0, 0, 1;
+  EXPECT_EQ(values<SmallNumbers>(grid.point_data, "tied"), tied);
+  EXPECT_THROW(field(structure_grid(corner()).point_data, "tied"), std::runtime_error);
+}
+
+TEST(StructureGrid, HasNumbersOfElementsBetweenBarsAndNodes) {
+  auto structure = corner();
+  structure.elements = {{.nodes = {0, 1, 2},
+                         .modulus = 1,
+                         .ratio = 0,
+                         .thickness = 1,
+                         .state = kusabi::problems::PlaneState::stress,
+                         .shape = ElementShape::triangle3}};
+  structure.outlines = structure.elements;
+  const auto grid = structure_grid(structure);
+  ASSERT_EQ(grid.cells.size(), 5U);
+  const auto field = element_numbers(grid, structure, "pair", Eigen::Vector2d(7, 8));
+  const auto& numbers = std::get<Eigen::MatrixXd>(field.values);
+  for (Eigen::Index cell = 0; cell < 5; ++cell) {
+    if (cell == 2) continue;
+    EXPECT_TRUE(std::isnan(numbers(0, cell)) && std::isnan(numbers(1, cell))) << cell;
+  }
+  EXPECT_EQ(numbers.col(2), Eigen::Vector2d(7, 8));
+}
+
 TEST(UnsolvedGrid, HasLoadsAndStrengths) {
   using kusabi::problems::Load;
   auto structure = corner();

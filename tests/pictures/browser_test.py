@@ -1,0 +1,179 @@
+"""That the page of kusabi report is what it should be in a real browser: on a phone, in the dark, on paper, with the
+keyboard, and when it is large. Headless Chromium opens copies of pages, each in a frame as wide as a phone, with a
+script that looks at them from within (page_probe.js).
+
+    python3 browser_test.py KUSABI SOURCES
+
+Exit code 77 (skipped): there is no Chromium (Debian: chromium).
+"""
+import html
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCES = pathlib.Path(sys.argv.pop()).resolve()
+KUSABI = sys.argv.pop()
+BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+if BROWSER is None:
+    print("skipped: there is no Chromium to open pages with (Debian: chromium)")
+    sys.exit(77)
+PROBE = (pathlib.Path(__file__).resolve().parent / "page_probe.js").read_text()
+PHONE = 360
+PAPER = 700  # A4 between its margins
+# Cards that are not in view are laid out, too.
+ALL_LAID_OUT = "<style>li.answer { content-visibility: visible !important; }</style>"
+HARNESS = """<!DOCTYPE html><meta charset="utf-8"><title>frames</title><body><script>
+const found = {};
+addEventListener("message", event => {
+  const frame = [...document.querySelectorAll("iframe")].find(each => each.contentWindow === event.source);
+  found[frame.name] = event.data;
+  document.title = JSON.stringify(found);
+});
+</script>"""
+
+
+def width(name):
+    return PAPER if name.endswith("printed") else PHONE
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.pages = {}
+        example = lambda name: SOURCES / "examples" / name
+        cls.solve("patterns", "patterns", example("space-truss.toml"), "--mu", 0.65)
+        cls.solve("body", "critical", example("wedge-in-groove.toml"))
+        cls.solve("limit", "limit", example("gust.toml"), "--alpha", 0.5)
+        cls.many(250), cls.many(10000)
+        for name, page in list(cls.pages.items()):
+            brief = name.startswith("many")
+            page = page.replace("<html ", f'<html data-look="{"briefly" if brief else "closely"}" ', 1)
+            page = page.replace("<meta charset", f"<script>{PROBE}</script>{'' if brief else ALL_LAID_OUT}<meta charset", 1)
+            (cls.folder / f"{name}.html").write_text(page)
+            # What is for paper, on the screen.
+            (cls.folder / f"{name}-printed.html").write_text(page.replace("@media print", "@media screen"))
+        cls.light = cls.visit(["patterns", "body", "limit", "patterns-printed", "limit-printed", "many-250", "many-10000"], [])
+        cls.dark = cls.visit(["patterns", "body", "limit"], ["--blink-settings=preferredColorScheme=0"])
+
+    @classmethod
+    def kusabi(cls, *words):
+        run = subprocess.run([KUSABI, *map(str, words), "--serial"], capture_output=True, text=True, check=False)
+        assert run.returncode == 0, run.stderr
+
+    @classmethod
+    def report(cls, name, result):
+        page = cls.folder / "report.html"
+        cls.kusabi("report", result, "--output", page)
+        cls.pages[name] = page.read_text()
+
+    @classmethod
+    def solve(cls, name, command, file, *words):
+        result = cls.folder / f"{name}.json"
+        cls.kusabi(command, file, *words, "--output", result)
+        cls.report(name, result)
+
+    @classmethod
+    def many(cls, count):
+        """A page of so many patterns: those of a small truss again and again."""
+        result = cls.folder / "few.json"
+        cls.kusabi("patterns", SOURCES / "examples/plane-truss.toml", "--mu", 0.8, "--output", result)
+        document = json.loads(result.read_text())
+        patterns = document["result"]["patterns"]
+        document["result"].update(count=count, patterns=[patterns[i % len(patterns)] for i in range(count)])
+        result.write_text(json.dumps(document))
+        cls.report(f"many-{count}", result)
+
+    @classmethod
+    def chromium(cls, *words):
+        call = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--enable-logging=stderr", "--v=0",
+                f"--user-data-dir={cls.folder / 'profile'}", *words]
+        run = subprocess.run(call, capture_output=True, text=True, check=False, timeout=240)
+        assert run.returncode == 0, run.stderr
+        cls.console = [line for line in run.stderr.splitlines() if "CONSOLE" in line]
+        return run.stdout
+
+    @classmethod
+    def visit(cls, names, words):
+        """What the probes in these pages find, by name."""
+        frames = "".join(f'<iframe name="{name}" width="{width(name)}" height="800" src="{name}.html" style="border: 0">'
+                         '</iframe>' for name in names)
+        harness = cls.folder / "harness.html"
+        harness.write_text(HARNESS + frames)
+        dump = cls.chromium(*words, "--virtual-time-budget=10000", "--dump-dom", harness.as_uri())
+        assert not cls.console, cls.console
+        title = re.search("<title>(.*?)</title>", dump, re.DOTALL)[1]
+        found = json.loads(html.unescape(title))
+        assert set(found) == set(names), (sorted(found), names)
+        return found
+
+    def test_no_page_has_an_error(self):
+        for found in (self.light, self.dark):
+            for name, seen in found.items():
+                self.assertEqual(seen["faults"], [], name)
+
+    def test_nothing_sticks_out_on_a_phone_or_on_paper(self):
+        for name, seen in self.light.items():
+            with self.subTest(name):
+                self.assertEqual(seen["inner"], width(name))
+                self.assertLessEqual(seen["closed"], width(name))
+                self.assertLessEqual(seen.get("open", 0), width(name))
+
+    def test_words_can_be_read_in_the_light_and_in_the_dark(self):
+        for found, dark in ((self.light, False), (self.dark, True)):
+            for name in ("patterns", "body", "limit"):
+                with self.subTest(name, dark=dark):
+                    seen = found[name]
+                    self.assertEqual(seen["dark"], dark)
+                    self.assertGreaterEqual(seen["contrast"]["ratio"], 4.5, seen["contrast"]["of"])
+        self.assertNotEqual(self.light["body"]["paper"], self.dark["body"]["paper"])
+
+    def test_the_keyboard_gets_everywhere(self):
+        for name in ("patterns", "body", "limit"):
+            self.assertEqual(self.light[name]["reach"], [], name)
+
+    def test_the_gallery_is_filtered_and_sorted(self):
+        gallery = self.light["patterns"]["gallery"]
+        patterns = json.loads((self.folder / "patterns.json").read_text())
+        name = patterns["problem"]["contact"][0]["node"]
+        count = patterns["result"]["count"]
+        with_it = sum(name in pattern["contact"] for pattern in patterns["result"]["patterns"])
+        self.assertEqual(gallery["said"], [f"{count} of {count} shown", f"{with_it} of {count} shown"])
+        self.assertEqual(gallery["found"], with_it)
+        self.assertLess(with_it, count)
+        self.assertTrue(gallery["right"] and gallery["sorted"])
+
+    def test_on_paper(self):
+        for name in ("patterns", "limit"):
+            printed = self.light[f"{name}-printed"]
+            self.assertFalse(printed["controls"])
+            self.assertEqual(printed["folded"], 0)
+        self.assertTrue(self.light["patterns"]["controls"])
+        self.assertGreater(self.light["patterns"]["folded"], 0)
+        paper = self.folder / "paper.pdf"
+        (self.folder / "whole.html").write_text(self.pages["patterns"])
+        self.chromium(f"--print-to-pdf={paper}", (self.folder / "whole.html").as_uri())
+        self.assertEqual(self.console, [])
+        sheets = re.findall(rb"/Type\s*/Page\b", paper.read_bytes())
+        self.assertGreater(len(sheets), 2)
+
+    # A browser takes in so much within a second or so on any machine of these years.
+    def test_many_patterns(self):
+        for count, elements, megabytes in ((250, 60e3, 8), (10000, 250e3, 24)):
+            name = f"many-{count}"
+            seen = self.light[name]
+            self.assertEqual(seen["gallery"]["said"][0], f"{count} of {count} shown")
+            self.assertTrue(seen["gallery"]["right"] and seen["gallery"]["sorted"])
+            self.assertLess(seen["elements"], elements)
+            self.assertLess(len(self.pages[name]), megabytes * 1e6)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)
