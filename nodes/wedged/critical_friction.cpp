@@ -120,16 +120,41 @@ bool CriticalFriction::lives_alone(const support::IndexSet& contact,
              .sign == conic::Sign::alive;
 }
 
-bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
+std::optional<conic::RelativeInterior> CriticalFriction::rest_of(const SignPattern& pattern,
+                                                                 double factor) {
   set_friction(factor);
   const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
-  if (!inside || inside->loaded.empty() || inside->loaded.meets(inside->moved)) return false;
-  if ((inside->loaded | inside->moved) == (pattern.contact | pattern.separated)) return false;
-  if (!lives_alone(inside->loaded, inside->moved)) return false;
+  if (!inside || inside->loaded.empty() || inside->loaded.meets(inside->moved)) return {};
+  if ((inside->loaded | inside->moved) == (pattern.contact | pattern.separated)) return {};
+  if (!lives_alone(inside->loaded, inside->moved)) return {};
+  return inside;
+}
+
+bool CriticalFriction::is_tie(const SignPattern& pattern, double factor) {
   ++programs_;
-  set_friction(factor * (1 + beside));
-  const auto above = solver_.solve(pattern.contact, pattern.separated, {});
-  return above.sign == conic::Sign::marginal && conic::is_tie(above, tolerances);
+  set_friction(factor);
+  const auto answer = solver_.solve(pattern.contact, pattern.separated, {});
+  return answer.sign == conic::Sign::marginal && conic::is_tie(answer, tolerances);
+}
+
+bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
+  return rest_of(pattern, factor) && is_tie(pattern, factor * (1 + beside));
+}
+
+// A flat cone that is about to become solid is a tie below.
+LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
+  using Kind = LeafStage::Kind;
+  const double factor = at(point);
+  if (factor < range_.least) return {point == 0 ? Kind::dead : Kind::open, {}, {}};
+  const auto said = probe(leaf, factor, sign_only);
+  if (said.sign == conic::Sign::dead) return {Kind::dead, {}, {}};
+  if (said.sign == conic::Sign::alive) return {Kind::solid, {}, {}};
+  if (!said.tie) return {Kind::open, {}, {}};
+  const auto inside = rest_of(leaf, factor);
+  const bool lasts = inside && (is_tie(leaf, factor * (1 + beside)) ||
+                                is_tie(leaf, std::max(range_.least, factor * (1 - beside))));
+  if (!lasts) return {Kind::open, {}, {}};
+  return {Kind::flat, inside->loaded, inside->moved};
 }
 
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
