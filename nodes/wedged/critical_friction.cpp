@@ -120,41 +120,48 @@ bool CriticalFriction::lives_alone(const support::IndexSet& contact,
              .sign == conic::Sign::alive;
 }
 
-std::optional<conic::RelativeInterior> CriticalFriction::rest_of(const SignPattern& pattern,
-                                                                 double factor) {
+bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   set_friction(factor);
   const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
-  if (!inside || inside->loaded.empty() || inside->loaded.meets(inside->moved)) return {};
-  if ((inside->loaded | inside->moved) == (pattern.contact | pattern.separated)) return {};
-  if (!lives_alone(inside->loaded, inside->moved)) return {};
-  return inside;
+  return inside && lives_at_rest(pattern, *inside) &&
+         is_tie(pattern, factor * (1 + beside), tolerances);
 }
 
-bool CriticalFriction::is_tie(const SignPattern& pattern, double factor) {
+// Whether some candidates of the leaf are at rest, and the others live without them.
+bool CriticalFriction::lives_at_rest(const SignPattern& leaf,
+                                     const conic::RelativeInterior& inside) {
+  const auto& [loaded, moved] = inside;
+  if (loaded.empty() || loaded.meets(moved)) return false;
+  return (loaded | moved) != (leaf.contact | leaf.separated) && lives_alone(loaded, moved);
+}
+
+bool CriticalFriction::is_tie(const SignPattern& leaf, double factor,
+                              const conic::Tolerances& tie) {
   ++programs_;
   set_friction(factor);
-  const auto answer = solver_.solve(pattern.contact, pattern.separated, {});
-  return answer.sign == conic::Sign::marginal && conic::is_tie(answer, tolerances);
-}
-
-bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
-  return rest_of(pattern, factor) && is_tie(pattern, factor * (1 + beside));
+  return conic::is_tie(solver_.solve(leaf.contact, leaf.separated, {}), tie);
 }
 
 // A flat cone that is about to become solid is a tie below.
 LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   using Kind = LeafStage::Kind;
+  constexpr conic::Tolerances of_ties;  // those of the tree of sign patterns
   const double factor = at(point);
   if (factor < range_.least) return {point == 0 ? Kind::dead : Kind::open, {}, {}};
-  const auto said = probe(leaf, factor, sign_only);
-  if (said.sign == conic::Sign::dead) return {Kind::dead, {}, {}};
-  if (said.sign == conic::Sign::alive) return {Kind::solid, {}, {}};
-  if (!said.tie) return {Kind::open, {}, {}};
-  const auto inside = rest_of(leaf, factor);
-  const bool lasts = inside && (is_tie(leaf, factor * (1 + beside)) ||
-                                is_tie(leaf, std::max(range_.least, factor * (1 - beside))));
-  if (!lasts) return {Kind::open, {}, {}};
-  return {Kind::flat, inside->loaded, inside->moved};
+  ++programs_;
+  set_friction(factor);
+  const auto answer = solver_.solve(leaf.contact, leaf.separated, sign_only);
+  if (answer.sign == conic::Sign::dead) return {Kind::dead, {}, {}};
+  if (answer.sign == conic::Sign::alive) return {Kind::solid, {}, {}};
+  const LeafStage open{Kind::open, {}, {}};
+  if (!conic::is_tie(answer, of_ties)) return open;
+  const auto inside = solver_.relative_interior(leaf.contact, leaf.separated);
+  if (!inside) return open;
+  if (inside->loaded.empty()) return {Kind::dead, {}, {}};  // by less than the tolerance
+  const bool lasts = lives_at_rest(leaf, *inside) &&
+                     (is_tie(leaf, factor * (1 + beside), of_ties) ||
+                      is_tie(leaf, std::max(range_.least, factor * (1 - beside)), of_ties));
+  return lasts ? LeafStage{Kind::flat, inside->loaded, inside->moved} : open;
 }
 
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,

@@ -142,12 +142,10 @@ class CriticalFriction {
 
   CriticalCell approach(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
   CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);
-  // What a leaf has in its relative interior at this coefficient, where it is a tie, if some
-  // candidates are at rest there and the others live without them.
-  std::optional<conic::RelativeInterior> rest_of(const SignPattern& pattern, double factor);
   // Whether a leaf is a flat cone at this coefficient, where it is a tie.
   bool is_flat(const SignPattern& pattern, double factor);
-  bool is_tie(const SignPattern& pattern, double factor);
+  bool lives_at_rest(const SignPattern& leaf, const conic::RelativeInterior& inside);
+  bool is_tie(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
   // Whether these are alive as the only candidates. Of a loose body they may not see all motions.
   bool lives_alone(const support::IndexSet& contact, const support::IndexSet& separated);
   void set_friction(double factor);

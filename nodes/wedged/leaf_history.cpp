@@ -9,6 +9,9 @@ namespace {
 
 using Kind = LeafStage::Kind;
 
+/// Points of the grid: a cell is two wide where its middle is itself critical.
+constexpr std::int64_t narrow = 2;
+
 /// What the leaf is at a point.
 struct Station {
   std::int64_t point = 0;
@@ -60,22 +63,26 @@ class Bisection {
 
 }  // namespace
 
-LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, bool lives,
+LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, const LeafStage& last,
                          std::int64_t most) {
-  const CriticalCell known{0, lives ? most : CriticalCell::nowhere};
+  const Station at_most{most, last};
+  const CriticalCell known{0, at_most.open() ? CriticalCell::nowhere : most};
   const auto cell = critical.locate(leaf, known, CriticalMethod::newton, most);
   if (cell.alive == CriticalCell::nowhere) return {.changes = {}, .open_above = cell.dead};
   Bisection bisection(critical, leaf);
   const Station dead{cell.dead, {}};
-  const auto first = bisection.at(cell.alive);
-  if (first.stage.kind == Kind::solid) return {.changes = {{cell.dead, cell.alive, first.stage}}};
-  const auto last = bisection.at(most);
-  if (first.open() && last.open()) return {.changes = {}, .open_above = cell.dead};
-  if (!first.open()) {
+  const auto first = cell.alive == most ? at_most : bisection.at(cell.alive);
+  if (first.open() && at_most.open()) return {.changes = {}, .open_above = cell.dead};
+  // A wide cell has ties in it, which may be flat cones that Newton's method does not know.
+  if (first.open())
+    bisection.between(dead, at_most);
+  else if (cell.alive - cell.dead > narrow)
+    bisection.between(dead, first);
+  else
     bisection.changes().push_back({cell.dead, cell.alive, first.stage});
-    if (last.open()) return {std::move(bisection.changes()), cell.alive};
-  }
-  bisection.between(first.open() ? dead : first, last);
+  const bool grows = first.stage.kind == Kind::flat;
+  if (grows && at_most.open()) return {std::move(bisection.changes()), cell.alive};
+  if (grows) bisection.between(first, at_most);
   return {.changes = std::move(bisection.changes())};
 }
 

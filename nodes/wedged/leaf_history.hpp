@@ -43,9 +43,8 @@ struct LeafHistory {
 };
 
 /// @param leaf of the block's own candidates, each in contact or separated
-/// @param lives whether it is alive or flat at `most`; if not, that is not known
-/// @param most the largest coefficient (x width)
-LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, bool lives,
+/// @param last what it is at `most`, the largest coefficient (x width); not dead
+LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, const LeafStage& last,
                          std::int64_t most);
 
 }  // namespace kusabi::wedged

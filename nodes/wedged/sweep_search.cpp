@@ -32,7 +32,7 @@ struct LeavesAtMost {
 LeavesAtMost leaves_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                        double most, SweepFindings& findings) {
   const auto friction = candidate_friction(problem, most);
-  const SignPatternOptions options{.tolerances = CriticalFriction::tolerances};
+  const SignPatternOptions options;
   SignPatternTree tree(problem, friction, options);
   const auto rules = tried_branching(campaign, problem, friction, options);
   for (std::size_t block = 0; block < rules.size(); ++block) tree.split_by(block, rules[block]);
@@ -48,12 +48,18 @@ LeavesAtMost leaves_at(engine::Campaign& campaign, const problems::WedgedProblem
 
 /// In contact are those that are loaded; all others, at rest or not, are called separated.
 SweepTree::Leaf leaf_of(const Configuration& found, const support::IndexSet& block) {
-  const auto& contact = found.pattern.contact;
-  return {.place = {.block = found.block,
-                    .pattern = {.contact = problems::in_block(contact, block),
-                                .separated = problems::in_block(block - contact, block),
-                                .at_rest = {}}},
-          .lives = found.state == LeafState::alive || found.state == LeafState::flat};
+  const auto contact = problems::in_block(found.pattern.contact, block);
+  SweepTree::Leaf leaf{
+      .place = {.block = found.block,
+                .pattern = {.contact = contact,
+                            .separated = problems::in_block(block - found.pattern.contact, block),
+                            .at_rest = {}}},
+      .stage = {LeafStage::Kind::open, {}, {}}};
+  if (found.state == LeafState::alive) leaf.stage.kind = LeafStage::Kind::solid;
+  if (found.state == LeafState::flat)
+    leaf.stage = {LeafStage::Kind::flat, contact,
+                  problems::in_block(found.pattern.separated, block)};
+  return leaf;
 }
 
 /// The first point of the grid that is not below.

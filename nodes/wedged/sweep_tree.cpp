@@ -33,8 +33,8 @@ void SweepTree::expand(Node&& node, engine::Expansion<SweepTree>& out) {
     return;
   }
   ++tally_.leaves;
-  const auto& [place, lives] = leaves_[node.first];
-  out.solution({node.first, leaf_history(critical_[place.block], place.pattern, lives, most_)});
+  const auto& [place, stage] = leaves_[node.first];
+  out.solution({node.first, leaf_history(critical_[place.block], place.pattern, stage, most_)});
 }
 
 }  // namespace kusabi::wedged

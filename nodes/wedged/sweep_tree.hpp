@@ -47,7 +47,7 @@ class SweepTree {
   /// Each candidate of the block in contact or separated, at the coefficient `most` x width.
   struct Leaf {
     PatternNode place;
-    bool lives = true;  ///< there; if not, that is not known, nor that it is dead
+    LeafStage stage;  ///< not dead
   };
 
   SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t most,

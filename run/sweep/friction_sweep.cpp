@@ -161,9 +161,9 @@ void FrictionSweep::write_csv(std::ostream& out) const {
 
 std::optional<pictures::Chart> FrictionSweep::chart() const {
   if (!found_.enumerated) return {};
-  pictures::Chart chart{.title = problem_.name + ": sign patterns of wedged configurations",
+  pictures::Chart chart{.title = problem_.name,
                         .description = sentence(),
-                        .lines = {sentence()},
+                        .lines = {"sign patterns of wedged configurations", sentence()},
                         .x_name = fmt::format("friction coefficient{}", times(problem_)),
                         .y_name = "sign patterns",
                         .whole_numbers = true,

@@ -166,7 +166,7 @@ std::optional<pictures::Chart> LoadSweep::chart() const {
   pictures::Chart chart{
       .title = problem_.name + ": worst-case limit load factor",
       .description = sentence(),
-      .lines = {sentence()},
+      .lines = {"worst-case limit load factor", sentence()},
       .x_name = fmt::format("uncertainty alpha of each load, {}", problem_.units.force),
       .y_name = "limit load factor",
       .whole_numbers = false,
