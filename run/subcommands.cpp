@@ -14,6 +14,7 @@
 #include "run/rays/rays.hpp"
 #include "run/report/report.hpp"
 #include "run/show/show.hpp"
+#include "run/sweep/sweep.hpp"
 #include "run/verify/verify.hpp"
 
 namespace kusabi::run {
@@ -24,6 +25,7 @@ CommandLine command_line() {
   all.push_back(rays_subcommand());
   all.push_back(critical_subcommand());
   all.push_back(limit_subcommand());
+  all.push_back(sweep_subcommand());
   all.push_back(mip_subcommand());
   all.push_back(verify_subcommand());
   all.push_back(show_subcommand());

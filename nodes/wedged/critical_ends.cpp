@@ -71,10 +71,10 @@ class Ends {
   void note_what_is_open(CriticalFindings& findings) const;
 
  private:
-  /// All sign patterns at one coefficient.
+  /// All sign patterns at one coefficient; what that takes is added to the costs.
   /// @param wanted whether what was found is worth a record
   template <class Wanted>
-  Decided decide(CriticalEnd end, double factor, Wanted wanted);
+  Decided decide(CriticalEnd end, double factor, Wanted wanted, std::vector<CriticalCost>& costs);
 
   engine::Campaign& campaign_;
   const problems::WedgedProblem& problem_;
@@ -85,7 +85,8 @@ class Ends {
 };
 
 template <class Wanted>
-Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted) {
+Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted,
+                     std::vector<CriticalCost>& costs) {
   const auto friction = candidate_friction(problem_, factor);
   const SignPatternOptions options{.tolerances = CriticalFriction::tolerances,
                                    .tightening = Tightening::never,
@@ -106,6 +107,9 @@ Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted) {
     if (record) record->add(evidence);
   });
   auto outcome = campaign_.search(tree, {});
+  const bool lower = end == CriticalEnd::lower;
+  costs.push_back({lower ? CriticalPhase::lower_end : CriticalPhase::upper_end, factor,
+                   outcome.opened(), outcome.opened()});
   auto decided = engine::from_first_rank(campaign_.transport(), [&] {
     std::vector<Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
@@ -128,7 +132,7 @@ void Ends::prove_lower(CriticalFindings& findings) {
   double factor = findings.lower;
   double step = question_.width;
   for (int move = 0; move < most_moves && factor >= least; ++move, step *= growth) {
-    const auto decided = decide(CriticalEnd::lower, factor, all_dead);
+    const auto decided = decide(CriticalEnd::lower, factor, all_dead, findings.costs);
     findings.status = decided.status;
     if (!decided.solved()) return;
     if (all_dead(decided) && !dead) dead = factor;
@@ -161,7 +165,7 @@ void Ends::prove_upper(CriticalFindings& findings) {
   double factor = findings.upper.value_or(question_.most);
   double step = question_.width;
   for (int move = 0; move < most_moves && factor <= question_.most; ++move, step *= growth) {
-    auto decided = decide(CriticalEnd::upper, factor, lives);
+    auto decided = decide(CriticalEnd::upper, factor, lives, findings.costs);
     findings.status = decided.status;
     if (!decided.solved()) return;
     if (lives(decided) && !living) {

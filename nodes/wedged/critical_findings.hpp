@@ -55,6 +55,24 @@ enum class CriticalDoubt {
   lower_not_proved,  ///< that nothing wedges at the lower end is not proved in exact arithmetic
 };
 
+/// One of the searches that an answer takes.
+enum class CriticalPhase {
+  coarse,        ///< for the smallest, down from some coefficient, to a few digits
+  fine,          ///< for the smallest, to all digits
+  patterns,      ///< the patterns that live at the largest coefficient
+  coefficients,  ///< the critical coefficients of these
+  lower_end,     ///< that nothing wedges at the lower end
+  upper_end,     ///< what wedges at the upper end
+};
+
+/// What it took, over all ranks. Counts may depend on how many these are.
+struct CriticalCost {
+  CriticalPhase phase = CriticalPhase::fine;
+  double friction = 0;         ///< from where on, or at which coefficient
+  std::uint64_t opened = 0;    ///< nodes
+  std::uint64_t programs = 0;  ///< cone programs; of the trees of sign patterns one a node
+};
+
 /// What was found, on rank 0.
 struct CriticalFindings {
   engine::Status status = engine::Status::solved;  ///< of the searches
@@ -65,7 +83,9 @@ struct CriticalFindings {
   bool lower_proved = false;            ///< every sign pattern was proved dead at `lower`
   bool upper_proved = false;            ///< a solid cone was proved to live at `upper`
   std::vector<CriticalDoubt> open;
-  /// What the search for the bracket has cost: of the global one, or of that of each pattern.
+  std::vector<CriticalCost> costs;  ///< of all searches, in their order
+  /// What the last search for the bracket has cost, rank by rank: of the global one, or of that of
+  /// each pattern.
   std::vector<engine::RankReport<CriticalTree>> global_ranks;
   std::vector<engine::RankReport<PatternBisection>> bisection_ranks;
 

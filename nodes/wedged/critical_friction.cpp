@@ -8,8 +8,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "problems/wedged/problem_block.hpp"
-
 namespace kusabi::wedged {
 namespace {
 
@@ -18,10 +16,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // A proof for another coefficient is taken to hold only this far from its very end, relatively:
 // several times the rounding of the products in it.
 constexpr double rounding = 1e-13;
-
-// How far above a tie is looked for life, relatively: much further than a pattern is a tie around
-// its own critical coefficient, and too near for the next one to begin to live.
-constexpr double beside = 1e-4;
 
 // Where the bound of a node begins if nothing is known: for less the cones are needles.
 constexpr double first_probe = 1e-3;
@@ -103,33 +97,6 @@ CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, doubl
 void CriticalFriction::set_friction(double factor) {
   for (std::size_t i = 0; i < own_.size(); ++i) friction_[i] = factor * own_[i];
   solver_.set_friction(friction_);
-}
-
-bool CriticalFriction::lives_alone(const support::IndexSet& contact,
-                                   const support::IndexSet& separated) {
-  ++programs_;
-  const auto both = contact | separated;
-  if (!loose_) {
-    const auto others = support::IndexSet::below(static_cast<int>(own_.size())) - both;
-    return solver_.solve(contact, separated, {}, others).sign == conic::Sign::alive;
-  }
-  std::vector<double> friction;
-  for (const int i : both) friction.push_back(friction_[static_cast<std::size_t>(i)]);
-  ContactSolver alone(problems::problem_without_others(*loose_, both), friction, tolerances);
-  return alone.solve(problems::in_block(contact, both), problems::in_block(separated, both), {})
-             .sign == conic::Sign::alive;
-}
-
-bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
-  set_friction(factor);
-  const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
-  if (!inside || inside->loaded.empty() || inside->loaded.meets(inside->moved)) return false;
-  if ((inside->loaded | inside->moved) == (pattern.contact | pattern.separated)) return false;
-  if (!lives_alone(inside->loaded, inside->moved)) return false;
-  ++programs_;
-  set_friction(factor * (1 + beside));
-  const auto above = solver_.solve(pattern.contact, pattern.separated, {});
-  return above.sign == conic::Sign::marginal && conic::is_tie(above, tolerances);
 }
 
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,

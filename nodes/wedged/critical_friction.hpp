@@ -46,6 +46,27 @@ struct CriticalCell {
   }
 };
 
+/// What becomes of a leaf at one coefficient. As friction grows it goes through these in their
+/// order, and through flat cones each within the next.
+struct LeafStage {
+  enum class Kind {
+    dead,   ///< no configuration
+    flat,   ///< t* = 0, throughout a range of coefficients
+    solid,  ///< t* > 0
+    open,   ///< which of these cannot be told
+  };
+  Kind kind = Kind::dead;
+  support::IndexSet loaded;  ///< of a flat cone S, those with a reaction; else empty
+  support::IndexSet moved;   ///< and G, those with a gap
+
+  friend bool operator==(const LeafStage&, const LeafStage&) = default;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& kind& loaded& moved;
+  }
+};
+
 /// How a cell is found.
 enum class CriticalMethod { bisection, newton };
 
@@ -90,6 +111,9 @@ class CriticalFriction {
   /// Whether the pattern is proved dead at a point of the grid (x width).
   bool dead(const SignPattern& pattern, std::int64_t point);
 
+  /// What the leaf is at a point of the grid (x width).
+  LeafStage stage(const SignPattern& leaf, std::int64_t point);
+
   /// Moves the cell's upper end up, by steps that double, to a grid point that is proved alive.
   /// @pre `most` is alive
   CriticalCell alive_from(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
@@ -120,6 +144,8 @@ class CriticalFriction {
   CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);
   // Whether a leaf is a flat cone at this coefficient, where it is a tie.
   bool is_flat(const SignPattern& pattern, double factor);
+  bool lives_at_rest(const SignPattern& leaf, const conic::RelativeInterior& inside);
+  bool is_tie(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
   // Whether these are alive as the only candidates. Of a loose body they may not see all motions.
   bool lives_alone(const support::IndexSet& contact, const support::IndexSet& separated);
   void set_friction(double factor);

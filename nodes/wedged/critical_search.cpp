@@ -58,9 +58,10 @@ struct Living {
 };
 
 Living living_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                       double most) {
+                       double most, std::vector<CriticalCost>& costs) {
   SignPatternTree tree(problem, candidate_friction(problem, most));
   auto outcome = campaign.search(tree, {});
+  costs.push_back({CriticalPhase::patterns, most, outcome.opened(), outcome.opened()});
   return engine::from_first_rank(campaign.transport(), [&] {
     std::vector<Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
@@ -68,9 +69,18 @@ Living living_patterns(engine::Campaign& campaign, const problems::WedgedProblem
   });
 }
 
-// @param known nothing wedges below
+/// Which of the searches for the smallest it is.
+struct SmallestSearch {
+  CriticalDirection direction;
+  CriticalPhase phase;
+  double width;
+  double known;  ///< nothing wedges below
+  double most;
+};
+
 CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                          CriticalDirection direction, double width, double known, double most) {
+                          const SmallestSearch& asked, std::vector<CriticalCost>& costs) {
+  const auto& [direction, phase, width, known, most] = asked;
   CriticalTree tree(problem, width, multiples(most, width), direction, known);
   if (direction == CriticalDirection::down) {
     const auto blocks = problems::blocks_of(problem);
@@ -82,6 +92,8 @@ CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProb
   options.order =
       direction == CriticalDirection::up ? engine::Order::best_first : engine::Order::depth_first;
   auto outcome = campaign.search(tree, options);
+  costs.push_back({phase, direction == CriticalDirection::up ? known : most, outcome.opened(),
+                   outcome.tally().programs});
   CriticalFindings findings;
   findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
   if (!campaign.is_first()) return findings;
@@ -102,8 +114,10 @@ CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProb
 // does, far above the smallest, a search comes upon many leaves that are of no use. What it comes
 // upon on its way is found to a few digits, and the rest between the ends of that bracket.
 CriticalFindings descend(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                         double width, double most) {
-  constexpr auto down = CriticalDirection::down;
+                         double width, double most, std::vector<CriticalCost>& costs) {
+  const auto search = [&](CriticalPhase phase, double step, double known, double from) {
+    return smallest(campaign, problem, {CriticalDirection::down, phase, step, known, from}, costs);
+  };
   double known = 0;
   double start = std::min(first_start, most);
   for (;;) {
@@ -111,18 +125,18 @@ CriticalFindings descend(engine::Campaign& campaign, const problems::WedgedProbl
     while (coarse < few_digits * start) coarse *= 2;
     // A search says nothing of what is beyond the last point of its grid.
     const double reach = coarse == width ? start : coarse * std::floor(start / coarse);
-    auto findings = smallest(campaign, problem, down, coarse, known, reach);
+    auto findings = search(CriticalPhase::coarse, coarse, known, reach);
     const auto found = engine::from_first_rank(campaign.transport(), [&] {
       return Bracket{findings.status, findings.lower, or_infinity(findings.upper)};
     });
     if (found.status != engine::Status::solved) return findings;
     if (std::isfinite(found.upper) || found.lower < reach) {  // something lives, or may live
       if (coarse == width) return findings;
-      return smallest(campaign, problem, down, width, found.lower, std::min(found.upper, most));
+      return search(CriticalPhase::fine, width, found.lower, std::min(found.upper, most));
     }
     if (start >= most) {
       if (reach == most) return findings;
-      return smallest(campaign, problem, down, width, reach, most);
+      return search(CriticalPhase::fine, width, reach, most);
     }
     known = reach;
     start = std::min(most, next_start * start);
@@ -131,14 +145,15 @@ CriticalFindings descend(engine::Campaign& campaign, const problems::WedgedProbl
 
 CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
                                     const problems::WedgedProblem& problem, CriticalMethod method,
-                                    double width, double most) {
+                                    double width, double most, std::vector<CriticalCost>& costs) {
   CriticalFindings findings;
-  const auto living = living_patterns(campaign, problem, most);
+  const auto living = living_patterns(campaign, problem, most, costs);
   findings.status = living.status;
   // A part of them would say nothing.
   if (findings.status != engine::Status::solved) return findings;
   auto outcome =
       bracket_patterns(campaign, problem, living.leaves, method, width, multiples(most, width));
+  costs.push_back({CriticalPhase::coefficients, most, outcome.opened(), outcome.tally().programs});
   findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
   if (!campaign.is_first()) return findings;
   for (const auto& found : outcome.solutions) {
@@ -193,20 +208,26 @@ CriticalFindings find_critical_friction(engine::Campaign& campaign,
         "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
         "of it");
   }
+  std::vector<CriticalCost> costs;
   const auto search = [&] {
     switch (question.way) {
       case CriticalWay::descent:
-        return descend(campaign, problem, question.width, most);
+        return descend(campaign, problem, question.width, most, costs);
       case CriticalWay::global:
-        return smallest(campaign, problem, CriticalDirection::up, question.width, 0, most);
+        return smallest(campaign, problem,
+                        {CriticalDirection::up, CriticalPhase::fine, question.width, 0, most},
+                        costs);
       case CriticalWay::newton:
-        return pattern_by_pattern(campaign, problem, CriticalMethod::newton, question.width, most);
+        return pattern_by_pattern(campaign, problem, CriticalMethod::newton, question.width, most,
+                                  costs);
       case CriticalWay::bisection:
         break;
     }
-    return pattern_by_pattern(campaign, problem, CriticalMethod::bisection, question.width, most);
+    return pattern_by_pattern(campaign, problem, CriticalMethod::bisection, question.width, most,
+                              costs);
   };
   auto findings = search();
+  findings.costs = std::move(costs);
   if (findings.status == engine::Status::solved) {
     prove_ends(campaign, structure, problem, {question.width, most, only_smallest}, recorder,
                findings);

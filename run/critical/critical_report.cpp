@@ -89,13 +89,58 @@ std::string sentence(const problems::WedgedProblem& problem,
   return text + '\n';
 }
 
+const char* phase_name(wedged::CriticalPhase phase) {
+  switch (phase) {
+    case wedged::CriticalPhase::coarse:
+      return "coarse";
+    case wedged::CriticalPhase::fine:
+      return "fine";
+    case wedged::CriticalPhase::patterns:
+      return "patterns";
+    case wedged::CriticalPhase::coefficients:
+      return "coefficients";
+    case wedged::CriticalPhase::lower_end:
+      return "lower end";
+    case wedged::CriticalPhase::upper_end:
+      break;
+  }
+  return "upper end";
+}
+
+// All searches, one a line, and their sum.
+std::string costs_text(const wedged::CriticalFindings& findings) {
+  auto text =
+      fmt::format("\n{:<12}  {:>12}  {:>9}  {:>9}\n", "search", "friction", "nodes", "programs");
+  std::uint64_t opened = 0;
+  std::uint64_t programs = 0;
+  const auto out = std::back_inserter(text);
+  for (const auto& cost : findings.costs) {
+    fmt::format_to(out, "{:<12}  {:>12.10g}  {:>9}  {:>9}\n", phase_name(cost.phase), cost.friction,
+                   cost.opened, cost.programs);
+    opened += cost.opened;
+    programs += cost.programs;
+  }
+  fmt::format_to(out, "{:<12}  {:>12}  {:>9}  {:>9}\n", "all", "", opened, programs);
+  return text;
+}
+
 ordered_json statistics_json(const wedged::CriticalFindings& findings) {
   const auto counts = [](const auto& tally) { return counts_json(tally); };
+  ordered_json statistics;
   if (!findings.global_ranks.empty()) {
-    return {{"ranks", rank_reports(findings.global_ranks, counts)}};
+    statistics["ranks"] = rank_reports(findings.global_ranks, counts);
+  } else if (!findings.bisection_ranks.empty()) {
+    statistics["ranks"] = rank_reports(findings.bisection_ranks, counts);
   }
-  if (findings.bisection_ranks.empty()) return {};
-  return {{"ranks", rank_reports(findings.bisection_ranks, counts)}};
+  auto searches = ordered_json::array();
+  for (const auto& [phase, friction, opened, programs] : findings.costs) {
+    searches.push_back({{"phase", phase_name(phase)},
+                        {"friction", friction},
+                        {"opened", opened},
+                        {"programs", programs}});
+  }
+  statistics["searches"] = std::move(searches);
+  return statistics;
 }
 
 }  // namespace
@@ -165,7 +210,8 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
     fmt::format_to(out, "(of the {} patterns that live at {})\n", findings.patterns.size(),
                    options.question.most.value_or(0));
   }
-  return text + '\n' + ranks_text(findings, page) + '\n' + sentence(problem, findings, page);
+  return text + '\n' + ranks_text(findings, page) + costs_text(findings) + '\n' +
+         sentence(problem, findings, page);
 }
 
 ordered_json critical_json(const CriticalOptions& options, const problems::WedgedProblem& problem,

@@ -1,0 +1,250 @@
+// From the range of uncertainty to the worst-case limit load factors.
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include "engine/together.hpp"
+#include "nodes/limit/limit_sweep.hpp"
+#include "problems/limit/collapse_mode.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "run/output/values.hpp"
+#include "run/pictures/structure_json.hpp"
+#include "run/session/supervision.hpp"
+#include "run/sweep/swept.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using limit::RootStatus;
+using nlohmann::ordered_json;
+
+const char* state_of(const limit::LimitWorstCase& worst) {
+  if (!worst.proved) return "open";
+  return worst.status == RootStatus::not_carried ? "not-carried" : "solved";
+}
+
+class LoadSweep final : public Swept {
+ public:
+  LoadSweep(const SweepOptions& options, problems::Structure truss, std::vector<double> points)
+      : options_(options), truss_(std::move(truss)), alphas_(std::move(points)) {}
+
+  void prepare(CommandRun& run) override {
+    problem_ = problems::limit_problem(truss_);
+    engine::agree(run.session().transport(), problem_.fingerprint);
+    ranks_ = run.session().ranks();
+  }
+  [[nodiscard]] std::string announcement(const std::string& ranks) const override {
+    return fmt::format("{}: {}, {} members, {} uncertain loads, alpha up to {} {}; {}",
+                       problem_.name, problem_.dimension == 2 ? "in the plane" : "in space",
+                       problem_.member_count(), problem_.uncertain_count(), alphas_.back(),
+                       problem_.units.force, ranks);
+  }
+  void search(CommandRun& run) override {
+    engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+    found_ = limit::sweep_limit_loads(campaign, truss_, problem_, alphas_);
+  }
+  [[nodiscard]] ordered_json json() const override;
+  void write_csv(std::ostream& out) const override;
+  [[nodiscard]] std::optional<pictures::Chart> chart() const override;
+  [[nodiscard]] std::string table() const override;
+  [[nodiscard]] Verdict verdict() const override;
+
+ private:
+  /// lambda_min over multiples of the largest alpha; null if it is not known.
+  [[nodiscard]] const limit::LoadCurve* curve() const {
+    const auto& curve = found_.last.worst_curve;
+    return curve && !curve->pieces.empty() ? &*curve : nullptr;
+  }
+  [[nodiscard]] double alpha_at(double beta) const { return beta * alphas_.back(); }
+  [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
+  [[nodiscard]] std::string curve_text() const;
+  [[nodiscard]] std::string sentence() const;
+
+  const SweepOptions& options_;
+  problems::Structure truss_;
+  problems::LimitProblem problem_;
+  std::vector<double> alphas_;
+  int ranks_ = 1;
+  limit::LimitSweep found_;
+};
+
+ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
+  const auto mode = problems::collapse_mode(problem_, piece.from.motion);
+  auto yielding = ordered_json::array();
+  for (const auto& [member, elongation] : mode.yielding)
+    yielding.push_back(problems::member_name(problem_, member));
+  return {{"from", alpha_at(piece.from.at)},      {"to", alpha_at(piece.to)},
+          {"factor_from", piece.from.factor},     {"factor_to", piece.factor_at_end},
+          {"error", number_or_null(piece.error)}, {"sway", mode.sway},
+          {"yielding", std::move(yielding)}};
+}
+
+ordered_json LoadSweep::json() const {
+  auto points = ordered_json::array();
+  for (const auto& [alpha, worst] : found_.points) {
+    points.push_back({{"alpha", alpha},
+                      {"lower", number_or_null(worst.ends.lower)},
+                      {"upper", number_or_null(worst.ends.upper)},
+                      {"proved", worst.proved},
+                      {"state", state_of(worst)}});
+  }
+  ordered_json result{
+      {"nominal", found_.last.nominal ? ordered_json(found_.last.nominal->factor) : ordered_json()},
+      {"points", std::move(points)}};
+  auto pieces = ordered_json::array();
+  if (curve()) {
+    for (const auto& piece : curve()->pieces) pieces.push_back(piece_json(piece));
+  }
+  result["curve"] = std::move(pieces);
+  if (curve() && curve()->end) {
+    const auto& end = *curve()->end;
+    result["curve_end"] = {{"carried_at", alpha_at(end.carried_at)},
+                           {"not_carried_at", alpha_at(end.not_carried_at)},
+                           {"proved", end.proved}};
+  }
+  const bool done = found_.whole(alphas_.size());
+  return {{"command", "sweep"},
+          {"version", KUSABI_VERSION},
+          {"problem",
+           {{"file", options_.file},
+            {"name", problem_.name},
+            {"d", problem_.dimension},
+            {"m", problem_.uncertain_count()},
+            {"nodes", problem_.node_names.size()},
+            {"members", problem_.member_count()},
+            {"units", {{"length", problem_.units.length}, {"force", problem_.units.force}}},
+            {"fingerprint", hexadecimal(problem_.fingerprint)},
+            {"structure", structure_json(truss_)}}},
+          {"options", {{"alpha", alphas_}}},
+          {"status",
+           done || found_.status != engine::Status::solved ? status_name(found_.status) : "open"},
+          {"result", std::move(result)},
+          {"statistics", {{"ranks", ranks_}}}};
+}
+
+// A number as it is, or nothing where there is none.
+std::string finite(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+void LoadSweep::write_csv(std::ostream& out) const {
+  out << "row,alpha,lower,upper,proved\n";
+  for (const auto& [alpha, worst] : found_.points) {
+    fmt::print(out, "point,{},{},{},{}\n", alpha, finite(worst.ends.lower),
+               finite(worst.ends.upper), worst.proved ? 1 : 0);
+  }
+  if (!curve()) return;
+  const auto row = [&](double beta, double factor, const std::optional<double>& error) {
+    const double off = error.value_or(0);
+    fmt::print(out, "breakpoint,{},{},{},{}\n", alpha_at(beta), factor - off, factor + off,
+               error ? 1 : 0);
+  };
+  for (const auto& piece : curve()->pieces) row(piece.from.at, piece.from.factor, piece.error);
+  const auto& last = curve()->pieces.back();
+  row(last.to, last.factor_at_end, last.error);
+}
+
+std::optional<pictures::Chart> LoadSweep::chart() const {
+  pictures::ChartSeries line{
+      .name = "worst case, exact between its breakpoints", .line = {}, .marks = {}};
+  if (curve()) {
+    for (const auto& piece : curve()->pieces)
+      line.line.emplace_back(alpha_at(piece.from.at), piece.from.factor);
+    const auto& last = curve()->pieces.back();
+    line.line.emplace_back(alpha_at(last.to), last.factor_at_end);
+  }
+  pictures::ChartSeries asked{.name = "at the points asked for", .line = {}, .marks = {}};
+  for (const auto& [alpha, worst] : found_.points) {
+    if (!worst.collapse) continue;
+    asked.marks.push_back(
+        {alpha, worst.ends.upper, fmt::format("{:.10g} at alpha = {}", worst.ends.upper, alpha)});
+  }
+  if (line.line.empty() && asked.marks.empty()) return {};
+  pictures::Chart chart{
+      .title = problem_.name + ": worst-case limit load factor",
+      .description = sentence(),
+      .lines = {"worst-case limit load factor", sentence()},
+      .x_name = fmt::format("uncertainty alpha of each load, {}", problem_.units.force),
+      .y_name = "limit load factor",
+      .whole_numbers = false,
+      .series = {}};
+  if (!line.line.empty()) chart.series.push_back(std::move(line));
+  if (!asked.marks.empty()) chart.series.push_back(std::move(asked));
+  return chart;
+}
+
+std::string LoadSweep::curve_text() const {
+  if (!curve()) return {};
+  std::string text = "\n       alpha       factor  collapse mode from there on\n";
+  const auto out = std::back_inserter(text);
+  for (const auto& piece : curve()->pieces) {
+    const auto mode = problems::collapse_mode(problem_, piece.from.motion);
+    fmt::format_to(out, "{:>12.8g} {:>12.8g}  {}, {} yielding\n", alpha_at(piece.from.at),
+                   piece.from.factor, mode.sway ? "sway" : "not sway",
+                   counted(mode.yielding.size(), "member"));
+  }
+  const auto& last = curve()->pieces.back();
+  fmt::format_to(out, "{:>12.8g} {:>12.8g}\n", alpha_at(last.to), last.factor_at_end);
+  if (curve()->end) {
+    fmt::format_to(out, "{:>12.8g}     carried at no factor{}, nor beyond\n",
+                   alpha_at(curve()->end->not_carried_at), curve()->end->proved ? ", proved" : "");
+  }
+  return text;
+}
+
+std::string LoadSweep::sentence() const {
+  if (!found_.last.nominal) {
+    return found_.last.status == limit::LoadStatus::not_carried
+               ? "The nominal dead load is carried at no load factor, of either sign."
+               : "The nominal load factor was not found.";
+  }
+  if (found_.points.empty()) return {};
+  const auto& [alpha, worst] = found_.points.back();
+  auto text = fmt::format("The nominal load factor is {:.8g}; ", found_.last.nominal->factor);
+  const auto known = fmt::format("alpha = {} {}", alpha, problem_.units.force);
+  if (worst.status == RootStatus::not_carried)
+    return text + fmt::format("at {} some load is carried at no factor.", known);
+  if (!worst.proved) return text + fmt::format("at {} the worst case is open.", known);
+  return text + fmt::format("at {} the worst case is {:.8g}, proved.", known, worst.ends.upper);
+}
+
+std::string LoadSweep::table() const {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  if (!found_.points.empty()) text += "\n       alpha  worst-case load factor\n";
+  for (const auto& [alpha, worst] : found_.points) {
+    fmt::format_to(out, "{:>12.8g}  ", alpha);
+    if (worst.status == RootStatus::not_carried) {
+      fmt::format_to(out, "carried at no factor{}\n", worst.proved ? ", proved" : "");
+    } else if (worst.proved) {
+      fmt::format_to(out, "{:.10g} ... {:.10g}, proved\n", worst.ends.lower, worst.ends.upper);
+    } else {
+      fmt::format_to(out, "{:.10g} ... {:.10g}, open\n", worst.ends.lower, worst.ends.upper);
+    }
+  }
+  return text + curve_text() + '\n' + sentence() + '\n';
+}
+
+Verdict LoadSweep::verdict() const {
+  Verdict verdict{.remarks = {}, .code = found_.whole(alphas_.size()) ? solved : stopped_early};
+  if (found_.status != engine::Status::solved) {
+    verdict.remarks.push_back(fmt::format("stopped early ({}): {} of {} points were looked at",
+                                          status_name(found_.status), found_.points.size(),
+                                          alphas_.size()));
+  } else if (verdict.code != solved) {
+    verdict.remarks.emplace_back("open: not every point, or not all of the curve, is proved");
+  }
+  return verdict;
+}
+
+}  // namespace
+
+std::unique_ptr<Swept> swept_loads(const SweepOptions& options, problems::Structure truss,
+                                   std::vector<double> points) {
+  return std::make_unique<LoadSweep>(options, std::move(truss), std::move(points));
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,139 @@
+// The options, and which of the two is swept.
+#include "run/sweep/sweep.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "nodes/wedged/critical_findings.hpp"
+#include "problems/files/problem_text.hpp"
+#include "problems/files/structure_file.hpp"
+#include "run/output/wrong_input.hpp"
+#include "run/session/restart.hpp"
+#include "run/sweep/sweep_points.hpp"
+#include "run/sweep/swept.hpp"
+
+namespace kusabi::run {
+namespace {
+
+class Sweep final : public Subcommand {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "sweep"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "how the sign patterns grow in number with friction, or how a worst-case limit load "
+           "falls with the uncertainty of loads, exact between the points";
+  }
+  void describe(OptionTable& table) override;
+  void check() const override;
+  void read(CommandRun& run) override {
+    text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
+  }
+  void prepare(CommandRun& run) override;
+  [[nodiscard]] std::string announcement(const std::string& ranks) const override {
+    return swept_->announcement(ranks);
+  }
+  void search(CommandRun& run) override { swept_->search(run); }
+  std::vector<Step> results(CommandRun& run) override;
+  Verdict verdict(CommandRun& run) override;
+
+ private:
+  [[nodiscard]] std::vector<double> friction_points() const {
+    return options_.mu.empty() ? std::vector<double>() : sweep_points("--mu", options_.mu, false);
+  }
+
+  SweepOptions options_;
+  std::string csv_;
+  std::string svg_;
+  problems::ProblemText text_;
+  std::unique_ptr<Swept> swept_;
+  std::optional<pictures::Chart> chart_;  // on rank 0
+};
+
+void Sweep::describe(OptionTable& table) {
+  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
+  table.text("--mu", options_.mu, "POINTS",
+             "friction coefficients: START:END:STEP, or a list with commas");
+  table.number("--mu-max", &options_.mu_max, above(0),
+               "the largest friction coefficient; without --mu all steps up to there are listed");
+  table.number("--width", &options_.width, above(0),
+               "of the bracket in which a pattern begins to live");
+  table
+      .text("--alpha", options_.alpha, "POINTS",
+            "of a truss: half-widths of the uncertain parts of the dead load, likewise")
+      .unit("in the file's unit of force");
+  table.output();
+  table.file("--csv", csv_, Role::output, "write the points and the steps to this file");
+  table.file("--svg", svg_, Role::output, "draw them to this file");
+  table.time_limit(options_.limits);
+  table.node_limit(options_.limits);
+  table.quiet();
+  table.serial();
+}
+
+void Sweep::check() const {
+  const bool friction = !options_.mu.empty() || options_.mu_max;
+  if (friction == !options_.alpha.empty()) {
+    throw WrongInput(friction ? "--alpha: friction is swept already; expected --mu or --alpha"
+                              : "nothing to sweep; expected --mu, --mu-max or --alpha");
+  }
+  if (!friction) {
+    sweep_points("--alpha", options_.alpha, true);
+    return;
+  }
+  const auto points = friction_points();
+  if (options_.mu_max && !points.empty() && points.back() > *options_.mu_max) {
+    throw WrongInput(fmt::format("--mu-max {}: expected no less than the last point of --mu, {}",
+                                 *options_.mu_max, points.back()));
+  }
+  const double most = options_.mu_max.value_or(points.empty() ? 0 : points.back());
+  if (options_.width >= most || most > wedged::most_multiples * options_.width) {
+    throw WrongInput(fmt::format("--width {}: expected a number below {} and above {}",
+                                 options_.width, most, most / wedged::most_multiples));
+  }
+}
+
+void Sweep::prepare(CommandRun& run) {
+  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  auto structure = problems::read_structure(text_, options_.file);
+  warn_all(run.session(), structure.warnings);
+  if (options_.alpha.empty()) {
+    auto points = friction_points();
+    const double most = options_.mu_max.value_or(points.empty() ? 0 : points.back());
+    swept_ = swept_friction(options_, std::move(structure), std::move(points), most);
+  } else {
+    swept_ =
+        swept_loads(options_, std::move(structure), sweep_points("--alpha", options_.alpha, true));
+  }
+  swept_->prepare(run);
+}
+
+std::vector<Step> Sweep::results(CommandRun& run) {
+  std::vector<Step> steps{run.result([this] { return swept_->json(); }),
+                          run.file("--csv", [this](std::ostream& out) { swept_->write_csv(out); })};
+  chart_ = swept_->chart();
+  if (chart_) {
+    steps.push_back(run.file("--svg", [this](std::ostream& out) { write_chart(out, *chart_); }));
+  }
+  steps.push_back(run.answer([this] { return swept_->table(); }));
+  return steps;
+}
+
+Verdict Sweep::verdict(CommandRun& run) {
+  auto verdict = swept_->verdict();
+  if (run.wants("--svg") && !chart_) {
+    verdict.remarks.push_back(
+        fmt::format("nothing is known that could be drawn: {} is as it was", svg_));
+  }
+  return verdict;
+}
+
+}  // namespace
+
+std::unique_ptr<Subcommand> sweep_subcommand() {
+  return std::make_unique<Sweep>();
+}
+
+}  // namespace kusabi::run

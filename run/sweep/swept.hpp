@@ -1,0 +1,58 @@
+// What can be swept: friction coefficients of a wedged problem, or the uncertainty of a truss's
+// loads. Each has the stages of a subcommand that hang on which it is.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/options.hpp"
+#include "pictures/svg/chart.hpp"
+#include "problems/structure/structure.hpp"
+#include "run/command/command_run.hpp"
+
+namespace kusabi::run {
+
+/// As the call has them.
+struct SweepOptions {
+  std::string file;
+  std::string mu;                ///< points of the friction coefficient; empty: none
+  std::optional<double> mu_max;  ///< the largest coefficient
+  double width = 1e-8;           ///< of the brackets of friction coefficients
+  std::string alpha;             ///< points of the uncertainty; empty: friction is swept
+  engine::Limits limits;
+};
+
+class Swept {
+ public:
+  Swept() = default;
+  Swept(const Swept&) = delete;
+  Swept& operator=(const Swept&) = delete;
+  virtual ~Swept() = default;
+
+  virtual void prepare(CommandRun& run) = 0;
+  [[nodiscard]] virtual std::string announcement(const std::string& ranks) const = 0;
+  virtual void search(CommandRun& run) = 0;
+
+  // Of the answer, on rank 0.
+  [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
+  virtual void write_csv(std::ostream& out) const = 0;
+  /// Nothing: there is nothing to draw.
+  [[nodiscard]] virtual std::optional<pictures::Chart> chart() const = 0;
+  [[nodiscard]] virtual std::string table() const = 0;
+  [[nodiscard]] virtual Verdict verdict() const = 0;
+};
+
+/// @param structure of the file @param points increasing; may be empty @param most the largest
+std::unique_ptr<Swept> swept_friction(const SweepOptions& options, problems::Structure structure,
+                                      std::vector<double> points, double most);
+
+/// @param points increasing, at least one
+std::unique_ptr<Swept> swept_loads(const SweepOptions& options, problems::Structure truss,
+                                   std::vector<double> points);
+
+}  // namespace kusabi::run

@@ -1,0 +1,201 @@
+// Counts over friction: against an enumeration at each coefficient by itself, and put together from
+// histories by hand.
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/campaign.hpp"
+#include "engine/simulation.hpp"
+#include "engine/transport/single_process.hpp"
+#include "nodes/wedged/candidate_friction.hpp"
+#include "nodes/wedged/pattern_search.hpp"
+#include "nodes/wedged/sweep_search.hpp"
+#include "problems/files/problem_text.hpp"
+#include "problems/files/structure_file.hpp"
+#include "random_structure.hpp"
+#include "support/input_error.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+constexpr double width = 1e-8;
+
+/// Block, S and G.
+using Cones = std::set<std::tuple<std::uint32_t, support::IndexSet, support::IndexSet>>;
+
+problems::WedgedProblem example(const std::string& name) {
+  const std::string file = std::string(KUSABI_SOURCE_DIR) + "/examples/" + name;
+  return problems::wedged_problem(problems::read_structure(problems::problem_text(file), file));
+}
+
+SweepFindings swept(const problems::WedgedProblem& problem, double most) {
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone, {});
+  return sweep_friction(campaign, problem, {.most = most, .width = width});
+}
+
+Cones maximal_at(const SweepFindings& findings, double friction) {
+  Cones cones;
+  for (const auto& cone : findings.cones) {
+    const bool over = cone.absorbed && cone.absorbed->upper <= friction;
+    if (cone.begins.upper <= friction && !over)
+      cones.emplace(cone.block, cone.pattern.contact, cone.pattern.separated);
+  }
+  return cones;
+}
+
+void expect_as_enumerated(const problems::WedgedProblem& problem, const SweepFindings& findings,
+                          double friction) {
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone, {});
+  const auto own = find_patterns(campaign, problem, candidate_friction(problem, friction));
+  ASSERT_EQ(own.open(), 0U);
+  const auto count = findings.count_at(friction);
+  EXPECT_TRUE(count.exact()) << friction;
+  EXPECT_EQ(count.known, own.count()) << friction;
+  Cones cones;
+  for (const auto& leaf : own.leaves)
+    cones.emplace(leaf.block, leaf.pattern.contact, leaf.pattern.separated);
+  EXPECT_EQ(maximal_at(findings, friction), cones) << friction;
+}
+
+TEST(FrictionSweep, CountsWhatAnEnumerationFindsAtEachCoefficient) {
+  for (const auto* name : {"plane-truss.toml", "space-truss.toml", "elastic-body.toml",
+                           "wedge-in-groove.toml", "peg-in-hole.toml", "two-bars.toml"}) {
+    SCOPED_TRACE(name);
+    const auto problem = example(name);
+    const auto findings = swept(problem, 0.93);
+    EXPECT_TRUE(findings.answered());
+    for (const double friction : {0.13, 0.33, 0.53, 0.73, 0.93})
+      expect_as_enumerated(problem, findings, friction);
+  }
+}
+
+// Pieces, right angles and rods: cones with candidates at rest, of which some become part of larger
+// ones as friction grows.
+TEST(FrictionSweep, CountsFlatConesUntilTheyArePartOfALargerOne) {
+  std::size_t flat = 0;
+  std::size_t absorbed = 0;
+  for (const int dimension : {2, 3}) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+      SCOPED_TRACE(testing::Message() << dimension << " " << seed);
+      problems::WedgedProblem problem;
+      try {
+        problem = problems::wedged_problem(random_structure(dimension, seed));
+      } catch (const support::InputError&) {  // a mechanism
+        continue;
+      }
+      const auto findings = swept(problem, 2.71);
+      EXPECT_TRUE(findings.answered());
+      for (const auto& cone : findings.cones) {
+        flat += cone.solid() ? 0 : 1;
+        absorbed += cone.absorbed ? 1 : 0;
+      }
+      for (const double friction : {0.613, 1.171, 2.71})
+        expect_as_enumerated(problem, findings, friction);
+    }
+  }
+  EXPECT_GT(flat, 20U);
+  EXPECT_GT(absorbed, 2U);
+}
+
+// Two bars at 45 degrees hold their tip from a coefficient on that is a decimal.
+TEST(FrictionSweep, DoesNotRoundWhereAPatternBegins) {
+  const auto findings = swept(example("two-bars.toml"), 3);
+  ASSERT_EQ(findings.cones.size(), 1U);
+  const auto& begins = findings.cones.front().begins;
+  EXPECT_LT(begins.lower, 2);
+  EXPECT_GT(begins.upper, 2);
+  EXPECT_FALSE(findings.count_at(2).exact());
+  EXPECT_TRUE(findings.count_at(begins.lower).exact());
+  EXPECT_EQ(findings.count_at(begins.lower).known, 0U);
+  EXPECT_TRUE(findings.count_at(begins.upper).exact());
+  EXPECT_EQ(findings.count_at(begins.upper).known, 1U);
+}
+
+TEST(FrictionSweep, IsTheSameOnAnyNumberOfRanks) {
+  const auto problem = example("plane-truss.toml");
+  const std::int64_t most = std::llround(0.9 / width);
+  SignPatternTree tree(problem, candidate_friction(problem, 0.9));
+  std::vector<SweepTree::Leaf> leaves;
+  for (const auto& found : engine::search(tree).solutions) {
+    leaves.push_back({.place = {.block = 0, .pattern = found.solution.pattern},
+                      .stage = {LeafStage::Kind::solid, {}, {}}});
+  }
+  ASSERT_GT(leaves.size(), 5U);
+  const auto histories = [](const auto& solutions) {
+    std::set<std::tuple<std::uint32_t, std::int64_t, std::int64_t>> cells;
+    for (const auto& [path, solution] : solutions) {
+      for (const auto& change : solution.history.changes)
+        cells.emplace(solution.number, change.before, change.after);
+    }
+    return cells;
+  };
+  SweepTree alone(problem, width, most, leaves);
+  const auto expected = histories(engine::search(alone).solutions);
+  EXPECT_EQ(expected.size(), leaves.size());
+  for (const int ranks : {2, 5}) {
+    const auto many = engine::simulate(SweepTree(problem, width, most, leaves), ranks, 3);
+    EXPECT_EQ(histories(many.outcome.solutions), expected);
+  }
+}
+
+support::IndexSet set_of(std::initializer_list<int> members) {
+  support::IndexSet set;
+  for (const int each : members) set |= support::IndexSet::single(each);
+  return set;
+}
+
+LeafStage flat(std::initializer_list<int> loaded, std::initializer_list<int> moved) {
+  return {LeafStage::Kind::flat, set_of(loaded), set_of(moved)};
+}
+
+// A cone of two leaves begins with the first of them, and ends when a third becomes solid.
+TEST(FrictionSweep, PutsHistoriesTogether) {
+  const LeafStage solid{LeafStage::Kind::solid, {}, {}};
+  SweepFindings findings;
+  findings.enumerated = true;
+  findings.most = 100;
+  findings.blocks = 1;
+  const SignPattern both{set_of({0, 1}), set_of({2}), {}};
+  const SignPattern one{set_of({0}), set_of({1, 2}), {}};
+  take_histories(findings,
+                 {{0, both, LeafHistory{.changes = {{20, 22, flat({0}, {2})}, {40, 41, solid}}}},
+                  {0, one, LeafHistory{.changes = {{10, 11, flat({0}, {2})}}}},
+                  {0, one, LeafHistory{.changes = {}, .open_above = 70}}},
+                 {set_of({0, 1, 2})}, 1);
+  ASSERT_EQ(findings.cones.size(), 2U);
+  const auto& first = findings.cones[0];
+  EXPECT_EQ(first.pattern.at_rest, set_of({1}));
+  EXPECT_EQ(first.begins.upper, 11);
+  ASSERT_TRUE(first.absorbed);
+  EXPECT_EQ(first.absorbed->lower, 40);
+  const auto at = [&](double friction) {
+    const auto count = findings.count_at(friction);
+    return std::pair(count.known, count.open);
+  };
+  EXPECT_EQ(at(10), std::pair(std::uint64_t{0}, std::size_t{0}));
+  EXPECT_EQ(at(11), std::pair(std::uint64_t{1}, std::size_t{0}));
+  EXPECT_EQ(at(21), std::pair(std::uint64_t{1}, std::size_t{0}));
+  EXPECT_EQ(at(40.5), std::pair(std::uint64_t{0}, std::size_t{2}));
+  EXPECT_EQ(at(41), std::pair(std::uint64_t{1}, std::size_t{0}));
+  EXPECT_EQ(at(70), std::pair(std::uint64_t{1}, std::size_t{0}));
+  EXPECT_EQ(at(71), std::pair(std::uint64_t{1}, std::size_t{1}));
+  const auto stairs = findings.staircase();
+  ASSERT_EQ(stairs.size(), 4U);
+  EXPECT_EQ(stairs[1].from, 11);
+  EXPECT_EQ(stairs[1].to, 40);
+  EXPECT_EQ(stairs[1].known, 1U);
+  EXPECT_EQ(stairs[3].to, 100);
+  EXPECT_EQ(stairs[3].open, 1U);
+}
+
+}  // namespace
+}  // namespace kusabi::wedged
