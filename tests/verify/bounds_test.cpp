@@ -66,6 +66,24 @@ TEST(Bounds, ProveThatOneCandidateDoesNotWedge) {
   EXPECT_THAT(verdict(without.text()).refusals, testing::SizeIs(1));
 }
 
+// K known up to a radius only: what is too near to the critical friction is not proved.
+TEST(Bounds, HoldForEveryStiffnessWithinTheRadius) {
+  const auto refused = [](double mu, double radius) {
+    const auto certificate = read_certificate(one(mu).text(), "cert");
+    auto stiffness = recorded_stiffness(certificate);
+    stiffness.radius = Dyadic(radius);
+    Proof proof(certificate, stiffness);
+    EXPECT_EQ(proof.take_up(certificate.bounds[0]), std::nullopt);
+    return proof.judgement(certificate.records[0]).refusal.has_value();
+  };
+  for (const double near : {1e-3, 1e-9}) {
+    EXPECT_FALSE(refused(2 - near, 0));
+    EXPECT_FALSE(refused(2 - near, near / 100));
+    EXPECT_TRUE(refused(2 - near, near));
+    EXPECT_TRUE(refused(2 + near, 0));
+  }
+}
+
 TEST(Bounds, ReactionsAreBoundedAsFarAsTheRelaxationGoes) {
   // Without cuts: r_na = r_tb <= mu r_nb, so r_na <= s mu/(1 + mu), which is 2/3 and 1/2.
   const auto refused = [](double mu, double most, double y) {
