@@ -23,7 +23,8 @@ constexpr double nearly_sliding = 0x1p-40;
 
 }  // namespace
 
-BlockProof::BlockProof(ContactBlock block) : block_(std::move(block)) {
+BlockProof::BlockProof(ContactBlock block)
+    : block_(std::move(block)), bounds_(block_.names.size()) {
   Dyadic steepest(1.0);
   for (const double mu : block_.friction) {
     friction_.emplace_back(mu);

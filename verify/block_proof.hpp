@@ -15,6 +15,7 @@
 #include "verify/contact_motions.hpp"
 #include "verify/exact.hpp"
 #include "verify/held_stiffness.hpp"
+#include "verify/proved_bounds.hpp"
 
 namespace kusabi::verify {
 
@@ -58,6 +59,23 @@ class BlockProof {
   [[nodiscard]] Judgement judge_dead(const support::IndexSet& contact,
                                      const support::IndexSet& separated,
                                      std::span<const double> numbers) const;
+
+  /// The same by the cuts of what has been taken up, in a block without motions.
+  /// @param numbers m multipliers of normal displacements, m of cuts
+  /// @pre least_eigenvalue()
+  [[nodiscard]] Judgement judge_cut(const support::IndexSet& contact,
+                                    const support::IndexSet& separated,
+                                    std::span<const double> numbers) const;
+
+  /// Proves a bound of a candidate, or that it is never on a side, by the cuts of those that were
+  /// taken up before, and takes it up. @return why not
+  /// @param most times sum_k r_nk: above r_n in contact, u_n separated; nothing: never
+  /// @param numbers m multipliers of normal displacements, m of cuts, and with `most` one of its
+  ///        opposite
+  /// @pre least_eigenvalue()
+  [[nodiscard]] std::optional<std::string> take_up(std::size_t candidate, Side side,
+                                                   const std::optional<double>& most,
+                                                   std::span<const double> numbers);
 
   /// Whether equilibrium leaves some contact of U without a reaction, whatever is below the node
   /// (U, R).
@@ -155,6 +173,27 @@ class BlockProof {
                                                          const DyadicList& w, const Dyadic& error,
                                                          const Dyadic& epsilon) const;
 
+  // The opposite of a bound: r_ni, or u_ni, is no less than beta sum_k r_nk.
+  struct Opposite {
+    std::size_t candidate;  // i
+    Side side;
+    Dyadic multiplier;  // theta
+    Dyadic of_sum;      // theta beta
+  };
+  // Inequalities of all wedged configurations below a node (U, R), with multipliers.
+  struct Combination {
+    support::IndexSet contact;
+    support::IndexSet separated;
+    std::span<const double> multipliers;  // y, what is asked of K w
+    std::span<const double> of_cuts;      // eta
+    std::optional<Opposite> opposite;
+  };
+  [[nodiscard]] std::optional<std::string> refusal_of_combination(Combination combination) const;
+  [[nodiscard]] Dyadic displacement_share(const Combination& combination, std::size_t k) const;
+  [[nodiscard]] std::optional<std::string> check_combination(const Combination& combination,
+                                                             const DyadicList& w,
+                                                             const DyadicList& nu) const;
+
   // Whether the reactions of all candidates that a motion moves work against it, one way or the
   // other, and one of U is among these.
   [[nodiscard]] bool all_work_against(const Rationals& motion,
@@ -173,11 +212,12 @@ class BlockProof {
   [[nodiscard]] std::size_t candidates() const { return block_.names.size(); }
 
   ContactBlock block_;
-  std::vector<double> near_motions_;       // G, dm x p, to guess with
-  std::vector<double> own_of_recorded_;    // p x p: own coefficients of the recorded motions
-  std::vector<Dyadic> friction_;           // mu
-  Dyadic steepest_;                        // the root of 1 + the largest mu^2, or more
-  std::optional<Dyadic> least_;            // s
+  std::vector<double> near_motions_;     // G, dm x p, to guess with
+  std::vector<double> own_of_recorded_;  // p x p: own coefficients of the recorded motions
+  std::vector<Dyadic> friction_;         // mu
+  Dyadic steepest_;                      // the root of 1 + the largest mu^2, or more
+  std::optional<Dyadic> least_;          // s
+  ProvedBounds bounds_;
   mutable std::list<HeldStiffness> held_;  // the first for dead nodes; others for leaves
 };
 

@@ -1,10 +1,10 @@
-// The reader: line by line, word by word.
+// The reader: line by line, word by word, up to the bounds and the nodes.
 #include "verify/certificate.hpp"
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
+#include "verify/certificate_lines.hpp"
 #include "verify/lines.hpp"
 
 namespace kusabi::verify {
@@ -15,12 +15,7 @@ constexpr std::size_t most_candidates = 4096;
 constexpr std::string_view first_line = "kusabi certificate 1";
 constexpr std::string_view second_version = "kusabi certificate 2";
 constexpr std::string_view third_version = "kusabi certificate 3";
-
-// How a file of one version says what another says in other words.
-struct Version {
-  bool names_blocks = false;  // lists them, and begins a node with the number of its block
-  bool has_motions = false;   // of loose bodies
-};
+constexpr std::string_view fourth_version = "kusabi certificate 4";
 
 void read_names(Lines& lines, std::size_t count, Certificate& certificate) {
   std::map<std::string_view, std::size_t> lines_of;  // what is read lies in one text
@@ -146,99 +141,7 @@ void read_motions(Lines& lines, Certificate& certificate) {
   }
 }
 
-std::size_t read_block_number(Lines& lines, const Certificate& certificate) {
-  const auto what = "the number of a block, from 1 to " + std::to_string(certificate.blocks.size());
-  const auto number = lines.integer(10, what);
-  if (number < 1 || number > certificate.blocks.size()) lines.refuse(what);
-  return number - 1;
-}
-
-Record read_record(Lines& lines, Claim claim, Version version, const Certificate& certificate) {
-  Record record;
-  record.line = lines.number();
-  record.claim = claim;
-  if (version.names_blocks) record.block = read_block_number(lines, certificate);
-  const auto& block = certificate.blocks[record.block];
-  const std::string sets =
-      version.names_blocks ? "two disjoint sets of candidates of the block, in hexadecimal digits"
-                           : "two disjoint sets of the contact candidates, in hexadecimal digits";
-  record.contact = lines.set(sets);
-  record.separated = lines.set(sets);
-  const auto known = record.contact | record.separated;
-  if (record.contact.meets(record.separated) || !block.includes(known)) lines.refuse(sets);
-  const bool leaf = claim == Claim::alive || (claim == Claim::marginal && !version.names_blocks);
-  if (leaf && known != block) {
-    lines.refuse("a leaf: every contact candidate in one of the two sets");
-  }
-  const auto touching = static_cast<std::size_t>(record.contact.size());
-  const auto moving = certificate.motions_of(block).size();
-  const std::string parts = moving > 0 ? " and parts of motions" : "";
-  switch (claim) {
-    case Claim::dead:
-      lines.numbers(static_cast<std::size_t>(block.size()) + moving, record.numbers,
-                    "multipliers" + parts);
-      break;
-    case Claim::alive:
-      lines.numbers((certificate.dimension - 1) * touching + moving, record.numbers,
-                    "tangential reactions" + parts);
-      break;
-    case Claim::marginal:
-      lines.numbers(0, record.numbers, "numbers");
-      break;
-  }
-  return record;
-}
-
-void read_records(Lines& lines, Version version, Certificate& certificate) {
-  lines.expect("nodes");
-  for (std::size_t count = 0;; ++count) {
-    lines.next();
-    const auto keyword = lines.word();
-    if (keyword == "end") {
-      const auto expected = "'end " + std::to_string(count) + "', the number of nodes above";
-      if (lines.integer(10, expected) != count || !lines.remainder().empty()) {
-        lines.refuse(expected);
-      }
-      if (!lines.done()) {
-        lines.next();
-        lines.refuse("the line 'digest …', the last one");
-      }
-      return;
-    }
-    const auto claims = {Claim::dead, Claim::alive, Claim::marginal};
-    const auto* const claim = std::find_if(claims.begin(), claims.end(),
-                                           [&](Claim one) { return keyword == claim_name(one); });
-    if (claim == claims.end()) lines.refuse("'dead', 'alive', 'marginal' or 'end'");
-    certificate.records.push_back(read_record(lines, *claim, version, certificate));
-  }
-}
-
-// A search that went on from a checkpoint closes some nodes again, with the same evidence.
-void leave_out_repeated(std::vector<Record>& records) {
-  const auto key = [](const Record& record) {
-    return std::tuple(record.block, record.contact, record.separated, record.claim);
-  };
-  const auto place = [](const Record& record) { return record.line; };
-  std::stable_sort(records.begin(), records.end(),
-                   [&](const Record& a, const Record& b) { return key(a) < key(b); });
-  const auto same = [&](const Record& a, const Record& b) { return key(a) == key(b); };
-  records.erase(std::unique(records.begin(), records.end(), same), records.end());
-  std::sort(records.begin(), records.end(),
-            [&](const Record& a, const Record& b) { return place(a) < place(b); });
-}
-
 }  // namespace
-
-const char* claim_name(Claim claim) {
-  switch (claim) {
-    case Claim::dead:
-      return "dead";
-    case Claim::alive:
-      return "alive";
-    default:
-      return "marginal";
-  }
-}
 
 std::string Certificate::names_of(const support::IndexSet& set) const {
   std::string text = "{";
@@ -268,9 +171,11 @@ Certificate read_certificate(std::string_view text, const std::string& file) {
   // Something else altogether is not called damaged.
   Lines beginning(text, file);
   beginning.next();
-  const bool third = beginning.text() == third_version;
+  const bool fourth = beginning.text() == fourth_version;
+  const bool third = fourth || beginning.text() == third_version;
   const Version version{.names_blocks = third || beginning.text() == second_version,
-                        .has_motions = third};
+                        .has_motions = third,
+                        .has_bounds = fourth};
   if (!version.names_blocks && beginning.text() != first_line) {
     beginning.refuse("'" + std::string(second_version) + "'");
   }
@@ -285,8 +190,8 @@ Certificate read_certificate(std::string_view text, const std::string& file) {
   }
   read_stiffness(lines, certificate);
   if (version.has_motions) read_motions(lines, certificate);
+  if (version.has_bounds) read_bounds(lines, certificate);
   read_records(lines, version, certificate);
-  leave_out_repeated(certificate.records);
   return certificate;
 }
 

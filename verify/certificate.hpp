@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,10 +19,35 @@ enum class Claim {
   dead,      ///< no wedged configuration below it
   alive,     ///< a leaf that has one, with all inequalities strict
   marginal,  ///< nothing is claimed
+  cut,       ///< dead, but for the cuts that follow from bounds of candidates
 };
 
-/// "dead", "alive" or "marginal", as in the file.
+/// "dead", "alive", "marginal" or "cut", as in the file.
 const char* claim_name(Claim claim);
+
+/// What a candidate does.
+enum class Side {
+  contact,    ///< u_n = 0
+  separated,  ///< r = 0
+};
+
+/// "contact" or "separated", as in the file.
+const char* side_name(Side side);
+
+/// How much a candidate takes part in any wedged configuration, in units of s, the sum of the
+/// normal reactions of its block.
+struct Bound {
+  std::size_t line = 0;   ///< of the file
+  std::size_t block = 0;  ///< the first being 0
+  int candidate = 0;      ///< its number in the whole problem, the first being 0
+  Side side = Side::contact;
+  /// In contact r_n <= most s, separated u_n <= most s (length / force); nothing: no wedged
+  /// configuration has it on this side. > 0.
+  std::optional<double> most{};
+  /// Multipliers of the normal displacements, one a candidate of the block; of their cuts, one
+  /// each, >= 0; unless `most` is nothing, that of its opposite, > 0.
+  std::vector<double> numbers{};
+};
 
 /// A closed node: one line of the file.
 struct Record {
@@ -32,7 +58,8 @@ struct Record {
   support::IndexSet separated;  ///< R: r = 0
   /// dead: multipliers of the normal displacements, one a candidate of the block. alive: the
   /// tangential reactions of the candidates in U, in their order, d - 1 each. After them, for each
-  /// motion of the block, its part in the mean motion of w (dead), of u (alive).
+  /// motion of the block, its part in the mean motion of w (dead), of u (alive). cut: multipliers
+  /// of the normal displacements as for dead, then of the cuts, one a candidate each, >= 0.
   std::vector<double> numbers;
 };
 
@@ -45,6 +72,7 @@ struct Certificate {
   std::vector<double> stiffness;          ///< K, dm x dm, row by row, symmetric
   std::size_t motions = 0;                ///< p, of bodies that nothing holds
   std::vector<double> motion_values;      ///< G, dm x p, row by row; each column of one block
+  std::vector<Bound> bounds;              ///< in the order in which they are to be proved
   std::vector<Record> records;            ///< in the order of the file, repeated ones left out
 
   [[nodiscard]] std::size_t candidates() const { return names.size(); }

@@ -138,6 +138,16 @@ DyadicList::DyadicList(std::span<const double> values, int kept_bits) {
   }
 }
 
+DyadicList::DyadicList(std::span<const Dyadic> values) {
+  long least = std::numeric_limits<long>::max();
+  for (const auto& value : values) {
+    if (value.sign() != 0) least = std::min(least, value.exponent());
+  }
+  if (least < std::numeric_limits<long>::max()) exponent = least;
+  mantissas.reserve(values.size());
+  for (const auto& value : values) mantissas.push_back(value.multiples(exponent));
+}
+
 DyadicList& DyadicList::operator+=(DyadicList other) {
   if (exponent < other.exponent) std::swap(*this, other);
   for (std::size_t i = 0; i < size(); ++i) {

@@ -51,6 +51,9 @@ class Dyadic {
   /// Zero, or the exponent e for which 2^(e-1) <= |value| < 2^e.
   [[nodiscard]] long magnitude() const;
 
+  /// The number is a multiple of 2^exponent().
+  [[nodiscard]] long exponent() const { return exponent_; }
+
  private:
   mpz_class mantissa_ = 0;
   long exponent_ = 0;
@@ -82,6 +85,9 @@ struct DyadicList {
   /// @pre all finite
   explicit DyadicList(std::span<const double> values,
                       int kept_bits = std::numeric_limits<int>::max());
+
+  /// These numbers.
+  explicit DyadicList(std::span<const Dyadic> values);
 
   /// `count` zeros.
   explicit DyadicList(std::size_t count) : mantissas(count) {}

@@ -85,6 +85,14 @@ Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
   }
 }
 
+std::optional<std::string> Proof::take_up(const Bound& bound) {
+  const auto& block = certificate_.blocks[bound.block];
+  if (!block.contains(bound.candidate)) return "its candidate is not one of its block";
+  const auto own = within(block, support::IndexSet::single(bound.candidate)).lowest();
+  return blocks_[bound.block].take_up(static_cast<std::size_t>(own), bound.side, bound.most,
+                                      bound.numbers);
+}
+
 Judgement Proof::judgement(const Record& record) const {
   const auto& block = certificate_.blocks[record.block];
   const auto contact = within(block, record.contact);
@@ -93,6 +101,8 @@ Judgement Proof::judgement(const Record& record) const {
   switch (record.claim) {
     case Claim::dead:
       return proof.judge_dead(contact, separated, record.numbers);
+    case Claim::cut:
+      return proof.judge_cut(contact, separated, record.numbers);
     case Claim::alive:
       return {proof.refusal_of_alive(contact, separated, record.numbers)};
     default:

@@ -31,6 +31,12 @@ class Proof {
   /// shown either.
   [[nodiscard]] const std::optional<Dyadic>& least_eigenvalue() const { return least_; }
 
+  /// Proves a bound by those that were taken up before, and takes it up; or says why it does not.
+  /// It holds for all judgements to come.
+  /// @param bound its numbers as many as it says, the candidate one of its block
+  /// @pre least_eigenvalue()
+  [[nodiscard]] std::optional<std::string> take_up(const Bound& bound);
+
   /// Checks what is claimed of a node; where nothing is claimed, nothing is refused.
   /// @pre least_eigenvalue()
   [[nodiscard]] Judgement judgement(const Record& record) const;

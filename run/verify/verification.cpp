@@ -24,6 +24,7 @@ void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
     if (judgement.unloaded) ++tally_.unloaded;
     switch (record.claim) {
       case verify::Claim::dead:
+      case verify::Claim::cut:
         ++tally_.dead;
         break;
       case verify::Claim::alive:

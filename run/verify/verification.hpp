@@ -32,7 +32,7 @@ class Verification {
 
   /// How many nodes were proved to be what they claim to be.
   struct Tally : engine::Counts<Tally> {
-    std::uint64_t dead = 0;
+    std::uint64_t dead = 0;  ///< with cuts or without
     std::uint64_t alive = 0;
     std::uint64_t marginal = 0;  ///< nothing is claimed of them
     /// Of the dead ones: proved of what does not move far.

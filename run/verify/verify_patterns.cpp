@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iterator>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,6 +48,23 @@ void write_refusal(std::string& text, const VerifyOptions& options,
                  refusal.reason);
 }
 
+// Takes up the bounds that are proved, in their order: each rank for itself, since each rests on
+// those before it, and all judgements rest on them.
+std::vector<std::string> refusals_of_bounds(verify::Proof& proof, const VerifyOptions& options,
+                                            const verify::Certificate& certificate) {
+  std::vector<std::string> refusals;
+  for (const auto& bound : certificate.bounds) {
+    const auto why = proof.take_up(bound);
+    if (!why) continue;
+    refusals.push_back(fmt::format("{}:{}: refused: {} {} {}: {}\n", options.certificate,
+                                   bound.line,
+                                   bound.most ? fmt::format("bound {:.3g}", *bound.most) : "never",
+                                   certificate.names[static_cast<std::size_t>(bound.candidate)],
+                                   verify::side_name(bound.side), *why));
+  }
+  return refusals;
+}
+
 // What is proved, and of what.
 void write_subject(std::string& text, const VerifyOptions& options,
                    const verify::Certificate& certificate,
@@ -74,7 +92,8 @@ void write_subject(std::string& text, const VerifyOptions& options,
 
 // What was proved, in the order in which the proof needs it.
 void write_summary(std::string& text, const verify::Certificate& certificate,
-                   const verify::Proof& proof, bool covered, const Verification::Tally& proved) {
+                   const verify::Proof& proof, bool covered, std::size_t bounds,
+                   const Verification::Tally& proved) {
   fmt::format_to(
       std::back_inserter(text), "K is positive definite{}: its eigenvalues are above {:.3g}\n",
       certificate.motions == 0 ? ""
@@ -91,6 +110,8 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
                      certificate.blocks.size() > 1 ? " of " + certificate.names_of(block) : "");
     }
   }
+  if (!certificate.bounds.empty())
+    fmt::format_to(std::back_inserter(text), "bounds: {} proved\n", bounds);
   fmt::format_to(std::back_inserter(text), "dead: {} proved{}\nalive: {} proved\n", proved.dead,
                  proved.but_for_far_motion == 0
                      ? ""
@@ -142,8 +163,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
     }
     agreement = std::move(std::get<verify::Agreement>(found));
   }
-  const auto proof = agreement
-                         ? verify::Proof(certificate, agreement->stiffness, agreement->motions)
+  auto proof = agreement ? verify::Proof(certificate, agreement->stiffness, agreement->motions)
                          : verify::Proof(certificate);
   if (!proof.least_eigenvalue()) {
     return refusal_of_all(options, certificate.motions == 0
@@ -152,6 +172,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
                                          "of loose bodies");
   }
 
+  const auto bounds_refused = refusals_of_bounds(proof, options, certificate);
   Verification verification(certificate, proof);
   engine::Options search_options;
   std::optional<ProgressLine> progress;
@@ -163,16 +184,18 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   progress.reset();
 
   const auto flaw = verify::flaw_of_cover(certificate);
-  const bool refused = flaw.has_value() || !outcome.solutions.empty();
+  const bool refused = flaw.has_value() || !outcome.solutions.empty() || !bounds_refused.empty();
   const auto proved = outcome.tally();
   VerifyFindings findings{.code = refused ? failed : proved.open() > 0 ? stopped_early : solved};
   if (!run.session().speaks()) return findings;  // what was refused is known to rank 0 alone
+  for (const auto& refusal : bounds_refused) findings.refusals += refusal;
   for (const auto& found : outcome.solutions) {
     write_refusal(findings.refusals, options, certificate, found.solution);
   }
   if (flaw) findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, *flaw);
   write_subject(findings.summary, options, certificate, structure, agreement);
-  write_summary(findings.summary, certificate, proof, !flaw, proved);
+  write_summary(findings.summary, certificate, proof, !flaw,
+                certificate.bounds.size() - bounds_refused.size(), proved);
   write_verdict(findings.verdict, refused, proved);
   return findings;
 }

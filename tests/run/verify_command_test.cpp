@@ -150,6 +150,20 @@ TEST_F(VerifyCommand, WhatIsMarginalIsNotProvedAndSaidSo) {
   EXPECT_EQ(quiet.exit_code, 3);
 }
 
+TEST_F(VerifyCommand, BoundsAreProvedBeforeTheNodesThatNeedThem) {
+  const auto run = shell(command + " verify " + given_certificate("bounds.cert"));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.output, AllOf(HasSubstr("bounds: 3 proved\ndead: 2 proved\n"),
+                                HasSubstr("PROVED: the list of 1 pattern is complete")));
+  const auto refused = shell(command + " verify " + given_certificate("refused-bound.cert"));
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, AllOf(HasSubstr("refused-bound.cert:16: refused: bound 0.25 b "
+                                              "separated: its multipliers do not rule out"),
+                                    HasSubstr("refused-bound.cert:17: refused: never a contact: "),
+                                    HasSubstr("refused-bound.cert:20: refused: cut contact {a}"),
+                                    HasSubstr("bounds: 1 proved\n"), HasSubstr("NOT PROVED")));
+}
+
 TEST_F(VerifyCommand, AnUpperEndBeyondAllNumbersIsRefused) {
   const auto run = shell(command + " verify " + given_certificate("limit-beyond-doubles.cert"));
   EXPECT_EQ(run.exit_code, 1);

@@ -91,7 +91,8 @@ struct Wrong {
 TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
   const auto text = small().text();
   const Wrong table[] = {
-      {"kusabi certificate 1", "kusabi certificate 4", "cert:1: 'kusabi certificate 4', expected"},
+      {"kusabi certificate 1", "kusabi certificate 5", "cert:1: 'kusabi certificate 5', expected"},
+      {"kusabi certificate 1", "kusabi certificate 4", "expected 'blocks' and how many there are"},
       {"kusabi certificate 1", "kusabi certificate 2", "expected 'blocks' and how many there are"},
       {"dimension 2", "dimension 4", "cert:2: 'dimension 4', expected 'dimension 2' or"},
       {"dimension 2", "dimension", "cert:2: 'dimension', expected"},
@@ -111,6 +112,7 @@ TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
       {"friction 0x1p+2", "friction 0x1p+2 0x1p+1", "expected 4 friction coefficients"},
       {"stiffness\n", "stiffness\n\n", "cert:10: '', expected 1 entries of row 1"},
       {"nodes\n", "nodes\nundead 0 0\n", "expected 'dead', 'alive', 'marginal' or 'end'"},
+      {"nodes\n", "nodes\ncut 0 0\n", "expected 'dead', 'alive', 'marginal' or 'end'"},
       {"nodes\n", "nodes\ndead 1 1 0x0p+0\n", "expected two disjoint sets"},
       {"nodes\n", "nodes\ndead 10 1 0x0p+0\n", "expected two disjoint sets"},
       {"nodes\n", "nodes\ndead -1 1 0x0p+0\n", "expected two disjoint sets"},

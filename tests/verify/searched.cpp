@@ -170,11 +170,17 @@ Verdict verdict(const std::string& text, const Structure* structure) {
     }
     agreed = std::move(std::get<Agreement>(found));
   }
-  const auto proof =
-      agreed ? Proof(certificate, agreed->stiffness, agreed->motions) : Proof(certificate);
+  auto proof = agreed ? Proof(certificate, agreed->stiffness, agreed->motions) : Proof(certificate);
   if (!proof.least_eigenvalue()) {
     result.refusals.emplace_back("K");
     return result;
+  }
+  for (const auto& bound : certificate.bounds) {
+    if (auto why = proof.take_up(bound)) {
+      result.refusals.push_back(*why);
+    } else {
+      ++result.bounds;
+    }
   }
   for (const auto& record : certificate.records) {
     const auto judgement = proof.judgement(record);
@@ -185,7 +191,7 @@ Verdict verdict(const std::string& text, const Structure* structure) {
     } else if (record.claim == Claim::alive) {
       result.alive.insert(record.contact);
     } else {
-      ++(record.claim == Claim::dead ? result.dead : result.marginal);
+      ++(record.claim == Claim::marginal ? result.marginal : result.dead);
     }
   }
   if (auto flaw = flaw_of_cover(certificate)) result.refusals.push_back(*flaw);

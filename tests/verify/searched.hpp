@@ -39,11 +39,12 @@ Draft searched(const problems::WedgedProblem& problem, double friction);
 /// Two drafts of one dimension, as the two blocks of a certificate of version 2.
 Draft in_blocks(const Draft& first, const Draft& second);
 
-/// What is said of a certificate: refusals of nodes, of the cover, of K.
+/// What is said of a certificate: refusals of bounds, of nodes, of the cover, of K.
 struct Verdict {
   std::vector<std::string> refusals;
   std::set<support::IndexSet> alive;  ///< U of those proved
-  std::size_t dead = 0;               ///< proved
+  std::size_t bounds = 0;             ///< proved
+  std::size_t dead = 0;               ///< proved, with cuts or without
   std::size_t marginal = 0;
   std::size_t but_for_far_motion = 0;  ///< of the dead ones
   std::size_t unloaded = 0;            ///< of the marginal ones

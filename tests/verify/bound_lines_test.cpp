@@ -1,0 +1,143 @@
+// The reader of bounds, and of nodes that need them.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "searched.hpp"
+#include "two_candidates.hpp"
+#include "verify/certificate.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string complaint(const std::string& text) {
+  try {
+    read_certificate(text, "cert");
+    return {};
+  } catch (const CertificateError& error) {
+    return error.what();
+  }
+}
+
+TEST(BoundLines, AreReadAsTheyWereWritten) {
+  const auto certificate = read_certificate(two_candidates(2).text(), "cert");
+  ASSERT_EQ(certificate.bounds.size(), 3U);
+  const auto& [line, block, candidate, side, most, multipliers] = certificate.bounds[0];
+  EXPECT_EQ(line, 16U);
+  EXPECT_EQ(block, 0U);
+  EXPECT_EQ(candidate, 1);
+  EXPECT_EQ(side, Side::separated);
+  EXPECT_EQ(most, 0.25);
+  EXPECT_EQ(multipliers, (std::vector<double>{0, 1, 0, 0, 1}));
+  EXPECT_EQ(certificate.bounds[1].side, Side::contact);
+  EXPECT_EQ(certificate.bounds[1].most, std::nullopt);
+  EXPECT_EQ(certificate.records[0].claim, Claim::cut);
+  EXPECT_EQ(certificate.records[0].numbers, (std::vector<double>{-4, -4, 0, 1}));
+}
+
+struct Wrong {
+  const char* what;  // in the file
+  const char* with;  // instead
+  const char* said;
+};
+
+TEST(BoundLines, SaysWhatIsWrongAndWhatWasExpected) {
+  auto draft = two_candidates(2);
+  draft.bounds = {"bound 1 1 separated 0x1p-2 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x1p+0\n",
+                  "never 1 0 contact -0x1p+2 -0x1p+2 0x0p+0 0x1p+0\n"};
+  draft.nodes = {"cut 1 1 0 -0x1p+2 -0x1p+2 0x0p+0 0x1p+0\n", "marginal 1 0 1\n"};
+  const auto text = draft.text();
+  ASSERT_EQ(complaint(text), "");
+  const Wrong table[] = {
+      {"kusabi certificate 4", "kusabi certificate 3", "cert:15: 'bounds 2', expected 'nodes'"},
+      {"bounds 2", "bounds", "cert:15: 'bounds', expected 'bounds' and how many"},
+      {"bounds 2", "bounds -1", "expected 'bounds' and how many there are"},
+      {"bounds 2", "bounds 2 ", "expected 'bounds' and how many there are"},
+      {"bounds 2", "bounds 1", "cert:17: 'never 1 0 contact"},
+      {"bounds 2", "bounds 3", "cert:18: 'nodes', expected 'bound' or 'never'"},
+      {"bounds 2", "bounds 18446744073709551615", "expected 'bound' or 'never'"},
+      {"bounds 2\n", "", "expected 'bounds' and how many"},
+      {"bound 1 1", "bond 1 1", "cert:16: 'bond 1 1"},
+      {"bound 1 1", "bound 0 1", "expected the number of a block, from 1 to 1"},
+      {"bound 1 1", "bound 2 1", "expected the number of a block, from 1 to 1"},
+      {"bound 1 1", "bound 1 2", "expected a contact candidate of the block, counted from 0"},
+      {"bound 1 1", "bound 1 -1", "expected a contact candidate of the block"},
+      {"bound 1 1", "bound 1 99999999999", "expected a contact candidate of the block"},
+      {"separated", "apart", "expected 'contact' or 'separated'"},
+      {"0x1p-2", "0x0p+0", "expected a bound above zero"},
+      {"0x1p-2", "-0x1p-2", "expected a bound above zero"},
+      {"0x1p-2", "1", "expected a bound above zero, like 0x1.8p+3"},
+      {"0x0p+0 0x0p+0 0x1p+0\n", "-0x1p+0 0x0p+0 0x1p+0\n",
+       "expected multipliers of cuts that are not negative"},
+      {"0x0p+0 0x0p+0 0x1p+0\n", "0x0p+0 0x0p+0 0x0p+0\n", "the last one, above zero"},
+      {"0x0p+0 0x0p+0 0x1p+0\n", "0x0p+0 0x0p+0 -0x1p+0\n", "the last one, above zero"},
+      {"0x0p+0 0x0p+0 0x1p+0\n", "0x0p+0 0x0p+0\n", "expected 5 multipliers, each like"},
+      {"never 1 0", "never 1", "cert:17: "},
+      {"contact -0x1p+2", "contact 0x1p-2 -0x1p+2", "expected 4 multipliers, each like"},
+      {"cut 1 1 0 -0x1p+2", "cut 1 1 0 -0x1p+2 0x1p+0", "expected 4 multipliers, each like"},
+      {"cut 1 1 0 -0x1p+2", "cut 1 1 1 -0x1p+2", "expected two disjoint sets of candidates"},
+      {"cut 1 1 0 -0x1p+2 -0x1p+2 0x0p+0", "cut 1 1 0 -0x1p+2 -0x1p+2 -0x1p+0",
+       "cert:19: 'cut 1 1 0 -0x1p+2 -0x1p+2 -0x1p+0 0x1p+0', expected multipliers of cuts"},
+      {"cut 1 1", "shut 1 1", "expected 'dead', 'cut', 'alive', 'marginal' or 'end'"},
+  };
+  for (const auto& [what, with, said] : table) {
+    auto wrong = text;
+    ASSERT_NE(wrong.find(what), std::string::npos) << what;
+    wrong.replace(wrong.find(what), std::string(what).size(), with);
+    const auto complained = complaint(sealed(wrong));
+    EXPECT_THAT(complained, HasSubstr(said)) << with;
+    EXPECT_EQ(complained.find('\n'), std::string::npos);
+  }
+}
+
+// Bodies that nothing holds have no bounds, and what is not of the block neither.
+TEST(BoundLines, AreOfTheirOwnBlock) {
+  const std::vector<std::string> header = {"kusabi certificate 4\n",
+                                           "dimension 2\n",
+                                           "candidates 2\n",
+                                           "name a\n",
+                                           "name b\n",
+                                           "friction" + numbers({1, 1}),
+                                           "blocks 2\n",
+                                           "block 1\n",
+                                           "block 2\n",
+                                           "stiffness\n",
+                                           "0x1p+0\n",
+                                           "0x0p+0 0x0p+0\n",
+                                           "0x0p+0 0x0p+0 0x1p+0\n",
+                                           "0x0p+0 0x0p+0 0x0p+0 0x1p+0\n",
+                                           "motions 1\n",
+                                           "0x0p+0\n",
+                                           "0x1p+0\n",
+                                           "0x0p+0\n",
+                                           "0x0p+0\n"};
+  const auto with = [&](const std::string& bound, const std::string& node) {
+    return complaint(BoundsDraft{header, {bound}, {node}}.text());
+  };
+  const auto good = "bound 2 1 contact" + numbers({2, 0, 0, 1});
+  EXPECT_EQ(with(good, "cut 2 0 0" + numbers({0, 0})), "");
+  EXPECT_THAT(with("bound 1 0 contact" + numbers({2, 0, 0, 1}), "marginal 1 0 0\n"),
+              HasSubstr("expected a bound of a block without motions"));
+  EXPECT_THAT(with("bound 2 0 contact" + numbers({2, 0, 0, 1}), "marginal 1 0 0\n"),
+              HasSubstr("expected a contact candidate of the block"));
+  EXPECT_THAT(with(good, "cut 1 0 0" + numbers({0, 0})),
+              HasSubstr("expected a node with cuts of a block without motions"));
+}
+
+TEST(BoundLines, DeadIsDeadWithCutsOrWithout) {
+  auto draft = two_candidates(2);
+  draft.nodes.push_back("cut 1 0 3" + numbers({0, 0, 0, 0}));
+  EXPECT_THAT(verdict(draft.text()).refusals, IsEmpty());
+  draft.nodes.push_back("cut 1 2 1" + numbers({0, 0, 0, 0}));
+  EXPECT_THAT(verdict(draft.text()).refusals, Contains(HasSubstr("one says alive, the other cut")));
+}
+
+}  // namespace
+}  // namespace kusabi::verify

@@ -1,0 +1,247 @@
+// Bounds of candidates and the cuts that follow, of problems that are solved by hand.
+#include <cmath>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "searched.hpp"
+#include "two_candidates.hpp"
+#include "verify/certificate.hpp"
+#include "verify/proof.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// One candidate, K = [2 1; 1 2]: u_n = (2 r_n - r_t)/3 is above zero for mu < 2. No multipliers of
+// displacements alone show that it does not wedge, undecided as it is; the cut u_n + r_n <= r_n
+// does.
+BoundsDraft one(double mu) {
+  BoundsDraft draft;
+  draft.header = {"kusabi certificate 4\n",
+                  "dimension 2\n",
+                  "candidates 1\n",
+                  "name a\n",
+                  "friction" + numbers({mu}),
+                  "blocks 1\n",
+                  "block 1\n",
+                  "stiffness\n",
+                  "0x1p+1\n",
+                  "0x1p+0 0x1p+1\n",
+                  "motions 0\n"};
+  draft.bounds = {"bound 1 0 separated" + numbers({1, 1, 0, 1})};
+  draft.nodes = {"cut 1 0 0" + numbers({-1, 1})};
+  return draft;
+}
+
+TEST(Bounds, ProveTheListOfTwoCandidates) {
+  for (const int dimension : {2, 3}) {
+    for (const double mu : {1.25, 2.0, 8.0}) {
+      const auto said = verdict(two_candidates(mu, dimension).text());
+      EXPECT_THAT(said.refusals, IsEmpty()) << mu;
+      EXPECT_EQ(said.alive, std::set<support::IndexSet>{0b10});
+      EXPECT_EQ(said.bounds, 3U);
+      EXPECT_EQ(said.dead, 2U);
+    }
+  }
+}
+
+TEST(Bounds, ProveThatOneCandidateDoesNotWedge) {
+  EXPECT_THAT(verdict(one(1).text()).refusals, IsEmpty());
+  EXPECT_EQ(verdict(one(1).text()).dead, 1U);
+  EXPECT_THAT(verdict(one(1.999).text()).refusals, IsEmpty());
+  EXPECT_THAT(verdict(one(2.001).text()).refusals,
+              testing::ElementsAre(HasSubstr("do not rule out a reaction at a")));
+  auto without = one(1);
+  without.bounds.clear();
+  EXPECT_THAT(verdict(without.text()).refusals, testing::SizeIs(1));
+}
+
+// K known up to a radius only: what is too near to the critical friction is not proved.
+TEST(Bounds, HoldForEveryStiffnessWithinTheRadius) {
+  const auto refused = [](double mu, double radius) {
+    const auto certificate = read_certificate(one(mu).text(), "cert");
+    auto stiffness = recorded_stiffness(certificate);
+    stiffness.radius = Dyadic(radius);
+    Proof proof(certificate, stiffness);
+    EXPECT_EQ(proof.take_up(certificate.bounds[0]), std::nullopt);
+    return proof.judgement(certificate.records[0]).refusal.has_value();
+  };
+  for (const double near : {1e-3, 1e-9}) {
+    EXPECT_FALSE(refused(2 - near, 0));
+    EXPECT_FALSE(refused(2 - near, near / 100));
+    EXPECT_TRUE(refused(2 - near, near));
+    EXPECT_TRUE(refused(2 + near, 0));
+  }
+}
+
+TEST(Bounds, ReactionsAreBoundedAsFarAsTheRelaxationGoes) {
+  // Without cuts: r_na = r_tb <= mu r_nb, so r_na <= s mu/(1 + mu), which is 2/3 and 1/2.
+  const auto refused = [](double mu, double most, double y) {
+    auto draft = two_candidates(mu);
+    draft.bounds = {"bound 1 0 contact" + numbers({most, y, 0, 0, 0, 1})};
+    draft.nodes = {"marginal 1 0 0\n"};
+    return !verdict(draft.text()).refusals.empty();
+  };
+  EXPECT_FALSE(refused(2, 0.75, -0.3));
+  EXPECT_FALSE(refused(1, 0.55, -0.475));
+  for (int k = -20; k <= 20; ++k) {
+    EXPECT_TRUE(refused(2, 0.66, 0.05 * k));
+    EXPECT_TRUE(refused(1, 0.49, 0.05 * k));
+  }
+}
+
+TEST(Bounds, WithoutTheCutNothingProvesTheNode) {
+  auto draft = two_candidates(2);
+  for (int a = -8; a <= 8; ++a) {
+    for (int b = -8; b <= 8; ++b) {
+      draft.nodes[0] = "dead 1 1 0" + numbers({1.0 * a, 1.0 * b});
+      EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(1));
+    }
+  }
+}
+
+// What has been shown of a side is known of every node; and of what is on neither nothing is left.
+TEST(Bounds, SidesThatAreExcludedAreKnown) {
+  auto draft = two_candidates(2);
+  draft.nodes[0] = "cut 1 1 0" + numbers({0, 0, 0, 0});
+  EXPECT_THAT(verdict(draft.text()).refusals, IsEmpty());
+  draft.bounds[1] = "bound 1 0 contact" + numbers({0.75, -0.3, 0, 0, 0, 1});
+  EXPECT_THAT(verdict(draft.text()).refusals, Contains(HasSubstr("rule out a reaction at")));
+}
+
+TEST(Bounds, OfASmallerBoundThanBeforeTheLargerIsForgotten) {
+  auto draft = two_candidates(2);
+  // u_nb <= s/2 gives 2 u_nb + r_nb <= s: with eta = 1, y_b = -4 is beyond what it gives.
+  const auto loose = "bound 1 1 separated" + numbers({0.5, 0, 1, 0, 0, 1});
+  draft.bounds.insert(draft.bounds.begin() + 1, loose);
+  EXPECT_THAT(verdict(draft.text()).refusals, IsEmpty());
+  draft.bounds.erase(draft.bounds.begin());
+  EXPECT_FALSE(verdict(draft.text()).proved());
+}
+
+TEST(Bounds, RefusesWhatIsSpoilt) {
+  const auto refused = [](std::size_t which, const std::string& with) {
+    auto draft = two_candidates(2);
+    draft.bounds[which] = with;
+    draft.nodes = {"marginal 1 0 0\n"};
+    return !verdict(draft.text()).refusals.empty();
+  };
+  EXPECT_FALSE(refused(2, two_candidates(2).bounds[2]));
+  // u_na = s in the pattern of b: less is wrong, whatever the multipliers.
+  for (const double y : {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 2.0})
+    EXPECT_TRUE(refused(2, "bound 1 0 separated" + numbers({0.75, 1, y, 0, 0, 1}))) << y;
+  // The other side, the other candidate, too much of the cut, too little of the opposite.
+  EXPECT_TRUE(refused(1, "never 1 0 separated" + numbers({-4, -4, 0, 1})));
+  EXPECT_TRUE(refused(1, "never 1 1 contact" + numbers({-4, -4, 0, 1})));
+  EXPECT_TRUE(refused(1, "never 1 0 contact" + numbers({-4, -4, 1, 0})));
+  EXPECT_TRUE(refused(1, "never 1 0 contact" + numbers({-4, -4, 0, 5})));
+  EXPECT_TRUE(refused(2, "bound 1 0 separated" + numbers({1.25, 1, 1, 0, 0, 0x1p-20})));
+  EXPECT_TRUE(refused(2, "bound 1 0 separated" + numbers({1.25, -1, -1, 0, 0, 1})));
+}
+
+TEST(Bounds, RestOnThoseBeforeThem) {
+  auto draft = two_candidates(2);
+  std::swap(draft.bounds[0], draft.bounds[1]);
+  const auto said = verdict(draft.text());
+  EXPECT_FALSE(said.proved());
+  EXPECT_EQ(said.bounds, 2U);
+  // And fall with them; so do nodes.
+  draft = two_candidates(2);
+  draft.bounds[0] = "bound 1 1 separated" + numbers({0.25, 0, -1, 0, 0, 0x1p-20});
+  draft.bounds.erase(draft.bounds.begin());
+  EXPECT_EQ(verdict(draft.text()).bounds, 1U);
+  EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(2));
+}
+
+// The search may ask without a file; what the reader would refuse is refused.
+TEST(Bounds, AreCheckedWithoutAReaderToo) {
+  const auto certificate = read_certificate(two_candidates(2).text(), "cert");
+  const auto refusal = [&](const auto& change) {
+    Proof proof(certificate);
+    auto bound = certificate.bounds[0];
+    change(bound);
+    return proof.take_up(bound).value_or("");
+  };
+  EXPECT_EQ(refusal([](Bound&) {}), "");
+  EXPECT_THAT(refusal([](Bound& bound) { bound.candidate = 2; }),
+              HasSubstr("not one of its block"));
+  EXPECT_THAT(refusal([](Bound& bound) { bound.most = 0; }), HasSubstr("above zero"));
+  EXPECT_THAT(refusal([](Bound& bound) { bound.most = -1; }), HasSubstr("above zero"));
+  EXPECT_THAT(refusal([](Bound& bound) { bound.numbers.back() = 0; }), HasSubstr("above zero"));
+  EXPECT_THAT(refusal([](Bound& bound) { bound.numbers[2] = -1; }), HasSubstr("negative"));
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    for (std::size_t k = 0; k < 5; ++k)
+      EXPECT_NE(refusal([&](Bound& bound) { bound.numbers[k] = bad; }), "") << bad << k;
+    EXPECT_NE(refusal([&](Bound& bound) { bound.most = bad; }), "");
+  }
+}
+
+TEST(Bounds, AnyNumbersAreJudged) {
+  for (const auto* number : {"0x1.fffffffffffffp+1023", "0x0.0000000000001p-1022", "0x1p-900"}) {
+    for (int which = 0; which < 6; ++which) {
+      auto draft = two_candidates(2);
+      std::string line = "bound 1 0 separated";
+      for (int k = 0; k < 6; ++k) line += k == which ? fmt::format(" {}", number) : " 0x1p+0";
+      draft.bounds[2] = line + "\n";
+      verdict(draft.text());
+    }
+    auto draft = two_candidates(2);
+    draft.bounds[0] =
+        fmt::format("bound 1 1 separated {} 0x0p+0 {} 0x0p+0 0x0p+0 {}\n", number, number, number);
+    verdict(draft.text());
+  }
+}
+
+// Of the one pattern, b in contact: u_na = s, r_nb = s.
+bool is_true(const Bound& bound) {
+  const bool has_part =
+      bound.candidate == 0 ? bound.side == Side::separated : bound.side == Side::contact;
+  return !has_part || (bound.most && *bound.most >= 1);
+}
+
+TEST(Bounds, NoChangeProvesWhatIsNotTrue) {
+  const auto text = two_candidates(2).text();
+  const auto begin = text.find("bounds 3\n");
+  const auto size = text.rfind("digest ") - begin;
+  std::mt19937_64 generator(6);
+  const std::string likely = "0123456789abcdef-+xp \n";
+  int taken_up = 0;
+  int proved = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    auto altered = text;
+    for (auto changes = 1 + generator() % 3; changes > 0; --changes)
+      altered[begin + generator() % size] = likely[generator() % likely.size()];
+    altered = sealed(altered);
+    try {
+      const auto certificate = read_certificate(altered, "cert");
+      Proof proof(certificate);
+      for (const auto& bound : certificate.bounds) {
+        if (proof.take_up(bound)) continue;
+        ++taken_up;
+        EXPECT_TRUE(is_true(bound)) << altered;
+      }
+      const auto said = verdict(altered);
+      if (!said.proved()) continue;
+      ++proved;
+      EXPECT_TRUE(said.alive.empty() || said.alive == std::set<support::IndexSet>{0b10});
+      EXPECT_GE(said.alive.size() + said.marginal, 1U) << altered;
+    } catch (const CertificateError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    }
+  }
+  EXPECT_GT(taken_up, 1000);
+  EXPECT_GT(proved, 100);
+}
+
+}  // namespace
+}  // namespace kusabi::verify

@@ -1,0 +1,239 @@
+// Bounds and cuts of random problems, found by another program, against what is true of every
+// pattern (tests/reference/cvxopt_bounds.py).
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "verify/certificate.hpp"
+#include "verify/proof.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+using Json = nlohmann::json;
+
+std::optional<double> number_or_nothing(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional(json.get<double>());
+}
+
+Side side_of(const Json& json) {
+  return json.get<std::string>() == "contact" ? Side::contact : Side::separated;
+}
+
+support::IndexSet set_of(const Json& json) {
+  support::IndexSet set;
+  for (const int candidate : json) set.insert(candidate);
+  return set;
+}
+
+struct Case {
+  Certificate certificate;
+  std::vector<bool> alone;  // of each bound: whether it can be proved without cuts
+  Json greatest;            // r_n / s and u_n / s of all patterns, by side and candidate
+};
+
+Case read_case(const Json& json) {
+  Case result;
+  auto& certificate = result.certificate;
+  certificate.dimension = json["dimension"];
+  for (const auto& row : json["stiffness"])
+    for (const double entry : row) certificate.stiffness.push_back(entry);
+  const auto m = json["stiffness"].size() / certificate.dimension;
+  for (std::size_t i = 0; i < m; ++i) certificate.names.push_back("c" + std::to_string(i));
+  certificate.friction.assign(m, json["friction"].get<double>());
+  certificate.blocks = {certificate.all_candidates()};
+  for (const auto& each : json["bounds"]) {
+    certificate.bounds.push_back({.candidate = each["candidate"],
+                                  .side = side_of(each["side"]),
+                                  .most = number_or_nothing(each["most"]),
+                                  .numbers = each["numbers"]});
+    result.alone.push_back(each["alone"]);
+  }
+  for (const auto& each : json["cuts"]) {
+    certificate.records.push_back({.claim = Claim::cut,
+                                   .contact = set_of(each["contact"]),
+                                   .separated = set_of(each["separated"]),
+                                   .numbers = each["numbers"]});
+  }
+  result.greatest = json["greatest"];
+  return result;
+}
+
+const std::vector<Case>& cases() {
+  static const auto list = [] {
+    std::ifstream file(KUSABI_SOURCE_DIR "/tests/reference/cvxopt_bounds.json");
+    std::vector<Case> read;
+    for (const auto& each : Json::parse(file)) read.push_back(read_case(each));
+    return read;
+  }();
+  return list;
+}
+
+std::optional<double> greatest(const Case& problem, Side side, int candidate) {
+  return number_or_nothing(problem.greatest[side_name(side)][static_cast<std::size_t>(candidate)]);
+}
+
+Side other(Side side) {
+  return side == Side::contact ? Side::separated : Side::contact;
+}
+
+// What a change of one bound's line leads to, those before it being as they are.
+class Changed {
+ public:
+  explicit Changed(const Case& problem) : problem_(problem), proof_(problem.certificate) {}
+
+  // Calls `visit(bound, number, refused)` at each bound, `refused(changed)` saying whether it is.
+  template <class Visit>
+  void at_each(Visit visit) {
+    for (std::size_t k = 0; k < problem_.certificate.bounds.size(); ++k) {
+      const auto& bound = problem_.certificate.bounds[k];
+      visit(bound, k, [&](const Bound& changed) {
+        auto proof = proof_;
+        return proof.take_up(changed).has_value();
+      });
+      ASSERT_EQ(proof_.take_up(bound), std::nullopt) << k;
+    }
+  }
+
+ private:
+  const Case& problem_;
+  Proof proof_;
+};
+
+TEST(ReferenceBounds, AreProvedAndTrue) {
+  ASSERT_EQ(cases().size(), 6U);
+  for (const auto& problem : cases()) {
+    Proof proof(problem.certificate);
+    for (const auto& bound : problem.certificate.bounds) {
+      EXPECT_EQ(proof.take_up(bound), std::nullopt);
+      const auto truth = greatest(problem, bound.side, bound.candidate);
+      constexpr double accuracy = 1e-6;  // of the truth
+      if (truth) {
+        ASSERT_TRUE(bound.most);
+        EXPECT_GE(*bound.most, *truth - accuracy);
+      }
+    }
+    for (const auto& record : problem.certificate.records)
+      EXPECT_EQ(proof.judgement(record).refusal, std::nullopt);
+  }
+}
+
+TEST(ReferenceBounds, BelowTheTruthAreRefused) {
+  int tried = 0;
+  for (const auto& problem : cases()) {
+    Changed(problem).at_each([&](const Bound& bound, std::size_t, const auto& refused) {
+      const auto truth = greatest(problem, bound.side, bound.candidate);
+      if (!truth) return;
+      for (const double share : {0.999, 0.9, 0.1}) {
+        auto lower = bound;
+        lower.most = share * *truth;
+        EXPECT_TRUE(refused(lower));
+        ++tried;
+      }
+      auto never = bound;
+      never.most.reset();
+      never.numbers.pop_back();
+      EXPECT_TRUE(refused(never));
+    });
+  }
+  EXPECT_GT(tried, 50);
+}
+
+TEST(ReferenceBounds, OfTheOtherSideAreRefusedUnlessTrue) {
+  int tried = 0;
+  for (const auto& problem : cases()) {
+    Changed(problem).at_each([&](const Bound& bound, std::size_t, const auto& refused) {
+      auto swapped = bound;
+      swapped.side = other(bound.side);
+      const auto truth = greatest(problem, swapped.side, bound.candidate);
+      if (!truth || (bound.most && *bound.most > 0.999 * *truth)) return;
+      EXPECT_TRUE(refused(swapped));
+      ++tried;
+    });
+  }
+  EXPECT_GT(tried, 10);
+}
+
+TEST(ReferenceBounds, WithOtherMultipliersAreRefused) {
+  int cut = 0;
+  for (const auto& problem : cases()) {
+    const auto m = problem.certificate.candidates();
+    Changed(problem).at_each([&](const Bound& bound, std::size_t, const auto& refused) {
+      auto changed = bound;
+      if (bound.most) {
+        changed.numbers.back() = 0;
+        EXPECT_TRUE(refused(changed));
+        changed.numbers.back() = -1;
+        EXPECT_TRUE(refused(changed));
+      }
+      for (std::size_t k = m; k < 2 * m; ++k) {
+        if (bound.numbers[k] == 0) continue;
+        ++cut;
+        changed = bound;
+        changed.numbers[k] = -bound.numbers[k];
+        EXPECT_TRUE(refused(changed));
+        // It counts at every other candidate that may have a reaction, of which there are some.
+        changed.numbers[k] = 1e6;
+        EXPECT_TRUE(refused(changed));
+      }
+    });
+  }
+  EXPECT_GT(cut, 20);
+}
+
+TEST(ReferenceBounds, ThatNeedOthersAreRefusedBeforeThem) {
+  int tried = 0;
+  for (const auto& problem : cases()) {
+    for (std::size_t k = 0; k < problem.alone.size(); ++k) {
+      if (problem.alone[k]) continue;
+      Proof proof(problem.certificate);
+      EXPECT_TRUE(proof.take_up(problem.certificate.bounds[k])) << k;
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 10);
+}
+
+TEST(ReferenceBounds, NodesThatNeedCutsAreRefusedWithoutBounds) {
+  for (const auto& problem : cases()) {
+    ASSERT_FALSE(problem.certificate.records.empty());
+    const Proof none(problem.certificate);
+    Proof all(problem.certificate);
+    for (const auto& bound : problem.certificate.bounds)
+      ASSERT_EQ(all.take_up(bound), std::nullopt);
+    for (auto record : problem.certificate.records) {
+      EXPECT_TRUE(none.judgement(record).refusal);
+      auto negative = record;
+      for (auto& number : negative.numbers) number = -number;
+      EXPECT_TRUE(all.judgement(negative).refusal);
+      record.claim = Claim::dead;
+      record.numbers.resize(problem.certificate.candidates());
+      EXPECT_TRUE(all.judgement(record).refusal);
+    }
+  }
+}
+
+// Of a softer structure gaps are larger, with more friction both are.
+TEST(ReferenceBounds, OfAnotherStructureAreRefused) {
+  int tried = 0;
+  for (auto problem : cases()) {
+    for (auto& entry : problem.certificate.stiffness) entry /= 64;
+    for (const auto& bound : problem.certificate.bounds) {
+      const auto truth = greatest(problem, bound.side, bound.candidate);
+      if (bound.side == Side::contact || !bound.most || !truth || *truth * 64 < *bound.most)
+        continue;
+      Proof proof(problem.certificate);
+      EXPECT_TRUE(proof.take_up(bound));
+      ++tried;
+    }
+  }
+  EXPECT_GE(tried, 5);
+}
+
+}  // namespace
+}  // namespace kusabi::verify
