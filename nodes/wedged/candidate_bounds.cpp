@@ -48,6 +48,21 @@ conic::Tolerances for_bounds(conic::Tolerances tolerances) {
 
 }  // namespace
 
+bool leaves_nothing(std::span<const CandidateBounds> bounds, const IndexSet& contact,
+                    const IndexSet& separated) {
+  const auto of = [&](int i) -> const CandidateBounds& {
+    return bounds[static_cast<std::size_t>(i)];
+  };
+  return std::ranges::any_of(contact, [&](int i) { return !of(i).can_touch(); }) ||
+         std::ranges::any_of(separated, [&](int i) { return !of(i).can_separate(); });
+}
+
+std::optional<int> one_sided(const IndexSet& free, std::span<const CandidateBounds> bounds) {
+  for (const int i : free)
+    if (!bounds[static_cast<std::size_t>(i)].is_free()) return i;
+  return {};
+}
+
 std::vector<conic::Cut> cuts_of(const IndexSet& candidates,
                                 std::span<const CandidateBounds> bounds) {
   std::vector<conic::Cut> cuts;

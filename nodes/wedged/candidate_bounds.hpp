@@ -62,6 +62,14 @@ struct ProvedBound {
   }
 };
 
+/// Whether the bounds leave a candidate of these nothing on the side that it is on.
+bool leaves_nothing(std::span<const CandidateBounds> bounds, const support::IndexSet& contact,
+                    const support::IndexSet& separated);
+
+/// The first of these candidates that has configurations on one side only.
+std::optional<int> one_sided(const support::IndexSet& free,
+                             std::span<const CandidateBounds> bounds);
+
 /// The cut of each of these candidates that has one. A common factor keeps the largest coefficient
 /// at one.
 std::vector<conic::Cut> cuts_of(const support::IndexSet& candidates,

@@ -174,6 +174,10 @@ conic::Answer ContactSolver::solve_with(std::span<const conic::Cut> cuts, const 
       solver_);
 }
 
+const Eigen::VectorXd& ContactSolver::pull() {
+  return std::visit([](auto& solver) -> const Eigen::VectorXd& { return solver.pull(); }, solver_);
+}
+
 double ContactSolver::most_of(std::size_t cut) {
   return std::visit([&](auto& solver) { return solver.most_of(cut); }, solver_);
 }

@@ -48,6 +48,9 @@ class ContactSolver {
   /// @pre room for so many cuts
   conic::Answer solve_with(std::span<const conic::Cut> cuts, const support::IndexSet& contact,
                            const support::IndexSet& separated, conic::StopEarly stop);
+  /// w of the last such node, dm: what all multipliers together pull at reactions. Valid until the
+  /// next call.
+  [[nodiscard]] const Eigen::VectorXd& pull();
   /// What the left side of a cut of the last such node can be at most, see conic::NodeSolver.
   double most_of(std::size_t cut);
   /// Of the last such node, where multipliers() have taken in what the cuts say of u_n.

@@ -88,16 +88,15 @@ template <class Wanted>
 Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted,
                      std::vector<CriticalCost>& costs) {
   const auto friction = candidate_friction(problem_, factor);
-  const SignPatternOptions options{.tolerances = CriticalFriction::tolerances,
-                                   .tightening = Tightening::never,
-                                   .thorough = true};
+  const SignPatternOptions options{.tolerances = CriticalFriction::tolerances, .thorough = true};
   SignPatternTree tree(problem_, friction, options);
   const auto prepared = prepare(campaign_, problem_, friction, options);
   inform(tree, prepared);
+  const auto bounds = proved_bounds(prepared);
   const auto record = recorder_ ? recorder_(end, factor, friction) : nullptr;
   std::optional<EvidenceCheck> check;
   if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&stiffness_)) {
-    check.emplace(problem_, *stiffness, friction);
+    check.emplace(problem_, *stiffness, friction, bounds);
   }
   Proved own;
   tree.report_to([&](const auto& evidence) {
@@ -119,7 +118,7 @@ Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted,
       engine::meet(campaign_.transport(), {.ranks = 1, .open = own.unproved, .found = own.alive});
   decided.alive = all.found;
   decided.unproved = all.open;
-  if (record) record->end(decided.solved() && wanted(decided));
+  if (record) record->end(bounds, decided.solved() && wanted(decided));
   return decided;
 }
 

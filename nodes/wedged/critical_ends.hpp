@@ -27,9 +27,10 @@ class EndRecord {
 
   virtual void add(const Evidence& evidence) = 0;
 
-  /// When the search is done, on every rank alike. @param holds whether it shows what was wanted;
-  /// else the end moves on, and there will be another record
-  virtual void end(bool holds) = 0;
+  /// When the search is done, on every rank alike. @param bounds that the evidence uses
+  /// @param holds whether it shows what was wanted; else the end moves on, and there will be
+  /// another record
+  virtual void end(std::span<const ProvedBound> bounds, bool holds) = 0;
 };
 
 /// Begins a record, on every rank alike. @param factor the friction coefficient @param friction

@@ -99,6 +99,18 @@ void CriticalFriction::set_friction(double factor) {
   solver_.set_friction(friction_);
 }
 
+double CriticalFriction::reach_of(const Eigen::VectorXd& pull, const SignPattern& node) const {
+  double least = infinity;
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    if (node.separated.contains(static_cast<int>(i))) continue;
+    const auto at = solver_.normal(static_cast<int>(i));
+    const double slip = own_[i] * pull.segment(at + 1, solver_.dimension() - 1).norm();
+    const double down = -pull[at];
+    least = std::min(least, down <= 0 ? 0 : (slip > 0 ? down / slip : infinity));
+  }
+  return std::max(0.0, least * (1 - rounding));
+}
+
 FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
                                       conic::StopEarly stop) {
   ++programs_;
@@ -108,7 +120,7 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
   FrictionProbe probe{
       .sign = answer.sign,
       .tie = answer.sign == conic::Sign::marginal && conic::is_tie(answer, tolerances),
-      .dead_below = infinity,
+      .dead_below = reach_of(pull_, node),
       .alive_from = 0,
       .newton = infinity,
       .level = 0.5 * (answer.lower + answer.upper)};
@@ -125,12 +137,8 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
     const auto at = solver_.normal(static_cast<int>(i));
     const auto tangents = solver_.dimension() - 1;
     const double normal = solver_.reaction()[at];
-    const double pull = pull_.segment(at + 1, tangents).norm();
-    const double down = -pull_[at];
-    const double reach = down <= 0 ? 0 : (pull * own_[i] > 0 ? down / (pull * own_[i]) : infinity);
-    probe.dead_below = std::min(probe.dead_below, reach);
     sigma += 1 / friction_[i];
-    weighted += down * normal;
+    weighted -= pull_[at] * normal;
     carries = carries && normal > 0;
     probe.alive_from = std::max(
         probe.alive_from, (solver_.reaction().segment(at + 1, tangents).norm() + tolerances.sign) /
@@ -141,7 +149,6 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
       carries = solver_.normal_displacement(static_cast<int>(i)) > tolerances.sign;
   }
   if (!carries) probe.alive_from = infinity;
-  probe.dead_below = std::max(0.0, probe.dead_below * (1 - rounding));
   if (answer.has_point && std::isfinite(answer.upper)) {
     const double slope = (sigma * probe.level + weighted) / (sigma * factor);
     if (slope > 0) probe.newton = factor - probe.level / slope;
@@ -293,8 +300,28 @@ double CriticalFriction::bound(const SignPattern& node, double from, double cuto
   return known;
 }
 
+void CriticalFriction::tighten(std::vector<CandidateBounds> bounds) {
+  solver_.make_room(static_cast<int>(bounds.size()));
+  bounds_ = std::move(bounds);
+}
+
+std::optional<double> CriticalFriction::dead_below_with_cuts(const SignPattern& node,
+                                                             double factor) {
+  const auto free =
+      support::IndexSet::below(static_cast<int>(own_.size())) - (node.contact | node.separated);
+  if (bounds_.empty() || free.empty()) return {};
+  ++programs_;
+  set_friction(factor);
+  const auto cuts = cuts_of(free, bounds_);
+  const auto sign = solver_.solve_with(cuts, node.contact, node.separated, {}).sign;
+  if (sign == conic::Sign::marginal) return {};
+  const double reach = reach_of(solver_.pull(), node);
+  return sign == conic::Sign::dead ? std::max(reach, factor) : reach;
+}
+
 double CriticalFriction::dead_below(const SignPattern& node, double factor) {
   const double at = std::max(factor, range_.least);
+  if (const auto known = dead_below_with_cuts(node, at)) return *known;
   return probe(node, at, {.when_dead = true, .when_alive = true}).dead_below;
 }
 

@@ -127,6 +127,10 @@ class CriticalFriction {
   /// there, otherwise what its multipliers say.
   double dead_below(const SignPattern& node, double factor);
 
+  /// From now on dead_below() knows bounds that hold at any coefficient it is asked for.
+  void tighten(std::vector<CandidateBounds> bounds);
+  [[nodiscard]] const std::vector<CandidateBounds>& bounds() const { return bounds_; }
+
   /// What was solved last.
   [[nodiscard]] ContactSolver& solver() { return solver_; }
   [[nodiscard]] double width() const { return width_; }
@@ -149,6 +153,10 @@ class CriticalFriction {
   // Whether these are alive as the only candidates. Of a loose body they may not see all motions.
   bool lives_alone(const support::IndexSet& contact, const support::IndexSet& separated);
   void set_friction(double factor);
+  // The least coefficient at which w_ni + mu_i |w_ti| is no longer negative for some i not in R.
+  [[nodiscard]] double reach_of(const Eigen::VectorXd& pull, const SignPattern& node) const;
+  // What the program with cuts says, if it says anything.
+  std::optional<double> dead_below_with_cuts(const SignPattern& node, double factor);
   // Moves the end of the cell to a point within it, if its sign is decided there.
   bool decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point);
   void surround(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);
@@ -159,6 +167,7 @@ class CriticalFriction {
   std::vector<double> own_, friction_;  // phi_i; mu_i of the last probe
   Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, then G': (m + p) x dm
   ContactSolver solver_;
+  std::vector<CandidateBounds> bounds_;           // empty: no cuts
   std::optional<problems::WedgedProblem> loose_;  // of a body that nothing holds
   Eigen::VectorXd pull_;                          // w of the multipliers, dm
   std::uint64_t programs_ = 0;

@@ -15,6 +15,7 @@
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "nodes/wedged/pattern_brackets.hpp"
+#include "nodes/wedged/preparation.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -78,14 +79,36 @@ struct SmallestSearch {
   double most;
 };
 
+// Bounds at one coefficient hold at all smaller ones, since cones grow with friction.
+// @return programs solved
+std::uint64_t bound_blocks(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                           double most, CriticalTree& tree) {
+  if (problem.motions.cols() > 0) return 0;
+  std::uint64_t programs = 0;
+  const auto blocks = problems::blocks_of(problem);
+  const auto friction = candidate_friction(problem, most);
+  for (std::uint32_t block = 0; block < blocks.size(); ++block) {
+    if (blocks[block].size() < fewest_to_bound) continue;
+    auto root = bound_candidates(campaign, problem, friction, block, CriticalFriction::tolerances);
+    programs += root.programs;
+    tree.split_by(block, Branching::weighed);
+    tree.tighten(block, std::move(root.bounds));
+  }
+  return programs;
+}
+
 CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                           const SmallestSearch& asked, std::vector<CriticalCost>& costs) {
   const auto& [direction, phase, width, known, most] = asked;
   CriticalTree tree(problem, width, multiples(most, width), direction, known);
+  std::uint64_t programs = 0;
   if (direction == CriticalDirection::down) {
     const auto blocks = problems::blocks_of(problem);
     for (std::size_t block = 0; block < blocks.size(); ++block)
       tree.split_by(block, untried_branching(blocks[block].size()));
+    // Near the least coefficient at which anything lives bounds leave little; far above it they
+    // cost more than they save.
+    if (phase == CriticalPhase::fine) programs = bound_blocks(campaign, problem, most, tree);
   }
   engine::Options options;
   options.goal = engine::Goal::best;
@@ -93,7 +116,7 @@ CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProb
       direction == CriticalDirection::up ? engine::Order::best_first : engine::Order::depth_first;
   auto outcome = campaign.search(tree, options);
   costs.push_back({phase, direction == CriticalDirection::up ? known : most, outcome.opened(),
-                   outcome.tally().programs});
+                   programs + outcome.tally().programs});
   CriticalFindings findings;
   findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
   if (!campaign.is_first()) return findings;

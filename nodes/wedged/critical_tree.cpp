@@ -47,18 +47,27 @@ void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
     ++tally_.dead;
     return;
   }
+  const auto free = block.candidates - (contact | separated);
+  const auto& bounds = block.critical.bounds();
+  if (!bounds.empty() && !leaves_nothing(bounds, contact, separated)) {
+    if (const auto known = one_sided(free, bounds)) return split(node, *known, out);
+  }
   const auto bound = worth(block, node, std::min(out.cutoff(), block.critical.at(most_)));
   if (!bound) {
     ++tally_.dead;
     return;
   }
-  const auto free = block.candidates - (contact | separated);
   if (free.empty()) return close_leaf({node.place, *bound}, out);
-  ++tally_.branched;
   // By the point at the last coefficient that was looked at.
-  const auto split = support::IndexSet::single(block.rule.candidate(free, block.critical.solver()));
-  out.branch({{node.place.block, {contact | split, separated, {}}}, *bound});
-  out.branch({{node.place.block, {contact, separated | split, {}}}, *bound});
+  split({node.place, *bound}, block.rule.candidate(free, block.critical.solver()), out);
+}
+
+void CriticalTree::split(const Node& node, int candidate, engine::Expansion<CriticalTree>& out) {
+  ++tally_.branched;
+  const auto own = support::IndexSet::single(candidate);
+  const auto& [contact, separated, at_rest] = node.place.pattern;
+  out.branch({{node.place.block, {contact | own, separated, {}}}, node.bound});
+  out.branch({{node.place.block, {contact, separated | own, {}}}, node.bound});
 }
 
 std::optional<double> CriticalTree::worth(Block& block, const Node& node, double cutoff) const {

@@ -78,6 +78,12 @@ class CriticalTree {
   /// From now on the nodes of this block are split by another rule.
   void split_by(std::size_t block, Branching branching) { blocks_[block].rule.set(branching); }
 
+  /// From now on the nodes of this block know bounds that hold at all coefficients of interest.
+  /// @pre CriticalDirection::down
+  void tighten(std::size_t block, std::vector<CandidateBounds> bounds) {
+    blocks_[block].critical.tighten(std::move(bounds));
+  }
+
   [[nodiscard]] Node root() const;
   void expand(Node&& node, engine::Expansion<CriticalTree>& out);
   [[nodiscard]] double objective(const Solution& solution) const {
@@ -97,6 +103,7 @@ class CriticalTree {
 
   /// Below what coefficient the node is dead, if it is worth branching.
   std::optional<double> worth(Block& block, const Node& node, double cutoff) const;
+  void split(const Node& node, int candidate, engine::Expansion<CriticalTree>& out);
   void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);
 
   double width_;

@@ -15,7 +15,8 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
 
 EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
                              const verify::EnclosedProblem& enclosed,
-                             std::span<const double> friction) {
+                             std::span<const double> friction,
+                             std::span<const ProvedBound> bounds) {
   certificate_.dimension = static_cast<std::size_t>(problem.dimension);
   certificate_.names = problem.contact_names;
   certificate_.friction = {friction.begin(), friction.end()};
@@ -24,12 +25,42 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
   for (const auto& row : problem.motions.rowwise())
     certificate_.motion_values.insert(certificate_.motion_values.end(), row.begin(), row.end());
   proof_.emplace(certificate_, enclosed.stiffness, enclosed.motions);
+  if (!proof_->least_eigenvalue()) return;
+  for (const auto& bound : bounds) {
+    const std::optional most(bound.most);
+    const auto refusal = proof_->take_up(
+        {.line = 0,
+         .block = bound.block,
+         .candidate = bound.candidate,
+         .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
+         .most = bound.never() ? std::nullopt : most,
+         .numbers = bound.numbers});
+    if (refusal) return;  // what comes after it may rest on it
+  }
 }
+
+namespace {
+
+verify::Claim claim_of(Evidence::Kind kind) {
+  switch (kind) {
+    case Evidence::Kind::dead:
+      return verify::Claim::dead;
+    case Evidence::Kind::cut:
+      return verify::Claim::cut;
+    case Evidence::Kind::alive:
+      return verify::Claim::alive;
+    case Evidence::Kind::marginal:
+      break;
+  }
+  return verify::Claim::marginal;
+}
+
+}  // namespace
 
 bool EvidenceCheck::holds(const Evidence& evidence) const {
   if (evidence.kind == Evidence::Kind::marginal || !proof_->least_eigenvalue()) return false;
   verify::Record record;
-  record.claim = evidence.kind == Evidence::Kind::dead ? verify::Claim::dead : verify::Claim::alive;
+  record.claim = claim_of(evidence.kind);
   record.block = evidence.block;
   record.contact = evidence.node.contact;
   record.separated = evidence.node.separated;

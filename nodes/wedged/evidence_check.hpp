@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "nodes/wedged/candidate_bounds.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/structure/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -28,9 +29,10 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
 class EvidenceCheck {
  public:
   /// Begins with the proof that K is positive definite but for the motions.
-  /// @param friction of each candidate
+  /// @param friction of each candidate  @param bounds of candidates; one that does not
+  /// stand the test is not used, nor those after it
   EvidenceCheck(const problems::WedgedProblem& problem, const verify::EnclosedProblem& enclosed,
-                std::span<const double> friction);
+                std::span<const double> friction, std::span<const ProvedBound> bounds = {});
   EvidenceCheck(const EvidenceCheck&) = delete;
   EvidenceCheck& operator=(const EvidenceCheck&) = delete;
 

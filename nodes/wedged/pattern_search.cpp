@@ -12,9 +12,7 @@ namespace kusabi::wedged {
 PatternFindings find_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                               std::span<const double> friction, const PatternQuestion& question) {
   SignPatternTree tree(problem, friction, question.tree);
-  auto options = question.tree;
-  if (question.witness) options.tightening = Tightening::never;
-  const auto prepared = prepare(campaign, problem, friction, options);
+  const auto prepared = prepare(campaign, problem, friction, question.tree);
   inform(tree, prepared);
   if (question.witness) tree.report_to(question.witness);
   PatternFindings findings;

@@ -7,9 +7,6 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Smaller blocks have trees that are searched sooner than their candidates are bounded.
-constexpr int fewest_to_bound = 24;
-
 /// What bounding a candidate costs, in nodes of the tree without cuts: some ten programs with up to
 /// twice as many rows.
 constexpr double nodes_a_candidate = 30;

@@ -12,6 +12,9 @@
 
 namespace kusabi::wedged {
 
+/// Smaller blocks have trees that are searched sooner than their candidates are bounded.
+inline constexpr int fewest_to_bound = 24;
+
 /// Of one block.
 struct Preparation {
   Branching branching = Branching::relative;

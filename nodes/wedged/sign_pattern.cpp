@@ -39,15 +39,6 @@ SignPatternTree::Block::Block(const problems::WedgedProblem& problem, IndexSet w
                   problem.compliance_error, problem.motions, problem.motion_error);
 }
 
-bool SignPatternTree::Block::is_impossible(const SignPattern& node) const {
-  return std::ranges::any_of(
-             node.contact,
-             [&](int i) { return !bounds[static_cast<std::size_t>(i)].can_touch(); }) ||
-         std::ranges::any_of(node.separated, [&](int i) {
-           return !bounds[static_cast<std::size_t>(i)].can_separate();
-         });
-}
-
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
                                  std::span<const double> friction, SignPatternOptions options)
     : tolerances_(options.tolerances), thorough_(options.thorough) {
@@ -126,12 +117,12 @@ std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Nod
   Block& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
   if (block.bounds.empty() || free.empty()) return {};
-  if (!block.is_impossible(node.pattern))
-    for (const int i : free)
-      if (!block.bounds[static_cast<std::size_t>(i)].is_free()) return split(node, i);
+  const auto& [contact, separated, at_rest] = node.pattern;
+  if (!leaves_nothing(block.bounds, contact, separated)) {
+    if (const auto known = one_sided(free, block.bounds)) return split(node, *known);
+  }
   const auto cuts = cuts_of(free, block.bounds);
-  const auto answer =
-      block.solver.solve_with(cuts, node.pattern.contact, node.pattern.separated, {});
+  const auto answer = block.solver.solve_with(cuts, contact, separated, {});
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
   switch (answer.sign) {
     case conic::Sign::dead:

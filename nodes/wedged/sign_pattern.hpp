@@ -252,9 +252,6 @@ class SignPatternTree {
       return all - (node.contact | node.separated);
     }
 
-    // Whether the bounds leave a candidate nothing on the side that it has here.
-    [[nodiscard]] bool is_impossible(const SignPattern& node) const;
-
     support::IndexSet candidates;  // as the whole problem numbers them
     support::IndexSet all;         // the same as the block does
     BranchingRule rule;

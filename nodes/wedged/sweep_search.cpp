@@ -9,9 +9,9 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/together.hpp"
-#include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/critical_findings.hpp"
+#include "nodes/wedged/preparation.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -34,8 +34,7 @@ LeavesAtMost leaves_at(engine::Campaign& campaign, const problems::WedgedProblem
   const auto friction = candidate_friction(problem, most);
   const SignPatternOptions options;
   SignPatternTree tree(problem, friction, options);
-  const auto rules = tried_branching(campaign, problem, friction, options);
-  for (std::size_t block = 0; block < rules.size(); ++block) tree.split_by(block, rules[block]);
+  inform(tree, prepare(campaign, problem, friction, options));
   auto outcome = campaign.search(tree, {});
   auto leaves = engine::from_first_rank(campaign.transport(), [&] {
     LeavesAtMost found{outcome.status, {}};

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "run/evidence/certificate_file.hpp"
 #include "run/output/standard_output.hpp"
@@ -16,20 +17,22 @@ namespace {
 class EndCertificate final : public wedged::EndRecord {
  public:
   EndCertificate(Session& session, const EndCertificates& certificates, const std::string& name,
-                 std::uint64_t tree, std::string header)
+                 std::uint64_t tree, const problems::WedgedProblem& problem,
+                 std::span<const double> friction)
       : session_(session),
         quiet_(certificates.quiet),
         name_(name),
-        header_(std::move(header)),
+        problem_(problem),
+        friction_(friction.begin(), friction.end()),
         file_(session, name, certificates.input, tree, false) {}
 
   void add(const wedged::Evidence& evidence) override { file_.add(evidence); }
 
-  void end(bool holds) override {
+  void end(std::span<const wedged::ProvedBound> bounds, bool holds) override {
     file_.close();
     if (!session_.speaks()) return;
     if (holds) {
-      file_.put_in_place(header_);
+      file_.put_in_place(certificate_header(problem_, friction_, bounds));
       if (!quiet_) tell_written({name_});
     } else {
       file_.drop();
@@ -40,7 +43,8 @@ class EndCertificate final : public wedged::EndRecord {
   Session& session_;
   bool quiet_;
   std::string name_;
-  std::string header_;
+  const problems::WedgedProblem& problem_;
+  std::vector<double> friction_;
   CertificateFile file_;
 };
 
@@ -57,8 +61,7 @@ wedged::EndRecorder end_recorder(Session& session, EndCertificates certificates,
     fingerprint.add(factor);
     const char* const which = end == wedged::CriticalEnd::lower ? ".lower" : ".upper";
     return std::make_unique<EndCertificate>(session, certificates, certificates.name + which,
-                                            fingerprint.value(),
-                                            certificate_header(problem, friction));
+                                            fingerprint.value(), problem, friction);
   };
 }
 

@@ -127,12 +127,48 @@ class Writer {
 
 }  // namespace
 
+namespace {
+
+// The oldest that can say it.
+int version_of(const problems::WedgedProblem& problem,
+               std::span<const wedged::ProvedBound> bounds) {
+  if (!bounds.empty()) return 4;
+  return problem.motions.cols() == 0 ? 2 : 3;
+}
+
+void append_bound(std::string& text, const wedged::ProvedBound& bound) {
+  const auto* const side = bound.side == wedged::Side::contact ? "contact" : "separated";
+  const auto* const kind = bound.never() ? "never" : "bound";
+  text += fmt::format("{} {} {} {}", kind, bound.block + 1, bound.candidate, side);
+  if (!bound.never()) text += fmt::format(" {:a}", bound.most);
+  append(text, bound.numbers);
+  text += '\n';
+}
+
+const char* kind_name(wedged::Evidence::Kind kind) {
+  using Kind = wedged::Evidence::Kind;
+  switch (kind) {
+    case Kind::dead:
+      return "dead";
+    case Kind::cut:
+      return "cut";
+    case Kind::alive:
+      return "alive";
+    case Kind::marginal:
+      break;
+  }
+  return "marginal";
+}
+
+}  // namespace
+
 std::string certificate_header(const problems::WedgedProblem& problem,
-                               std::span<const double> friction) {
+                               std::span<const double> friction,
+                               std::span<const wedged::ProvedBound> bounds) {
   const auto& motions = problem.motions;
   auto text =
       fmt::format("kusabi certificate {}\ndimension {}\ncandidates {}\n",
-                  motions.cols() == 0 ? 2 : 3, problem.dimension, problem.contact_names.size());
+                  version_of(problem, bounds), problem.dimension, problem.contact_names.size());
   for (const auto& name : problem.contact_names) text += fmt::format("name {}\n", one_line(name));
   text += "friction";
   append(text, friction);
@@ -147,20 +183,19 @@ std::string certificate_header(const problems::WedgedProblem& problem,
     }
     text += '\n';
   }
-  if (motions.cols() > 0) text += fmt::format("motions {}\n", motions.cols());
+  if (motions.cols() > 0 || !bounds.empty()) text += fmt::format("motions {}\n", motions.cols());
   for (Eigen::Index i = 0; i < motions.rows() && motions.cols() > 0; ++i) {
     for (Eigen::Index k = 0; k < motions.cols(); ++k)
       text += fmt::format("{}{:a}", k == 0 ? "" : " ", motions(i, k));
     text += '\n';
   }
+  if (!bounds.empty()) text += fmt::format("bounds {}\n", bounds.size());
+  for (const auto& bound : bounds) append_bound(text, bound);
   return text + "nodes\n";
 }
 
 std::string certificate_line(const wedged::Evidence& evidence) {
-  const auto* const kind = evidence.kind == wedged::Evidence::Kind::dead    ? "dead"
-                           : evidence.kind == wedged::Evidence::Kind::alive ? "alive"
-                                                                            : "marginal";
-  auto line = fmt::format("{} {} {} {}", kind, evidence.block + 1,
+  auto line = fmt::format("{} {} {} {}", kind_name(evidence.kind), evidence.block + 1,
                           support::hexadecimal(evidence.node.contact),
                           support::hexadecimal(evidence.node.separated));
   append(line, evidence.numbers);

@@ -18,8 +18,10 @@
 namespace kusabi::run {
 
 /// All of a certificate before its nodes.
+/// @param bounds that they use
 std::string certificate_header(const problems::WedgedProblem& problem,
-                               std::span<const double> friction);
+                               std::span<const double> friction,
+                               std::span<const wedged::ProvedBound> bounds = {});
 
 /// A node of a certificate: its line, with the end of the line.
 std::string certificate_line(const wedged::Evidence& evidence);

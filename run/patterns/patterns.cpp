@@ -166,7 +166,8 @@ std::uint64_t Patterns::tree_fingerprint() const {
   fingerprint.add(options_.friction);
   fingerprint.add(options_.tolerance);
   fingerprint.add(static_cast<std::uint64_t>(options_.branching));
-  fingerprint.add(static_cast<std::uint64_t>(options_.tightening));
+  if (options_.tightening != wedged::Tightening::automatic)
+    fingerprint.add(static_cast<std::uint64_t>(options_.tightening));
   fingerprint.add(static_cast<std::uint64_t>(options_.facets_in_use()));
   return fingerprint.value();
 }
@@ -221,7 +222,7 @@ void Patterns::search(CommandRun& run) {
 void Patterns::end_certificate() {
   if (!certificate_->wanted()) return;
   if (whole()) {
-    certificate_->put_in_place(certificate_header(problem_, friction_));
+    certificate_->put_in_place(certificate_header(problem_, friction_, findings_->bounds));
   } else if (goes_on_) {
     certificate_->require_parts();
   } else {

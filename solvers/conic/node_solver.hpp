@@ -71,6 +71,8 @@ class NodeSolver {
   double cut_multiplier(std::size_t cut) const {
     return best_[program_.first_cut() + static_cast<Eigen::Index>(cut)];
   }
+  /// w of the last node: what multipliers() pull at each cone, and what those of cuts add.
+  const Eigen::VectorXd& pull() { return program_.pull(best_); }
   /// What the left side of a cut of the last node can be at most, for sum_k r_nk = 1 and wherever
   /// t >= 0 is possible: proved by the same multipliers. Infinity if these say nothing.
   double most_of(std::size_t cut);
