@@ -57,6 +57,7 @@ enum class CriticalDoubt {
 
 /// One of the searches that an answer takes.
 enum class CriticalPhase {
+  dive,          ///< for one leaf, then for one that lives farther down
   coarse,        ///< for the smallest, down from some coefficient, to a few digits
   fine,          ///< for the smallest, to all digits
   patterns,      ///< the patterns that live at the largest coefficient

@@ -13,6 +13,7 @@
 #include "engine/together.hpp"
 #include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
+#include "nodes/wedged/critical_dive.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "nodes/wedged/pattern_brackets.hpp"
 #include "nodes/wedged/preparation.hpp"
@@ -27,6 +28,12 @@ constexpr double next_start = 4;
 
 /// Of a start.
 constexpr double few_digits = 1e-2;
+
+/// Where a descent looks next, of where something lives, until it knows where nothing does.
+constexpr double share_of_last = 0.6;
+
+/// Dives end where what is left to be told is from so much of it on.
+constexpr double near_enough = 0.9;
 
 std::int64_t multiples(double most, double width) {
   return static_cast<std::int64_t>(std::llround(most / width));
@@ -77,38 +84,21 @@ struct SmallestSearch {
   double width;
   double known;  ///< nothing wedges below
   double most;
+  const BlockBounds* bounds = nullptr;  ///< at `most`; of a search downwards
 };
-
-// Bounds at one coefficient hold at all smaller ones, since cones grow with friction.
-// @return programs solved
-std::uint64_t bound_blocks(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                           double most, CriticalTree& tree) {
-  if (problem.motions.cols() > 0) return 0;
-  std::uint64_t programs = 0;
-  const auto blocks = problems::blocks_of(problem);
-  const auto friction = candidate_friction(problem, most);
-  for (std::uint32_t block = 0; block < blocks.size(); ++block) {
-    if (blocks[block].size() < fewest_to_bound) continue;
-    auto root = bound_candidates(campaign, problem, friction, block, CriticalFriction::tolerances);
-    programs += root.programs;
-    tree.split_by(block, Branching::weighed);
-    tree.tighten(block, std::move(root.bounds));
-  }
-  return programs;
-}
 
 CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                           const SmallestSearch& asked, std::vector<CriticalCost>& costs) {
-  const auto& [direction, phase, width, known, most] = asked;
+  const auto& [direction, phase, width, known, most, bounds] = asked;
   CriticalTree tree(problem, width, multiples(most, width), direction, known);
-  std::uint64_t programs = 0;
   if (direction == CriticalDirection::down) {
     const auto blocks = problems::blocks_of(problem);
-    for (std::size_t block = 0; block < blocks.size(); ++block)
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
       tree.split_by(block, untried_branching(blocks[block].size()));
-    // Near the least coefficient at which anything lives bounds leave little; far above it they
-    // cost more than they save.
-    if (phase == CriticalPhase::fine) programs = bound_blocks(campaign, problem, most, tree);
+      if (!bounds || bounds->blocks[block].empty()) continue;
+      tree.split_by(block, Branching::weighed);
+      tree.tighten(block, bounds->blocks[block]);
+    }
   }
   engine::Options options;
   options.goal = engine::Goal::best;
@@ -116,7 +106,7 @@ CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProb
       direction == CriticalDirection::up ? engine::Order::best_first : engine::Order::depth_first;
   auto outcome = campaign.search(tree, options);
   costs.push_back({phase, direction == CriticalDirection::up ? known : most, outcome.opened(),
-                   programs + outcome.tally().programs});
+                   (bounds ? bounds->programs : 0) + outcome.tally().programs});
   CriticalFindings findings;
   findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
   if (!campaign.is_first()) return findings;
@@ -133,38 +123,101 @@ CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProb
   return findings;
 }
 
-// Down from the first of growing coefficients at which anything lives: where nearly everything
-// does, far above the smallest, a search comes upon many leaves that are of no use. What it comes
-// upon on its way is found to a few digits, and the rest between the ends of that bracket.
-CriticalFindings descend(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                         double width, double most, std::vector<CriticalCost>& costs) {
-  const auto search = [&](CriticalPhase phase, double step, double known, double from) {
-    return smallest(campaign, problem, {CriticalDirection::down, phase, step, known, from}, costs);
-  };
-  double known = 0;
-  double start = std::min(first_start, most);
-  for (;;) {
-    double coarse = width;
-    while (coarse < few_digits * start) coarse *= 2;
-    // A search says nothing of what is beyond the last point of its grid.
-    const double reach = coarse == width ? start : coarse * std::floor(start / coarse);
-    auto findings = search(CriticalPhase::coarse, coarse, known, reach);
-    const auto found = engine::from_first_rank(campaign.transport(), [&] {
-      return Bracket{findings.status, findings.lower, or_infinity(findings.upper)};
-    });
-    if (found.status != engine::Status::solved) return findings;
-    if (std::isfinite(found.upper) || found.lower < reach) {  // something lives, or may live
-      if (coarse == width) return findings;
-      return search(CriticalPhase::fine, width, found.lower, std::min(found.upper, most));
+// Down from the first of growing coefficients at which anything lives, to few digits by dives from
+// leaf to leaf, and the rest by two searches of all: near the smallest coefficient bounds leave
+// little of their trees.
+class Descent {
+ public:
+  Descent(engine::Campaign& campaign, const problems::WedgedProblem& problem, double width,
+          double most, std::vector<CriticalCost>& costs)
+      : campaign_(campaign), problem_(problem), width_(width), most_(most), costs_(costs) {}
+
+  CriticalFindings findings() {
+    for (double start = std::min(first_start, most_);;
+         start = std::min(most_, next_start * start)) {
+      coarse_ = width_;
+      while (coarse_ < few_digits * start) coarse_ *= 2;
+      // A search says nothing of what is beyond the last point of its grid.
+      const double reach = coarse_ == width_ ? start : coarse_ * std::floor(start / coarse_);
+      dive(reach);
+      auto found = narrow();
+      if (engine::from_first_rank(campaign_.transport(), [&] { return found.status; }) !=
+          engine::Status::solved)
+        return found;
+      if (alive_ || dead_ < reach) {  // something lives, or may live
+        if (coarse_ == width_) return found;
+        return search(CriticalPhase::fine, width_, std::min(alive_.value_or(most_), most_));
+      }
+      if (start >= most_) {
+        if (reach == most_) return found;
+        return search(CriticalPhase::fine, width_, most_);
+      }
     }
-    if (start >= most) {
-      if (reach == most) return findings;
-      return search(CriticalPhase::fine, width, reach, most);
-    }
-    known = reach;
-    start = std::min(most, next_start * start);
   }
-}
+
+ private:
+  // From where something lives down to a share of that, then to the middle of what is left between
+  // that and where nothing lives, or a dive could not tell.
+  void dive(double reach) {
+    from_ = reach;
+    bounds_ = {};
+    double untold = 0;
+    for (;;) {
+      const auto found =
+          dive_at(campaign_, problem_, std::llround(from_ / coarse_), coarse_, bounds_);
+      costs_.push_back({CriticalPhase::dive, from_, found.opened, found.opened + bounds_.programs});
+      bounds_.programs = 0;  // they are told of
+      if (std::isfinite(found.alive)) {
+        alive_ = found.alive;
+      } else {
+        (found.all_dead ? dead_ : untold) = from_;
+      }
+      if (!alive_) return;
+      const double last = coarse_ * static_cast<double>(std::llround(*alive_ / coarse_) - 1);
+      if (last <= dead_) return;
+      const double least = std::max(dead_, untold);
+      const bool near = least > near_enough * *alive_;
+      const double next = least > 0 ? std::sqrt(least * *alive_) : share_of_last * *alive_;
+      from_ = near ? last : std::clamp(coarse_ * std::floor(next / coarse_), dead_ + coarse_, last);
+      bounds_ = bounds_at(campaign_, problem_, from_);
+      if (near) return;
+    }
+  }
+
+  // What the dives have left.
+  CriticalFindings narrow() {
+    CriticalFindings findings;
+    const double end = alive_ ? *alive_ - 1.5 * coarse_ : from_;  // below its last point
+    if (dead_ < end || (!alive_ && dead_ < from_)) {
+      findings = search(CriticalPhase::coarse, coarse_, from_);
+      const auto found = engine::from_first_rank(campaign_.transport(), [&] {
+        return Bracket{findings.status, findings.lower, or_infinity(findings.upper)};
+      });
+      dead_ = found.lower;
+      if (std::isfinite(found.upper)) alive_ = found.upper;
+    }
+    findings.lower = dead_;
+    findings.upper = alive_;
+    return findings;
+  }
+
+  CriticalFindings search(CriticalPhase phase, double width, double from) {
+    if (phase == CriticalPhase::fine || bounds_.blocks.empty())
+      bounds_ = bounds_at(campaign_, problem_, from);
+    return smallest(campaign_, problem_,
+                    {CriticalDirection::down, phase, width, dead_, from, &bounds_}, costs_);
+  }
+
+  engine::Campaign& campaign_;
+  const problems::WedgedProblem& problem_;
+  double width_, most_;
+  std::vector<CriticalCost>& costs_;
+  double coarse_ = 0;            // the width of the grid of a start
+  double from_ = 0;              // where the next search begins
+  double dead_ = 0;              // nothing lives here, nor below
+  std::optional<double> alive_;  // something does
+  BlockBounds bounds_;           // at `from_`
+};
 
 CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
                                     const problems::WedgedProblem& problem, CriticalMethod method,
@@ -235,7 +288,7 @@ CriticalFindings find_critical_friction(engine::Campaign& campaign,
   const auto search = [&] {
     switch (question.way) {
       case CriticalWay::descent:
-        return descend(campaign, problem, question.width, most, costs);
+        return Descent(campaign, problem, question.width, most, costs).findings();
       case CriticalWay::global:
         return smallest(campaign, problem,
                         {CriticalDirection::up, CriticalPhase::fine, question.width, 0, most},

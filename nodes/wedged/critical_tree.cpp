@@ -49,7 +49,11 @@ void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
   }
   const auto free = block.candidates - (contact | separated);
   const auto& bounds = block.critical.bounds();
-  if (!bounds.empty() && !leaves_nothing(bounds, contact, separated)) {
+  if (!bounds.empty()) {
+    if (leaves_nothing(bounds, contact, separated)) {
+      ++tally_.dead;
+      return;
+    }
     if (const auto known = one_sided(free, bounds)) return split(node, *known, out);
   }
   const auto bound = worth(block, node, std::min(out.cutoff(), block.critical.at(most_)));

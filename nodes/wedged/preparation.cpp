@@ -9,7 +9,7 @@ namespace {
 
 /// What bounding a candidate costs, in nodes of the tree without cuts: some ten programs with up to
 /// twice as many rows.
-constexpr double nodes_a_candidate = 30;
+constexpr double nodes_a_candidate = 15;
 
 bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
   if (tightening == Tightening::never) return false;

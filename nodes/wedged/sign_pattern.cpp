@@ -111,16 +111,17 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   return branch(node, block.free(node.pattern));
 }
 
-// A candidate that has no configuration on one side is branched on before anything is solved: the
-// child on that side is dead. What is marginal with cuts is so by what they leave, too.
+// A candidate that has no configuration on one side is branched on before anything is solved, and
+// the child on that side is dead by this alone. What is marginal with cuts is so by what they
+// leave, too.
 std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Node& node) {
   Block& block = blocks_[node.block];
   const auto free = block.free(node.pattern);
-  if (block.bounds.empty() || free.empty()) return {};
+  if (block.bounds.empty()) return {};
   const auto& [contact, separated, at_rest] = node.pattern;
-  if (!leaves_nothing(block.bounds, contact, separated)) {
-    if (const auto known = one_sided(free, block.bounds)) return split(node, *known);
-  }
+  if (leaves_nothing(block.bounds, contact, separated)) return prune_by_bounds(node);
+  if (free.empty()) return {};
+  if (const auto known = one_sided(free, block.bounds)) return split(node, *known);
   const auto cuts = cuts_of(free, block.bounds);
   const auto answer = block.solver.solve_with(cuts, contact, separated, {});
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
@@ -225,16 +226,27 @@ SignPatternTree::Fate SignPatternTree::prune_with(std::span<const conic::Cut> cu
                                                   const Node& node) {
   ++tally_.dead;
   if (!witness_) return {};
-  const Block& block = blocks_[node.block];
-  const auto& y = block.solver.multipliers();
+  const auto& solver = blocks_[node.block].solver;
+  const auto& y = solver.multipliers();
   std::vector<double> numbers(y.begin(), y.end());
-  const auto forces = cut_forces(block.solver, cuts);
+  const auto forces = cut_forces(solver, cuts);
   numbers.insert(numbers.end(), forces.begin(), forces.end());
+  report_cut(node, numbers);
+  return {};
+}
+
+// The bound says it all.
+SignPatternTree::Fate SignPatternTree::prune_by_bounds(const Node& node) {
+  ++tally_.dead;
+  if (witness_) report_cut(node, std::vector<double>(2 * blocks_[node.block].bounds.size()));
+  return {};
+}
+
+void SignPatternTree::report_cut(const Node& node, std::span<const double> numbers) const {
   witness_({.kind = Evidence::Kind::cut,
             .block = node.block,
-            .node = in_whole(node.pattern, block.candidates),
+            .node = in_whole(node.pattern, blocks_[node.block].candidates),
             .numbers = numbers});
-  return {};
 }
 
 SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration leaf) {

@@ -269,6 +269,8 @@ class SignPatternTree {
   Fate split(const Node& node, int candidate);
   Fate prune(const Node& node, const Eigen::VectorXd& multipliers);
   Fate prune_with(std::span<const conic::Cut> cuts, const Node& node);
+  Fate prune_by_bounds(const Node& node);
+  void report_cut(const Node& node, std::span<const double> numbers) const;
   Fate close(const Node& node, Configuration leaf);
   [[nodiscard]] Configuration configuration(const Node& node, LeafState state,
                                             const conic::Answer& answer) const;

@@ -91,6 +91,8 @@ std::string sentence(const problems::WedgedProblem& problem,
 
 const char* phase_name(wedged::CriticalPhase phase) {
   switch (phase) {
+    case wedged::CriticalPhase::dive:
+      return "dive";
     case wedged::CriticalPhase::coarse:
       return "coarse";
     case wedged::CriticalPhase::fine:
