@@ -28,11 +28,14 @@ std::uint64_t opened_by(Branching rule, const Instance& instance) {
   return engine::search(tree).opened();
 }
 
+// Without cuts, so that the nodes are those of the rule.
 PatternFindings found(const Instance& instance) {
   const std::vector<double> friction(instance.problem.contact_names.size(), instance.friction);
   engine::SingleProcess alone;
   engine::Campaign campaign(alone);
-  return find_patterns(campaign, instance.problem, friction);
+  PatternQuestion question;
+  question.tree.tightening = Tightening::never;
+  return find_patterns(campaign, instance.problem, friction, question);
 }
 
 // By one rule the first has a twentieth of the nodes that it has by another, by which the second
@@ -60,11 +63,11 @@ TEST(BranchingTrial, LeavesSmallBlocksAndRulesThatWereAskedForAlone) {
   const std::vector<double> friction(problem.contact_names.size(), 5.2);
   engine::SingleProcess alone;
   engine::Campaign campaign(alone);
-  EXPECT_THAT(tried_trees(campaign, problem, friction,
-                          {.tolerances = {}, .branching = Branching::deepest}, 45),
-              testing::ElementsAre(testing::AllOf(
-                  testing::Field(&TriedTree::branching, Branching::deepest),
-                  testing::Field(&TriedTree::nodes, 0))));
+  EXPECT_THAT(
+      tried_trees(campaign, problem, friction, {.tolerances = {}, .branching = Branching::deepest},
+                  45),
+      testing::ElementsAre(testing::AllOf(testing::Field(&TriedTree::branching, Branching::deepest),
+                                          testing::Field(&TriedTree::nodes, 0))));
 }
 
 }  // namespace

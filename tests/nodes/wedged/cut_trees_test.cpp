@@ -1,0 +1,292 @@
+// Trees of sign patterns with cuts: what they find, how large they are, and whether their evidence
+// stands the verifier's test.
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "engine/transport/single_process.hpp"
+#include "nodes/evidence/verified_structure.hpp"
+#include "nodes/wedged/evidence_check.hpp"
+#include "nodes/wedged/pattern_search.hpp"
+#include "problems/families/plane_truss.hpp"
+#include "problems/families/space_truss.hpp"
+#include "problems/wedged/problem_block.hpp"
+#include "random_structure.hpp"
+#include "support/input_error.hpp"
+#include "verify/proof.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+PatternFindings searched(const problems::WedgedProblem& problem, double mu, Tightening tightening,
+                         const Witness& witness = {}, bool thorough = false) {
+  const std::vector<double> friction(problem.contact_names.size(), mu);
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone);
+  PatternQuestion question;
+  question.tree.tightening = tightening;
+  question.tree.thorough = thorough;
+  question.witness = witness;
+  return find_patterns(campaign, problem, friction, question);
+}
+
+/// The same patterns in the same states; of solid cones the same bits, too, since a leaf's program
+/// has no cuts.
+void expect_same(const PatternFindings& with, const PatternFindings& without,
+                 const std::string& where) {
+  ASSERT_TRUE(with.whole() && without.whole());
+  EXPECT_EQ(with.count(), without.count()) << where;
+  ASSERT_EQ(with.leaves.size(), without.leaves.size()) << where;
+  for (std::size_t i = 0; i < with.leaves.size(); ++i) {
+    const auto& one = with.leaves[i];
+    const auto& other = without.leaves[i];
+    EXPECT_EQ(one.block, other.block) << where;
+    EXPECT_EQ(one.pattern, other.pattern) << where;
+    EXPECT_EQ(one.state, other.state) << where;
+    if (one.state != LeafState::alive || other.state != LeafState::alive) continue;
+    EXPECT_EQ(one.lower, other.lower) << where;
+    EXPECT_EQ(one.upper, other.upper) << where;
+    EXPECT_EQ(one.reaction, other.reaction) << where;
+  }
+}
+
+/// How many leaves of what kind were compared.
+struct Leaves {
+  std::size_t all = 0, flat = 0, in_blocks = 0, cut_short = 0;
+
+  void compare(const problems::WedgedProblem& problem, double mu, const std::string& where) {
+    const auto without = searched(problem, mu, Tightening::never);
+    const auto with = searched(problem, mu, Tightening::always);
+    expect_same(with, without, where);
+    EXPECT_FALSE(with.bounds.empty()) << where;
+    EXPECT_TRUE(without.bounds.empty()) << where;
+    all += without.leaves.size();
+    flat += without.flat;
+    if (without.blocks.size() > 1) in_blocks += without.leaves.size();
+    cut_short += with.outcome.opened() < without.outcome.opened() ? 1 : 0;
+  }
+};
+
+class CutTreesIn : public testing::TestWithParam<int> {};
+
+TEST_P(CutTreesIn, FindTheSameWhereThereAreTiesAndBlocks) {
+  Leaves compared;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    problems::WedgedProblem problem;
+    try {
+      problem = problems::wedged_problem(random_structure(GetParam(), seed));
+    } catch (const support::InputError&) {  // a mechanism
+      continue;
+    }
+    if (problem.motions.cols() > 0) continue;
+    for (const double mu : {0.3, 0.7, 1.0, 3.0})
+      compared.compare(problem, mu, fmt::format("seed {}, mu {}", seed, mu));
+  }
+  EXPECT_GT(compared.all, 100U);
+  EXPECT_GT(compared.flat, 20U);
+  EXPECT_GT(compared.in_blocks, 50U);
+  EXPECT_GT(compared.cut_short, 20U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimension, CutTreesIn, testing::Values(2, 3));
+
+/// Square cells of bars with both diagonals, held below, in contact above with normals that lean to
+/// either side alike: each pattern has its mirror image.
+problems::Structure symmetric_grid(int columns, int rows, double lean) {
+  StructureBuilder builder(2);
+  std::vector<std::vector<int>> nodes;
+  for (int j = 0; j <= rows; ++j) {
+    nodes.emplace_back();
+    for (int i = 0; i < columns; ++i)
+      nodes.back().push_back(builder.node(Eigen::Vector2d(i, j), j == 0));
+  }
+  const auto at = [&](int i, int j) {
+    return nodes[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
+  };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      builder.bar(at(i, j), at(i, j + 1));
+      if (i + 1 == columns) continue;
+      builder.bar(at(i, j + 1), at(i + 1, j + 1));
+      builder.bar(at(i, j), at(i + 1, j + 1));
+      builder.bar(at(i + 1, j), at(i, j + 1));
+    }
+  for (int i = 0; i < columns; ++i) {
+    const double side = i - (columns - 1) / 2.0;
+    builder.candidate(at(i, rows), Eigen::Vector2d(lean * side, -1));
+  }
+  return builder.structure();
+}
+
+TEST(CutTrees, FindTheSameOnSymmetricGrids) {
+  Leaves compared;
+  for (const int columns : {4, 5, 7, 8})
+    for (const double lean : {-1.0, -0.5, 0.0, 0.5, 1.0})
+      for (const double mu : {0.3, 0.8, 1.5, 3.0})
+        compared.compare(problems::wedged_problem(symmetric_grid(columns, 2, lean)), mu,
+                         fmt::format("{} columns, lean {}, mu {}", columns, lean, mu));
+  EXPECT_GT(compared.all, 30U);
+}
+
+TEST(CutTrees, FindTheSameInSpace) {
+  Leaves compared;
+  for (const int rows : {3, 5})
+    for (const double mu : {0.3, 0.55, 0.8, 3.0})
+      compared.compare(problems::wedged_problem(problems::space_truss({.rows = rows})), mu,
+                       fmt::format("{} rows, mu {}", rows, mu));
+  EXPECT_GT(compared.all, 200U);
+}
+
+// Thirty candidates, so large a tree that the bounds are worth their price by far.
+TEST(CutTrees, HaveFarFewerNodes) {
+  const auto problem = problems::wedged_problem(problems::space_truss({.rows = 15}));
+  const auto without = searched(problem, 0.5, Tightening::never);
+  const auto with = searched(problem, 0.5, Tightening::always);
+  expect_same(with, without, "15 rows");
+  EXPECT_LE(8 * with.outcome.opened(), without.outcome.opened());
+  EXPECT_EQ(with.count(), 72U);
+  const auto automatic = searched(problem, 0.5, Tightening::automatic);
+  EXPECT_EQ(automatic.outcome.opened(), with.outcome.opened());
+}
+
+/// Evidence that outlives its node.
+struct KeptEvidence {
+  Evidence evidence;
+  std::vector<double> numbers;
+
+  [[nodiscard]] bool holds(const EvidenceCheck& check) const {
+    Evidence whole = evidence;
+    whole.numbers = numbers;
+    return check.holds(whole);
+  }
+};
+
+/// A search with cuts of a structure, and what the verifier makes of K.
+struct Searched {
+  problems::WedgedProblem problem;
+  std::vector<double> friction;
+  verify::EnclosedProblem enclosed;
+  std::vector<KeptEvidence> evidence{};
+  PatternFindings findings{};
+
+  Searched(const problems::Structure& structure, double mu)
+      : problem(problems::wedged_problem(structure)),
+        friction(problem.contact_names.size(), mu),
+        enclosed(std::get<verify::EnclosedProblem>(enclosed_stiffness(structure))) {
+    findings = searched(
+        problem, mu, Tightening::always,
+        [this](const Evidence& one) {
+          evidence.push_back({one, {one.numbers.begin(), one.numbers.end()}});
+        },
+        true);
+  }
+
+  [[nodiscard]] std::size_t of_kind(Evidence::Kind kind) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        evidence, [&](const KeptEvidence& one) { return one.evidence.kind == kind; }));
+  }
+};
+
+/// Trees with something to prove: in space and in the plane.
+std::vector<std::pair<problems::Structure, double>> structures() {
+  return {{problems::space_truss({.rows = 5}), 0.65}, {problems::plane_truss({.rows = 8}), 0.8}};
+}
+
+TEST(CutTrees, HaveEvidenceThatStandsTheTestOfTheVerifier) {
+  for (const auto& [structure, mu] : structures()) {
+    const Searched own(structure, mu);
+    const EvidenceCheck check(own.problem, own.enclosed, own.friction, own.findings.bounds);
+    for (const auto& one : own.evidence) {
+      if (one.evidence.kind == Evidence::Kind::marginal) continue;
+      EXPECT_TRUE(one.holds(check));
+    }
+    EXPECT_GT(own.of_kind(Evidence::Kind::cut), 10U);
+    EXPECT_GT(own.of_kind(Evidence::Kind::alive), 5U) << structure.name;
+    EXPECT_EQ(own.of_kind(Evidence::Kind::marginal), 0U) << structure.name;
+  }
+}
+
+/// Of all configurations that were found, the largest reaction or gap of a candidate.
+double largest(const Searched& own, const ProvedBound& bound) {
+  double most = 0;
+  const auto d = static_cast<std::size_t>(own.problem.dimension);
+  const auto at = d * static_cast<std::size_t>(bound.candidate);  // a single block
+  for (const auto& leaf : own.findings.leaves)
+    most = std::max(most, bound.side == Side::contact ? leaf.reaction[at] : leaf.displacement[at]);
+  return most;
+}
+
+verify::Bound as_written(const ProvedBound& bound) {
+  return {.line = 0,
+          .block = bound.block,
+          .candidate = bound.candidate,
+          .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
+          .most = bound.never() ? std::nullopt : std::optional(bound.most),
+          .numbers = bound.numbers};
+}
+
+// Each bound below what a known configuration has, and a side taken away that one is on.
+TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
+  for (const auto& [structure, mu] : structures()) {
+    const Searched own(structure, mu);
+    ASSERT_EQ(own.findings.blocks.size(), 1U);
+    verify::Certificate certificate;
+    certificate.dimension = static_cast<std::size_t>(own.problem.dimension);
+    certificate.names = own.problem.contact_names;
+    certificate.friction = own.friction;
+    certificate.blocks = problems::blocks_of(own.problem);
+    verify::Proof proof(certificate, own.enclosed.stiffness, own.enclosed.motions);
+    ASSERT_TRUE(proof.least_eigenvalue());
+    int refused = 0;
+    for (const auto& bound : own.findings.bounds) {
+      const double most = largest(own, bound);
+      if (bound.never()) {
+        EXPECT_EQ(most, 0) << bound.candidate;
+      } else if (most > 1e-9 * bound.most) {
+        auto low = as_written(bound);
+        low.most = most * (1 - 1e-9);
+        EXPECT_TRUE(proof.take_up(low)) << bound.candidate;
+        auto never = as_written(bound);
+        never.most.reset();
+        never.numbers.pop_back();
+        EXPECT_TRUE(proof.take_up(never)) << bound.candidate;
+        ++refused;
+      }
+      EXPECT_FALSE(proof.take_up(as_written(bound))) << bound.candidate;
+    }
+    EXPECT_GT(refused, 20);
+  }
+}
+
+// The first bound that took a program; what was proved by it and by those after it is not proved.
+TEST(CutTrees, HaveEvidenceThatFallsWithItsBounds) {
+  for (const auto& [structure, mu] : structures()) {
+    const Searched own(structure, mu);
+    auto bounds = own.findings.bounds;
+    const auto low =
+        std::ranges::find_if(bounds.begin() + static_cast<std::ptrdiff_t>(own.friction.size()),
+                             bounds.end(), [&](const ProvedBound& bound) {
+                               return !bound.never() && largest(own, bound) > 1e-9 * bound.most;
+                             });
+    ASSERT_NE(low, bounds.end());
+    low->most = largest(own, *low) / 2;
+    const EvidenceCheck check(own.problem, own.enclosed, own.friction, bounds);
+    std::size_t refused = 0;
+    for (const auto& one : own.evidence) {
+      const bool stands = one.holds(check);
+      EXPECT_TRUE(stands || one.evidence.kind != Evidence::Kind::alive);
+      refused += stands ? 0 : 1;
+    }
+    EXPECT_GT(refused, 5U);
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::wedged
