@@ -23,12 +23,12 @@ enum class PatternSort {
 };
 
 struct PatternsOptions {
-  std::string file;                                            ///< the problem
-  double friction = 0;                                         ///< mu
-  double tolerance = conic::Tolerances{}.sign;                 ///< |t*| up to this is marginal
+  std::string file;                                               ///< the problem
+  double friction = 0;                                            ///< mu
+  double tolerance = conic::Tolerances{}.sign;                    ///< |t*| up to this is marginal
   wedged::Tightening tightening = wedged::Tightening::automatic;  ///< whether there are cuts
-  wedged::Branching branching = wedged::Branching::automatic;  ///< how nodes are split
-  bool polyhedral = false;                                     ///< Algorithm 5.8, otherwise 5.1
+  wedged::Branching branching = wedged::Branching::automatic;     ///< how nodes are split
+  bool polyhedral = false;                                        ///< Algorithm 5.8, otherwise 5.1
   int facets = 16;               ///< of the polyhedral friction cones of Algorithm 5.8
   bool list_candidates = false;  ///< of Algorithm 5.8, in the table
   PatternSort sort = PatternSort::number;
