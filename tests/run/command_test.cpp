@@ -279,7 +279,7 @@ TEST_F(Command, WritesWhatAConfigurationDoesToTheWholeStructure) {
 TEST_F(Command, RefusesWrongCalls) {
   const std::string good = "patterns " + truss + " --mu 0.5";
   const std::string above_0 = "expected a number above 0";
-  const std::string all = "expected one of patterns, rays, critical, limit, mip, verify";
+  const std::string all = "expected one of patterns, rays, critical, limit, sweep, mip, verify";
   const auto plane = quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/plane-truss.toml");
   struct Wrong {
     std::string call;
@@ -683,7 +683,7 @@ constexpr auto long_friction = " --mu 0.52 ";
 
 TEST_F(Command, ASignalEndsItWithACheckpointToGoOnFrom) {
   shell(command + make_long + argument("long.toml"));
-  const auto call = command + " patterns " + argument("long.toml") + long_friction;
+  const auto call = command + " patterns " + argument("long.toml") + " --cuts none" + long_friction;
   const auto whole = in_folder("whole.json");
   ASSERT_EQ(shell(ranks(2) + call + " --quiet --output " + quoted(whole)).exit_code, 0);
   for (const std::string signal : {"TERM", "INT"}) {
@@ -708,7 +708,7 @@ TEST_F(Command, SIGUSR1AsksForACheckpointAndTheSearchGoesOn) {
   const auto state = in_folder("state");
   // It heeds signals from just after it has said what it does.
   const auto run = shell(fmt::format(
-      "{{ {} patterns {} --mu 0.55 --checkpoint {} >{} 2>{} & p=$!;"
+      "{{ {} patterns {} --mu 0.55 --cuts none --checkpoint {} >{} 2>{} & p=$!;"
       "   while [ ! -s {} ] && kill -0 $p; do sleep 0.01; done; sleep 0.2; kill -USR1 $p;"
       "   while [ ! -e {} ] && kill -0 $p; do sleep 0.01; done; kill -TERM $p; wait $p; }}",
       command, argument("long.toml"), quoted(state), argument("table"), argument("log"),
@@ -909,7 +909,7 @@ TEST_F(Command, ACertificateNeedsACheckpointToGoOnFrom) {
 
 TEST_F(Command, ACertificateOutlivesAKilledSearch) {
   shell(command + make_long + argument("long.toml"));
-  const auto call = command + " patterns " + argument("long.toml") + long_friction +
+  const auto call = command + " patterns " + argument("long.toml") + " --cuts none" + long_friction +
                     " --certificate " + argument("cert");
   const auto state = argument("state");
   shell(

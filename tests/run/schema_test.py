@@ -55,7 +55,7 @@ OPTIONAL_OF = {
                  "candidates": {"block", "at_rest", "margin"}},
     "rays": {"result": {"tree", "motions"}, "cones": {"motions"}, "rays": {"axial_forces"}},
     "critical": {"patterns": {"block", "at_rest", "axial_forces"}, "pattern": {"block", "at_rest", "axial_forces"},
-                 "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},  # by the method
+                 "statistics": {"ranks"}, "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},  # by the method
     "limit": {"options": {"curve_load"}, "statistics": {"nodes", "tree_programs", "zero_one"},
               "result": {"zero_one", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "mip": {},
