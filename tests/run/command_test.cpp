@@ -909,8 +909,8 @@ TEST_F(Command, ACertificateNeedsACheckpointToGoOnFrom) {
 
 TEST_F(Command, ACertificateOutlivesAKilledSearch) {
   shell(command + make_long + argument("long.toml"));
-  const auto call = command + " patterns " + argument("long.toml") + " --cuts none" + long_friction +
-                    " --certificate " + argument("cert");
+  const auto call = command + " patterns " + argument("long.toml") + " --cuts none" +
+                    long_friction + " --certificate " + argument("cert");
   const auto state = argument("state");
   shell(
       fmt::format("{{ {} --checkpoint {} --checkpoint-interval 0.02 >{} 2>&1 & p=$!;"
