@@ -31,6 +31,16 @@ std::uint64_t few_nodes(int candidates) {
   return static_cast<std::uint64_t>(std::clamp(50'000 / candidates, 100, 500));
 }
 
+/// Of blocks up to this size whole trees of some twenty nodes a candidate are looked for, since few
+/// dives can be wrong by a factor of ten. Larger ones take too long for one rank.
+constexpr int most_to_look_through = 100;
+
+std::uint64_t looked_through(int candidates) {
+  if (candidates > most_to_look_through) return few_nodes(candidates);
+  const auto many = static_cast<std::uint64_t>(std::min(20 * candidates, 100'000 / candidates));
+  return std::max(few_nodes(candidates), many);
+}
+
 constexpr int much = 20;  // leaves
 
 constexpr std::uint64_t dives_a_round = 4;  // by each rule
@@ -84,8 +94,8 @@ class Trial {
   TriedTree best_of(std::uint32_t block, int candidates) {
     constexpr auto unknown = std::numeric_limits<double>::infinity();
     const auto few = few_nodes(candidates);
-    const auto first =
-        engine::from_first_rank(campaign_.transport(), [&] { return look(block, few); });
+    const auto first = engine::from_first_rank(
+        campaign_.transport(), [&] { return look(block, looked_through(candidates)); });
     if (first.whole) return {rules_.front(), static_cast<double>(first.opened)};
     if (candidates < fewest_candidates) return {rules_.front(), unknown};
     const auto rules = first.much ? 1 : trees_.size();
@@ -104,7 +114,8 @@ class Trial {
     const auto least = std::ranges::min_element(sum);
     const auto best =
         *least * times_fewer < sum.front() ? static_cast<std::size_t>(least - sum.begin()) : 0;
-    return {rules_[best], mean(sum[best], round)};
+    const bool known_large = best == 0 && candidates <= most_to_look_through && !first.much;
+    return {rules_[best], known_large ? unknown : mean(sum[best], round)};
   }
 
  private:

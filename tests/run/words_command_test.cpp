@@ -1,10 +1,10 @@
 // What the tables say in the end, in which words, and on how wide a page.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -30,7 +30,15 @@ std::string example(const std::string& name) {
 }
 
 std::string without_colours(const std::string& text) {
-  return std::regex_replace(text, std::regex("\033\\[[0-9;]*[mK]|\r"), "");
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\033') {
+      i = std::min(text.find_first_of("mK", i), text.size());
+    } else if (text[i] != '\r') {
+      plain += text[i];
+    }
+  }
+  return plain;
 }
 
 // What is shown: UTF-8 characters.
