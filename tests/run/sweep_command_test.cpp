@@ -28,8 +28,8 @@ class SweepCommand : public Command {
   }
   void expect_same_on_two_ranks(const std::string& call) const {
     auto alone = document_of(call);
-    const auto run = shell(std::string(KUSABI_MPIEXEC) + " 2 " + command + ' ' + call +
-                           " --quiet --output " + argument("two.json"));
+    const auto run =
+        shell(ranks(2) + command + ' ' + call + " --quiet --output " + argument("two.json"));
     EXPECT_EQ(run.exit_code, 0) << run.output;
     auto two = Json::parse(content(in_folder("two.json")));
     alone.erase("statistics");
