@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "engine/together.hpp"
-#include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/critical_friction.hpp"
 #include "nodes/wedged/preparation.hpp"
@@ -22,13 +21,7 @@ SignPatternTree tree_at(const problems::WedgedProblem& problem, double factor,
                         const BlockBounds& bounds) {
   SignPatternTree tree(problem, candidate_friction(problem, factor),
                        {.tolerances = CriticalFriction::tolerances});
-  const auto blocks = problems::blocks_of(problem);
-  for (std::size_t block = 0; block < blocks.size(); ++block) {
-    tree.split_by(block, untried_branching(blocks[block].size()));
-    if (block >= bounds.blocks.size() || bounds.blocks[block].empty()) continue;
-    tree.split_by(block, Branching::weighed);
-    tree.tighten(block, bounds.blocks[block]);
-  }
+  inform(tree, problem, bounds);
   return tree;
 }
 
@@ -36,12 +29,9 @@ SignPatternTree tree_at(const problems::WedgedProblem& problem, double factor,
 double alive_from(const problems::WedgedProblem& problem, const Configuration& leaf,
                   std::int64_t multiple, double width) {
   const auto block = problems::blocks_of(problem)[leaf.block];
-  const auto contact = problems::in_block(leaf.pattern.contact, block);
-  const auto others = problems::in_block(block - leaf.pattern.contact, block);
   CriticalFriction critical(problems::block_problem(problem, block), width);
-  const auto cell =
-      critical.locate({.contact = contact, .separated = others, .at_rest = {}},
-                      {.dead = 0, .alive = multiple}, CriticalMethod::newton, multiple);
+  const auto cell = critical.locate(own_leaf(leaf, block), {.dead = 0, .alive = multiple},
+                                    CriticalMethod::newton, multiple);
   if (cell.alive == CriticalCell::nowhere) return std::numeric_limits<double>::infinity();
   return critical.at(cell.alive);
 }

@@ -3,12 +3,15 @@
 // descent that begins far above the smallest coefficient comes near it by a few of these.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "engine/campaign.hpp"
+#include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_bounds.hpp"
+#include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -24,6 +27,17 @@ struct BlockBounds {
 /// @param factor of the candidates' own coefficients
 BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                       double factor);
+
+/// Lets a tree at that coefficient, or at a smaller one, know: how its blocks are split, too.
+template <class Tree>
+void inform(Tree& tree, const problems::WedgedProblem& problem, const BlockBounds& bounds) {
+  const auto blocks = problems::blocks_of(problem);
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    const bool bounded = block < bounds.blocks.size() && !bounds.blocks[block].empty();
+    tree.split_by(block, bounded ? Branching::weighed : untried_branching(blocks[block].size()));
+    if (bounded) tree.tighten(block, bounds.blocks[block]);
+  }
+}
 
 /// What a dive came upon.
 struct CriticalDive {

@@ -84,29 +84,21 @@ struct SmallestSearch {
   double width;
   double known;  ///< nothing wedges below
   double most;
-  const BlockBounds* bounds = nullptr;  ///< at `most`; of a search downwards
+  BlockBounds bounds{};  ///< at `most`; of a search downwards
 };
 
 CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                           const SmallestSearch& asked, std::vector<CriticalCost>& costs) {
   const auto& [direction, phase, width, known, most, bounds] = asked;
   CriticalTree tree(problem, width, multiples(most, width), direction, known);
-  if (direction == CriticalDirection::down) {
-    const auto blocks = problems::blocks_of(problem);
-    for (std::size_t block = 0; block < blocks.size(); ++block) {
-      tree.split_by(block, untried_branching(blocks[block].size()));
-      if (!bounds || bounds->blocks[block].empty()) continue;
-      tree.split_by(block, Branching::weighed);
-      tree.tighten(block, bounds->blocks[block]);
-    }
-  }
+  if (direction == CriticalDirection::down) inform(tree, problem, bounds);
   engine::Options options;
   options.goal = engine::Goal::best;
   options.order =
       direction == CriticalDirection::up ? engine::Order::best_first : engine::Order::depth_first;
   auto outcome = campaign.search(tree, options);
   costs.push_back({phase, direction == CriticalDirection::up ? known : most, outcome.opened(),
-                   (bounds ? bounds->programs : 0) + outcome.tally().programs});
+                   bounds.programs + outcome.tally().programs});
   CriticalFindings findings;
   findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
   if (!campaign.is_first()) return findings;
@@ -123,9 +115,9 @@ CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProb
   return findings;
 }
 
-// Down from the first of growing coefficients at which anything lives, to few digits by dives from
-// leaf to leaf, and the rest by two searches of all: near the smallest coefficient bounds leave
-// little of their trees.
+// Down from the first of growing coefficients at which anything lives: near to the smallest by
+// dives, to few digits by a search of all, and to the rest by another. Near the smallest
+// coefficient bounds leave little of their trees.
 class Descent {
  public:
   Descent(engine::Campaign& campaign, const problems::WedgedProblem& problem, double width,
@@ -188,7 +180,7 @@ class Descent {
   CriticalFindings narrow() {
     CriticalFindings findings;
     const double end = alive_ ? *alive_ - 1.5 * coarse_ : from_;  // below its last point
-    if (dead_ < end || (!alive_ && dead_ < from_)) {
+    if (dead_ < end) {
       findings = search(CriticalPhase::coarse, coarse_, from_);
       const auto found = engine::from_first_rank(campaign_.transport(), [&] {
         return Bracket{findings.status, findings.lower, or_infinity(findings.upper)};
@@ -205,7 +197,7 @@ class Descent {
     if (phase == CriticalPhase::fine || bounds_.blocks.empty())
       bounds_ = bounds_at(campaign_, problem_, from);
     return smallest(campaign_, problem_,
-                    {CriticalDirection::down, phase, width, dead_, from, &bounds_}, costs_);
+                    {CriticalDirection::down, phase, width, dead_, from, bounds_}, costs_);
   }
 
   engine::Campaign& campaign_;

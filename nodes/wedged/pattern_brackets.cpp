@@ -15,15 +15,9 @@ namespace {
 /// Cells from zero to the coefficient that patterns are known at.
 constexpr std::int64_t cells_to_known = 100'000'000;
 
-// A leaf of the block's tree whose cone it is: candidates at rest may be called separated.
 PatternBisection::Pattern pattern_of(const Configuration& leaf,
                                      const std::vector<support::IndexSet>& blocks) {
-  const auto& block = blocks[leaf.block];
-  const auto contact = leaf.pattern.contact;
-  return {.leaf = {.block = leaf.block,
-                   .pattern = {.contact = problems::in_block(contact, block),
-                               .separated = problems::in_block(block - contact, block),
-                               .at_rest = {}}},
+  return {.leaf = {.block = leaf.block, .pattern = own_leaf(leaf, blocks[leaf.block])},
           .lives = leaf.state == LeafState::alive || leaf.state == LeafState::flat};
 }
 

@@ -1,6 +1,8 @@
 // Whether bounds pay, by the size of the tree without them.
 #include "nodes/wedged/preparation.hpp"
 
+#include <limits>
+
 #include "nodes/wedged/branching_trial.hpp"
 #include "problems/wedged/problem_block.hpp"
 
@@ -23,7 +25,10 @@ std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::Wed
                                  std::span<const double> friction,
                                  const SignPatternOptions& options) {
   const bool takes_cuts = options.facets == 0 && problem.motions.cols() == 0;
-  const auto trees = tried_trees(campaign, problem, friction, options, fewest_to_bound);
+  // Nobody asks how large trees are if it is said already whether candidates are bounded.
+  const int fewest = options.tightening == Tightening::automatic ? fewest_to_bound
+                                                                 : std::numeric_limits<int>::max();
+  const auto trees = tried_trees(campaign, problem, friction, options, fewest);
   const auto blocks = problems::blocks_of(problem);
   std::vector<Preparation> result(blocks.size());
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {

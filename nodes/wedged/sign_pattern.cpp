@@ -27,6 +27,13 @@ SignPattern in_whole(const SignPattern& own, const IndexSet& block) {
 
 }  // namespace
 
+SignPattern own_leaf(const Configuration& found, const IndexSet& block) {
+  const auto& contact = found.pattern.contact;
+  return {.contact = problems::in_block(contact, block),
+          .separated = problems::in_block(block - contact, block),
+          .at_rest = {}};
+}
+
 SignPatternTree::Block::Block(const problems::WedgedProblem& problem, IndexSet within_whole,
                               std::span<const double> friction, const SignPatternOptions& options)
     : candidates(std::move(within_whole)),

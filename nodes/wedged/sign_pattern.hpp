@@ -98,6 +98,11 @@ struct Configuration {
   }
 };
 
+/// The leaf of the block's own tree whose cone a configuration's is: candidates at rest may be
+/// called separated.
+/// @param block its candidates, as the whole problem numbers them
+SignPattern own_leaf(const Configuration& found, const support::IndexSet& block);
+
 /// A leaf that polyhedral friction cones let live: one of Y_1, ..., Y_k of Algorithm 5.8, and what
 /// its step 2 says of it.
 struct PolyhedralCandidate {

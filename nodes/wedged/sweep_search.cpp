@@ -47,16 +47,11 @@ LeavesAtMost leaves_at(engine::Campaign& campaign, const problems::WedgedProblem
 
 /// In contact are those that are loaded; all others, at rest or not, are called separated.
 SweepTree::Leaf leaf_of(const Configuration& found, const support::IndexSet& block) {
-  const auto contact = problems::in_block(found.pattern.contact, block);
-  SweepTree::Leaf leaf{
-      .place = {.block = found.block,
-                .pattern = {.contact = contact,
-                            .separated = problems::in_block(block - found.pattern.contact, block),
-                            .at_rest = {}}},
-      .stage = {LeafStage::Kind::open, {}, {}}};
+  SweepTree::Leaf leaf{.place = {.block = found.block, .pattern = own_leaf(found, block)},
+                       .stage = {LeafStage::Kind::open, {}, {}}};
   if (found.state == LeafState::alive) leaf.stage.kind = LeafStage::Kind::solid;
   if (found.state == LeafState::flat)
-    leaf.stage = {LeafStage::Kind::flat, contact,
+    leaf.stage = {LeafStage::Kind::flat, leaf.place.pattern.contact,
                   problems::in_block(found.pattern.separated, block)};
   return leaf;
 }

@@ -112,6 +112,7 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
 template <int D>
 void NodeProgram<D>::make_room(int most_cuts) {
   most_cuts_ = most_cuts;
+  cuts_.reserve(static_cast<std::size_t>(most_cuts));
   const Eigen::Index room = padded(most_rows());
   matrix_.setZero(room * D * padded_cones_);
   right_side_.setZero(room);
@@ -146,7 +147,7 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
   contact_rows_.clear();
   contact_ = contact;
   ignored_ = ignored;
-  cuts_ = cuts;
+  cuts_.assign(cuts.begin(), cuts.end());
   padded_rows_ = padded(rows());
   omega_ = 0;
   for (std::size_t k = 0; k < friction_.size(); ++k) {

@@ -72,7 +72,7 @@ class NodeProgram {
   /// Builds the standard form of the node with the candidates of `contact` in U and those of
   /// `separated` in R. The candidates of `ignored` have neither a reaction
   /// nor a row: r = 0, and u_n is free.
-  /// @param cuts of candidates that are not ignored; valid until the next call
+  /// @param cuts of candidates that are not ignored
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist,
   ///   or there are more cuts than there is room for
   void select(const support::IndexSet& contact, const support::IndexSet& separated,
@@ -165,7 +165,7 @@ class NodeProgram {
   std::vector<double> friction_;       // by cone, like the next
   std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;  // contact: U, the rows without a slack
-  std::span<const Cut> cuts_;
+  std::vector<Cut> cuts_;
   int most_cuts_ = 0, padded_rows_ = 0, padded_cones_;
   Eigen::VectorXd matrix_;      // A, room for all cones and rows
   Eigen::VectorXd right_side_;  // b

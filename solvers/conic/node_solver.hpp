@@ -46,7 +46,7 @@ class NodeSolver {
 
   /// Bounds the node with the candidates `contact` in U and `separated` in R; those of `ignored`
   /// have r = 0 and u_n free.
-  /// @param cuts further rows; valid until the next call
+  /// @param cuts further rows
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
   Answer solve(const support::IndexSet& contact, const support::IndexSet& separated,
                StopEarly stop = {}, const support::IndexSet& ignored = {},
