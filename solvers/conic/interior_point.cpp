@@ -2,6 +2,7 @@
 #include "solvers/conic/interior_point.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solvers/conic/iteration_rules.hpp"
@@ -16,40 +17,47 @@ namespace {
 // that row, which proves the node dead.
 constexpr double diagonal_shift = 1e-15;
 
-// The columns of one cone of B = A W: the cone of this lane.
+// The columns of one cone of A times a matrix, by columns; `rows` and `distance` are those of A,
+// from one component to the next, and the same of the product.
 template <int D>
-KUSABI_INLINE void scale_columns(const double* a, double* b, int distance, int rows,
-                                 const Scaling<D, Pack>& scaling, int lane) {
-  std::array<Point<D, Pack>, static_cast<std::size_t>(D)> w;
-  for (std::size_t i = 0; i < w.size(); ++i)
-    for (std::size_t j = 0; j <= i; ++j) w[i][j] = w[j][i] = scaling.entry(i, j)[lane];
+KUSABI_INLINE void multiply_columns(const double* a, int distance, int rows,
+                                    const Eigen::Matrix<double, D, D>& matrix, double* product,
+                                    int product_distance) {
   for (int row = 0; row < rows; row += lanes) {
     Point<D, Pack> entries;
     for (int d = 0; d < D; ++d) entries[static_cast<std::size_t>(d)] = load(a + d * distance + row);
-    for (int d = 0; d < D; ++d)
-      store(b + d * distance + row, dot(entries, w[static_cast<std::size_t>(d)]));
+    for (int d = 0; d < D; ++d) {
+      Point<D, Pack> column;
+      for (int e = 0; e < D; ++e) column[static_cast<std::size_t>(e)] = matrix(e, d);
+      store(product + d * product_distance + row, dot(entries, column));
+    }
   }
 }
 
 }  // namespace
 
 template <int D>
-InteriorPoint<D>::InteriorPoint(int all_rows, int motions, int most_cones)
-    : normal_equations_(all_rows) {
-  const Eigen::Index rows = padded(all_rows);
+InteriorPoint<D>::InteriorPoint(const NodeProgram<D>& program)
+    : elimination_(program.first_cut(), program.most_cuts(), program.most_cones()),
+      normal_equations_(program.first_cut() + (program.most_cuts() > 0 ? 1 : 0)) {
+  const Eigen::Index rows = padded(program.most_rows());
+  const int motions = program.motions().lifting;
   moved_.setZero(rows, motions);
   motion_.setZero(motions);
   schur_.compute(Eigen::MatrixXd::Identity(motions, motions));  // solvers are copied, state and all
-  const Eigen::Index cones = padded(most_cones);
+  const Eigen::Index cones = padded(program.most_cones());
   for (Points<D>* points : {&x_, &z_, &projected_, &step_x_, &step_z_, &products_})
     points->setZero(cones, D);
-  for (Eigen::VectorXd* numbers :
-       {&v_, &y_, &w_, &lambda_, &predictor_, &correction_, &dy_, &trial_, &step_v_, &step_y_})
+  for (Eigen::VectorXd* numbers : {&v_, &y_, &w_, &weights_, &lambda_, &predictor_, &correction_,
+                                   &dy_, &trial_, &step_v_, &step_y_})
     numbers->setZero(rows);
   present_.setZero(cones);
   scaling_.resize(static_cast<std::size_t>(cones / lanes));
-  scaled_matrix_.setZero(rows, D * cones);
-  reduced_.setZero((D + 1) * lanes, rows);
+  const Eigen::Index left = padded(program.first_cut() + 1);
+  for (Eigen::VectorXd* numbers : {&reduced_first_, &reduced_second_, &along_})
+    numbers->setZero(left);
+  scaled_matrix_.setZero(left * D * cones);
+  faces_.setZero((D + 1) * lanes, left);
 }
 
 template <int D>
@@ -69,11 +77,12 @@ KUSABI_INLINE void InteriorPoint<D>::store_cones(Points<D>& points, int cone, co
 template <int D>
 void InteriorPoint<D>::start(const NodeProgram<D>& program) {
   const auto count = static_cast<int>(program.cones().size());
-  normal_equations_.resize(program.rows());
+  elimination_.start(program);
+  normal_equations_.resize(elimination_.is_needed() ? elimination_.rows() : program.rows());
   for (Eigen::VectorXd* numbers : {&predictor_, &correction_, &dy_, &trial_, &step_v_, &step_y_})
     numbers->setZero();  // those of rows that this node has not
   y_ = program.slack();
-  transposed_product(program.matrix(), y_.data(), products_.data());
+  program.multiply_transposed(y_, products_);
   double size = start_limit;
   for (int c = 0; c < count; ++c) {
     Point<D> push;
@@ -93,41 +102,35 @@ void InteriorPoint<D>::start(const NodeProgram<D>& program) {
 
 template <int D>
 bool InteriorPoint<D>::refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y) {
-  const Columns matrix = program.matrix();
-  transposed_product(matrix, y.data(), products_.data());
+  const auto count = static_cast<int>(program.cones().size());
+  program.multiply_transposed(y, products_);
   Answers inside = Pack(1.0) > 0.0;
-  for (int c = 0; c < matrix.count; c += lanes) {
+  for (int c = 0; c < count; c += lanes) {
     Cones z = load_cones(products_, c);
     z[0] = 1.0 - z[0];
     for (std::size_t d = 1; d < z.size(); ++d) z[d] = -z[d];
     store_cones(z_, c, z);
     inside &= margin(z) > 0.0;
   }
-  for (int i = 0; i < matrix.rows; i += lanes)
+  for (int i = 0; i < program.rows(); i += lanes)
     inside &= where(program.slack().data() + i, load(y.data() + i), 1.0) > 0.0;
   return all(inside);
 }
 
 template <int D>
 double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
-  const Columns matrix = program.matrix();
-  const int rows = matrix.rows;
+  const auto count = static_cast<int>(program.cones().size());
   Pack widest = {}, product_sum = {};
-  for (int c = 0; c < matrix.count; c += lanes) {
+  for (int c = 0; c < count; c += lanes) {
     const Scaling<D, Pack> scaling(load_cones(x_, c), load_cones(z_, c));
     scaling_[static_cast<std::size_t>(c / lanes)] = scaling;
     const Cones lambda = scaling.lambda();
     const Pack present = load(present_.data() + c);
     widest = larger(widest, scaling.entry(0, 0) * present);
     product_sum += dot(lambda, lambda) * present;
-    for (int lane = 0; lane < lanes && c + lane < matrix.count; ++lane) {
-      const auto first = static_cast<Eigen::Index>(c + lane) * rows;
-      scale_columns(matrix.data + first, scaled_matrix_.data() + first, matrix.stride * rows, rows,
-                    scaling, lane);
-    }
   }
-  product(matrix, x_.data(), trial_.data());
-  for (int i = 0; i < rows; i += lanes) {
+  program.multiply(x_, trial_);
+  for (int i = 0; i < program.rows(); i += lanes) {
     const Pack v = load(v_.data() + i), y = load(y_.data() + i);
     const double* slack = program.slack().data() + i;
     const Pack point = where(slack, root(v * y), 1.0);
@@ -143,24 +146,90 @@ double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
 }
 
 template <int D>
+Columns InteriorPoint<D>::scaled_columns(const NodeProgram<D>& program) const {
+  Columns columns = program.matrix();
+  columns.data = scaled_matrix_.data();
+  if (elimination_.is_needed()) columns.rows = padded(elimination_.rows());
+  return columns;
+}
+
+template <int D>
+auto InteriorPoint<D>::matrix_of(int cone) const -> Square {
+  const auto& scaling = this->scaling(cone);
+  Square matrix;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j)
+      matrix(i, j) =
+          scaling.entry(static_cast<std::size_t>(i), static_cast<std::size_t>(j))[cone % lanes];
+  return matrix;
+}
+
+template <int D>
+void InteriorPoint<D>::scale_matrix(const NodeProgram<D>& program) {
+  const Columns from = program.matrix();
+  const Columns to = scaled_columns(program);
+  const int distance = from.stride * from.rows;
+  const int scaled_distance = to.stride * to.rows;
+  for (int c = 0; c < from.count; ++c) {
+    double* const scaled = scaled_matrix_.data() + Eigen::Index{c} * to.rows;
+    const double* const columns = from.data + Eigen::Index{c} * from.rows;
+    if (!elimination_.is_needed()) {
+      multiply_columns<D>(columns, distance, from.rows, matrix_of(c), scaled, scaled_distance);
+      continue;
+    }
+    const auto share = elimination_.share(c, matrix_of(c));
+    multiply_columns<D>(columns, distance, from.rows, share.root, scaled, scaled_distance);
+    for (int d = 0; d < D; ++d) {
+      double* const column = scaled + Eigen::Index{d} * scaled_distance;
+      if (to.rows > from.rows) store(column + from.rows, 0.0);
+      column[elimination_.rows() - 1] = share.root(0, d);
+      column[share.row] += share.in_row[d];
+    }
+  }
+}
+
+template <int D>
 bool InteriorPoint<D>::factorise(const NodeProgram<D>& program) {
   const double widest = scale(program);
-  Columns scaled = program.matrix();
-  scaled.data = scaled_matrix_.data();
-  normal_equations_.assemble(scaled);
+  if (elimination_.is_needed()) elimination_.begin(w_);
+  scale_matrix(program);
+  normal_equations_.assemble(scaled_columns(program));
+  weights_.head(program.first_cut()) = w_.head(program.first_cut()).cwiseAbs2();
+  if (elimination_.is_needed()) {
+    if (!elimination_.border(program)) return false;
+    elimination_.complete(weights_, normal_equations_);
+  }
   // By row: rows of stiff candidates are small, and the rounding of others is no measure for them.
-  for (int i = 0; i < program.rows(); ++i) {
+  for (int i = 0; i < program.first_cut(); ++i) {
     const double b = program.right_side()[i];
     const double size = normal_equations_.diagonal(i) + widest * widest * b * b;
-    normal_equations_.add_to_diagonal(i, diagonal_shift * size + w_[i] * w_[i]);
+    normal_equations_.add_to_diagonal(i, diagonal_shift * size + weights_[i]);
   }
   // A row that is ignored has no entries: like those that fill up the last four.
   for (const int i : program.ignored()) normal_equations_.add_to_diagonal(i, 1);
-  if (motion_.size() == 0)
-    return normal_equations_.factorise(predictor_.data(), correction_.data());
+  if (motion_.size() == 0) return factorise_and_solve();
   const Eigen::VectorXd unbalanced = hold_motions(program);
-  return normal_equations_.factorise(predictor_.data(), correction_.data()) &&
-         free_motions(program, unbalanced);
+  return factorise_and_solve() && free_motions(program, unbalanced);
+}
+
+template <int D>
+bool InteriorPoint<D>::factorise_and_solve() {
+  if (!elimination_.is_needed())
+    return normal_equations_.factorise(predictor_.data(), correction_.data());
+  elimination_.reduce(predictor_, reduced_first_);
+  elimination_.reduce(correction_, reduced_second_);
+  if (!normal_equations_.factorise(reduced_first_.data(), reduced_second_.data())) return false;
+  elimination_.expand(reduced_first_, predictor_);
+  elimination_.expand(reduced_second_, correction_);
+  return true;
+}
+
+template <int D>
+void InteriorPoint<D>::solve(Eigen::VectorXd& whole) {
+  if (!elimination_.is_needed()) return normal_equations_.solve(whole.data());
+  elimination_.reduce(whole, reduced_first_);
+  normal_equations_.solve(reduced_first_.data());
+  elimination_.expand(reduced_first_, whole);
 }
 
 template <int D>
@@ -210,7 +279,7 @@ template <int D>
 const Points<D>& InteriorPoint<D>::project_again(const Eigen::VectorXd& discrepancy,
                                                  const NodeProgram<D>& program) {
   trial_ = discrepancy;
-  normal_equations_.solve(trial_.data());
+  solve(trial_);
   if (motion_.size() > 0) motion_ += balance(program, trial_);
   shift_projected(program, trial_);
   return projected_;
@@ -219,8 +288,9 @@ const Points<D>& InteriorPoint<D>::project_again(const Eigen::VectorXd& discrepa
 template <int D>
 void InteriorPoint<D>::shift_projected(const NodeProgram<D>& program,
                                        const Eigen::VectorXd& weights) {
-  transposed_product(program.matrix(), weights.data(), products_.data());
-  for (int c = 0; c < program.matrix().count; c += lanes) {
+  const auto count = static_cast<int>(program.cones().size());
+  program.multiply_transposed(weights, products_);
+  for (int c = 0; c < count; c += lanes) {
     const Cones shift = scaling(c).times(scaling(c).times(load_cones(products_, c)));
     Cones point = load_cones(projected_, c);
     for (std::size_t d = 0; d < point.size(); ++d) point[d] += shift[d];
@@ -231,10 +301,10 @@ void InteriorPoint<D>::shift_projected(const NodeProgram<D>& program,
 template <int D>
 auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::VectorXd& dy)
     -> InverseStepLengths {
-  const Columns matrix = program.matrix();
-  transposed_product(matrix, dy.data(), products_.data());
+  const auto count = static_cast<int>(program.cones().size());
+  program.multiply_transposed(dy, products_);
   Pack dual = {}, primal = {};
-  for (int c = 0; c < matrix.count; c += lanes) {
+  for (int c = 0; c < count; c += lanes) {
     const Scaling<D, Pack>& scaling = this->scaling(c);
     const Cones lambda = scaling.lambda();
     const Pack present = load(present_.data() + c);
@@ -249,7 +319,7 @@ auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::Ve
     dual = larger(dual, scaling.inverse_step_length(dz));
     primal = larger(primal, scaling.inverse_step_length(dx));
   }
-  for (int i = 0; i < matrix.rows; i += lanes) {
+  for (int i = 0; i < program.rows(); i += lanes) {
     const double* slack = program.slack().data() + i;
     const Pack change = load(dy.data() + i);
     const Pack point = load(lambda_.data() + i);
@@ -266,8 +336,8 @@ auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::Ve
 template <int D>
 void InteriorPoint<D>::correct(const NodeProgram<D>& program, double sigma_mu,
                                double affine_length) {
-  const Columns matrix = program.matrix();
-  for (int c = 0; c < matrix.count; c += lanes) {
+  const auto count = static_cast<int>(program.cones().size());
+  for (int c = 0; c < count; c += lanes) {
     Cones right_side = jordan_product(load_cones(step_x_, c), load_cones(step_z_, c));
     for (Pack& component : right_side) component *= -affine_length;
     right_side[0] += sigma_mu;
@@ -275,8 +345,8 @@ void InteriorPoint<D>::correct(const NodeProgram<D>& program, double sigma_mu,
     store_cones(step_x_, c, q);
     store_cones(products_, c, scaling(c).times(q));
   }
-  product(matrix, products_.data(), trial_.data());
-  for (int i = 0; i < matrix.rows; i += lanes) {
+  program.multiply(products_, trial_);
+  for (int i = 0; i < program.rows(); i += lanes) {
     const Pack q =
         (sigma_mu - affine_length * load(step_v_.data() + i) * load(step_y_.data() + i)) /
         load(lambda_.data() + i);
@@ -300,7 +370,7 @@ bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
   const auto degree = static_cast<double>(program.cones().size() + program.slacks());
   const double sigma = (1 - affine_length) * (1 - affine_length) * (1 - affine_length);
   correct(program, sigma * complementarity_ / degree, affine_length);
-  normal_equations_.solve(trial_.data());
+  solve(trial_);
   if (motion_.size() > 0) balance(program, trial_);
   dy_ = predictor_ - trial_ - sigma * correction_;
   const InverseStepLengths corrected = directions(program, dy_);
@@ -315,7 +385,7 @@ auto InteriorPoint<D>::centring_step(const NodeProgram<D>& program, double compl
     -> Step {
   for (Points<D>* points : {&step_x_, &step_z_}) points->setZero();
   correct(program, complementarity, 0);
-  normal_equations_.solve(trial_.data());
+  solve(trial_);
   dy_ = predictor_ - trial_;
   const InverseStepLengths lengths = directions(program, dy_);
   const double dual_length = centring_fraction / std::max(centring_fraction, lengths.dual);
@@ -335,6 +405,31 @@ bool InteriorPoint<D>::centre(const NodeProgram<D>& program, double complementar
   return true;
 }
 
+template <int D>
+auto InteriorPoint<D>::lay_out(const NodeProgram<D>& program, int cone, int first_row) ->
+    typename CutElimination<D>::Part {
+  const int candidate = program.cones()[static_cast<std::size_t>(cone)];
+  const Columns matrix = program.matrix();
+  const Square scaling = matrix_of(cone);
+  auto rows = faces_.middleRows(first_row, D + 1);
+  rows.setZero();
+  for (int e = 0; e < D; ++e) {
+    const Eigen::Map<const Eigen::RowVectorXd> column(
+        matrix.data + Eigen::Index{e * matrix.stride + cone} * matrix.rows, matrix.rows);
+    for (int d = 0; d < D; ++d) rows.row(d).head(matrix.rows) += scaling(e, d) * column;
+  }
+  rows(D, candidate) = w_[candidate];
+  if (!elimination_.is_needed()) return {};
+  const auto part = elimination_.part_of(candidate, along_);
+  const Eigen::Index height = padded(elimination_.rows());
+  for (int d = 0; d < D; ++d) {
+    rows(d, elimination_.rows() - 1) = scaling(0, d);
+    rows.row(d).head(height) -= part.cone[d] * along_.head(height).transpose();
+  }
+  rows.row(D).head(height) += part.slack * along_.head(height).transpose();
+  return part;
+}
+
 // A direction is as long as ||W^-1 dx||^2 + ||dv / w||^2: on the central path mu times the second
 // derivative of the barrier. Of those with A dx = dv the shortest with dx_i = -x_i has the length
 // lambda_i'(I - B_i'M^-1 B_i)^-1 lambda_i, and with dv_i = -v_i it is
@@ -345,33 +440,31 @@ void InteriorPoint<D>::measure(const NodeProgram<D>& program,
   // A face that the others leave no room to go to is as far as digits tell.
   constexpr double least = 1e-14;
   constexpr int height = D + 1;  // rows of a cone among the reduced ones, and one of its slack
-  const Columns matrix = program.matrix();
+  const int rows = scaled_columns(program).rows;
+  std::array<typename CutElimination<D>::Part, lanes> parts;
   const auto& cones = program.cones();
   const auto count = static_cast<int>(cones.size());
   for (auto& distance : distances) distance = {};
   for (int first = 0; first < count; first += lanes) {
     const int present = std::min(lanes, count - first);
-    reduced_.leftCols(matrix.rows).setZero();
-    for (int lane = 0; lane < present; ++lane) {
-      const int row = cones[static_cast<std::size_t>(first + lane)];
-      for (int d = 0; d < D; ++d)
-        reduced_.row(lane * height + d).head(matrix.rows) = Eigen::Map<const Eigen::RowVectorXd>(
-            scaled_matrix_.data() + (d * matrix.stride + first + lane) * matrix.rows, matrix.rows);
-      reduced_(lane * height + D, row) = w_[row];
-    }
-    normal_equations_.reduce(reduced_.data(), static_cast<int>(reduced_.rows()));
+    faces_.leftCols(rows).setZero();
+    for (int lane = 0; lane < present; ++lane)
+      parts[static_cast<std::size_t>(lane)] = lay_out(program, first + lane, lane * height);
+    normal_equations_.reduce(faces_.data(), static_cast<int>(faces_.rows()));
     const Cones lambdas = scaling(first).lambda();
     for (int lane = 0; lane < present; ++lane) {
       const auto row = cones[static_cast<std::size_t>(first + lane)];
       if (program.slack()[row] == 0) continue;
-      const auto own = reduced_.middleRows(lane * height, D).leftCols(matrix.rows);
-      Eigen::Matrix<double, D, D> rest = -own * own.transpose();
+      const auto own = faces_.middleRows(lane * height, D).leftCols(rows);
+      const auto& part = parts[static_cast<std::size_t>(lane)];
+      Square rest = -own * own.transpose() - part.weight * part.cone * part.cone.transpose();
       Eigen::Matrix<double, D, 1> lambda;
       for (int d = 0; d < D; ++d) {
         rest(d, d) += 1 + least;
         lambda[d] = lambdas[static_cast<std::size_t>(d)][lane];
       }
-      const double slack = 1 - reduced_.row(lane * height + D).head(matrix.rows).squaredNorm();
+      const double slack = 1 - faces_.row(lane * height + D).head(rows).squaredNorm() -
+                           part.weight * part.slack * part.slack;
       distances[static_cast<std::size_t>(row)] = {
           .separation = lambda.dot(rest.ldlt().solve(lambda)),
           .contact = lambda_[row] * lambda_[row] / std::max(slack, least)};
@@ -381,16 +474,16 @@ void InteriorPoint<D>::measure(const NodeProgram<D>& program,
 
 template <int D>
 bool InteriorPoint<D>::move_primal(const NodeProgram<D>& program, double step_length) {
-  const Columns matrix = program.matrix();
+  const auto count = static_cast<int>(program.cones().size());
   Answers inside = Pack(1.0) > 0.0;
-  for (int c = 0; c < matrix.count; c += lanes) {
+  for (int c = 0; c < count; c += lanes) {
     const Cones change = scaling(c).times(load_cones(step_x_, c));
     Cones x = load_cones(x_, c);
     for (std::size_t d = 0; d < x.size(); ++d) x[d] += step_length * change[d];
     store_cones(x_, c, x);
     inside &= margin(x) > 0.0;
   }
-  for (int i = 0; i < matrix.rows; i += lanes) {
+  for (int i = 0; i < program.rows(); i += lanes) {
     const Pack change = load(w_.data() + i) * load(step_v_.data() + i);
     const Pack v = load(v_.data() + i) + step_length * change;
     store(v_.data() + i, v);

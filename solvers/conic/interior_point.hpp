@@ -14,7 +14,8 @@
 // The motions of a loose body add free columns to A, H alpha, and H'y = 0 to the dual program. That
 // the start does not satisfy: a full step does. With rho H H' added to M, which changes nothing
 // where H'dy is given, the factor exists although U alone may not determine the reactions; the p
-// equations are then solved with S = H'M^-1 H.
+// equations are then solved with S = H'M^-1 H. The rows of cuts are eliminated
+// (cut_elimination.hpp).
 #pragma once
 
 #include <vector>
@@ -23,6 +24,7 @@
 #include <Eigen/Core>
 
 #include "solvers/conic/cone.hpp"
+#include "solvers/conic/cut_elimination.hpp"
 #include "solvers/conic/node_program.hpp"
 #include "solvers/conic/normal_equations.hpp"
 #include "solvers/conic/pack.hpp"
@@ -46,8 +48,8 @@ struct FaceDistances {
 template <int D>
 class InteriorPoint {
  public:
-  /// @param most_rows m + p and the cuts  @param motions that lift: columns of H
-  InteriorPoint(int most_rows, int motions, int most_cones);
+  /// For any node of this program.
+  explicit InteriorPoint(const NodeProgram<D>& program);
 
   /// Takes the start: x and v from the identity, y on the rows with a slack so small that z is
   /// well inside the cones. It depends on the node only.
@@ -90,6 +92,8 @@ class InteriorPoint {
  private:
   using Cones = Point<D, Pack>;  // a point of four cones
 
+  using Square = Eigen::Matrix<double, D, D>;
+
   // Reciprocals of the largest step lengths that stay inside, or zero where every length does.
   struct InverseStepLengths {
     double dual, primal;
@@ -100,6 +104,9 @@ class InteriorPoint {
   const Scaling<D, Pack>& scaling(int cone) const {
     return scaling_[static_cast<std::size_t>(cone / lanes)];
   }
+
+  // W of a cone.
+  Square matrix_of(int cone) const;
 
   // Adds rho H H' to M; returns H'y, by which y misses its equations.
   Eigen::VectorXd hold_motions(const NodeProgram<D>& program);
@@ -120,6 +127,13 @@ class InteriorPoint {
   // Scales x, z and A in all cones, v and y in all rows; sets the missing part b - A x + v.
   // Returns the largest entry on the diagonals of W.
   KUSABI_ALSO_FOR_AVX2 double scale(const NodeProgram<D>& program);
+  // B = A W, or what takes its place where there are cuts.
+  KUSABI_ALSO_FOR_AVX2 void scale_matrix(const NodeProgram<D>& program);
+  Columns scaled_columns(const NodeProgram<D>& program) const;
+  // M^-1 g in the place of g, once M has been factorised.
+  void solve(Eigen::VectorXd& whole);
+  // Factorises M and solves for predictor_ and correction_.
+  bool factorise_and_solve();
   // W dz = -W A' dy and W^-1 dx = q - lambda - W dz in both kinds of cone, where step_x_ and
   // step_v_ hold q.
   KUSABI_ALSO_FOR_AVX2 InverseStepLengths directions(const NodeProgram<D>& program,
@@ -130,18 +144,24 @@ class InteriorPoint {
                                     double affine_length);
   KUSABI_ALSO_FOR_AVX2 bool move_primal(const NodeProgram<D>& program, double step_length);
   bool move_dual(const NodeProgram<D>& program, double step_length);
+  // The columns of a cone, and that of its slack, as rows of faces_, for measure().
+  typename CutElimination<D>::Part lay_out(const NodeProgram<D>& program, int cone, int first_row);
 
   Points<D> x_, z_, projected_;
   Eigen::VectorXd v_, y_;                  // by row; v is used on the rows with a slack only
   std::vector<Scaling<D, Pack>> scaling_;  // of the cones
   Eigen::VectorXd present_;                // one for each cone, zero for the padding
   Eigen::VectorXd w_, lambda_;             // of the rows: sqrt(v / y) and sqrt(v y)
-  Eigen::MatrixXd scaled_matrix_;          // B = A W
-  NormalEquations normal_equations_;       // M = B B' + diag(w^2)
-  Eigen::MatrixXd moved_;                  // M^-1 H
-  Eigen::MatrixXd reduced_;                // rows of B' and of diag(w), then these times L^-T
-  Eigen::LLT<Eigen::MatrixXd> schur_;      // of S
-  Eigen::VectorXd motion_;                 // alpha
+  Eigen::VectorXd weights_;                // what M has of the slacks on its diagonal
+  Eigen::VectorXd scaled_matrix_;          // B = A W
+  CutElimination<D> elimination_;
+  Eigen::VectorXd along_;                           // of faces_, what a cut adds
+  Eigen::VectorXd reduced_first_, reduced_second_;  // right sides without the rows of cuts
+  NormalEquations normal_equations_;                // M = B B' + diag(w^2)
+  Eigen::MatrixXd moved_;                           // M^-1 H
+  Eigen::MatrixXd faces_;              // rows of B' and of diag(w), then these times L^-T
+  Eigen::LLT<Eigen::MatrixXd> schur_;  // of S
+  Eigen::VectorXd motion_;             // alpha
   Eigen::VectorXd predictor_, correction_, dy_, trial_;  // m
   Points<D> step_x_, step_z_;                            // scaled: W^-1 dx, W dz
   Points<D> products_;                                   // A' dy, W q and the like

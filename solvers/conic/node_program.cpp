@@ -113,8 +113,9 @@ template <int D>
 void NodeProgram<D>::make_room(int most_cuts) {
   most_cuts_ = most_cuts;
   cuts_.reserve(static_cast<std::size_t>(most_cuts));
+  cut_rows_.reserve(static_cast<std::size_t>(most_cuts));
   const Eigen::Index room = padded(most_rows());
-  matrix_.setZero(room * D * padded_cones_);
+  matrix_.setZero(padded(first_cut()) * D * padded_cones_);
   right_side_.setZero(room);
   slack_.setZero(room);
   gap_.setZero(room);
@@ -148,7 +149,6 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
   contact_ = contact;
   ignored_ = ignored;
   cuts_.assign(cuts.begin(), cuts.end());
-  padded_rows_ = padded(rows());
   omega_ = 0;
   for (std::size_t k = 0; k < friction_.size(); ++k) {
     if (without_reaction.contains(owners_[k])) continue;
@@ -169,21 +169,11 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
     whole += level_weight(friction_[static_cast<std::size_t>(k)]) * normal_compliance_.col(D * k);
   slack_.setZero();
   for (const int j : gap_rows_) slack_[j] = 1;
-  for (std::size_t cut = 0; cut < cuts_.size(); ++cut) {
-    const auto row = first_cut() + static_cast<Eigen::Index>(cut);
-    const auto& [i, share, displacement, reaction, level] = cuts_[cut];
-    double own = 0;
-    for (const int k : cones_)
-      if (owners_[static_cast<std::size_t>(k)] == i)
-        own += level_weight(friction_[static_cast<std::size_t>(k)]);
-    right_side_[row] = -displacement * right_side_[i] - reaction * own - level;
-  }
   whole -= slack_.head(whole.size());
   right_side_ /= -omega_;
   for (const int i : ignored) right_side_[i] = 0;
   fill_columns();
-  for (std::size_t cut = 0; cut < cuts_.size(); ++cut)
-    slack_[first_cut() + static_cast<int>(cut)] = 1;
+  fill_cuts();
 }
 
 template <int D>
@@ -193,19 +183,15 @@ void NodeProgram<D>::fill_columns() {
   for (const int k : cones_) {
     for (Eigen::Index d = 0; d < D; ++d) {
       auto own = column(d, c);
-      if (padded_rows_ > height) own.tail(padded_rows_ - height).setZero();
-      own.head(height) = normal_compliance_.col(D * k + d);
-      if (d > 0) own.head(height) *= friction_[static_cast<std::size_t>(k)];
+      own = normal_compliance_.col(D * k + d);
+      if (d > 0) own *= friction_[static_cast<std::size_t>(k)];
     }
     ++c;
   }
   const Eigen::Index absent = padded(static_cast<int>(c)) - c;
   for (Eigen::Index d = 0; d < D; ++d)
     for (Eigen::Index more = 0; more < absent; ++more) column(d, c + more).setZero();
-  for (std::size_t cut = 0; cut < cuts_.size(); ++cut) fill_cut(cut);
-  for (Eigen::Index each = 0; each < c; ++each) column(0, each) += right_side_.head(padded_rows_);
-  for (std::size_t cut = 0; cut < cuts_.size(); ++cut)
-    right_side_[first_cut() + static_cast<Eigen::Index>(cut)] -= cuts_[cut].share;
+  for (Eigen::Index each = 0; each < c; ++each) column(0, each) += right_side_.head(height);
   if (motions_.lifting > 0) free_columns_ = normal_motions_;
   for (const int i : ignored_) {
     for (Eigen::Index d = 0; d < D; ++d)
@@ -214,22 +200,63 @@ void NodeProgram<D>::fill_columns() {
   }
 }
 
-// With t eliminated a cut is the row
-//   share - displacement F_n x - reaction x_i0 + g t - v = 0,
-// g = -displacement sum_C F_nn / mu - reaction / mu_i - level, of which g / -omega is in the right
-// side already.
+// Row i of A says F_i r - slack_i t = A_i x - b_i, and r_ni = x_i0 + t / mu_i. So a cut is
+//
+//   share - displacement (A_i x - b_i) - reaction x_i0 - omega gamma t - v = 0,
+//
+// omega gamma = displacement slack_i + reaction / mu_i + level, where omega t = 1 - 1'x.
 template <int D>
-void NodeProgram<D>::fill_cut(std::size_t cut) {
-  const auto row = first_cut() + static_cast<Eigen::Index>(cut);
-  Eigen::Index c = 0;
-  for (const int k : cones_) {
-    const bool own = owners_[static_cast<std::size_t>(k)] == cuts_[cut].candidate;
-    for (Eigen::Index d = 0; d < D; ++d) {
-      auto entries = column(d, c);
-      entries[row] = -cuts_[cut].displacement * entries[cuts_[cut].candidate];
-      if (d == 0 && own) entries[row] -= cuts_[cut].reaction;
+void NodeProgram<D>::fill_cuts() {
+  cut_rows_.clear();
+  for (const auto& [i, share, displacement, reaction, level] : cuts_) {
+    CutRow row{.candidate = i, .displacement = displacement, .reaction = reaction};
+    double own = 0;
+    for (std::size_t c = 0; c < cones_.size(); ++c) {
+      const auto k = static_cast<std::size_t>(cones_[c]);
+      if (owners_[k] != i) continue;
+      row.cone = static_cast<int>(c);
+      own = level_weight(friction_[k]);
     }
-    ++c;
+    row.gamma = (displacement * slack_[i] + reaction * own + level) / omega_;
+    const auto place = first_cut() + static_cast<Eigen::Index>(cut_rows_.size());
+    right_side_[place] = row.gamma - displacement * right_side_[i] - share;
+    slack_[place] = 1;
+    cut_rows_.push_back(row);
+  }
+}
+
+template <int D>
+void NodeProgram<D>::multiply(const Points<D>& x, Eigen::VectorXd& sum) const {
+  product(matrix(), x.data(), sum.data());
+  if (cut_rows_.empty()) return;
+  const double whole = x.col(0).head(static_cast<Eigen::Index>(cones_.size())).sum();
+  Eigen::Index place = first_cut();
+  for (const auto& [i, cone, displacement, reaction, gamma] : cut_rows_) {
+    sum[place] = gamma * whole - displacement * sum[i];
+    if (cone >= 0) sum[place] -= reaction * x(cone, 0);
+    ++place;
+  }
+}
+
+template <int D>
+void NodeProgram<D>::multiply_transposed(const Eigen::VectorXd& weights,
+                                         Points<D>& products) const {
+  if (cut_rows_.empty()) return transposed_product(matrix(), weights.data(), products.data());
+  forces_ = weights.head(forces_.size());
+  forces_.tail(forces_.size() - first_cut()).setZero();
+  double whole = 0;
+  Eigen::Index place = first_cut();
+  for (const auto& row : cut_rows_) {
+    const double weight = weights[place++];
+    forces_[row.candidate] -= row.displacement * weight;
+    whole += row.gamma * weight;
+  }
+  transposed_product(matrix(), forces_.data(), products.data());
+  products.col(0).head(static_cast<Eigen::Index>(cones_.size())).array() += whole;
+  place = first_cut();
+  for (const auto& row : cut_rows_) {
+    if (row.cone >= 0) products(row.cone, 0) -= row.reaction * weights[place];
+    ++place;
   }
 }
 

@@ -20,7 +20,11 @@
 // normal rows of G, and p rows G'r = 0 without a slack. So there are m + p rows and free columns H
 // (docs/theory/wedged.md, "Loose bodies").
 //
-// Cuts (cut.hpp) are rows with a slack after all of these; a body with motions has none.
+// Cuts (cut.hpp) are rows with a slack after all of these; a body with motions has none. They are
+// not kept: with row i of A in the place of F_i and of t, that of a cut of candidate i is
+//
+//   C_i = -displacement A_i - reaction e_i0' + gamma_i 1',     1'x = sum_k x_k0.
+//
 //
 // A candidate may have several cones, whose reactions add up to its own and which share its row: so
 // polyhedral friction cones are solved, as sums of plane ones (nodes/wedged/facets.hpp).
@@ -44,6 +48,14 @@ namespace kusabi::conic {
 /// those of absent cones are no part of the point.
 template <int D>
 using Points = Eigen::Matrix<double, Eigen::Dynamic, D>;
+
+/// What the row of a cut has besides that of its candidate in A.
+struct CutRow {
+  int candidate = 0;
+  int cone = -1;  ///< of the standard form; -1: the candidate has none
+  double displacement = 0, reaction = 0;
+  double gamma = 0;
+};
 
 /// The data of the node programs of one contact problem, and the standard form of the node that
 /// was selected last. Owns all its storage: select() does not allocate.
@@ -72,7 +84,8 @@ class NodeProgram {
   /// Builds the standard form of the node with the candidates of `contact` in U and those of
   /// `separated` in R. The candidates of `ignored` have neither a reaction
   /// nor a row: r = 0, and u_n is free.
-  /// @param cuts of candidates that are not ignored
+  /// @param cuts of candidates that are not ignored, one of each at most, where a candidate has
+  ///   but one cone
   /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist,
   ///   or there are more cuts than there is room for
   void select(const support::IndexSet& contact, const support::IndexSet& separated,
@@ -85,6 +98,7 @@ class NodeProgram {
   int first_cut() const { return candidates() + motions_.count(); }
   /// Of rows(), at any node.
   int most_rows() const { return first_cut() + most_cuts_; }
+  int most_cuts() const { return most_cuts_; }
   const Motions<double>& motions() const { return motions_; }
   /// H of the node: rows padded with zeros, a column for each motion that lifts.
   const Eigen::MatrixXd& free_columns() const { return free_columns_; }
@@ -108,10 +122,17 @@ class NodeProgram {
   const std::vector<int>& owners() const { return owners_; }
   const Eigen::MatrixXd& compliance() const { return compliance_; }
 
-  /// The cone columns of A, rows() x D|C|, rows and cones padded with zeros.
+  /// The cone columns of A, first_cut() x D|C|, rows and cones padded with zeros.
   Columns matrix() const {
-    return {matrix_.data(), padded_rows_, D, static_cast<int>(cones_.size()), stride()};
+    const auto height = static_cast<int>(normal_compliance_.rows());
+    return {matrix_.data(), height, D, static_cast<int>(cones_.size()), stride()};
   }
+  /// Those of the cuts, which are below.
+  const std::vector<CutRow>& cut_rows() const { return cut_rows_; }
+  /// sum = [A; C] x: rows() numbers, padded with zeros.
+  void multiply(const Points<D>& x, Eigen::VectorXd& sum) const;
+  /// products = A'y + C'eta of the rows() numbers (y, eta), padded with zeros.
+  void multiply_transposed(const Eigen::VectorXd& weights, Points<D>& products) const;
   /// b, rows() numbers padded with zeros to most_rows(), like the next.
   const Eigen::VectorXd& right_side() const { return right_side_; }
   /// One for each row with a slack, zero for the others and the padding.
@@ -151,11 +172,11 @@ class NodeProgram {
   int stride() const { return padded_cones_; }
   // The column of component d of the cone c of the standard form.
   auto column(Eigen::Index d, Eigen::Index c) {
-    return Eigen::Map<Eigen::VectorXd>(matrix_.data() + (d * stride() + c) * padded_rows_,
-                                       padded_rows_);
+    const Eigen::Index height = normal_compliance_.rows();
+    return Eigen::Map<Eigen::VectorXd>(matrix_.data() + (d * stride() + c) * height, height);
   }
   void fill_columns();
-  void fill_cut(std::size_t cut);
+  void fill_cuts();
 
   Eigen::MatrixXd compliance_;         // F
   Motions<double> motions_;            // G
@@ -166,13 +187,14 @@ class NodeProgram {
   std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;  // contact: U, the rows without a slack
   std::vector<Cut> cuts_;
-  int most_cuts_ = 0, padded_rows_ = 0, padded_cones_;
+  std::vector<CutRow> cut_rows_;
+  int most_cuts_ = 0, padded_cones_;
   Eigen::VectorXd matrix_;      // A, room for all cones and rows
   Eigen::VectorXd right_side_;  // b
   Eigen::VectorXd slack_;
-  Eigen::VectorXd gap_;     // normal displacements, then the discrepancy
-  Eigen::VectorXd pull_;    // w
-  Eigen::VectorXd forces_;  // of the rows of F: what cuts make of y
+  Eigen::VectorXd gap_;             // normal displacements, then the discrepancy
+  Eigen::VectorXd pull_;            // w
+  mutable Eigen::VectorXd forces_;  // of the rows of F, or of A: what cuts make of y
   support::IndexSet contact_, ignored_;
   double omega_ = 0;  // sum_C 1 / mu
 };

@@ -42,7 +42,7 @@ NodeSolver<D>::NodeSolver(const Eigen::MatrixXd& compliance, std::span<const dou
 template <int D>
 NodeSolver<D>::NodeSolver(NodeProgram<D> program, Tolerances tolerances, double error)
     : program_(std::move(program)),
-      iteration_(program_.most_rows(), program_.motions().lifting, program_.most_cones()),
+      iteration_(program_),
       bounds_(program_.compliance(), error, program_.owners(), program_.motions()),
       tolerances_(tolerances),
       reaction_(Eigen::VectorXd::Zero(D * program_.most_cones())),
@@ -56,8 +56,7 @@ NodeSolver<D>::NodeSolver(NodeProgram<D> program, Tolerances tolerances, double 
 template <int D>
 void NodeSolver<D>::make_room(int most_cuts) {
   program_.make_room(most_cuts);
-  iteration_ =
-      InteriorPoint<D>(program_.most_rows(), program_.motions().lifting, program_.most_cones());
+  iteration_ = InteriorPoint<D>(program_);
   best_.setZero(padded(program_.most_rows()));
 }
 

@@ -223,7 +223,7 @@ TEST(MostOf, IsTheLargestGapOfASeparatedCandidate) {
 
 // In contact, decoupled from each other: u_n1 = r_n1 - rho_1 / 2 = 0 wants rho_1 = 2 r_n1, which
 // friction above 2 allows; then r_n0 has all the rest or nothing, and r_n1 all of the sum. With
-// the cut r_n1 <= s/4 of the same candidate no more than that is left.
+// the cut r_n0 >= 3/4 s of the other candidate no more than a quarter is left.
 TEST(MostOf, IsTheLargestReactionOfACandidateInContact) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
   compliance(2, 3) = compliance(3, 2) = -0.5;
@@ -233,8 +233,8 @@ TEST(MostOf, IsTheLargestReactionOfACandidateInContact) {
   solve_with(solver, {0b10, 0}, alone);
   EXPECT_GE(2 + solver.most_of(0), 1);
   EXPECT_LE(2 + solver.most_of(0), 1 + 1e-4);
-  const Cut quarter{.candidate = 1, .share = 0.25, .reaction = 1, .level = 1};
-  const std::vector<Cut> both{quarter, wanted};
+  const Cut most_of_all{.candidate = 0, .share = -0.75, .reaction = -1, .level = 1};
+  const std::vector<Cut> both{most_of_all, wanted};
   solve_with(solver, {0b10, 0}, both);
   EXPECT_GE(2 + solver.most_of(1), 0.25);
   EXPECT_LE(2 + solver.most_of(1), 0.25 + 1e-4);
