@@ -27,12 +27,13 @@ constexpr double room = 1e-6;
 /// A bound that takes less than this share off is not taken up.
 constexpr double hardly_better = 1e-2;
 
-/// The level of the row that asks for more than the bound, in units of the others: so that these
-/// give way by a thousandth of what it falls short of.
-constexpr double level_of_bound = 1e3;
+/// The level of the row that asks for more than the bound, in units of the others: these give way
+/// by as small a part of what it falls short of. A larger one makes bounds no better and takes more
+/// iterations.
+constexpr double level_of_bound = 30;
 
-/// A bound needs few digits, of a t* that this level makes small.
-constexpr double digits_of_bound = 1e-6;
+/// How near to the best a bound comes, as a share: no nearer than is taken up.
+constexpr double close_enough = hardly_better / 2;
 
 /// Candidates whose programs do not wait for each other's bounds.
 constexpr int group_size = 8;
@@ -41,9 +42,14 @@ constexpr int group_size = 8;
 constexpr double slow_progress = 0.05;
 constexpr int most_sweeps = 10;
 
-conic::Tolerances for_bounds(conic::Tolerances tolerances) {
-  tolerances.value = std::max(tolerances.value, digits_of_bound);
-  return tolerances;
+// The value of the program is as much as the bound can come down, over the level.
+conic::StopEarly once_known(double bound) {
+  const double worth = bound / level_of_bound;
+  return {.when_dead = false,
+          .when_alive = false,
+          .above = -hardly_better * worth,
+          .below = -(1 + hardly_better) * worth,
+          .width = close_enough * worth};
 }
 
 }  // namespace
@@ -90,7 +96,7 @@ std::vector<double> cut_forces(const ContactSolver& solver, std::span<const coni
 // u_ni <= s max_k (F_nn,ik + mu_k |F_nt,ik|), k != i.
 CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
                                      std::span<const double> friction, conic::Tolerances tolerances)
-    : solver_(problem, friction, for_bounds(tolerances)), bounds_(friction.size()) {
+    : solver_(problem, friction, tolerances), bounds_(friction.size()) {
   solver_.make_room(candidates() + 1);
   const Eigen::Index d = problem.dimension;
   for (int i = 0; i < candidates(); ++i) {
@@ -165,7 +171,7 @@ std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side)
                   .displacement = side == Side::separated ? -1.0 : 0.0,
                   .reaction = side == Side::contact ? -1.0 : 0.0,
                   .level = level_of_bound});
-  solver_.solve_with(cuts, contact, separated, {.when_dead = false, .when_alive = false});
+  solver_.solve_with(cuts, contact, separated, once_known(bound));
   const double most = bound + solver_.most_of(cuts.size() - 1);
   const auto& least = least_[static_cast<std::size_t>(candidate)];
   ProvedBound result{.candidate = candidate, .side = side, .most = most, .numbers = {}};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kusabi::conic {
 
@@ -22,6 +23,10 @@ struct Tolerances {
 struct StopEarly {
   bool when_dead = true;
   bool when_alive = true;
+  /// Or once t* is proved to be at least this, or at most that, or to lie in so narrow a bracket.
+  double above = std::numeric_limits<double>::infinity();
+  double below = -std::numeric_limits<double>::infinity();
+  double width = -1;
 };
 
 /// The bracket lower <= t* <= upper and what is concluded from it. Both ends hold in spite of
@@ -59,6 +64,9 @@ inline bool is_settled(const Answer& answer, StopEarly stop, const Tolerances& t
   // iterations would push the bound down for ever.
   constexpr double bottom = -1e9;
   if (answer.upper < bottom || is_tie(answer, tolerances)) return true;
+  if (answer.lower >= stop.above || answer.upper <= stop.below ||
+      answer.upper - answer.lower <= stop.width)
+    return true;
   const Sign sign = sign_of(answer, tolerances);
   if (sign == Sign::marginal) return false;
   if (sign == Sign::dead ? stop.when_dead : stop.when_alive) return true;
