@@ -48,7 +48,7 @@ def main():
               "newton: programs seconds | bisection: programs seconds | critical")
         for size, most in TRUSSES:
             file = truss(size)
-            found = run(["critical", file])
+            found = run(["critical", file, "--method", "global"])
             listed = run(["patterns", file, "--mu", str(most)])
             newton = run(["critical", file, "--method", "newton", "--mu-max", str(most)])
             bisection = run(["critical", file, "--method", "bisection", "--mu-max", str(most)])

@@ -178,12 +178,16 @@ class Judge:
             self._find(DISAGREE, asked, f"nothing wedges at the upper end {upper!r}")
 
     def critical(self):
-        """The three methods, and the ends of the bracket by the oracle. Returns the bracket of the global search."""
+        """All methods, and the ends of the bracket by the oracle. Returns the bracket of the default."""
         bracket = self._bracket()
         if bracket is None:
             return None
         self._true_bracket("critical", *bracket)
         lower, upper = bracket
+        for method in ("descent", "global"):
+            other = self._bracket("--method", method)
+            if other is not None and other != bracket:
+                self._find(DISAGREE, f"critical --method {method}", f"{other}, but by itself {bracket}")
         most = 2 * upper if upper is not None else min(lower, 10 * self.case.mu)
         for method in ("newton", "bisection"):
             other = self._bracket("--method", method, "--mu-max", repr(most))

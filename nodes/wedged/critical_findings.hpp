@@ -13,6 +13,7 @@
 namespace kusabi::wedged {
 
 enum class CriticalWay {
+  automatic,  ///< global for as many nodes as a descent would waste on a small tree, then descent
   descent,    ///< one depth-first search for the smallest, from the largest coefficient down
   global,     ///< one best-first search for it, from the smallest coefficient up
   newton,     ///< of every pattern that lives at the largest coefficient, by Newton's method
@@ -21,7 +22,7 @@ enum class CriticalWay {
 
 /// Of one coefficient, or of one for each pattern?
 constexpr bool looks_for_smallest(CriticalWay way) {
-  return way == CriticalWay::descent || way == CriticalWay::global;
+  return way == CriticalWay::automatic || way == CriticalWay::descent || way == CriticalWay::global;
 }
 
 /// How far a search for the smallest looks unless told: obstacles are not rougher.
@@ -31,11 +32,13 @@ inline constexpr double usual_most = 1000;
 inline constexpr double most_multiples = 1e15;
 
 struct CriticalQuestion {
-  CriticalWay way = CriticalWay::descent;
+  CriticalWay way = CriticalWay::automatic;
   /// No larger coefficient is of interest; mu^0 of the paper, which the ways pattern by pattern
   /// need. Nothing: usual_most, or as far as can be computed with.
   std::optional<double> most{};
   double width = 1e-8;  ///< of the brackets
+  /// How many nodes `automatic` opens from below before it goes down; nothing: as many as pay.
+  std::optional<std::uint64_t> trial_nodes{};
 };
 
 /// A pattern that begins to live within a bracket of the friction coefficient.
@@ -57,6 +60,7 @@ enum class CriticalDoubt {
 
 /// One of the searches that an answer takes.
 enum class CriticalPhase {
+  trial,         ///< for the smallest, from zero up, for so many nodes
   dive,          ///< for one leaf, then for one that lives farther down
   coarse,        ///< for the smallest, down from some coefficient, to a few digits
   fine,          ///< for the smallest, to all digits

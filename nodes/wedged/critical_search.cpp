@@ -1,4 +1,4 @@
-// Two ways to the bracket.
+// Ways to the bracket.
 #include "nodes/wedged/critical_search.hpp"
 
 #include <algorithm>
@@ -31,6 +31,11 @@ constexpr double few_digits = 1e-2;
 
 /// Where a descent looks next, of where something lives, until it knows where nothing does.
 constexpr double share_of_last = 0.6;
+
+/// A trial from below opens so many nodes a candidate, and no more than so many: a descent takes
+/// more programs than that, and larger trees are the descent's.
+constexpr std::uint64_t trial_nodes_a_candidate = 15;
+constexpr std::uint64_t most_trial_nodes = 600;
 
 /// Dives end where what is left to be told is from so much of it on.
 constexpr double near_enough = 0.9;
@@ -77,6 +82,24 @@ Living living_patterns(engine::Campaign& campaign, const problems::WedgedProblem
   });
 }
 
+// What a search for the smallest says of the bracket.
+CriticalFindings findings_of(const engine::OutcomeOf<CriticalTree>& outcome, double width,
+                             double known, double most) {
+  CriticalFindings findings;
+  findings.status = outcome.status;
+  const bool whole = outcome.status == engine::Status::solved;
+  findings.lower = whole ? most : std::min(most, std::max(known, outcome.bound));
+  for (const auto& found : outcome.solutions) {
+    const auto& cell = found.solution.cell;
+    findings.lower = std::min(findings.lower, width * static_cast<double>(cell.dead));
+    findings.upper = width * static_cast<double>(cell.alive);
+  }
+  // A leaf that is doubtful from further down on is opened on any schedule.
+  findings.lower = std::min(findings.lower, outcome.tally().doubt.value);
+  findings.global_ranks = outcome.ranks;
+  return findings;
+}
+
 /// Which of the searches for the smallest it is.
 struct SmallestSearch {
   CriticalDirection direction;
@@ -99,20 +122,50 @@ CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProb
   auto outcome = campaign.search(tree, options);
   costs.push_back({phase, direction == CriticalDirection::up ? known : most, outcome.opened(),
                    bounds.programs + outcome.tally().programs});
+  const auto status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
+  if (campaign.is_first()) return findings_of(outcome, width, known, most);
   CriticalFindings findings;
-  findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
-  if (!campaign.is_first()) return findings;
-  const bool whole = outcome.status == engine::Status::solved;
-  findings.lower = whole ? most : std::min(most, std::max(known, outcome.bound));
-  for (const auto& found : outcome.solutions) {
-    const auto& cell = found.solution.cell;
-    findings.lower = std::min(findings.lower, width * static_cast<double>(cell.dead));
-    findings.upper = width * static_cast<double>(cell.alive);
-  }
-  // A leaf that is doubtful from further down on is opened on any schedule.
-  findings.lower = std::min(findings.lower, outcome.tally().doubt.value);
-  findings.global_ranks = std::move(outcome.ranks);
+  findings.status = status;
   return findings;
+}
+
+// What is known of the bracket before a descent begins.
+struct Known {
+  bool whole = false;                                      ///< it is the bracket
+  double lower = 0;                                        ///< nothing wedges here, nor below
+  double upper = std::numeric_limits<double>::infinity();  ///< something does
+  std::uint64_t opened = 0, programs = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& whole& lower& upper& opened& programs;
+  }
+};
+
+// On the first rank alone, so that what it comes to depends on no timing.
+Known trial_from_below(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                       const CriticalQuestion& question, double most,
+                       std::vector<engine::RankReport<CriticalTree>>& ranks) {
+  const double width = question.width;
+  return engine::from_first_rank(campaign.transport(), [&] {
+    CriticalTree tree(problem, width, multiples(most, width), CriticalDirection::up);
+    engine::Options options;
+    options.goal = engine::Goal::best;
+    options.order = engine::Order::best_first;
+    options.limits = campaign.budget().left();
+    options.limits.nodes = question.trial_nodes.value_or(std::min(
+        most_trial_nodes, trial_nodes_a_candidate * std::uint64_t{problem.contact_names.size()}));
+    options.interrupt = campaign.budget().interrupt();
+    const auto outcome = engine::search(tree, options);
+    Known known{.whole = outcome.status == engine::Status::solved,
+                .opened = outcome.opened(),
+                .programs = outcome.tally().programs};
+    auto findings = findings_of(outcome, width, 0, most);
+    ranks = std::move(findings.global_ranks);
+    known.lower = findings.lower;
+    known.upper = or_infinity(findings.upper);
+    return known;
+  });
 }
 
 // Down from the first of growing coefficients at which anything lives: near to the smallest by
@@ -121,14 +174,23 @@ CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProb
 class Descent {
  public:
   Descent(engine::Campaign& campaign, const problems::WedgedProblem& problem, double width,
-          double most, std::vector<CriticalCost>& costs)
-      : campaign_(campaign), problem_(problem), width_(width), most_(most), costs_(costs) {}
+          double most, std::vector<CriticalCost>& costs, const Known& known = {})
+      : campaign_(campaign),
+        problem_(problem),
+        width_(width),
+        most_(most),
+        costs_(costs),
+        known_dead_(known.lower) {
+    if (std::isfinite(known.upper)) alive_ = known.upper;
+  }
 
   CriticalFindings findings() {
-    for (double start = std::min(first_start, most_);;
+    for (double start = std::min(alive_.value_or(first_start), most_);;
          start = std::min(most_, next_start * start)) {
+      if (start <= known_dead_ && start < most_) continue;
       coarse_ = width_;
       while (coarse_ < few_digits * start) coarse_ *= 2;
+      dead_ = std::max(dead_, coarse_ * std::floor(known_dead_ / coarse_));
       // A search says nothing of what is beyond the last point of its grid.
       const double reach = coarse_ == width_ ? start : coarse_ * std::floor(start / coarse_);
       dive(reach);
@@ -154,6 +216,7 @@ class Descent {
     from_ = reach;
     bounds_ = {};
     double untold = 0;
+    if (alive_ && !goes_on(untold)) return;
     for (;;) {
       const auto found =
           dive_at(campaign_, problem_, std::llround(from_ / coarse_), coarse_, bounds_);
@@ -164,16 +227,21 @@ class Descent {
       } else {
         (found.all_dead ? dead_ : untold) = from_;
       }
-      if (!alive_) return;
-      const double last = coarse_ * static_cast<double>(std::llround(*alive_ / coarse_) - 1);
-      if (last <= dead_) return;
-      const double least = std::max(dead_, untold);
-      const bool near = least > near_enough * *alive_;
-      const double next = least > 0 ? std::sqrt(least * *alive_) : share_of_last * *alive_;
-      from_ = near ? last : std::clamp(coarse_ * std::floor(next / coarse_), dead_ + coarse_, last);
-      bounds_ = bounds_at(campaign_, problem_, from_);
-      if (near) return;
+      if (!alive_ || !goes_on(untold)) return;
     }
+  }
+
+  // Where to look next, below what is alive. @return whether by a dive
+  bool goes_on(double untold) {
+    const double last = coarse_ * static_cast<double>(std::llround(*alive_ / coarse_) - 1);
+    if (last <= dead_) return false;
+    const double least = std::max(dead_, untold);
+    const bool near = least > near_enough * *alive_;
+    const double next = least > 0 ? std::sqrt(least * *alive_) : share_of_last * *alive_;
+    const double below = std::max(coarse_ * std::floor(next / coarse_), dead_ + coarse_);
+    from_ = near ? last : std::min(below, last);
+    bounds_ = bounds_at(campaign_, problem_, from_);
+    return !near;
   }
 
   // What the dives have left.
@@ -196,20 +264,58 @@ class Descent {
   CriticalFindings search(CriticalPhase phase, double width, double from) {
     if (phase == CriticalPhase::fine || bounds_.blocks.empty())
       bounds_ = bounds_at(campaign_, problem_, from);
-    return smallest(campaign_, problem_,
-                    {CriticalDirection::down, phase, width, dead_, from, bounds_}, costs_);
+    return smallest(
+        campaign_, problem_,
+        {CriticalDirection::down, phase, width, std::max(dead_, known_dead_), from, bounds_},
+        costs_);
   }
 
   engine::Campaign& campaign_;
   const problems::WedgedProblem& problem_;
   double width_, most_;
   std::vector<CriticalCost>& costs_;
+  double known_dead_;            // as dead_, but not on that grid
   double coarse_ = 0;            // the width of the grid of a start
   double from_ = 0;              // where the next search begins
   double dead_ = 0;              // nothing lives here, nor below
   std::optional<double> alive_;  // something does
   BlockBounds bounds_;           // at `from_`
 };
+
+// Whether anything lives at the largest coefficient, if it was given: it may be there to ask that,
+// and a descent from there would begin so, too.
+Known known_at_most(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                    const CriticalQuestion& question, std::vector<CriticalCost>& costs) {
+  Known known;
+  if (!question.most) return known;
+  const auto dive =
+      dive_at(campaign, problem, multiples(*question.most, question.width), question.width, {});
+  costs.push_back({CriticalPhase::dive, *question.most, dive.opened, dive.opened});
+  known.whole = dive.all_dead;
+  if (dive.all_dead) known.lower = *question.most;
+  known.upper = dive.alive;
+  return known;
+}
+
+// From below for so many nodes: of small trees that is the answer, of others a lower end to go
+// down to.
+CriticalFindings either_way(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                            const CriticalQuestion& question, double most,
+                            std::vector<CriticalCost>& costs) {
+  CriticalFindings findings;
+  auto known = known_at_most(campaign, problem, question, costs);
+  if (!known.whole) {
+    const double upper = known.upper;
+    known = trial_from_below(campaign, problem, question, most, findings.global_ranks);
+    costs.push_back({CriticalPhase::trial, 0, known.opened, known.programs});
+    if (!known.whole) known.upper = std::min(known.upper, upper);
+  }
+  if (!known.whole)
+    return Descent(campaign, problem, question.width, most, costs, known).findings();
+  findings.lower = known.lower;
+  if (std::isfinite(known.upper)) findings.upper = known.upper;
+  return findings;
+}
 
 CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
                                     const problems::WedgedProblem& problem, CriticalMethod method,
@@ -279,6 +385,8 @@ CriticalFindings find_critical_friction(engine::Campaign& campaign,
   std::vector<CriticalCost> costs;
   const auto search = [&] {
     switch (question.way) {
+      case CriticalWay::automatic:
+        return either_way(campaign, problem, question, most, costs);
       case CriticalWay::descent:
         return Descent(campaign, problem, question.width, most, costs).findings();
       case CriticalWay::global:

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "pictures/svg/inline_picture.hpp"
 #include "pictures/svg/style.hpp"
 #include "pictures/xml_text.hpp"
 
@@ -17,31 +18,14 @@ namespace kusabi::pictures {
 namespace {
 
 constexpr double chart_width = 960;
+constexpr double inline_width = 640;
 constexpr double chart_margin = 36;
-constexpr double plot_height = 380;
+constexpr double left_of_plot = 84;
+constexpr double plot_shape = 380 / chart_width;  ///< its height, relative to all of the width
 constexpr double row = 20;
 
-/// Beside the classes of all pictures.
-constexpr std::string_view chart_style = R"(
-.grid { stroke: #d8dee4; stroke-width: 1; }
-.frame { stroke: #6e7781; stroke-width: 1.3; }
-.curve { fill: none; stroke-width: 2.4; }
-.dashed { stroke-dasharray: 7 5; }
-.curve.s0 { stroke: #0969da; } .mark.s0 { fill: #0969da; }
-.curve.s1 { stroke: #bc4c00; } .mark.s1 { fill: #bc4c00; }
-.curve.s2 { stroke: #1a7f64; } .mark.s2 { fill: #1a7f64; }
-.curve.s3 { stroke: #8250df; } .mark.s3 { fill: #8250df; }
-.mark { stroke: #ffffff; stroke-width: 1.2; }
-@media (prefers-color-scheme: dark) {
-.grid { stroke: #30363d; }
-.frame { stroke: #9ea7b3; }
-.curve.s0 { stroke: #58a6ff; } .mark.s0 { fill: #58a6ff; }
-.curve.s1 { stroke: #ffa657; } .mark.s1 { fill: #ffa657; }
-.curve.s2 { stroke: #4ac2a0; } .mark.s2 { fill: #4ac2a0; }
-.curve.s3 { stroke: #bc8cff; } .mark.s3 { fill: #bc8cff; }
-.mark { stroke: #0d1117; }
-}
-)";
+/// Of the numbers along an axis: what is nearer to each other is one place.
+constexpr double least_span = 1e-9;
 
 /// The numbers along an axis: multiples of 1, 2 or 5 times a power of ten.
 struct Axis {
@@ -56,7 +40,9 @@ struct Axis {
 
   /// @param about how many steps @param smallest no step is smaller
   void settle(int about, double smallest) {
-    if (!(least < most)) most = least + std::max(smallest, std::max(1.0, std::abs(least)));
+    const double size = std::max(std::abs(least), std::abs(most));
+    if (!(most - least > least_span * size))
+      most = least + std::max(smallest, std::max(1.0, std::abs(least)));
     const double wanted = std::max((most - least) / about, smallest);
     step = std::pow(10, std::floor(std::log10(wanted)));
     for (const double factor : {2.0, 5.0, 10.0}) {
@@ -156,10 +142,16 @@ double draw_chart_legend(Canvas& canvas, const Chart& chart, double y) {
   return y;
 }
 
+/// Axes, curves and legend. @return how far down they reach
+double draw_chart(Canvas& canvas, const Chart& chart, double top, double across) {
+  const Point size(across - left_of_plot - chart_margin, plot_shape * across);
+  Plot(chart, {left_of_plot, top}, size).draw(canvas);
+  return draw_chart_legend(canvas, chart, top + size.y() + 3.8 * row);
+}
+
 }  // namespace
 
 void write_chart(std::ostream& out, const Chart& chart) {
-  constexpr double left = 84;
   Canvas canvas;
   double y = chart_margin + 10;
   canvas.words("title", {chart_margin, y}, "start", chart.title);
@@ -167,10 +159,7 @@ void write_chart(std::ostream& out, const Chart& chart) {
     y += row;
     canvas.words("line", {chart_margin, y}, "start", line);
   }
-  y += 2.4 * row;
-  const Point size(chart_width - left - chart_margin, plot_height);
-  Plot(chart, {left, y}, size).draw(canvas);
-  y = draw_chart_legend(canvas, chart, y + plot_height + 3.8 * row);
+  y = draw_chart(canvas, chart, y + 2.4 * row, chart_width);
   fmt::print(out,
              "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" "
@@ -180,6 +169,13 @@ void write_chart(std::ostream& out, const Chart& chart) {
              "</svg>\n",
              chart_width, std::round(y + 6), xml_text(chart.title), xml_text(chart.description),
              style, chart_style, canvas.text());
+}
+
+std::string inline_chart(const std::string& id, const Chart& chart) {
+  Canvas canvas;
+  const double y = draw_chart(canvas, chart, 1.6 * row, inline_width);
+  return svg_element({id, chart.title, chart.description, true}, {inline_width, std::round(y)},
+                     canvas);
 }
 
 }  // namespace kusabi::pictures

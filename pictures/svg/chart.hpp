@@ -34,4 +34,8 @@ struct Chart {
 /// @pre some series has a point
 void write_chart(std::ostream& out, const Chart& chart);
 
+/// As a part of a page, like inline_picture.hpp: without the title and the lines below it.
+/// @param id of the element @pre as above
+std::string inline_chart(const std::string& id, const Chart& chart);
+
 }  // namespace kusabi::pictures

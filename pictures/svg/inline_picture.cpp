@@ -14,7 +14,6 @@
 #include "pictures/xml_text.hpp"
 
 namespace kusabi::pictures {
-namespace {
 
 std::string svg_element(const InlinePicture& picture, const Point& size, const Canvas& canvas) {
   return fmt::format(
@@ -24,8 +23,6 @@ std::string svg_element(const InlinePicture& picture, const Point& size, const C
       xml_text(picture.id), size.x(), size.y(), xml_text(picture.title),
       xml_text(picture.description), canvas.text());
 }
-
-}  // namespace
 
 std::string inline_svg(const InlinePicture& picture, const Scene& scene) {
   const double across = picture.large ? 720 : 320;
@@ -52,23 +49,28 @@ std::string inline_legend(const InlinePicture& picture, const std::vector<Scene>
 
 std::string inline_style() {
   std::string scoped;
-  std::string_view rest = style;
+  const auto whole = std::string(style).append(chart_style);
+  std::string_view rest = whole;
+  const auto take = [&rest](std::size_t length) {
+    const auto taken = rest.substr(0, length);
+    rest.remove_prefix(taken.size());
+    return taken;
+  };
   while (!rest.empty()) {
-    const auto line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-    const auto brace = line.find('{');
-    if (brace == std::string_view::npos || line.front() == '@') {
-      scoped.append(line) += '\n';
-      continue;
+    if (rest.front() == '@') {
+      scoped.append(take(rest.find('{') + 1));
+    } else if (rest.front() == '}' || rest.front() == '\n' || rest.front() == ' ') {
+      scoped.append(take(1));
+    } else {
+      auto selectors = take(rest.find('{'));
+      while (!selectors.empty()) {
+        const auto one = selectors.substr(0, selectors.find(','));
+        selectors.remove_prefix(std::min(selectors.size(), one.size() + 1));
+        const auto first = one.find_first_not_of(' ');
+        scoped.append("svg.picture ").append(one.substr(first)) += selectors.empty() ? "" : ", ";
+      }
+      scoped.append(take(rest.find('}') + 1));
     }
-    auto selectors = line.substr(0, brace);
-    while (!selectors.empty()) {
-      const auto one = selectors.substr(0, selectors.find(','));
-      selectors.remove_prefix(std::min(selectors.size(), one.size() + 1));
-      const auto first = one.find_first_not_of(' ');
-      scoped.append("svg.picture ").append(one.substr(first)) += selectors.empty() ? "" : ", ";
-    }
-    scoped.append(line.substr(brace)) += '\n';
   }
   return scoped;
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pictures/svg/canvas.hpp"
 #include "pictures/svg/scene.hpp"
 
 namespace kusabi::pictures {
@@ -22,7 +23,11 @@ std::string inline_svg(const InlinePicture& picture, const Scene& scene);
 /// What the marks mean of all the scenes, likewise. @pre at least one
 std::string inline_legend(const InlinePicture& picture, const std::vector<Scene>& scenes);
 
-/// The style of svg/style.hpp for `svg.picture` alone, so that a page may use its class names.
+/// What has been drawn, as such an element. @param size in pixels
+std::string svg_element(const InlinePicture& picture, const Point& size, const Canvas& canvas);
+
+/// The style of svg/style.hpp, charts included, for `svg.picture` alone, so that a page may use its
+/// class names.
 std::string inline_style();
 
 }  // namespace kusabi::pictures

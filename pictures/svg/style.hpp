@@ -86,4 +86,26 @@ text { fill: #e6edf3; }
 }
 )";
 
+/// Of charts, beside these classes.
+inline constexpr std::string_view chart_style = R"(
+.grid { stroke: #d8dee4; stroke-width: 1; }
+.frame { stroke: #6e7781; stroke-width: 1.3; }
+.curve { fill: none; stroke-width: 2.4; }
+.dashed { stroke-dasharray: 7 5; }
+.curve.s0 { stroke: #0969da; } .mark.s0 { fill: #0969da; }
+.curve.s1 { stroke: #bc4c00; } .mark.s1 { fill: #bc4c00; }
+.curve.s2 { stroke: #1a7f64; } .mark.s2 { fill: #1a7f64; }
+.curve.s3 { stroke: #8250df; } .mark.s3 { fill: #8250df; }
+.mark { stroke: #ffffff; stroke-width: 1.2; }
+@media (prefers-color-scheme: dark) {
+.grid { stroke: #30363d; }
+.frame { stroke: #9ea7b3; }
+.curve.s0 { stroke: #58a6ff; } .mark.s0 { fill: #58a6ff; }
+.curve.s1 { stroke: #ffa657; } .mark.s1 { fill: #ffa657; }
+.curve.s2 { stroke: #4ac2a0; } .mark.s2 { fill: #4ac2a0; }
+.curve.s3 { stroke: #bc8cff; } .mark.s3 { fill: #bc8cff; }
+.mark { stroke: #0d1117; }
+}
+)";
+
 }  // namespace kusabi::pictures

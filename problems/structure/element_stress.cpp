@@ -1,6 +1,7 @@
 // One small inverse for each element: what is drawn needs no more digits than a double has.
 #include "problems/structure/element_stress.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -73,6 +74,11 @@ Eigen::VectorXd von_mises(const Stresses& stresses) {
     equivalent(i) = std::sqrt(1.5 * (normal - normal.mean()).square().sum() + 3 * shear);
   }
   return equivalent;
+}
+
+bool has_yield_forces(const Structure& structure) {
+  return std::ranges::any_of(structure.members,
+                             [](const Member& member) { return member.yield.has_value(); });
 }
 
 Eigen::VectorXd utilisations(const Structure& structure, const Eigen::VectorXd& forces) {

@@ -26,6 +26,9 @@ Stresses element_stresses(const Structure& structure, const Eigen::MatrixXd& dis
 /// The equivalent stress of von Mises, sqrt(3/2 s:s) with s the deviator: one a column, >= 0.
 Eigen::VectorXd von_mises(const Stresses& stresses);
 
+/// Whether a yield force is known of any member.
+bool has_yield_forces(const Structure& structure);
+
 /// |q| relative to the yield force on the side of q, one a member: 1 where it yields, 0 where it
 /// carries nothing, infinite where it can carry nothing and does; NaN where none is given.
 /// @param forces q of the members, force, positive in tension

@@ -60,12 +60,13 @@ void Critical::describe(OptionTable& table) {
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table.choice(
       "--method", options_.question.way,
-      {{"descent", wedged::CriticalWay::descent},
+      {{"auto", wedged::CriticalWay::automatic},
+       {"descent", wedged::CriticalWay::descent},
        {"global", wedged::CriticalWay::global},
        {"newton", wedged::CriticalWay::newton},
        {"bisection", wedged::CriticalWay::bisection}},
-      "one search for the smallest, from --mu-max down or from zero up, or the coefficients "
-      "of all patterns that live at --mu-max");
+      "searches for the smallest: the next two in turn, from --mu-max down, from zero up; or the "
+      "coefficients of all patterns that live at --mu-max");
   table.number("--mu-max", &options_.question.most, above(0),
                "no larger coefficient is of interest");
   table.number("--width", &options_.question.width, above(0), "of the brackets");
@@ -92,12 +93,12 @@ void Critical::check() const {
   if (!looks_for_smallest(options_.question.way) && !options_.question.most) {
     throw WrongInput(
         "--mu-max is missing; expected the friction coefficient at which the patterns are looked "
-        "for, or --method descent");
+        "for, or --method auto");
   }
   if (!looks_for_smallest(options_.question.way) && !vtu_.empty()) {
     throw WrongInput(
         "--vtu: only a search for the smallest keeps what it finds wedged; expected --method "
-        "descent or global");
+        "auto, descent or global");
   }
   const double most = options_.question.most.value_or(wedged::usual_most);
   if (options_.question.width >= most || most > wedged::most_multiples * options_.question.width) {

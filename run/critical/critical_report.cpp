@@ -20,6 +20,8 @@ using nlohmann::ordered_json;
 
 const char* way_name(wedged::CriticalWay way) {
   switch (way) {
+    case wedged::CriticalWay::automatic:
+      return "auto";
     case wedged::CriticalWay::descent:
       return "descent";
     case wedged::CriticalWay::global:
@@ -91,6 +93,8 @@ std::string sentence(const problems::WedgedProblem& problem,
 
 const char* phase_name(wedged::CriticalPhase phase) {
   switch (phase) {
+    case wedged::CriticalPhase::trial:
+      return "trial";
     case wedged::CriticalPhase::dive:
       return "dive";
     case wedged::CriticalPhase::coarse:

@@ -2,6 +2,7 @@
 #include "run/draw/draw.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "run/command/command_run.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_scenes.hpp"
+#include "run/results/sweep_result.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -36,17 +38,11 @@ class Draw final : public Subcommand {
         [&] { return problems::file_text(file_, "a result file in JSON", largest_result); });
   }
   void prepare(CommandRun& /*run*/) override {
-    drawn_ = result_scenes(
-        text_, file_,
-        pattern_ > 0 ? SceneChoice{pattern_ - 1, 1} : SceneChoice{0, pictures::most_on_a_sheet});
-    const auto count = drawn_.count;
-    if (pattern_ > count) {
-      throw WrongInput(fmt::format("--pattern {}: expected 1 to {}, the {} of {}", pattern_, count,
-                                   drawn_.things, file_));
-    }
-    if (pattern_ == 0 && count > pictures::most_on_a_sheet) {
-      drawn_.picture.lines.push_back(
-          fmt::format("the first {} of them; --pattern N draws any", pictures::most_on_a_sheet));
+    const ResultReader reader(text_, file_);
+    if (is_sweep(reader)) {
+      take_chart(reader);
+    } else {
+      take_scenes(reader);
     }
   }
   void search(CommandRun& /*run*/) override {}
@@ -59,9 +55,36 @@ class Draw final : public Subcommand {
   Verdict verdict(CommandRun& /*run*/) override { return {}; }
 
  private:
+  void take_chart(const ResultReader& reader) {
+    if (pattern_ > 0) {
+      throw WrongInput(
+          fmt::format("--pattern {}: {} is of a sweep, which has one chart; expected no --pattern",
+                      pattern_, file_));
+    }
+    chart_ = sweep_chart(reader);
+    if (!chart_) throw WrongInput(fmt::format("{}: nothing is known that could be drawn", file_));
+  }
+
+  void take_scenes(const ResultReader& reader) {
+    drawn_ = result_scenes(
+        reader, file_,
+        pattern_ > 0 ? SceneChoice{pattern_ - 1, 1} : SceneChoice{0, pictures::most_on_a_sheet});
+    const auto count = drawn_.count;
+    if (pattern_ > count) {
+      throw WrongInput(fmt::format("--pattern {}: expected 1 to {}, the {} of {}", pattern_, count,
+                                   drawn_.things, file_));
+    }
+    if (pattern_ == 0 && count > pictures::most_on_a_sheet) {
+      drawn_.picture.lines.push_back(
+          fmt::format("the first {} of them; --pattern N draws any", pictures::most_on_a_sheet));
+    }
+  }
+
   void write(std::ostream& out) const {
     const auto& scenes = drawn_.scenes;
-    if (scenes.size() == 1) {
+    if (chart_) {
+      write_chart(out, *chart_);
+    } else if (scenes.size() == 1) {
       write_svg(out, drawn_.picture, scenes.front());
     } else {
       write_sheet(out, drawn_.picture, scenes);
@@ -72,6 +95,7 @@ class Draw final : public Subcommand {
   std::uint64_t pattern_ = 0;  // 0: all of them
   std::string text_;
   ResultScenes drawn_;
+  std::optional<pictures::Chart> chart_;  // of a sweep
 };
 
 }  // namespace

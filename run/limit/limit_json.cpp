@@ -4,11 +4,12 @@
 
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/utilisation.hpp"
+#include "run/limit/collapse_loads.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
-#include "run/pictures/structure_json.hpp"
+#include "run/pictures/limit_problem_json.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -26,24 +27,6 @@ ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd&
   auto list = ordered_json::array();
   for (int j = 0; j < problem.uncertain_count(); ++j) {
     list.push_back({{"name", problems::parameter_name(problem, j)}, {"value", zeta(j)}});
-  }
-  return list;
-}
-
-// T, column by column: what each uncertain load puts where when its zeta is one unit of force.
-ordered_json uncertain_loads_json(const LimitProblem& problem) {
-  auto list = ordered_json::array();
-  for (int j = 0; j < problem.uncertain_count(); ++j) {
-    const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
-    auto components = ordered_json::array();
-    for (const auto& [degree, value] : column.direction) {
-      const auto& [node, axis] = problem.degrees.free[static_cast<std::size_t>(degree)];
-      components.push_back({{"node", node_name(problem, node)},
-                            {"axis", problems::axis_name(axis)},
-                            {"weight", column.weight * value}});
-    }
-    list.push_back(
-        {{"name", problems::parameter_name(problem, j)}, {"components", std::move(components)}});
   }
   return list;
 }
@@ -90,6 +73,21 @@ ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& 
   return {{"sway", mode.sway}, {"moving", moving}, {"yielding", yielding}};
 }
 
+// Of the nodes that are held, by their names.
+ordered_json support_reactions_json(const LimitReport& report, const limit::LimitCollapse& collapse,
+                                    const Eigen::VectorXd& dead) {
+  const auto load = load_at_collapse(report.truss, report.problem, collapse, dead);
+  const auto reactions = support_reactions(report.truss, load, collapse.forces);
+  auto supports = ordered_json::object();
+  for (std::size_t node = 0; node < report.truss.fixed.size(); ++node) {
+    const auto& held = report.truss.fixed[node];
+    if (std::ranges::any_of(held, [](bool each) { return each; }))
+      supports[report.problem.node_names[node]] =
+          numbers(reactions.col(static_cast<Eigen::Index>(node)));
+  }
+  return supports;
+}
+
 const char* status_text(RootStatus status) {
   switch (status) {
     case RootStatus::closed:
@@ -123,20 +121,6 @@ ordered_json interval_json(const limit::LimitCollapse& collapse) {
   return {number_or_null(collapse.least), collapse.factor};
 }
 
-ordered_json problem_json(const LimitReport& report) {
-  const auto& problem = report.problem;
-  return {{"file", report.options.file},
-          {"name", problem.name},
-          {"d", problem.dimension},
-          {"m", problem.uncertain_count()},
-          {"nodes", problem.node_names.size()},
-          {"members", problem.member_count()},
-          {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
-          {"fingerprint", hexadecimal(problem.fingerprint)},
-          {"uncertain_loads", uncertain_loads_json(problem)},
-          {"structure", structure_json(report.truss)}};
-}
-
 ordered_json options_json(const LimitOptions& options) {
   const auto& question = options.question;
   ordered_json chosen{{"alpha", number_or_null(question.alpha)},
@@ -167,6 +151,8 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
     result["collapse_mode"] = mode_json(report.problem, *worst.collapse);
     result["forces"] = numbers(worst.collapse->forces);
     result["utilisation"] = numbers(utilisation(report.problem, worst.collapse->forces));
+    result["support_reactions"] = support_reactions_json(
+        report, *worst.collapse, problems::dead_load(report.problem, worst.zeta));
   }
   result["cuts"] = worst.cuts;
   result["programs"] = {{"load_factors", worst.counts.load_factors},
@@ -192,6 +178,8 @@ ordered_json result_json(const LimitReport& report) {
     result["nominal_mode"] = mode_json(problem, *answer.nominal);
     result["nominal_forces"] = numbers(answer.nominal->forces);
     result["nominal_utilisation"] = numbers(utilisation(problem, answer.nominal->forces));
+    result["nominal_support_reactions"] =
+        support_reactions_json(report, *answer.nominal, problem.dead);
   }
   if (answer.worst) add_worst_case(result, report, *answer.worst);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);
@@ -231,7 +219,7 @@ ordered_json statistics_json(const LimitReport& report) {
 ordered_json LimitReport::json() const {
   return {{"command", "limit"},
           {"version", KUSABI_VERSION},
-          {"problem", problem_json(*this)},
+          {"problem", limit_problem_json(problem, truss, options.file)},
           {"options", options_json(options)},
           {"status", status_of(answer)},
           {"result", result_json(*this)},

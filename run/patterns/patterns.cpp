@@ -117,9 +117,11 @@ void Patterns::describe(OptionTable& table) {
       "the table: as found, by the largest margin, by the fewest candidates in contact, or by the "
       "friction coefficient that each pattern begins to live at, which is then computed: some ten "
       "programs a pattern");
-  table.number("--group", &options_.group, between(1, 1000),
+  table.number("--group", &options_.group, between(0, 1000),
                "list patterns whose contact sets differ in at most so many candidates, step by "
-               "step, as one line, the firmest first; the groups are in the result file, too");
+               "step, as one line, the firmest first; the groups are in the result file, too; "
+               "without it a terminal shows more than 40 patterns in groups around the firmest, "
+               "with 0 all");
   table.number("--top", &options_.top, above(0), "list so many in the table; all are in the file");
   // By the number of signs decided, see SignPatternTree::bound.
   table.choice(

@@ -32,7 +32,9 @@ struct PatternsOptions {
   int facets = 16;               ///< of the polyhedral friction cones of Algorithm 5.8
   bool list_candidates = false;  ///< of Algorithm 5.8, in the table
   PatternSort sort = PatternSort::number;
-  int group = 0;  ///< patterns that differ in so many candidates are one line; 0: no groups
+  /// Patterns that differ in so many candidates are one line; 0: no groups; negative: the table
+  /// of a terminal has some if it would be long.
+  int group = -1;
   std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< so many of them in the table
   engine::Order order = engine::Order::depth_first;
   engine::Limits limits;        ///< where to stop early

@@ -161,8 +161,8 @@ std::string PatternsReport::table() const {
   for (const auto& rank : findings_.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
   for (const auto& rank : findings_.outcome.earlier)
     ranks.add_earlier(rank.statistics, own(rank.tally));
-  return (options_.group > 0 ? groups() : list()) + candidates() + details() + '\n' +
-         ranks.text(page_.width) + sentence();
+  const auto listed = options_.group > 0 ? groups() : is_overview() ? overview() : list();
+  return listed + candidates() + details() + '\n' + ranks.text(page_.width) + sentence();
 }
 
 void PatternsReport::write_csv(std::ostream& out) const {

@@ -45,6 +45,9 @@ class PatternsReport {
   /// The table: a line a pattern, or a line a group of them.
   [[nodiscard]] std::string list() const;
   [[nodiscard]] std::string groups() const;
+  /// What a terminal shows of a long list.
+  [[nodiscard]] bool is_overview() const;
+  [[nodiscard]] std::string overview() const;
   [[nodiscard]] std::string row(std::size_t number) const;
   [[nodiscard]] std::string names(const support::IndexSet& candidates) const;
   /// The answer in a sentence, and what its margin is of.

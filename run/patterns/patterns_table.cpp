@@ -16,8 +16,9 @@
 namespace kusabi::run {
 namespace {
 
-/// More lines than these are looked at together, not one by one.
+/// More lines than these are looked at together, not one by one; then in so many groups.
 constexpr std::size_t many_lines = 40;
+constexpr std::size_t many_groups = 20;
 
 constexpr const char* head_of_contact = "in contact (U); others separated (R)";
 
@@ -104,6 +105,34 @@ std::string PatternsReport::groups() const {
       "of the firmest of each\n",
       counted(all, "group"), counted(static_cast<std::uint64_t>(options_.group), "candidate"));
   return text;
+}
+
+// Whoever has said how the list should be gets it so, and what reads a file counts on a line a
+// pattern.
+bool PatternsReport::is_overview() const {
+  return page_.width != Page::endless && options_.group < 0 &&
+         options_.sort == PatternSort::number && options_.top > findings_.leaves.size() &&
+         findings_.leaves.size() > many_lines;
+}
+
+std::string PatternsReport::overview() const {
+  const auto& leaves = findings_.leaves;
+  const auto most_groups = std::max(many_groups, findings_.blocks.size());
+  int apart = 1;
+  auto groups = groups_around_firmest(leaves, apart, most_groups);
+  while (!groups) groups = groups_around_firmest(leaves, ++apart, most_groups);
+  auto text = fmt::format("\n{:>8}  {:>10}  {:>7}  {}\n", "patterns", "margin t*", "number",
+                          "the firmest of them is in contact at");
+  for (const auto& group : *groups) {
+    const auto& firmest = leaves[group.firmest];
+    text += fmt::format("{:>8}  {:>10}  {:>7}  {}\n", group.members.size(), margin_text(firmest),
+                        group.firmest + 1, contact_text(problem_, firmest.pattern));
+  }
+  return text + fmt::format(
+                    "{} in {}: in each all differ from the firmest in at most {}. --group 0 lists "
+                    "every one, --sort margin --top 10 the firmest; files have all\n",
+                    counted(leaves.size(), "pattern"), counted(groups->size(), "group"),
+                    counted(static_cast<std::uint64_t>(apart), "candidate"));
 }
 
 // Of Algorithm 5.8: Y_1, ..., Y_k, and what (23) says of each.

@@ -1,9 +1,11 @@
 // Part by part. Lists of numbers are a line each in the file, so nodes are numbers here, not names.
 #include "run/pictures/structure_json.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,6 +142,14 @@ ordered_json yield_forces_json(const Structure& structure) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> listed_elements(const Structure& structure) {
+  std::vector<std::size_t> places(structure.elements.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::ranges::stable_sort(
+      places, {}, [&](const std::size_t place) { return structure.elements[place].shape; });
+  return places;
+}
 
 ordered_json structure_json(const Structure& structure) {
   ordered_json json{{"node_names", structure.node_names}, {"positions", positions_json(structure)}};

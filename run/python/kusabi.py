@@ -80,27 +80,34 @@ class Result(dict):
         """The names of the contact candidates, in the order of all reactions."""
         return [each["node"] for each in self["problem"]["contact"]]
 
-    def rows(self):
+    def rows(self, of=None):
         """The table of the answer as a list of dicts with the names of the result file: a row a pattern (`patterns`,
-        `critical`), a ray, a member (`limit`), or a column of the program that is not zero (`mip`)."""
-        tables = {"patterns": _patterns, "critical": _patterns, "rays": _rays, "limit": _members, "mip": _columns}
+        `critical`, `sweep` of friction), a ray, a member (`limit`), a point (`sweep` of loads), or a column of the program
+        that is not zero (`mip`).
+
+        of: another list of the answer by its name, such as "staircase" of `sweep`, "groups" of `patterns`.
+        """
+        if of is not None:
+            return _list(self.answer, of)
+        tables = {"patterns": _patterns, "critical": _patterns, "rays": _rays, "sweep": _swept, "limit": _members,
+                  "mip": _columns}
         if self["command"] not in tables:
             raise Error(f"results of kusabi {self['command']} have no rows; expected one of {', '.join(tables)}")
         return tables[self["command"]](self)
 
-    def to_dataframe(self):
-        """rows() as a pandas.DataFrame; without pandas rows() itself."""
+    def to_dataframe(self, of=None):
+        """rows(of) as a pandas.DataFrame; without pandas rows(of) itself."""
         try:
             import pandas
         except ImportError:
-            return self.rows()
-        return pandas.DataFrame(self.rows())
+            return self.rows(of)
+        return pandas.DataFrame(self.rows(of))
 
 
 def run(command, file, *, ranks=None, input=None, **options):
     """Runs `kusabi COMMAND FILE` and returns its Result.
 
-    command: "patterns", "rays", "critical", "limit", "mip", or any other that has --output
+    command: "patterns", "rays", "critical", "sweep", "limit", "mip", or any other that has --output
     file: the problem; "-" for the text `input`
     ranks: on so many ranks, by mpirun (or what the environment variable KUSABI_MPIRUN says); None: in one process
     options: those of the command, with _ for -: mu=0.65, time_limit=60; True switches one on, None and False leave it
@@ -228,6 +235,8 @@ def _is_partial(content):
         return answer["marginal"] + answer["undecided"] > 0
     if content["command"] == "critical":
         return bool(answer["open"])
+    if content["command"] == "sweep":
+        return bool(answer.get("open")) or any(each.get("count", 0) is None for each in answer["points"])
     if content["command"] == "mip":
         return answer["answer"] in ("feasible", "unknown")
     return False
@@ -235,6 +244,17 @@ def _is_partial(content):
 
 def _patterns(result):
     return [{"pattern": number, **each} for number, each in enumerate(result.answer["patterns"], 1)]
+
+
+def _swept(result):
+    return _patterns(result) if "patterns" in result.answer else _list(result.answer, "points")
+
+
+def _list(answer, name):
+    tables = [key for key, value in answer.items() if isinstance(value, list) and all(isinstance(each, dict) for each in value)]
+    if name not in tables:
+        raise Error(f"the result has no table {name!r}; expected one of {', '.join(tables)}")
+    return [dict(each) for each in answer[name]]
 
 
 def _rays(result):

@@ -1,4 +1,4 @@
-// What all three commands list has a contact set, and mostly a reaction.
+// What patterns, rays and critical list has a contact set, and mostly a reaction.
 #include "run/report/answers.hpp"
 
 #include <string_view>
@@ -32,7 +32,7 @@ void read_sets(const ResultReader& reader, const ResultJson& pattern, Answer& an
 std::vector<Answer> answers(const ResultReader& reader, const ResultScenes& scenes) {
   std::vector<Answer> all;
   const auto command = reader.text(reader.all(), "command");
-  if (command == "limit") return all;
+  if (command == "limit" || command == "sweep") return all;
   const bool rays = command == "rays";
   const std::vector<const char*> keys = rays ? std::vector<const char*>{}
                                         : command == "critical"

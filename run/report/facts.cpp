@@ -79,6 +79,17 @@ void open_table(Markup& page, std::string_view caption) {
   page.open("table").element("caption", caption);
 }
 
+void begin_table(Markup& page, std::string_view caption, const std::vector<std::string>& columns) {
+  open_table(page, caption);
+  page.open("thead").open("tr");
+  for (const auto& column : columns) page.element("th", column, {{"scope", "col"}});
+  page.close().close().open("tbody");
+}
+
+void end_table(Markup& page) {
+  page.close().close().close();
+}
+
 void add_facts(Markup& page, std::string_view caption, const ResultJson& object) {
   if (!object.is_object() || object.empty()) return;
   open_table(page, caption);

@@ -25,6 +25,11 @@ std::string joined(const std::vector<std::string>& names);
 /// both are to be closed.
 void open_table(pictures::Markup& page, std::string_view caption);
 
+/// The same with a row of titles; its rows come next.
+void begin_table(pictures::Markup& page, std::string_view caption,
+                 const std::vector<std::string>& columns);
+void end_table(pictures::Markup& page);
+
 /// A table of the keys and values of an object; what is an object within is told as "key, key".
 /// Lists of more than that a person reads are counted.
 void add_facts(pictures::Markup& page, std::string_view caption, const ResultJson& object);

@@ -60,26 +60,17 @@ class LimitSection {
     add_facts(page_, "Factors of the reference load", facts);
   }
 
-  void begin_table(const std::string& caption, const std::vector<std::string>& columns) {
-    open_table(page_, caption);
-    page_.open("thead").open("tr");
-    for (const auto& column : columns) page_.element("th", column, {{"scope", "col"}});
-    page_.close().close().open("tbody");
-  }
-
-  void end_table() { page_.close().close().close(); }
-
   void mode(const char* key) {
     const auto& yielding = reader_.list(reader_.at(result_, key), "yielding");
     if (yielding.empty()) return;
-    begin_table("Members that yield", {"member", "in", "rate of elongation"});
+    begin_table(page_, "Members that yield", {"member", "in", "rate of elongation"});
     for (const auto& each : yielding) {
       page_.open("tr").element("th", joined(reader_.names(each, "member")), {{"scope", "row"}});
       page_.element("td", reader_.text(each, "in")).open("td");
       add_number(page_, &reader_.at(each, "elongation"));
       page_.close().close();
     }
-    end_table();
+    end_table(page_);
   }
 
   void critical_load() {
@@ -88,7 +79,7 @@ class LimitSection {
     const auto d = static_cast<int>(reader_.number(problem_, "d"));
     std::vector<std::string> columns{"node", "x", "y", "z"};
     columns.resize(static_cast<std::size_t>(d) + 1);
-    begin_table("The critical dead load, " + force, columns);
+    begin_table(page_, "The critical dead load, " + force, columns);
     for (const auto& load : reader_.list(result_, "critical_load")) {
       page_.open("tr").element("th", reader_.text(load, "node"), {{"scope", "row"}});
       for (const auto& component : reader_.list(load, "force", columns.size() - 1)) {
@@ -98,7 +89,7 @@ class LimitSection {
       }
       page_.close();
     }
-    end_table();
+    end_table(page_);
   }
 
   void utilisation() {
@@ -115,7 +106,7 @@ class LimitSection {
     }
     if (used.empty()) return;
     page_.open("details").element("summary", "How much of its strength each member uses");
-    begin_table("Utilisation: 1 where a member yields", columns);
+    begin_table(page_, "Utilisation: 1 where a member yields", columns);
     for (std::size_t i = 0; i < members.size(); ++i) {
       const auto a = static_cast<std::size_t>(reader_.index(members[i][0], names.size()));
       const auto b = static_cast<std::size_t>(reader_.index(members[i][1], names.size()));
@@ -127,7 +118,7 @@ class LimitSection {
       }
       page_.close();
     }
-    end_table();
+    end_table(page_);
     page_.close();
   }
 

@@ -15,6 +15,7 @@
 #include "run/report/limit_section.hpp"
 #include "run/report/page_script.hpp"
 #include "run/report/page_style.hpp"
+#include "run/report/sweep_section.hpp"
 #include "run/report/verdict.hpp"
 #include "run/results/result_scenes.hpp"
 
@@ -95,6 +96,7 @@ std::string report_page(const ResultReader& reader) {
   page.close().open("main");
   if (command == "critical") add_bracket(page, reader);
   if (command == "limit") add_limit(page, reader, scenes);
+  if (command == "sweep") add_sweep(page, reader);
   add_problem_section(page, reader, scenes);
   if (!list.empty()) add_gallery(page, reader, scenes.things, list);
   page.open("section", {{"id", "origin"}}).element("h2", "How this was found");

@@ -1,6 +1,7 @@
 // Command by command. Only what the file says is claimed: "it cannot" needs a whole search.
 #include "run/report/verdict.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -8,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "run/output/conclusions.hpp"
+#include "run/output/values.hpp"
+#include "run/results/sweep_result.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -22,6 +25,8 @@ class Concluding {
     const auto command = reader_.text(reader_.all(), "command");
     if (command == "limit") {
       limit();
+    } else if (command == "sweep") {
+      sweep();
     } else {
       if (status_ != "solved")
         reserve(fmt::format("The search ended early ({}): what is listed is right, but not all.",
@@ -72,6 +77,31 @@ class Concluding {
     if (!is_true(bracket, "lower_proved")) reserve("The lower end is computed, not proved.");
     if (ResultReader::find(result_, "open") == nullptr) return;
     for (auto& sentence : reader_.names(result_, "open")) reserve(std::move(sentence));
+  }
+
+  void sweep() {
+    all_.sentence = sweep_sentence(reader_);
+    if (all_.sentence.empty()) {
+      all_.sentence = sweeps_loads(reader_) ? carried_sentence(reader_.number(result_, "nominal"))
+                                            : critical_sentence(0, {});
+    }
+    const auto& points = reader_.list(result_, "points");
+    if (status_ != "solved" && status_ != "not-carried")
+      reserve(fmt::format("The question is not answered in full ({}).", status_));
+    if (sweeps_loads(reader_)) return;
+    if (const auto open = reader_.list(result_, "open").size(); open > 0) {
+      reserve(fmt::format("Of {} it could not be told what {} above a certain coefficient.",
+                          counted(open, "pattern"), open == 1 ? "it is" : "they are"));
+    }
+    const auto undecided = std::ranges::count_if(points, [](const ResultJson& point) {
+      return ResultReader::find(point, "count") == nullptr;
+    });
+    if (undecided > 0) {
+      reserve(
+          fmt::format("At {} of the points the count is not decided: within a bracket in "
+                      "which a pattern begins, or above what is open.",
+                      undecided));
+    }
   }
 
   void limit() {

@@ -29,7 +29,8 @@ ResultReader::ResultReader(const std::string& text, std::string file) : file_(st
 
 void ResultReader::refuse(std::string_view what) const {
   throw WrongInput(fmt::format(
-      "{}: {}; expected what --output of kusabi patterns, rays, critical or limit has written",
+      "{}: {}; expected what --output of kusabi patterns, rays, critical, limit or sweep has "
+      "written",
       file_, what));
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -20,6 +21,9 @@ class ResultReader {
  public:
   /// @throws WrongInput if the text is no JSON
   ResultReader(const std::string& text, std::string file);
+  /// Of what is not in a file yet.
+  ResultReader(ResultJson json, std::string file)
+      : file_(std::move(file)), json_(std::move(json)) {}
 
   [[nodiscard]] const ResultJson& all() const { return json_; }
 

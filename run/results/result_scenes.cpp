@@ -64,7 +64,7 @@ class SceneReader {
       read_critical(all);
     } else if (command == "limit") {
       read_collapses(all);
-    } else {
+    } else if (command != "sweep") {  // whose answer is a chart
       reader_.refuse(fmt::format("is of kusabi {}", command));
     }
     return all;
@@ -280,8 +280,9 @@ ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice) {
   return SceneReader(reader, choice).read();
 }
 
-ResultScenes result_scenes(const std::string& text, const std::string& file, SceneChoice choice) {
-  auto all = chosen_scenes(ResultReader(text, file), choice);
+ResultScenes result_scenes(const ResultReader& reader, const std::string& file,
+                           SceneChoice choice) {
+  auto all = chosen_scenes(reader, choice);
   if (all.count == 0) {
     throw WrongInput(fmt::format("{}: has no {}; expected one or more to draw", file, all.things));
   }

@@ -29,9 +29,8 @@ struct ResultScenes {
 ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice);
 
 /// There is at least one to choose from.
-/// @param text of the file
 /// @param file its name, for messages
 /// @throws WrongInput in one line, if it is no such file or has nothing to draw
-ResultScenes result_scenes(const std::string& text, const std::string& file, SceneChoice choice);
+ResultScenes result_scenes(const ResultReader& reader, const std::string& file, SceneChoice choice);
 
 }  // namespace kusabi::run

@@ -49,8 +49,7 @@ class FrictionSweep final : public Swept {
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
-  [[nodiscard]] std::optional<pictures::Chart> chart() const override;
-  [[nodiscard]] std::string table() const override;
+  [[nodiscard]] std::string table(const std::string& sentence) const override;
   [[nodiscard]] Verdict verdict() const override;
 
  private:
@@ -58,13 +57,10 @@ class FrictionSweep final : public Swept {
   [[nodiscard]] std::vector<wedged::ConeCount> counts() const;
   [[nodiscard]] std::string points_text() const;
   [[nodiscard]] std::string cones_text() const;
-  [[nodiscard]] std::string sentence() const;
   [[nodiscard]] std::string ranks_text() const;
   [[nodiscard]] std::string names(const support::IndexSet& candidates) const {
     return with_ranges(candidate_names(problem_, candidates));
   }
-  /// Nothing lives up to here.
-  [[nodiscard]] double dead_up_to() const;
 
   const SweepOptions& options_;
   problems::Structure structure_;
@@ -81,13 +77,6 @@ std::vector<wedged::ConeCount> FrictionSweep::counts() const {
   return list;
 }
 
-double FrictionSweep::dead_up_to() const {
-  double least = found_.enumerated ? found_.most : 0;
-  for (const auto& cone : found_.cones) least = std::min(least, cone.begins.lower);
-  for (const auto& leaf : found_.open) least = std::min(least, leaf.lower);
-  return least;
-}
-
 ordered_json bracket_json(const std::optional<wedged::FrictionBracket>& bracket) {
   if (!bracket) return {};
   return {{"lower", bracket->lower}, {"upper", bracket->upper}};
@@ -99,13 +88,15 @@ ordered_json counted_json(std::uint64_t known, std::size_t open) {
           {"open", open}};
 }
 
+ordered_json point_json(const wedged::ConeCount& count) {
+  ordered_json point{{"mu", count.friction}};
+  point.update(counted_json(count.known, count.open));
+  return point;
+}
+
 ordered_json FrictionSweep::json() const {
   auto points = ordered_json::array();
-  for (const auto& count : counts()) {
-    ordered_json point{{"mu", count.friction}};
-    point.update(counted_json(count.known, count.open));
-    points.push_back(std::move(point));
-  }
+  for (const auto& count : counts()) points.push_back(point_json(count));
   auto steps = ordered_json::array();
   const auto treads = found_.enumerated ? found_.staircase() : std::vector<wedged::Tread>();
   for (const auto& [from, to, known, open] : treads) {
@@ -137,6 +128,8 @@ ordered_json FrictionSweep::json() const {
       {"status", status_name(found_.status)},
       {"result",
        {{"points", std::move(points)},
+        {"at_mu_max",
+         found_.enumerated ? point_json(found_.count_at(found_.most)) : ordered_json()},
         {"staircase", std::move(steps)},
         {"patterns", std::move(patterns)},
         {"open", std::move(open)}}},
@@ -157,36 +150,6 @@ void FrictionSweep::write_csv(std::ostream& out) const {
     row("from", from, known, open);
     row("to", to, known, open);
   }
-}
-
-std::optional<pictures::Chart> FrictionSweep::chart() const {
-  if (!found_.enumerated) return {};
-  pictures::Chart chart{.title = problem_.name,
-                        .description = sentence(),
-                        .lines = {"sign patterns of wedged configurations", sentence()},
-                        .x_name = fmt::format("friction coefficient{}", times(problem_)),
-                        .y_name = "sign patterns",
-                        .whole_numbers = true,
-                        .series = {}};
-  pictures::ChartSeries stairs{.name = "number of sign patterns, exact between its steps",
-                               .line = {},
-                               .dashed = !found_.open.empty(),
-                               .marks = {}};
-  if (stairs.dashed) stairs.name = "number of sign patterns known; some are open";
-  for (const auto& [from, to, known, open] : found_.staircase()) {
-    stairs.line.emplace_back(from, static_cast<double>(known));
-    stairs.line.emplace_back(to, static_cast<double>(known));
-  }
-  chart.series.push_back(std::move(stairs));
-  pictures::ChartSeries asked{.name = "at the points asked for", .line = {}, .marks = {}};
-  for (const auto& count : counts()) {
-    if (count.exact())
-      asked.marks.push_back(
-          {count.friction, static_cast<double>(count.known),
-           fmt::format("{} at {}", counted(count.known, "sign pattern"), count.friction)});
-  }
-  if (!asked.marks.empty()) chart.series.push_back(std::move(asked));
-  return chart;
 }
 
 std::string FrictionSweep::points_text() const {
@@ -222,19 +185,6 @@ std::string FrictionSweep::cones_text() const {
   return text;
 }
 
-std::string FrictionSweep::sentence() const {
-  if (!found_.enumerated) return {};
-  const auto at_most = found_.count_at(found_.most);
-  if (found_.cones.empty() && found_.open.empty()) {
-    return fmt::format("It cannot stick up to a friction coefficient of {}{}.", found_.most,
-                       times(problem_));
-  }
-  return fmt::format(
-      "It cannot stick up to a friction coefficient of {:.10g}{}; at {} there are {}{}.",
-      dead_up_to(), times(problem_), found_.most, counted(at_most.known, "sign pattern"),
-      at_most.exact() ? "" : fmt::format(" and {} undecided", at_most.open));
-}
-
 std::string FrictionSweep::ranks_text() const {
   RankTable tree({"branched", "pruned", "found", "iterations"});
   for (const auto& [statistics, tally] : found_.tree_ranks) {
@@ -249,9 +199,9 @@ std::string FrictionSweep::ranks_text() const {
   return text + "\nDown from there, leaf by leaf:\n" + histories.text();
 }
 
-std::string FrictionSweep::table() const {
-  const auto said = sentence();
-  return points_text() + cones_text() + (said.empty() ? "" : '\n' + said + '\n') + ranks_text();
+std::string FrictionSweep::table(const std::string& sentence) const {
+  return points_text() + cones_text() + (sentence.empty() ? "" : '\n' + sentence + '\n') +
+         ranks_text();
 }
 
 Verdict FrictionSweep::verdict() const {

@@ -11,7 +11,7 @@
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/output/values.hpp"
-#include "run/pictures/structure_json.hpp"
+#include "run/pictures/limit_problem_json.hpp"
 #include "run/session/supervision.hpp"
 #include "run/sweep/swept.hpp"
 
@@ -48,8 +48,7 @@ class LoadSweep final : public Swept {
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
-  [[nodiscard]] std::optional<pictures::Chart> chart() const override;
-  [[nodiscard]] std::string table() const override;
+  [[nodiscard]] std::string table(const std::string& sentence) const override;
   [[nodiscard]] Verdict verdict() const override;
 
  private:
@@ -61,7 +60,7 @@ class LoadSweep final : public Swept {
   [[nodiscard]] double alpha_at(double beta) const { return beta * alphas_.back(); }
   [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
   [[nodiscard]] std::string curve_text() const;
-  [[nodiscard]] std::string sentence() const;
+  [[nodiscard]] const char* status() const;
 
   const SweepOptions& options_;
   problems::Structure truss_;
@@ -74,12 +73,21 @@ class LoadSweep final : public Swept {
 ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
   const auto mode = problems::collapse_mode(problem_, piece.from.motion);
   auto yielding = ordered_json::array();
-  for (const auto& [member, elongation] : mode.yielding)
+  auto tension = ordered_json::array();
+  for (const auto& [member, elongation] : mode.yielding) {
     yielding.push_back(problems::member_name(problem_, member));
+    if (elongation > 0) tension.push_back(yielding.back());
+  }
   return {{"from", alpha_at(piece.from.at)},      {"to", alpha_at(piece.to)},
           {"factor_from", piece.from.factor},     {"factor_to", piece.factor_at_end},
           {"error", number_or_null(piece.error)}, {"sway", mode.sway},
-          {"yielding", std::move(yielding)}};
+          {"yielding", std::move(yielding)},      {"tension", std::move(tension)}};
+}
+
+const char* LoadSweep::status() const {
+  if (found_.status != engine::Status::solved) return status_name(found_.status);
+  if (!found_.whole(alphas_.size())) return "open";
+  return found_.last.status == limit::LoadStatus::not_carried ? "not-carried" : "solved";
 }
 
 ordered_json LoadSweep::json() const {
@@ -105,22 +113,11 @@ ordered_json LoadSweep::json() const {
                            {"not_carried_at", alpha_at(end.not_carried_at)},
                            {"proved", end.proved}};
   }
-  const bool done = found_.whole(alphas_.size());
   return {{"command", "sweep"},
           {"version", KUSABI_VERSION},
-          {"problem",
-           {{"file", options_.file},
-            {"name", problem_.name},
-            {"d", problem_.dimension},
-            {"m", problem_.uncertain_count()},
-            {"nodes", problem_.node_names.size()},
-            {"members", problem_.member_count()},
-            {"units", {{"length", problem_.units.length}, {"force", problem_.units.force}}},
-            {"fingerprint", hexadecimal(problem_.fingerprint)},
-            {"structure", structure_json(truss_)}}},
+          {"problem", limit_problem_json(problem_, truss_, options_.file)},
           {"options", {{"alpha", alphas_}}},
-          {"status",
-           done || found_.status != engine::Status::solved ? status_name(found_.status) : "open"},
+          {"status", status()},
           {"result", std::move(result)},
           {"statistics", {{"ranks", ranks_}}}};
 }
@@ -147,35 +144,6 @@ void LoadSweep::write_csv(std::ostream& out) const {
   row(last.to, last.factor_at_end, last.error);
 }
 
-std::optional<pictures::Chart> LoadSweep::chart() const {
-  pictures::ChartSeries line{
-      .name = "worst case, exact between its breakpoints", .line = {}, .marks = {}};
-  if (curve()) {
-    for (const auto& piece : curve()->pieces)
-      line.line.emplace_back(alpha_at(piece.from.at), piece.from.factor);
-    const auto& last = curve()->pieces.back();
-    line.line.emplace_back(alpha_at(last.to), last.factor_at_end);
-  }
-  pictures::ChartSeries asked{.name = "at the points asked for", .line = {}, .marks = {}};
-  for (const auto& [alpha, worst] : found_.points) {
-    if (!worst.collapse) continue;
-    asked.marks.push_back(
-        {alpha, worst.ends.upper, fmt::format("{:.10g} at alpha = {}", worst.ends.upper, alpha)});
-  }
-  if (line.line.empty() && asked.marks.empty()) return {};
-  pictures::Chart chart{
-      .title = problem_.name + ": worst-case limit load factor",
-      .description = sentence(),
-      .lines = {"worst-case limit load factor", sentence()},
-      .x_name = fmt::format("uncertainty alpha of each load, {}", problem_.units.force),
-      .y_name = "limit load factor",
-      .whole_numbers = false,
-      .series = {}};
-  if (!line.line.empty()) chart.series.push_back(std::move(line));
-  if (!asked.marks.empty()) chart.series.push_back(std::move(asked));
-  return chart;
-}
-
 std::string LoadSweep::curve_text() const {
   if (!curve()) return {};
   std::string text = "\n       alpha       factor  collapse mode from there on\n";
@@ -195,23 +163,7 @@ std::string LoadSweep::curve_text() const {
   return text;
 }
 
-std::string LoadSweep::sentence() const {
-  if (!found_.last.nominal) {
-    return found_.last.status == limit::LoadStatus::not_carried
-               ? "The nominal dead load is carried at no load factor, of either sign."
-               : "The nominal load factor was not found.";
-  }
-  if (found_.points.empty()) return {};
-  const auto& [alpha, worst] = found_.points.back();
-  auto text = fmt::format("The nominal load factor is {:.8g}; ", found_.last.nominal->factor);
-  const auto known = fmt::format("alpha = {} {}", alpha, problem_.units.force);
-  if (worst.status == RootStatus::not_carried)
-    return text + fmt::format("at {} some load is carried at no factor.", known);
-  if (!worst.proved) return text + fmt::format("at {} the worst case is open.", known);
-  return text + fmt::format("at {} the worst case is {:.8g}, proved.", known, worst.ends.upper);
-}
-
-std::string LoadSweep::table() const {
+std::string LoadSweep::table(const std::string& sentence) const {
   std::string text;
   const auto out = std::back_inserter(text);
   if (!found_.points.empty()) text += "\n       alpha  worst-case load factor\n";
@@ -225,7 +177,7 @@ std::string LoadSweep::table() const {
       fmt::format_to(out, "{:.10g} ... {:.10g}, open\n", worst.ends.lower, worst.ends.upper);
     }
   }
-  return text + curve_text() + '\n' + sentence() + '\n';
+  return text + curve_text() + '\n' + sentence + '\n';
 }
 
 Verdict LoadSweep::verdict() const {

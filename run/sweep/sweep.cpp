@@ -12,6 +12,8 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/results/result_reader.hpp"
+#include "run/results/sweep_result.hpp"
 #include "run/session/restart.hpp"
 #include "run/sweep/sweep_points.hpp"
 #include "run/sweep/swept.hpp"
@@ -111,13 +113,16 @@ void Sweep::prepare(CommandRun& run) {
 }
 
 std::vector<Step> Sweep::results(CommandRun& run) {
-  std::vector<Step> steps{run.result([this] { return swept_->json(); }),
+  // Words and chart are of the result file, as those of whoever reads it later.
+  const ResultReader result(swept_->json(), "the result");
+  std::vector<Step> steps{run.result([json = result.all()] { return json; }),
                           run.file("--csv", [this](std::ostream& out) { swept_->write_csv(out); })};
-  chart_ = swept_->chart();
+  chart_ = sweep_chart(result);
   if (chart_) {
     steps.push_back(run.file("--svg", [this](std::ostream& out) { write_chart(out, *chart_); }));
   }
-  steps.push_back(run.answer([this] { return swept_->table(); }));
+  steps.push_back(
+      run.answer([this, sentence = sweep_sentence(result)] { return swept_->table(sentence); }));
   return steps;
 }
 

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/options.hpp"
-#include "pictures/svg/chart.hpp"
 #include "problems/structure/structure.hpp"
 #include "run/command/command_run.hpp"
 
@@ -41,9 +40,8 @@ class Swept {
   // Of the answer, on rank 0.
   [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
   virtual void write_csv(std::ostream& out) const = 0;
-  /// Nothing: there is nothing to draw.
-  [[nodiscard]] virtual std::optional<pictures::Chart> chart() const = 0;
-  [[nodiscard]] virtual std::string table() const = 0;
+  /// @param sentence what the answer comes to; may be empty
+  [[nodiscard]] virtual std::string table(const std::string& sentence) const = 0;
   [[nodiscard]] virtual Verdict verdict() const = 0;
 };
 

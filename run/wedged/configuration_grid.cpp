@@ -1,7 +1,6 @@
 // Field by field.
 #include "run/wedged/configuration_grid.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 #include <fmt/format.h>
@@ -24,8 +23,7 @@ void add_internal_forces(pictures::UnstructuredGrid& grid, const problems::Struc
     grid.cell_data.push_back(
         pictures::member_numbers(grid, "axial_force", numbers(state.axial_forces)));
   }
-  if (std::ranges::any_of(structure.members,
-                          [](const auto& member) { return member.yield.has_value(); })) {
+  if (problems::has_yield_forces(structure)) {
     grid.cell_data.push_back(pictures::member_numbers(
         grid, "utilisation", numbers(problems::utilisations(structure, state.axial_forces))));
   }

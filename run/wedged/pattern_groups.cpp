@@ -81,4 +81,33 @@ std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration
   return list;
 }
 
+std::optional<std::vector<PatternGroup>> groups_around_firmest(
+    const std::vector<wedged::Configuration>& patterns, int most_apart, std::size_t most_groups) {
+  std::vector<std::size_t> order(patterns.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, std::greater(), [&](auto i) { return patterns[i].lower; });
+  std::vector<PatternGroup> groups;
+  for (const auto i : order) {
+    const auto& contact = patterns[i].pattern.contact;
+    const auto near = std::ranges::find_if(groups, [&](const PatternGroup& group) {
+      const auto& firmest = patterns[group.firmest];
+      return firmest.block == patterns[i].block &&
+             difference(firmest.pattern.contact, contact) <= most_apart;
+    });
+    if (near != groups.end()) {
+      near->members.push_back(i);
+      near->contact &= contact;
+      near->varying |= contact;  // the union, until all are there
+      continue;
+    }
+    if (groups.size() == most_groups) return {};
+    groups.push_back({.members = {i}, .firmest = i, .contact = contact, .varying = contact});
+  }
+  for (auto& group : groups) {
+    std::ranges::sort(group.members);
+    group.varying -= group.contact;
+  }
+  return groups;
+}
+
 }  // namespace kusabi::run

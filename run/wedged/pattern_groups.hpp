@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "nodes/wedged/sign_pattern.hpp"
@@ -22,5 +23,13 @@ struct PatternGroup {
 /// @param most_apart candidates by which neighbours may differ
 std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration>& patterns,
                                          int most_apart);
+
+/// Groups around their firmest: the firmest pattern of all takes those of its block whose contact
+/// sets differ from its own in at most so many candidates, then the firmest of the rest takes its
+/// own, and so on. Of equally firm ones the first in the list.
+/// @param most_groups where it gives up
+/// @return nothing if there would be more
+std::optional<std::vector<PatternGroup>> groups_around_firmest(
+    const std::vector<wedged::Configuration>& patterns, int most_apart, std::size_t most_groups);
 
 }  // namespace kusabi::run

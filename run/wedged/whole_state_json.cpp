@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "problems/structure/element_stress.hpp"
 #include "run/output/values.hpp"
+#include "run/pictures/structure_json.hpp"
 
 namespace kusabi::run {
 
@@ -19,6 +21,35 @@ namespace {
 void append(ordered_json& object, const std::string& name, const std::vector<double>& values) {
   ordered_json::object_t::Container& members = object.get_ref<ordered_json::object_t&>();
   members.emplace_back(name, values);
+}
+
+// Six components an element.
+ordered_json stresses_json(const problems::Stresses& stresses,
+                           const std::vector<std::size_t>& places) {
+  auto list = ordered_json::array();
+  for (const auto place : places)
+    list.push_back(numbers(stresses.col(static_cast<Eigen::Index>(place))));
+  return list;
+}
+
+// What is seen of the elements and, where a yield force is known, of the members.
+void add_internal_forces(ordered_json& configuration, const problems::Structure& structure,
+                         const problems::WholeState& state) {
+  if (state.axial_forces.size() > 0) configuration["axial_forces"] = numbers(state.axial_forces);
+  if (problems::has_yield_forces(structure)) {
+    auto used = ordered_json::array();
+    for (const double each : problems::utilisations(structure, state.axial_forces))
+      used.push_back(number_or_null(each));
+    configuration["utilisation"] = std::move(used);
+  }
+  if (structure.elements.empty()) return;
+  const auto stresses = problems::element_stresses(structure, state.displacements);
+  const auto equivalent = problems::von_mises(stresses);
+  const auto places = listed_elements(structure);
+  configuration["stresses"] = stresses_json(stresses, places);
+  auto list = ordered_json::array();
+  for (const auto place : places) list.push_back(equivalent(static_cast<Eigen::Index>(place)));
+  configuration["von_mises"] = std::move(list);
 }
 
 }  // namespace
@@ -38,7 +69,7 @@ void WholeStateJson::add_to(ordered_json& configuration, std::span<const double>
   }
   configuration["all_displacements"] = std::move(everywhere);
   configuration["support_reactions"] = std::move(supports);
-  if (state.axial_forces.size() > 0) configuration["axial_forces"] = numbers(state.axial_forces);
+  add_internal_forces(configuration, states_.structure(), state);
   configuration["imbalance"] = state.imbalance;
 }
 

@@ -52,6 +52,7 @@ class Pages(unittest.TestCase):
         cls.solve("patterns", "patterns", example("space-truss.toml"), "--mu", 0.65)
         cls.solve("body", "critical", example("wedge-in-groove.toml"))
         cls.solve("limit", "limit", example("gust.toml"), "--alpha", 0.5)
+        cls.solve("sweep", "sweep", example("plane-truss.toml"), "--mu", "0.5:0.8:0.1")
         cls.many(250), cls.many(10000)
         for name, page in list(cls.pages.items()):
             brief = name.startswith("many")
@@ -60,8 +61,8 @@ class Pages(unittest.TestCase):
             (cls.folder / f"{name}.html").write_text(page)
             # What is for paper, on the screen.
             (cls.folder / f"{name}-printed.html").write_text(page.replace("@media print", "@media screen"))
-        cls.light = cls.visit(["patterns", "body", "limit", "patterns-printed", "limit-printed", "many-250", "many-10000"], [])
-        cls.dark = cls.visit(["patterns", "body", "limit"], ["--blink-settings=preferredColorScheme=0"])
+        cls.light = cls.visit(["patterns", "body", "limit", "sweep", "patterns-printed", "limit-printed", "many-250", "many-10000"], [])
+        cls.dark = cls.visit(["patterns", "body", "limit", "sweep"], ["--blink-settings=preferredColorScheme=0"])
 
     @classmethod
     def kusabi(cls, *words):

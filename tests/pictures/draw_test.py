@@ -193,6 +193,41 @@ class Draw(KusabiCase):
         self.assertEqual(len(with_class(root, "line", "dead")), len(answer["critical_load"]) + 1)
         self.assertIn(f"λ = {answer['worst_case']['upper']:.10g}", self.text(root))
 
+    def check_sweep(self, name, *words):
+        """The chart is the one that the sweep draws, and its curve is what the result says. @return the result"""
+        result = self.solve("sweep", name, *words, "--svg", self.folder / "own.svg")["result"]
+        root = self.draw()
+        self.assertEqual((self.folder / "out.svg").read_text(), (self.folder / "own.svg").read_text())
+        (curve, _) = with_class(root, "polyline", "curve")  # the legend has one more
+        return result, [tuple(map(float, each.split(","))) for each in curve.get("points").split()]
+
+    def check_scale(self, drawn, expected):
+        """Drawn places are one scale and one shift of numbers."""
+        (a, x), (b, y) = max(zip(drawn, expected), key=lambda pair: pair[1]), min(zip(drawn, expected), key=lambda pair: pair[1])
+        for place, number in zip(drawn, expected):
+            self.assertAlmostEqual(place, b + (a - b) * (number - y) / (x - y), delta=0.1)
+
+    def test_a_sweep_of_friction_is_a_staircase(self):
+        result, drawn = self.check_sweep("plane-truss.toml", "--mu", "0.5:0.8:0.1")
+        steps = [(step[end], step["count"]) for step in result["staircase"] for end in ("from", "to")]
+        self.assertEqual(len(drawn), len(steps))
+        self.assertEqual([step["from"] for step in result["staircase"][1:]], [each["upper"] for each in result["patterns"]])
+        for axis in (0, 1):
+            self.check_scale([place[axis] for place in drawn], [step[axis] for step in steps])
+        self.assertIn("expected no --pattern", self.refused("draw", self.result, "--pattern", 1))
+
+    def test_a_sweep_of_loads_is_a_curve(self):
+        result, drawn = self.check_sweep("gust.toml", "--alpha", "0:0.6:0.2")
+        pieces = result["curve"]
+        corners = [(each["from"], each["factor_from"]) for each in pieces] + [(pieces[-1]["to"], pieces[-1]["factor_to"])]
+        self.assertEqual(len(drawn), len(corners))
+        for axis in (0, 1):
+            self.check_scale([place[axis] for place in drawn], [corner[axis] for corner in corners])
+
+    def test_a_sweep_that_knows_nothing_has_no_image(self):
+        self.solve("sweep", "space-truss.toml", "--mu", 0.8, "--node-limit", 3)
+        self.assertEqual(self.refused("draw", self.result), f"{self.result}: nothing is known that could be drawn\n")
+
     def test_names_may_be_anything(self):
         self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         self.result.write_text(self.result.read_text().replace('"r1"', json.dumps('<a> & "b" ]]>')))

@@ -29,6 +29,41 @@ except ImportError as missing:
     sys.exit(77)
 
 
+# Quadrilaterals and triangles in turn, and bars of which one has a strength.
+MIXED = """
+name = "of several shapes"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+a = [0.0, 0.0]
+b = [1.0, 0.0]
+c = [1.0, 1.0]
+d = [0.0, 1.0]
+e = [2.0, 0.0]
+f = [2.0, 1.0]
+g = [3.0, 0.0]
+h = [3.0, 1.0]
+[[elements]]
+E = 1.0
+nu = 0.25
+thickness = 0.5
+plane = "strain"
+between = [["a", "b", "c", "d"], ["b", "e", "f"], ["e", "g", "h", "f"], ["b", "f", "c"]]
+[[members]]
+EA = 0.1
+yield = { tension = 3, compression = 2 }
+between = [["c", "h"]]
+[[members]]
+EA = 0.1
+between = [["b", "g"]]
+[[supports]]
+nodes = ["a", "d"]
+[[contact]]
+nodes = ["g", "h"]
+normal = [-1.0, 0.2]
+"""
+
+
 class Grid:
     """points, data at points and cells, by name; cells as (type of VTK, nodes)."""
 
@@ -120,9 +155,26 @@ class ReadVtu(unittest.TestCase):
         states = {name: state for name, state in zip(names, grid.at_points["state"].ravel()) if state}
         self.assertEqual({name for name, state in states.items() if state == 1}, set(pattern["contact"]))
         self.assertEqual({name for name, state in states.items() if state == 2}, set(pattern["separated"]))
+        self.check_internal_forces(problem["structure"], pattern, grid)
         forces = grid.at_points["contact_reaction"] + grid.at_points["support_reaction"]
         self.vanish(forces.sum(axis=0))
         self.vanish(np.cross(grid.points, forces).sum(axis=0) / np.abs(grid.points).max())
+
+    def check_internal_forces(self, structure, pattern, grid):
+        """Axial forces, utilisation and stresses are bit by bit those of the JSON."""
+        for name, key in (("axial_force", "axial_forces"), ("utilisation", "utilisation")):
+            self.assertEqual(name in grid.at_cells, key in pattern, key)
+            if key in pattern:
+                of_members = grid.at_cells[name].ravel()[:len(structure["members"])]
+                np.testing.assert_array_equal(of_members, np.array(pattern[key], dtype=float))
+        elements = [tuple(nodes) for group in structure.get("elements", []) for nodes in group["nodes"]]
+        self.assertEqual(bool(elements), "stresses" in pattern)
+        cell_of = {tuple(nodes): cell for cell, (_, nodes) in enumerate(grid.cells)}
+        for key, field in (("stresses", "stress"), ("von_mises", "von_mises")):
+            self.assertEqual(key in pattern, field in grid.at_cells, key)
+            if elements:
+                drawn = grid.at_cells[field][[cell_of[nodes] for nodes in elements]]
+                np.testing.assert_array_equal(drawn.reshape(np.shape(pattern[key])), pattern[key])
 
     def check_structure(self, structure, d, names, grid):
         """What the JSON says of the structure is what the grid has."""
@@ -200,7 +252,23 @@ class ReadVtu(unittest.TestCase):
             self.check_contact(result["problem"], pattern, grid)
 
     def test_what_begins_to_wedge(self):
-        result, grids = self.series("critical", SOURCES / "examples/plane-truss.toml")
+        self.check_critical(SOURCES / "examples/plane-truss.toml")
+
+    def test_a_body_that_begins_to_wedge(self):
+        self.check_critical(SOURCES / "examples/elastic-body.toml")
+
+    def test_elements_of_several_shapes(self):
+        problem = self.folder / "mixed.toml"
+        problem.write_text(MIXED)
+        result, grids = self.series("patterns", problem, "--mu", 2)
+        self.assertTrue(grids)
+        self.assertEqual(len(result["problem"]["structure"]["elements"]), 2)
+        for pattern, grid in zip(result["result"]["patterns"], grids):
+            self.assertIn(None, pattern["utilisation"])
+            self.check_configuration(result["problem"], pattern, grid)
+
+    def check_critical(self, file):
+        result, grids = self.series("critical", file)
         self.assertEqual(len(grids), len(result["result"]["patterns"]))
         for pattern, grid in zip(result["result"]["patterns"], grids):
             self.check_configuration(result["problem"], pattern, grid)
@@ -219,9 +287,13 @@ class ReadVtu(unittest.TestCase):
         answer = result["result"]
         structure = result["problem"]["structure"]
         names = structure["node_names"]
-        for grid, mode, forces, load_factor in zip(grids, (answer["nominal_mode"], answer["collapse_mode"]),
-                                                   (answer["nominal_forces"], answer["forces"]),
-                                                   (answer["nominal"], answer["worst_case"]["upper"])):
+        for grid, mode, forces, load_factor, held in zip(
+                grids, (answer["nominal_mode"], answer["collapse_mode"]), (answer["nominal_forces"], answer["forces"]),
+                (answer["nominal"], answer["worst_case"]["upper"]),
+                (answer["nominal_support_reactions"], answer["support_reactions"])):
+            self.assertTrue(held)
+            reactions = np.array([held.get(name, [0, 0]) for name in names])
+            np.testing.assert_array_equal(grid.at_points["support_reaction"][:, :2], reactions)
             np.testing.assert_array_equal(grid.at_cells["axial_force"].ravel(), forces)
             strength = [row[0] if force > 0 else row[1] for row, force in zip(structure["yield_forces"], forces)]
             velocity = {each["node"]: each["velocity"] for each in mode["moving"]}

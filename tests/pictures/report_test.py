@@ -260,6 +260,45 @@ class Report(KusabiCase):
         self.solve("limit", "gust.toml")
         self.assertIn("as the simplex method finds it", self.page().with_id("reservations").text())
 
+    def rows(self, page, caption):
+        """The numbers of the table with that caption, row by row."""
+        table = next(each for each in page.root.all("table") if each.children[0].text() == caption)
+        return [self.numbers(row) for row in next(table.all("tbody")).all("tr")]
+
+    def test_a_sweep_of_friction(self):
+        answer = self.solve("sweep", "plane-truss.toml", "--mu", "0.5:0.8:0.1")["result"]
+        page = self.page()
+        self.assertEqual(self.verdict(page), "It cannot stick up to a friction coefficient of 0.48755536; at 0.8 there are "
+                                             "11 sign patterns.")
+        self.assertEqual(page.with_id("curve").tag, "svg")
+        counted = lambda each: [each[key] for key in ("count", "known", "open")]
+        self.assertEqual(self.rows(page, "Sign patterns at the points asked for"),
+                         [[each["mu"], *counted(each)] for each in answer["points"]])
+        self.assertEqual(self.rows(page, "Between the steps the count stays"),
+                         [[each["from"], each["to"], *counted(each)] for each in answer["staircase"]])
+        self.assertEqual(self.rows(page, "Where each pattern begins"),
+                         [[each["lower"], each["upper"]] for each in answer["patterns"]])
+        self.assertNotIn("reservations", page.named)
+
+    def test_a_sweep_with_a_point_that_is_not_decided(self):
+        self.solve("sweep", "two-bars.toml", "--mu", "1,2,3")  # 2 is critical
+        self.assertIn("At 1 of the points", self.page().with_id("reservations").text())
+        self.solve("sweep", "space-truss.toml", "--mu", 0.8, "--node-limit", 3)
+        page = self.page()
+        self.assertIn("node-limit", page.with_id("reservations").text())
+        self.assertIn("not known", self.verdict(page))
+        self.assertNotIn("curve", page.named)
+
+    def test_a_sweep_of_loads(self):
+        answer = self.solve("sweep", "gust.toml", "--alpha", "0:0.6:0.2")["result"]
+        page = self.page()
+        self.assertIn("at alpha = 0.6 kN the worst case is 6.9813203, proved", self.verdict(page))
+        self.assertEqual(page.with_id("curve").tag, "svg")
+        self.assertEqual(self.rows(page, "Worst-case load factor at the points asked for"),
+                         [[each[key] for key in ("alpha", "lower", "upper")] for each in answer["points"]])
+        self.assertEqual(self.rows(page, "The curve is straight between"),
+                         [[each[key] for key in ("from", "to", "factor_from", "factor_to", "error")] for each in answer["curve"]])
+
     def test_names_may_be_anything(self):
         self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
         text = self.result.read_text().replace('"r1"', json.dumps(EVIL)).replace('"plane truss, 5 rows"', json.dumps(EVIL))

@@ -77,7 +77,7 @@ TEST_F(Pictures, ShowNothingThatBisectionHasNot) {
   const auto run =
       called("critical " + truss + " --method newton --mu-max 1 --vtu " + argument("seen"));
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.output, HasSubstr("expected --method descent"));
+  EXPECT_THAT(run.output, HasSubstr("expected --method auto, descent"));
 }
 
 TEST_F(Pictures, AreOfResultFiles) {

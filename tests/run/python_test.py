@@ -147,6 +147,25 @@ class Python(KusabiCase):
                 if command == "limit":
                     self.assertEqual(list(rows[0]), list(table[0]))
 
+    def test_rows_of_a_sweep(self):
+        result = kusabi.run("sweep", EXAMPLES / "plane-truss.toml", mu="0.5:0.8:0.1")
+        self.assertFalse(result.partial)
+        births = result.rows()
+        self.assertEqual([row["pattern"] for row in births], list(range(1, 12)))
+        self.assertEqual([row["upper"] for row in births], sorted(row["upper"] for row in births))
+        self.assertEqual([row["count"] for row in result.rows("points")], [1, 1, 5, 11])
+        stairs = result.rows("staircase")
+        for point in result.rows("points"):
+            within = [step["count"] for step in stairs if step["from"] <= point["mu"] <= step["to"]]
+            self.assertEqual(within, [point["count"]])
+        with self.assertRaisesRegex(kusabi.Error, "no table 'curve'; expected one of points, staircase, patterns"):
+            result.rows("curve")
+        loads = kusabi.run("sweep", EXAMPLES / "gust.toml", alpha="0:0.6:0.2")
+        self.assertEqual([row["alpha"] for row in loads.rows()], [0, 0.2, 0.4, 0.6])
+        self.assertEqual(loads.rows("curve")[0]["yielding"], ["a0-a1", "a1-a2", "a1-b1"])
+        self.assertTrue(kusabi.run("sweep", EXAMPLES / "two-bars.toml", mu="1,2,3", output=self.result).partial)
+        self.assertTrue(kusabi.load(self.result).partial)  # 2 is critical
+
     def test_a_data_frame_if_pandas_is_there(self):
         result = kusabi.run("patterns", EXAMPLES / "plane-truss.toml", mu=0.8)
         with unittest.mock.patch.dict(sys.modules, {"pandas": None}):

@@ -40,6 +40,13 @@ LIMIT = {
     "paper/limit-3x3.toml": ((), ("--alpha", 40, "--cuts", "none", "--big-m", 5, "--node-limit", 5)),
     "paper/limit-4x4.toml": ((),),
 }
+# What is asked of `sweep`: friction, then the uncertainty of loads.
+SWEPT = (("two-bars.toml", ("--mu", "1,2,3")), ("plane-truss.toml", ("--mu", "0.5:0.8:0.1")),
+         ("space-truss.toml", ("--mu-max", 0.65, "--node-limit", 3)), ("wedge-in-groove.toml", ("--mu-max", 0.9)),
+         ("elastic-body.toml", ("--mu-max", 1.5)), ("gust.toml", ("--alpha", "0:0.6:0.2")),
+         ("static-gap.toml", ("--alpha", "0.1")), ("paper/limit-3x3.toml", ("--alpha", "10,20", "--node-limit", 1)),
+         ("../tests/cases/plane_truss_and_post.toml", ("--mu", "0.5")),
+         ("../tests/cases/lambda_zero_not_carried.toml", ("--alpha", "1")))
 PROGRAMS = (("assignment.mps", ()), ("knapsack.lp", ("--cuts", "disjunctive")), ("odd-cycle.lp", ()),
             ("generalised-assignment.mps", ("--node-limit", 2)), ("parity.lp", ("--branching", "look-ahead")))
 # What a result may be without, by docs/result-files.md: what there is nothing of, or was not asked for.
@@ -58,9 +65,10 @@ OPTIONAL_OF = {
                  "statistics": {"ranks"}, "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},  # by the method
     "limit": {"options": {"curve_load"}, "statistics": {"nodes", "tree_programs", "zero_one"},
               "result": {"zero_one", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
+    "sweep": {"result": {"curve_end"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},
     "mip": {},
 }
-NAMED = {"all_displacements", "support_reactions", "columns"}  # their keys are names of the problem
+NAMED = {"all_displacements", "support_reactions", "nominal_support_reactions", "columns"}  # their keys are names of the problem
 
 
 def places(value, way=(), name=""):
@@ -75,10 +83,11 @@ def places(value, way=(), name=""):
             yield from places(inner, (*way, at), name)
 
 
-def short(value):
-    """The same with three entries of each long list."""
+def short(value, name=""):
+    """The same with three entries of each long list, and of each object whose keys are names."""
     if isinstance(value, dict):
-        return {key: short(inner) for key, inner in value.items()}
+        few = list(value.items())[:3 if name in NAMED else None]
+        return {key: short(inner, key) for key, inner in few}
     if isinstance(value, list):
         return [short(inner) for inner in (value[:3] if len(value) > 20 else value)]
     return value
@@ -127,6 +136,10 @@ class Schema(KusabiCase):
                 self.check("limit", name, words)
         self.check("limit", "../tests/cases/lambda_zero_not_carried.toml", ("--alpha", 1))
 
+    def test_sweep(self):
+        for name, words in SWEPT:
+            self.check("sweep", name, words)
+
     def test_mip(self):
         for name, words in PROGRAMS:
             self.check("mip", f"../tests/programs/{name}", words)
@@ -163,7 +176,10 @@ class Schema(KusabiCase):
 
     def test_what_else_is_wrong_is_told(self):
         self.check_it_is_told(self.solve("critical", "two-bars.toml"))
+        self.check_it_is_told(self.solve("critical", "elastic-body.toml", "--method", "global"))
         self.check_it_is_told(self.solve("limit", "gust.toml", *LIMIT["gust.toml"][1]))
+        self.check_it_is_told(self.solve("sweep", "two-bars.toml", "--mu", "1,3"))
+        self.check_it_is_told(self.solve("sweep", "gust.toml", "--alpha", "0,0.3"))
         self.check_it_is_told(self.solve("mip", "../tests/programs/knapsack.lp"))
 
 

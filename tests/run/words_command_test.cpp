@@ -208,6 +208,43 @@ TEST_F(Words, GroupsPatternsThatDifferInFewCandidates) {
   EXPECT_FALSE(result()["result"].contains("groups")) << "only if asked for";
 }
 
+TEST_F(Words, ALongListIsShownInGroupsOnATerminal) {
+  const auto long_call = command + " patterns " + truss + " --mu 0.8";
+  answer("patterns " + truss + " --mu 0.8");
+  const auto patterns = result()["result"]["patterns"];
+  ASSERT_GT(patterns.size(), 40U);
+  const auto head = std::string("the firmest of them is in contact at");
+  const auto shown = without_colours(on_terminal(long_call + " 2>/dev/null", 200));
+  EXPECT_THAT(in_one_line(shown), HasSubstr(head));
+  EXPECT_THAT(in_one_line(shown), HasSubstr(fmt::format("{} patterns in ", patterns.size())));
+  EXPECT_THAT(in_one_line(shown), HasSubstr("--group 0 lists every one"));
+  // The sizes of all groups are that of the list; the firmest of all comes first.
+  std::istringstream lines(shown.substr(shown.find(head)));
+  std::string line;
+  std::getline(lines, line);
+  std::size_t members = 0;
+  std::size_t groups = 0;
+  for (std::size_t size = 0; std::getline(lines, line) && line.starts_with("  ");) {
+    std::istringstream columns(line);
+    double margin = 0;
+    std::size_t number = 0;
+    columns >> size >> margin >> number;
+    EXPECT_NEAR(margin, patterns.at(number - 1)["margin"].get<double>(), 1e-3 * margin);
+    members += size;
+    ++groups;
+  }
+  EXPECT_EQ(members, patterns.size());
+  EXPECT_THAT(shown, HasSubstr(fmt::format("in {} groups", groups)));
+  EXPECT_LE(groups, 20U);
+  // Whoever says how it should be gets it so; a file has a line a pattern.
+  for (const auto* const how : {" --group 0", " --group 1", " --top 5", " --sort margin"})
+    EXPECT_THAT(on_terminal(long_call + how + " 2>/dev/null", 200), Not(HasSubstr(head))) << how;
+  EXPECT_THAT(shell(long_call).output, Not(HasSubstr(head)));
+  EXPECT_THAT(on_terminal(command + " patterns " + truss + " --mu 0.65 2>/dev/null", 200),
+              Not(HasSubstr(head)))
+      << "27 are no long list";
+}
+
 TEST_F(Words, OfACollapseTheFullestMembersAreSaidFirst) {
   const auto table = answer("limit " + example("gust.toml") + " --alpha 0.5");
   const auto json = result();

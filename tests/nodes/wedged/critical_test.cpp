@@ -1,5 +1,6 @@
 // Critical friction coefficients: against the published and independent values, method against
 // method, and the global search against the least of all patterns.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -18,8 +19,11 @@
 #include "nodes/wedged/bisection.hpp"
 #include "nodes/wedged/critical_search.hpp"
 #include "nodes/wedged/critical_tree.hpp"
+#include "problems/families/space_truss.hpp"
 #include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
+#include "random_structure.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -160,6 +164,77 @@ TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
     EXPECT_EQ(below.lower, factor * 0.999);
     EXPECT_FALSE(below.upper) << factor;
   }
+}
+
+CriticalFindings found_of(const problems::Structure& structure, const CriticalQuestion& question) {
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone);
+  return find_critical_friction(campaign, structure, problems::wedged_problem(structure), question);
+}
+
+void expect_same_answer(const CriticalFindings& one, const CriticalFindings& other) {
+  EXPECT_EQ(one.lower, other.lower);
+  EXPECT_EQ(one.upper, other.upper);
+  EXPECT_EQ(one.lower_proved, other.lower_proved);
+  ASSERT_EQ(one.patterns.size(), other.patterns.size());
+  for (std::size_t i = 0; i < one.patterns.size(); ++i)
+    EXPECT_EQ(one.patterns[i].pattern, other.patterns[i].pattern);
+}
+
+/// How often the trial was enough, and how often a descent came after it.
+struct Trials {
+  int whole = 0, descended = 0;
+};
+
+/// Compares the answers, unless there is a tie, where brackets may differ.
+void compare_trials(const problems::Structure& structure, std::optional<double> most,
+                    Trials& trials) {
+  CriticalQuestion question{.way = CriticalWay::global, .most = most, .width = 1e-6};
+  const auto up = found_of(structure, question);
+  question.way = CriticalWay::descent;
+  const auto down = found_of(structure, question);
+  if (!up.open.empty() || !down.open.empty()) return;
+  expect_same_answer(down, up);
+  question.way = CriticalWay::automatic;
+  for (const int nodes : {0, 1, 3, 9}) {  // 0: as many as it takes by itself
+    SCOPED_TRACE(nodes);
+    if (nodes > 0) question.trial_nodes = static_cast<std::uint64_t>(nodes);
+    const auto either = found_of(structure, question);
+    expect_same_answer(either, up);
+    // What may live at a largest coefficient that is given is looked for first.
+    EXPECT_EQ(either.costs.front().phase, most ? CriticalPhase::dive : CriticalPhase::trial);
+    const bool descended = std::ranges::any_of(either.costs, [](const auto& cost) {
+      return cost.phase == CriticalPhase::coarse || cost.phase == CriticalPhase::fine;
+    });
+    ++(descended ? trials.descended : trials.whole);
+  }
+}
+
+// Wherever the trial ends: at once, with a lower end, with something that lives, with the answer.
+TEST(CriticalFriction, IsTheSameAfterATrialOfAnyLength) {
+  Trials trials;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto structure = random_structure(2 + static_cast<int>(seed % 2), seed);
+    try {
+      for (const auto most : {std::optional<double>(), std::optional(0.7), std::optional(20.0)})
+        compare_trials(structure, most, trials);
+    } catch (const support::InputError&) {  // a mechanism
+      continue;
+    }
+  }
+  EXPECT_GT(trials.whole, 50);
+  EXPECT_GT(trials.descended, 50);
+}
+
+TEST(CriticalFriction, OfALargerTrussTheTrialIsFollowedByADescent) {
+  const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
+  const auto up = found_of(structure, {.way = CriticalWay::global});
+  const auto either = found_of(structure, {});
+  expect_same_answer(either, up);
+  EXPECT_EQ(either.costs.at(0).phase, CriticalPhase::trial);
+  EXPECT_LE(either.costs.at(0).opened, 15 * structure.contact.size());
+  EXPECT_EQ(either.costs.at(1).phase, CriticalPhase::dive);
 }
 
 TEST(CriticalFriction, OfTheTwoBarsIsTwo) {

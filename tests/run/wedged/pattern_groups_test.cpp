@@ -81,8 +81,50 @@ TEST(PatternGroups, AreWhatStepsOfFewCandidatesJoin) {
   }
 }
 
+int apart(const Configuration& a, const Configuration& b) {
+  int count = 0;
+  for (int c = 0; c < 9; ++c)
+    count += a.pattern.contact.contains(c) != b.pattern.contact.contains(c);
+  return count;
+}
+
+TEST(PatternGroups, AroundTheFirmestAreAsFirmAndAsNearAsTheyCanBe) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const auto list = random_patterns(seed, 60);
+    const int most_apart = 1 + static_cast<int>(seed % 3);
+    const auto groups = groups_around_firmest(list, most_apart, list.size());
+    ASSERT_TRUE(groups);
+    std::set<std::size_t> seen;
+    for (std::size_t g = 0; g < groups->size(); ++g) {
+      const auto& group = (*groups)[g];
+      const auto& firmest = list[group.firmest];
+      IndexSet all = firmest.pattern.contact, some;
+      for (const auto i : group.members) {
+        EXPECT_TRUE(seen.insert(i).second);
+        EXPECT_EQ(list[i].block, firmest.block);
+        EXPECT_LE(list[i].lower, firmest.lower);
+        EXPECT_LE(apart(list[i], firmest), most_apart);
+        for (std::size_t before = 0; before < g; ++before) {  // none of these would have it
+          const auto& other = list[(*groups)[before].firmest];
+          EXPECT_TRUE(other.block != list[i].block || apart(list[i], other) > most_apart);
+        }
+        all &= list[i].pattern.contact;
+        some |= list[i].pattern.contact;
+      }
+      EXPECT_EQ(group.contact, all);
+      EXPECT_EQ(group.varying, some - all);
+      const auto before = g > 0 ? list[(*groups)[g - 1].firmest].lower : firmest.lower;
+      EXPECT_LE(firmest.lower, before) << "the firmest first";
+    }
+    EXPECT_EQ(seen.size(), list.size());
+    EXPECT_EQ(groups_around_firmest(list, most_apart, groups->size())->size(), groups->size());
+    EXPECT_FALSE(groups_around_firmest(list, most_apart, groups->size() - 1));
+  }
+}
+
 TEST(PatternGroups, OfNothingAreNone) {
   EXPECT_TRUE(pattern_groups({}, 1).empty());
+  EXPECT_TRUE(groups_around_firmest({}, 1, 1)->empty());
 }
 
 }  // namespace

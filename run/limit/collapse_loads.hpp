@@ -1,0 +1,24 @@
+// What acts on a truss as it collapses, node by node: the loads, and what the supports must do.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "nodes/limit/limit_answer.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "problems/structure/structure.hpp"
+
+namespace kusabi::run {
+
+/// f_D + lambda f_R at all nodes, d x nodes, force; what acts on supports directly included.
+/// @param dead f_D over the free displacements, n^d
+Eigen::MatrixXd load_at_collapse(const problems::Structure& truss,
+                                 const problems::LimitProblem& problem,
+                                 const limit::LimitCollapse& collapse, const Eigen::VectorXd& dead);
+
+/// What the supports must do: whatever load and members leave along an axis that is fixed; zero
+/// elsewhere. d x nodes, force.
+/// @param load as above  @param forces q of the members, positive in tension
+Eigen::MatrixXd support_reactions(const problems::Structure& truss, const Eigen::MatrixXd& load,
+                                  const Eigen::VectorXd& forces);
+
+}  // namespace kusabi::run

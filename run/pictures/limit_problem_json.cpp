@@ -1,0 +1,50 @@
+// The key `problem`.
+#include "run/pictures/limit_problem_json.hpp"
+
+#include <utility>
+
+#include "problems/limit/limit_problem.hpp"
+#include "run/output/values.hpp"
+#include "run/pictures/structure_json.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+using problems::LimitProblem;
+
+// T, column by column: what each uncertain load puts where when its zeta is one unit of force.
+ordered_json uncertain_loads_json(const LimitProblem& problem) {
+  auto list = ordered_json::array();
+  for (int j = 0; j < problem.uncertain_count(); ++j) {
+    const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
+    auto components = ordered_json::array();
+    for (const auto& [degree, value] : column.direction) {
+      const auto& [node, axis] = problem.degrees.free[static_cast<std::size_t>(degree)];
+      components.push_back({{"node", problem.node_names[static_cast<std::size_t>(node)]},
+                            {"axis", problems::axis_name(axis)},
+                            {"weight", column.weight * value}});
+    }
+    list.push_back(
+        {{"name", problems::parameter_name(problem, j)}, {"components", std::move(components)}});
+  }
+  return list;
+}
+
+}  // namespace
+
+ordered_json limit_problem_json(const LimitProblem& problem, const problems::Structure& truss,
+                                const std::string& file) {
+  return {{"file", file},
+          {"name", problem.name},
+          {"d", problem.dimension},
+          {"m", problem.uncertain_count()},
+          {"nodes", problem.node_names.size()},
+          {"members", problem.member_count()},
+          {"units", {{"length", problem.units.length}, {"force", problem.units.force}}},
+          {"fingerprint", hexadecimal(problem.fingerprint)},
+          {"uncertain_loads", uncertain_loads_json(problem)},
+          {"structure", structure_json(truss)}};
+}
+
+}  // namespace kusabi::run

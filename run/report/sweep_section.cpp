@@ -1,0 +1,176 @@
+// Friction has a staircase and the patterns that make it; loads have a line that breaks.
+#include "run/report/sweep_section.hpp"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pictures/svg/chart.hpp"
+#include "run/report/facts.hpp"
+#include "run/results/sweep_result.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using pictures::Markup;
+
+class SweepSection {
+ public:
+  SweepSection(Markup& page, const ResultReader& reader)
+      : page_(page), reader_(reader), result_(reader.at(reader.all(), "result")) {}
+
+  void add() {
+    const bool loads = sweeps_loads(reader_);
+    page_.open("section", {{"id", "sweep"}});
+    page_.element("h2", loads ? "Over the uncertainty of loads" : "Over the friction coefficient");
+    if (const auto chart = sweep_chart(reader_)) page_.verbatim(inline_chart("curve", *chart));
+    if (loads) {
+      const auto& units = reader_.at(reader_.at(reader_.all(), "problem"), "units");
+      load_points(reader_.text(units, "force"));
+      pieces();
+    } else {
+      friction_points();
+      steps();
+      patterns();
+    }
+    page_.close();
+  }
+
+ private:
+  void number(const ResultJson& object, const char* key) {
+    page_.open("td");
+    add_number(page_, ResultReader::find(object, key), many_digits);
+    page_.close();
+  }
+  /// The ends of a bracket; nothing if there is none.
+  void bracket(const ResultJson* ends) {
+    page_.open("td");
+    if (ends != nullptr) {
+      add_number(page_, &reader_.at(*ends, "lower"), many_digits);
+      page_.words(" … ");
+      add_number(page_, &reader_.at(*ends, "upper"), many_digits);
+    }
+    page_.close();
+  }
+  void words(const std::string& text) { page_.element("td", text); }
+  void names(const ResultJson& object, const char* key) {
+    words(joined(reader_.names(object, key)));
+  }
+  [[nodiscard]] static bool is_true(const ResultJson& value) {
+    return value.is_boolean() && value.get<bool>();
+  }
+
+  // The count, or what is known of it.
+  void counts(const ResultJson& counted) {
+    for (const char* const key : {"count", "known", "open"}) number(counted, key);
+  }
+
+  void friction_points() {
+    const auto& points = reader_.list(result_, "points");
+    if (points.empty()) return;
+    begin_table(page_, "Sign patterns at the points asked for",
+                {"friction coefficient", "count", "known", "undecided"});
+    for (const auto& point : points) {
+      page_.open("tr");
+      number(point, "mu");
+      counts(point);
+      page_.close();
+    }
+    end_table(page_);
+  }
+
+  void steps() {
+    const auto& steps = reader_.list(result_, "staircase");
+    if (steps.empty()) return;
+    begin_table(page_, "Between the steps the count stays",
+                {"from", "to", "count", "known", "undecided"});
+    for (const auto& step : steps) {
+      page_.open("tr");
+      number(step, "from");
+      number(step, "to");
+      counts(step);
+      page_.close();
+    }
+    end_table(page_);
+  }
+
+  void patterns() {
+    const auto& patterns = reader_.list(result_, "patterns");
+    const auto& open = reader_.list(result_, "open");
+    if (patterns.empty() && open.empty()) return;
+    begin_table(page_, "Where each pattern begins",
+                {"number", "cannot stick at μ", "sticks at μ", "in contact", "separated", "state",
+                 "part of a larger one"});
+    std::size_t count = 0;
+    for (const auto& pattern : patterns) {
+      page_.open("tr").element("th", std::to_string(++count), {{"scope", "row"}});
+      number(pattern, "lower");
+      number(pattern, "upper");
+      names(pattern, "contact");
+      names(pattern, "separated");
+      words(reader_.text(pattern, "state"));
+      bracket(ResultReader::find(pattern, "absorbed"));
+      page_.close();
+    }
+    for (const auto& leaf : open) {
+      page_.open("tr").element("th", "–", {{"scope", "row"}});
+      number(leaf, "lower");
+      words("?");
+      names(leaf, "contact");
+      names(leaf, "separated");
+      words("open");
+      words("");
+      page_.close();
+    }
+    end_table(page_);
+  }
+
+  void load_points(const std::string& force) {
+    const auto& points = reader_.list(result_, "points");
+    if (points.empty()) return;
+    begin_table(page_, "Worst-case load factor at the points asked for",
+                {"α, " + force, "at least", "at most", "proved", "state"});
+    for (const auto& point : points) {
+      page_.open("tr");
+      number(point, "alpha");
+      number(point, "lower");
+      number(point, "upper");
+      words(is_true(reader_.at(point, "proved")) ? "yes" : "no");
+      words(reader_.text(point, "state"));
+      page_.close();
+    }
+    end_table(page_);
+  }
+
+  void pieces() {
+    const auto& pieces = reader_.list(result_, "curve");
+    if (pieces.empty()) return;
+    begin_table(
+        page_, "The curve is straight between",
+        {"α from", "to", "factor from", "to", "proved within", "sways", "members that yield"});
+    for (const auto& piece : pieces) {
+      page_.open("tr");
+      for (const char* const key : {"from", "to", "factor_from", "factor_to", "error"})
+        number(piece, key);
+      words(is_true(reader_.at(piece, "sway")) ? "yes" : "no");
+      names(piece, "yielding");
+      page_.close();
+    }
+    end_table(page_);
+    if (const auto* const end = ResultReader::find(result_, "curve_end"))
+      add_facts(page_, "Where loads are carried no farther", *end);
+  }
+
+  Markup& page_;
+  const ResultReader& reader_;
+  const ResultJson& result_;
+};
+
+}  // namespace
+
+void add_sweep(Markup& page, const ResultReader& reader) {
+  SweepSection(page, reader).add();
+}
+
+}  // namespace kusabi::run

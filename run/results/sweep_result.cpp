@@ -1,0 +1,200 @@
+// Friction, then loads: the words and the curve of each.
+#include "run/results/sweep_result.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "run/output/values.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using pictures::Chart;
+using pictures::ChartSeries;
+
+/// Finds what both have.
+class Swept {
+ public:
+  explicit Swept(const ResultReader& reader)
+      : reader_(reader),
+        problem_(reader.at(reader.all(), "problem")),
+        result_(reader.at(reader.all(), "result")) {}
+
+ protected:
+  [[nodiscard]] std::string problem_name() const { return reader_.text(problem_, "name"); }
+  [[nodiscard]] std::string force() const {
+    return reader_.text(reader_.at(problem_, "units"), "force");
+  }
+  [[nodiscard]] const ResultJson& list(const char* key) const { return reader_.list(result_, key); }
+  [[nodiscard]] double number(const ResultJson& object, const char* key) const {
+    return reader_.number(object, key);
+  }
+  [[nodiscard]] static bool has(const ResultJson& object, const char* key) {
+    return ResultReader::find(object, key) != nullptr;
+  }
+
+  const ResultReader& reader_;
+  const ResultJson& problem_;
+  const ResultJson& result_;
+};
+
+class SweptFriction : public Swept {
+ public:
+  using Swept::Swept;
+
+  [[nodiscard]] std::string sentence() const {
+    const auto* const last = ResultReader::find(result_, "at_mu_max");
+    if (last == nullptr) return {};
+    const double most = number(*last, "mu");
+    if (list("patterns").empty() && list("open").empty()) {
+      return fmt::format("It cannot stick up to a friction coefficient of {}{}.", most, times());
+    }
+    const auto open = count(*last, "open");
+    return fmt::format(
+        "It cannot stick up to a friction coefficient of {:.10g}{}; at {} there are {}{}.",
+        dead_up_to(most), times(), most, counted(count(*last, "known"), "sign pattern"),
+        open == 0 ? "" : fmt::format(" and {} undecided", open));
+  }
+
+  [[nodiscard]] std::optional<Chart> chart() const {
+    if (list("staircase").empty()) return {};
+    Chart chart{.title = problem_name(),
+                .description = sentence(),
+                .lines = {"sign patterns of wedged configurations", sentence()},
+                .x_name = fmt::format("friction coefficient{}", times()),
+                .y_name = "sign patterns",
+                .whole_numbers = true,
+                .series = {}};
+    chart.series.push_back(stairs());
+    auto asked = points();
+    if (!asked.marks.empty()) chart.series.push_back(std::move(asked));
+    return chart;
+  }
+
+ private:
+  [[nodiscard]] ChartSeries stairs() const {
+    ChartSeries stairs{.name = "number of sign patterns, exact between its steps",
+                       .line = {},
+                       .dashed = !list("open").empty(),
+                       .marks = {}};
+    if (stairs.dashed) stairs.name = "number of sign patterns known; some are open";
+    for (const auto& step : list("staircase")) {
+      for (const char* const end : {"from", "to"})
+        stairs.line.emplace_back(number(step, end), number(step, "known"));
+    }
+    return stairs;
+  }
+  [[nodiscard]] ChartSeries points() const {
+    ChartSeries asked{.name = "at the points asked for", .line = {}, .marks = {}};
+    for (const auto& point : list("points")) {
+      if (!has(point, "count")) continue;
+      const double mu = number(point, "mu");
+      asked.marks.push_back(
+          {mu, number(point, "count"),
+           fmt::format("{} at {}", counted(count(point, "count"), "sign pattern"), mu)});
+    }
+    return asked;
+  }
+
+  [[nodiscard]] std::uint64_t count(const ResultJson& object, const char* key) const {
+    const auto& value = reader_.at(object, key);
+    if (!value.is_number_integer() || value.get<std::int64_t>() < 0)
+      reader_.refuse(fmt::format("'{}' is no count", key));
+    return value.get<std::uint64_t>();
+  }
+  /// Nothing lives up to here.
+  [[nodiscard]] double dead_up_to(double least) const {
+    for (const char* const key : {"patterns", "open"}) {
+      for (const auto& each : list(key)) least = std::min(least, number(each, "lower"));
+    }
+    return least;
+  }
+  [[nodiscard]] std::string times() const {
+    const bool uniform = std::ranges::all_of(
+        reader_.list(problem_, "contact"),
+        [this](const ResultJson& each) { return number(each, "friction") == 1; });
+    return uniform ? "" : " times that of each candidate";
+  }
+};
+
+class SweptLoads : public Swept {
+ public:
+  using Swept::Swept;
+
+  [[nodiscard]] std::string sentence() const {
+    if (!has(result_, "nominal")) {
+      return reader_.text(reader_.all(), "status") == "not-carried"
+                 ? "The nominal dead load is carried at no load factor, of either sign."
+                 : "The nominal load factor was not found.";
+    }
+    if (list("points").empty()) return {};
+    const auto& last = list("points").back();
+    const auto text =
+        fmt::format("The nominal load factor is {:.8g}; ", number(result_, "nominal"));
+    const auto at = fmt::format("at alpha = {} {}", number(last, "alpha"), force());
+    const auto state = reader_.text(last, "state");
+    if (state == "not-carried") return text + at + " some load is carried at no factor.";
+    if (state != "solved") return text + at + " the worst case is open.";
+    return text + at + fmt::format(" the worst case is {:.8g}, proved.", number(last, "upper"));
+  }
+
+  [[nodiscard]] std::optional<Chart> chart() const {
+    auto line = curve();
+    auto asked = points();
+    if (line.line.empty() && asked.marks.empty()) return {};
+    Chart chart{.title = problem_name() + ": worst-case limit load factor",
+                .description = sentence(),
+                .lines = {"worst-case limit load factor", sentence()},
+                .x_name = fmt::format("uncertainty alpha of each load, {}", force()),
+                .y_name = "limit load factor",
+                .whole_numbers = false,
+                .series = {}};
+    if (!line.line.empty()) chart.series.push_back(std::move(line));
+    if (!asked.marks.empty()) chart.series.push_back(std::move(asked));
+    return chart;
+  }
+
+ private:
+  [[nodiscard]] ChartSeries curve() const {
+    ChartSeries line{.name = "worst case, exact between its breakpoints", .line = {}, .marks = {}};
+    const auto& pieces = list("curve");
+    for (const auto& piece : pieces)
+      line.line.emplace_back(number(piece, "from"), number(piece, "factor_from"));
+    if (!pieces.empty())
+      line.line.emplace_back(number(pieces.back(), "to"), number(pieces.back(), "factor_to"));
+    return line;
+  }
+  [[nodiscard]] ChartSeries points() const {
+    ChartSeries asked{.name = "at the points asked for", .line = {}, .marks = {}};
+    for (const auto& point : list("points")) {
+      if (!has(point, "upper") || reader_.text(point, "state") == "not-carried") continue;
+      const double alpha = number(point, "alpha"), upper = number(point, "upper");
+      asked.marks.push_back({alpha, upper, fmt::format("{:.10g} at alpha = {}", upper, alpha)});
+    }
+    return asked;
+  }
+};
+
+}  // namespace
+
+bool is_sweep(const ResultReader& reader) {
+  const auto* const command = ResultReader::find(reader.all(), "command");
+  return command != nullptr && *command == "sweep";
+}
+
+bool sweeps_loads(const ResultReader& reader) {
+  return ResultReader::find(reader.at(reader.all(), "options"), "alpha") != nullptr;
+}
+
+std::string sweep_sentence(const ResultReader& reader) {
+  return sweeps_loads(reader) ? SweptLoads(reader).sentence() : SweptFriction(reader).sentence();
+}
+
+std::optional<pictures::Chart> sweep_chart(const ResultReader& reader) {
+  return sweeps_loads(reader) ? SweptLoads(reader).chart() : SweptFriction(reader).chart();
+}
+
+}  // namespace kusabi::run
