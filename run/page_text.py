@@ -9,6 +9,8 @@ FENCE = re.compile(r"^(`{3,})(\S*)\s*$")
 REMARK = re.compile(r"<!-- (not run|run instead|run before|printed by|exit code|needs)(?:, [^:]*)?: (.*?) -->", re.DOTALL)
 PROGRAM = re.compile(r"(kusabi|mpirun|python3|cmake|glpsol|gmsh|(\./)?(build|run|bench)/\S+|CC=\S+)( |$)")
 LINK = re.compile(r"!?\[(?:[^\]\[]|\[[^\]]*\])*\]\(([^()\s]+)\)")
+# Options, named by themselves, of mpirun, CMake and scripts.
+OTHERS = {"--allow-run-as-root", "--use-hwthread-cpus", "--oversubscribe", "--mca", "--preset", "--check"}
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^()\s]+)\)")
 
 
@@ -83,21 +85,23 @@ def blocks(text):
     return found
 
 
-def without_code(text):
-    """The page with its code left blank, its lines where they were."""
+def prose(text):
+    """The lines of the page, those of its blocks of code left blank."""
     lines = text.splitlines()
     for block in blocks(text):
         lines[block.first:block.last] = [""] * (block.last - block.first)
-    return re.sub(r"(`+)[^`\n]+\1", lambda span: " " * len(span[0]), "\n".join(lines))
+    return lines
+
+
+def without_code(text):
+    """The page without any code, its lines where they were."""
+    return re.sub(r"(`+)[^`\n]+\1", lambda span: " " * len(span[0]), "\n".join(prose(text)))
 
 
 def anchors(text):
     """Where links can point within a page: its headings as GitHub names them, and what <a id> names."""
     names = set(re.findall(r'<a id="([^"]+)"', text))
-    lines = text.splitlines()
-    for block in blocks(text):
-        lines[block.first:block.last] = [""] * (block.last - block.first)
-    for line in lines:
+    for line in prose(text):
         heading = re.match(r"#{1,6} +(.*?)\s*$", line)
         if not heading:
             continue
@@ -124,16 +128,23 @@ def link_faults(path, text):
                 yield f"{path}:{number}: link to '{target}': there is no such heading"
 
 
+def option_faults(path, text, known):
+    """Options in the prose that the command does not have; of calls of other programs nothing is known."""
+    for number, line in enumerate(prose(text), 1):
+        for code in re.findall(r"`([^`]+)`", line):
+            call = re.match(r"(?:.* )?kusabi (.*)|(--.*)", code)
+            for option in re.findall(r"(?<![\w-])--[a-z][\w-]*", "".join(call.groups("")) if call else ""):
+                if option not in known | OTHERS:
+                    yield f"{path}:{number}: '{code}': kusabi has no option {option}"
+
+
 def cells(line):
     return len(re.split(r"(?<!\\)\|", line.strip().strip("|")))
 
 
 def table_faults(path, text):
     """Tables whose rows are not as wide as their heads, or that have none."""
-    lines = text.splitlines()
-    for block in blocks(text):
-        lines[block.first:block.last] = [""] * (block.last - block.first)
-    head = None
+    lines, head = prose(text), None
     for number, line in enumerate(lines, 1):
         if not re.fullmatch(r"\|.*\|\s*", line):
             head = None

@@ -1,6 +1,6 @@
 """That the calls of the pages do what the pages say, and that run/docs finds a page that is wrong, and mends it.
 
-    python3 docs_test.py RUN_DOCS BUILD
+    python3 docs_test.py RUN_DOCS BUILD MPIRUN
 """
 import pathlib
 import subprocess
@@ -8,12 +8,13 @@ import sys
 import tempfile
 import unittest
 
+MPIRUN = sys.argv.pop()
 BUILD = sys.argv.pop()
 DOCS = pathlib.Path(sys.argv.pop())
 HOUSE = DOCS.parent.parent
 PAGE = """# A page
 
-<a id="place"></a>See [here](#a-page), [there](#place), [and there](other.md#other-page).
+<a id="place"></a>See [here](#a-page), [there](#place), [and there](other.md#other-page), with `--mu`.
 
 | a | b |
 |---|---|
@@ -66,7 +67,7 @@ class Docs(unittest.TestCase):
         self.page.with_name("other.md").write_text("# `Other` page\n")
 
     def call(self, *words):
-        run = subprocess.run([DOCS, *words, "--build", BUILD], capture_output=True, text=True, check=False)
+        run = subprocess.run([DOCS, *words, "--build", BUILD, "--mpirun", MPIRUN], capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, 1 if run.stderr else 0)
         return run.stderr.splitlines()
 
@@ -102,6 +103,7 @@ class Docs(unittest.TestCase):
                 ("not run: nobody", "note: nobody", "exit code 127; expected 0: "),
                 ("(#a-page)", "(#a-side)", "page.md:3: link to '#a-side': there is no such heading"),
                 ("(#place)", "(#places)", "link to '#places'"), ("#other-page", "#page", "link to 'other.md#page'"),
+                ("with `--mu`", "with `--my 1`", "page.md:3: '--my 1': kusabi has no option --my"),
                 ("other.md#", "others.md#", "there is no such file"), ("| `x", "| 2 | `x", "3 cells; expected 2"),
                 ("|---|---|\n", "", "a row without a table")):
             with self.subTest(new):
