@@ -13,6 +13,9 @@ namespace {
 /// Of so many nodes at least one is taken.
 constexpr int most_every = 1'000'000;
 
+/// Of the groups of a mesh an error tells no more than these.
+constexpr std::size_t most_groups_told = 12;
+
 }  // namespace
 
 ProblemDraft::ProblemDraft(std::string_view text, const std::string& file, MeshTexts meshes)
@@ -67,13 +70,30 @@ int ProblemDraft::add_file(const std::string& name) {
 int ProblemDraft::node(const TomlText& name) const {
   const auto found = node_numbers_.find(name.text);
   if (found != node_numbers_.end()) return found->second;
+  reader_.fail(name.position, fmt::format("node {} does not exist; expected a name from [nodes]{}",
+                                          support::in_quotes(name.text), names_instead(name.text)));
+}
+
+std::string ProblemDraft::names_instead(const std::string& name) const {
   std::vector<std::string_view> names(structure_.node_names.begin(), structure_.node_names.end());
   for (const auto& [group, nodes] : groups_) names.emplace_back(group);
-  std::string message = fmt::format("node {} does not exist; expected a name from [nodes]",
-                                    support::in_quotes(name.text));
-  const std::string_view meant = nearest(name.text, names);
-  if (!meant.empty()) message += fmt::format("; did you mean {}?", support::in_quotes(meant));
-  reader_.fail(name.position, message);
+  const std::string_view meant = nearest(name, names);
+  if (!meant.empty()) return fmt::format("; did you mean {}?", support::in_quotes(meant));
+  // A group called as in its mesh file, without the name of the mesh; or an unknown one of a mesh.
+  const auto dot = name.find('.');
+  const bool bare = dot == std::string::npos;
+  std::vector<std::string> groups;
+  for (const auto& [group, nodes] : groups_) {
+    const bool likely =
+        bare ? group.ends_with("." + name) : group.starts_with(name.substr(0, dot + 1));
+    if (likely) groups.push_back(support::in_quotes(group));
+  }
+  if (groups.empty()) return "";
+  const std::size_t left_out = groups.size() - std::min(groups.size(), most_groups_told);
+  groups.resize(groups.size() - left_out);
+  const std::string more = left_out == 0 ? "" : fmt::format(" and {} more", left_out);
+  return bare ? fmt::format("; did you mean {}{}?", fmt::join(groups, " or "), more)
+              : fmt::format("; its mesh has {}{}", fmt::join(groups, ", "), more);
 }
 
 std::vector<int> ProblemDraft::nodes_named(const TomlText& name) const {

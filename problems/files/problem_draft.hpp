@@ -89,6 +89,10 @@ class ProblemDraft {
   Structure finished() &&;
 
  private:
+  /// What to say of a name that does not exist: the nearest one, the group of a mesh that is called
+  /// so, or the groups of the mesh that it names. Empty, or it begins with a semicolon.
+  std::string names_instead(const std::string& name) const;
+
   TomlReader reader_;
   MeshTexts meshes_;
   Structure structure_;

@@ -25,6 +25,7 @@ WEDGED = {
     "plane-truss.toml": (("--mu", 0.8), ("--mu", 0.6, "--whole"), ("--method", "newton", "--mu-max", 0.6)),
     "space-truss.toml": (("--mu", 0.65, "--method", "polyhedral"), None, ("--node-limit", 3)),
     "elastic-body.toml": (("--mu", 1), ("--mu", 0.9, "--method", "tree", "--node-limit", 5), ("--node-limit", 3)),
+    "doorstop.toml": (("--mu", 0.3, *FEW), ("--mu", 0.3, "--method", "tree", "--node-limit", 5), ("--node-limit", 3)),
     "wedge-in-groove.toml": (("--mu", 0.9), ("--mu", 0.27), ("--node-limit", 3)),
     "snap-hook.toml": (("--mu", 0.9, *FEW), ("--mu", 0.9, "--method", "tree", "--node-limit", 5), ("--node-limit", 3)),
     "morse-taper.toml": (("--mu", 0.3, "--node-limit", 2), None, ("--node-limit", 1)),
@@ -36,6 +37,7 @@ WEDGED = {
 }
 LIMIT = {
     "gust.toml": ((), ("--alpha", 0.5, "--curve", "--samples", 10, "--cuts", "all", "--curve-to", 3)),
+    "truss-bridge.toml": ((), ("--alpha", 1)),
     "static-gap.toml": ((), ("--alpha", 0.1)),
     "paper/limit-3x3.toml": ((), ("--alpha", 40, "--cuts", "none", "--big-m", 5, "--node-limit", 5)),
     "paper/limit-4x4.toml": ((),),

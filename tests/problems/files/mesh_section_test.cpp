@@ -157,6 +157,21 @@ TEST(MeshSection, MakesBarsOfLinesThatHaveAStiffness) {
             "mean \"a.1\"?");
 }
 
+TEST(MeshSection, SaysWhichGroupsThereAreIfOneIsNot) {
+  const std::string sets = "*NSET, NSET=SOLE\n1, 2\n*NSET, NSET=BACK\n3, 4\n";
+  const auto error = [&](const std::string& name) {
+    const auto toml = mesh("a") + "[[supports]]\nnodes = [\"" + name + "\"]\n";
+    return test::error_of(problem(toml, {{"a.inp", row(1, 0, 1, sets)}}));
+  };
+  const std::string start = "test.toml:12:10: node ";
+  const std::string expected = " does not exist; expected a name from [nodes]";
+  EXPECT_EQ(error("SOLE"), start + "\"SOLE\"" + expected + "; did you mean \"a.SOLE\"?");
+  EXPECT_EQ(error("a.SOLES"), start + "\"a.SOLES\"" + expected + "; did you mean \"a.SOLE\"?");
+  EXPECT_EQ(error("a.UNDERSIDE"), start + "\"a.UNDERSIDE\"" + expected +
+                                      "; its mesh has \"a.BACK\", \"a.BODY\", \"a.SOLE\"");
+  EXPECT_EQ(error("b.UNDERSIDE"), start + "\"b.UNDERSIDE\"" + expected);
+}
+
 TEST(MeshSection, ReadsWhatAFileIncludes) {
   const std::string whole = row(1, 0, 1);
   const auto cut = whole.find("*ELEMENT");

@@ -1,0 +1,59 @@
+"""That docs/problem-files.md has every key that the reader knows, and no other.
+
+    python3 keys_test.py KUSABI SOURCES
+"""
+import pathlib
+import re
+import shutil
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main  # noqa: E402: beside the folder of this file
+
+PAGE = SOURCES / "docs" / "problem-files.md"
+WITH_NODES = {"except", "every"}  # a table of their own, for all lists of nodes
+# The sections of the page, in its order, and what makes one an empty one of its kind. [nodes] has names of nodes as keys.
+SECTIONS = [
+    ("members", ""), ("elements", ""), ("mesh", ""), ("mesh", 'name = "b"\nfile = "doorstop.msh"'), ("material", 'groups = ["stop.rubber"]'),
+    ("supports", ""), ("ties", ""), ("springs", ""), ("stiffness", ""), ("contact", ""), ("loads", ""), ("uncertainty", ""),
+    ("uncertainty", 'name = "c"'),
+]
+
+
+def page_sections():
+    """Pairs of a section and its keys, in the order of the table."""
+    table = PAGE.read_text().split("\n## Every key\n\n")[1].split("\n\n")[0]
+    found = []
+    for row in table.splitlines()[2:]:
+        section, keys = row.split(" | ")[:2]
+        if section != "|":
+            found.append((re.sub(r"[|`\[\] ]", "", section), set()))
+        found[-1][1].update(re.findall(r"`(\w+)`", keys))
+    return [(section, keys | (WITH_NODES if "nodes" in keys else set())) for section, keys in found]
+
+
+class Keys(KusabiCase):
+    def known(self, addition):
+        """The keys that the reader says it knows, of a section that has one that it does not."""
+        problem = self.folder / "problem.toml"
+        problem.write_text((EXAMPLES / "doorstop.toml").read_text() + addition)
+        shutil.copy(EXAMPLES / "doorstop.msh", self.folder)
+        said = self.refused("show", problem)
+        self.assertIn('unknown key "zzz"', said)
+        return set(re.search(r"expected one of ([\w, ]+)", said)[1].split(", "))
+
+    def test_the_table_has_all_keys(self):
+        table = page_sections()
+        self.assertEqual([name for name, _ in table], ["topofthefile", "nodes", *(name for name, _ in SECTIONS)])
+        self.assertEqual(self.known("[zzz]\n"), table[0][1] | {name for name, _ in table[1:]})
+        for (name, start), (_, keys) in zip(SECTIONS, table[2:]):
+            with self.subTest(name):
+                self.assertEqual(self.known(f"\n[[{name}]]\n{start}\nzzz = 1\n"), keys)
+
+    def test_lists_of_nodes_have_two_more(self):
+        besides = PAGE.read_text().split("Wherever there are `nodes`, there may be besides\n\n")[1].split("\n\n")[0]
+        self.assertEqual(set(re.findall(r"(?m)^\| `(\w+)` \|", besides)), WITH_NODES)
+
+
+if __name__ == "__main__":
+    main()
