@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "support/nearest.hpp"
+
 namespace kusabi::problems {
 namespace {
 
@@ -71,7 +73,7 @@ int ProblemDraft::node(const TomlText& name) const {
   for (const auto& [group, nodes] : groups_) names.emplace_back(group);
   std::string message = fmt::format("node {} does not exist; expected a name from [nodes]",
                                     support::in_quotes(name.text));
-  const std::string_view meant = nearest(name.text, names);
+  const std::string_view meant = support::nearest(name.text, names);
   if (!meant.empty()) message += fmt::format("; did you mean {}?", support::in_quotes(meant));
   reader_.fail(name.position, message);
 }
