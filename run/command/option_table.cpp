@@ -132,11 +132,11 @@ RowBuilder OptionTable::flag(std::string name, bool& variable, std::string help,
               }});
 }
 
-RowBuilder OptionTable::text(std::string name, std::string& variable, std::string value,
+RowBuilder OptionTable::text(std::string name, std::string& variable, const std::string& value,
                              std::string help) {
   return add({.name = std::move(name),
               .value = value,
-              .expected = std::move(value),
+              .expected = value,
               .help = std::move(help),
               .take = [&variable](const std::string& text) {
                 variable = text;

@@ -137,7 +137,8 @@ class OptionTable {
   RowBuilder file(std::string name, std::string& variable, Role role, std::string help);
 
   /// Any text. @param value what help calls it
-  RowBuilder text(std::string name, std::string& variable, std::string value, std::string help);
+  RowBuilder text(std::string name, std::string& variable, const std::string& value,
+                  std::string help);
 
   // What several subcommands have alike.
   void output(std::string name = "--output",

@@ -31,7 +31,7 @@ class Sweep final : public Subcommand {
            "the uncertainty of loads, exact between the points.";
   }
   [[nodiscard]] std::string_view example() const override {
-    return "examples/two-bars.toml --mu 1:3:0.5";
+    return "examples/two-bars.toml --mu 1.25:2.75:0.5";
   }
   void describe(OptionTable& table) override;
   void check() const override;
