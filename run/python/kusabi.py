@@ -227,7 +227,7 @@ def _is_partial(content):
     if content["command"] == "patterns":
         return answer["marginal"] + answer["undecided"] > 0
     if content["command"] == "critical":
-        return bool(answer["open"])
+        return bool(answer.get("open", answer.get("doubtful")))  # the latter of 0.1
     if content["command"] == "mip":
         return answer["answer"] in ("feasible", "unknown")
     return False
