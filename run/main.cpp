@@ -5,7 +5,9 @@
 #include <string>
 
 #include "engine/together.hpp"
+#include "run/command/command_line.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/config_file.hpp"
 #include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
@@ -26,19 +28,21 @@ int complain(Session& session, const std::string& message) {
 }
 
 int run(Session& session, int argc, char** argv) {
-  auto commands = command_line();
-  const auto asked = commands.parse(argc, argv);
+  auto list = command_list();
+  const auto asked = parse(list, argc, argv);
   if (asked.entry == nullptr) {
     if (session.speaks()) print_answer(asked.text);
-    return solved;
+    return asked.wrong ? wrong_input : solved;
   }
-  const auto& [subcommand, table] = *asked.entry;
-  const auto* const serial = table.find("--serial");
+  auto& entry = *asked.entry;
+  const auto* const serial = entry.table.find("--serial");
   if (const auto fault = session.fault_of_launch(serial != nullptr && serial->given)) {
     if (!fault->empty()) complain(session, "kusabi: " + *fault);
     return wrong_input;
   }
-  return CommandRun(session, *subcommand, table).execute();
+  const auto defaults = take_defaults(session, list, entry);
+  check_whole(entry);
+  return CommandRun(session, *entry.subcommand, entry.table, defaults).execute();
 }
 
 }  // namespace

@@ -74,3 +74,5 @@ export OMPI_MCA_rmaps_base_oversubscribe=1
 export OMPI_MCA_hwloc_base_binding_policy=none
 export OMPI_MCA_mpi_yield_when_idle=0
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
+# Defaults that somebody keeps for calls of his own are none of ours.
+export KUSABI_CONFIG=

@@ -1,4 +1,4 @@
-// A line for each; what it is called and does is in its folder.
+// A line for each, and which question it answers; what it is called and does is in its folder.
 #include "run/subcommands.hpp"
 
 #include <utility>
@@ -19,7 +19,7 @@
 
 namespace kusabi::run {
 
-CommandLine command_line() {
+CommandList command_list() {
   std::vector<std::unique_ptr<Subcommand>> all;
   all.push_back(patterns_subcommand());
   all.push_back(rays_subcommand());
@@ -40,10 +40,20 @@ CommandLine command_line() {
   all.push_back(bench_scaling_subcommand());
   all.push_back(bench_schedules_subcommand());
   all.push_back(bench_uts_subcommand());
-  return {std::move(all),
-          {{"example", "writes a problem file of a family of structures"},
-           {"export", "writes what is solved here for the solvers of others"},
-           {"bench", "measures and tries the search engine"}}};
+  return {
+      std::move(all),
+      {{"example", "writes a problem file of a family of structures"},
+       {"export", "writes what is solved here for the solvers of others"},
+       {"bench", "measures and tries the search engine"}},
+      {{"Can it stick?", {"patterns", "rays", "critical", "sweep"}},
+       {"What does a truss carry when its loads are not known exactly?", {"limit"}},
+       {"What is the optimum of a zero-one program?", {"mip"}},
+       {"Is it true?", {"verify"}},
+       {"What does it look like?", {"show", "draw", "report"}},
+       {"Is there a problem file to try?",
+        {"example space-truss", "example plane-truss", "example grid"}},
+       {"How do the solvers of others get it?", {"export mps", "export cbf", "export matrix"}},
+       {"How well does the search engine do?", {"bench scaling", "bench schedules", "bench uts"}}}};
 }
 
 }  // namespace kusabi::run

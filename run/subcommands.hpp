@@ -1,11 +1,11 @@
 // Which subcommands there are.
 #pragma once
 
-#include "run/command/command_line.hpp"
+#include "run/command/command_list.hpp"
 
 namespace kusabi::run {
 
-/// All of them, in the order of help.
-CommandLine command_line();
+/// All of them.
+CommandList command_list();
 
 }  // namespace kusabi::run

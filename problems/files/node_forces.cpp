@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "problems/files/toml_reader.hpp"
+#include "support/nearest.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -14,7 +15,7 @@ Eigen::Index number_of(const TomlReader& reader, const TomlText& name,
                        const std::vector<std::string>& node_names) {
   const auto found = std::ranges::find(node_names, name.text);
   if (found != node_names.end()) return found - node_names.begin();
-  const auto meant = nearest(name.text, {node_names.begin(), node_names.end()});
+  const auto meant = support::nearest(name.text, {node_names.begin(), node_names.end()});
   reader.fail(
       name.position,
       fmt::format(

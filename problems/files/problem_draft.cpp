@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "support/nearest.hpp"
+
 namespace kusabi::problems {
 namespace {
 
@@ -77,7 +79,7 @@ int ProblemDraft::node(const TomlText& name) const {
 std::string ProblemDraft::names_instead(const std::string& name) const {
   std::vector<std::string_view> names(structure_.node_names.begin(), structure_.node_names.end());
   for (const auto& [group, nodes] : groups_) names.emplace_back(group);
-  const std::string_view meant = nearest(name, names);
+  const std::string_view meant = support::nearest(name, names);
   if (!meant.empty()) return fmt::format("; did you mean {}?", support::in_quotes(meant));
   // A group called as in its mesh file, without the name of the mesh; or an unknown one of a mesh.
   const auto dot = name.find('.');

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "support/nearest.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -33,22 +33,6 @@ std::string kind(const toml::node& node) {
   return "a date or time";
 }
 
-/// Number of inserted, deleted and replaced characters between two words (Levenshtein).
-std::size_t edit_distance(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
-    }
-  }
-  return row.back();
-}
-
 /// A syntax error in the words of toml++, which mostly say what was expected.
 std::string syntax_message(std::string_view description) {
   std::string message(description);
@@ -66,18 +50,6 @@ toml::table parsed(std::string_view text, const std::string& file) {
 }
 
 }  // namespace
-
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& words) {
-  // Two slips, but fewer than half of the word: "x" is not near "y".
-  std::size_t best = std::min<std::size_t>(3, (word.size() + 1) / 2);
-  if (word.size() > longest_text) return {};
-  std::string_view found;
-  for (const std::string_view candidate : words) {
-    const std::size_t distance = edit_distance(word, candidate);
-    if (distance < best) std::tie(best, found) = std::pair{distance, candidate};
-  }
-  return found;
-}
 
 TomlReader::TomlReader(std::string_view text, const std::string& file)
     : file_(file), root_(parsed(text, file)) {}
@@ -101,7 +73,7 @@ void TomlReader::allow_only(const TomlTable& table,
     std::string message =
         fmt::format("unknown key {} in {}; expected one of {}", support::in_quotes(entry.key),
                     table.called, fmt::join(allowed, ", "));
-    const std::string_view meant = nearest(entry.key, allowed);
+    const std::string_view meant = support::nearest(entry.key, allowed);
     if (!meant.empty()) message += fmt::format("; did you mean \"{}\"?", meant);
     fail(entry.key_position, message);
   }

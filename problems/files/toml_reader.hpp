@@ -85,8 +85,4 @@ class TomlReader {
   toml::table root_;
 };
 
-/// The one of `words` that `word` was probably meant to be, for a "did you mean"; empty if none is
-/// near.
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& words);
-
 }  // namespace kusabi::problems

@@ -40,7 +40,13 @@ class Scaling final : public Bench {
  public:
   [[nodiscard]] std::string_view name() const override { return "bench scaling"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "how far the search scales, by simulation of up to 65536 ranks in virtual time";
+    return "how far the search scales, simulated";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "How far the search scales, by simulation of up to 65536 ranks in virtual time.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "--nodes 262144 --most-ranks 64";
   }
   void describe(OptionTable& table) override {
     table.number("--nodes", &options_.nodes, above(0), "of the tree");
@@ -68,8 +74,12 @@ class Schedules final : public Bench {
  public:
   [[nodiscard]] std::string_view name() const override { return "bench schedules"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "simulates searches under random schedules: does each find what one rank finds?";
+    return "does any schedule change what a search finds?";
   }
+  [[nodiscard]] std::string_view description() const override {
+    return "Simulates searches under random schedules: does each find what one rank finds?";
+  }
+  [[nodiscard]] std::string_view example() const override { return "--seeds 1000"; }
   void describe(OptionTable& table) override {
     table.number("--seeds", &options_.seeds, above(0), "how many schedules");
     table.number("--first-seed", &options_.first_seed, at_least(0), "of the first schedule");
@@ -84,8 +94,12 @@ class Uts final : public Bench {
  public:
   [[nodiscard]] std::string_view name() const override { return "bench uts"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the Unbalanced Tree Search benchmark: are the published counts found, how fast";
+    return "the Unbalanced Tree Search benchmark";
   }
+  [[nodiscard]] std::string_view description() const override {
+    return "The Unbalanced Tree Search benchmark: are the published counts found, how fast.";
+  }
+  [[nodiscard]] std::string_view example() const override { return "--tree T1"; }
   void describe(OptionTable& table) override {
     constexpr double about_a_second = 1e7;
     constexpr double most_rounds = 1000;

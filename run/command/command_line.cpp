@@ -1,185 +1,193 @@
-// CLI11 splits the call into words and prints help; what words mean is in the tables.
+// CLI11 splits the call into words; what words mean is in the tables, and what is said of wrong
+// ones in wrong_words.
 #include "run/command/command_line.hpp"
 
-#include <iterator>
+#include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include "run/command/completion.hpp"
+#include "run/command/help.hpp"
+#include "run/command/manual.hpp"
+#include "run/command/version.hpp"
+#include "run/command/wrong_words.hpp"
 
 namespace kusabi::run {
 namespace {
 
-constexpr std::string_view purpose =
-    "All wedged configurations of a structure with Coulomb friction, worst-case limit loads of "
-    "trusses, and the 0-1 programs that they are.";
-
-// What an option takes, in help: "NUMBER > 0 s".
-std::string taken(const OptionRow& row) {
-  std::string text = row.value;
-  for (const auto* const more : {&row.range, &row.unit}) {
-    if (!more->empty()) text += ' ' + *more;
-  }
-  return text;
-}
-
-CLI::Option* added(CLI::App& command, OptionRow& row) {
+void add(CLI::App& command, OptionRow& row) {
   if (row.value.empty()) {
-    return command
-        .add_flag_callback(
-            row.name, [&row] { row.take(*(row.given = "")); }, row.help)
+    command.add_flag_callback(row.name, [&row] { row.take(*(row.given = "")); })
         ->disable_flag_override();
+    return;
   }
-  auto* const option = command.add_option_function<std::string>(
-      row.name, [&row](const std::string& text) { row.given = text; }, row.help);
-  option->check([&row](const std::string& text) { return row.take(text); }, "");
-  option->type_name(taken(row))->required(row.required);
-  if (!row.usual.empty()) option->default_str(row.usual);
-  return option;
+  command
+      .add_option_function<std::string>(row.name,
+                                        [&row](const std::string& text) { row.given = text; })
+      ->check([&row](const std::string& text) { return row.take(text); }, "");
 }
 
 void add_options(CLI::App& command, OptionTable& table) {
-  std::map<std::string, CLI::Option*> options;
-  for (auto& row : table.rows()) options[row.name] = added(command, row);
-  for (const auto& row : table.rows()) {
-    if (!row.needs.empty()) options.at(row.name)->needs(options.at(row.needs));
+  command.allow_extras();  // wrong_words says it better
+  for (auto& row : table.rows()) add(command, row);
+}
+
+// The call as CLI11 knows it.
+struct Parser {
+  CLI::App app{"", "kusabi"};
+  std::map<std::string_view, CLI::App*> groups;
+  std::map<CommandList::Entry*, CLI::App*> commands;
+
+  explicit Parser(CommandList& list) {
+    app.require_subcommand(0, 1);
+    add_options(app, list.own());
+    for (const auto& group : list.groups()) {
+      auto& added = *app.add_subcommand(std::string(group.name));
+      added.require_subcommand(0, 1)->allow_extras();
+      groups[group.name] = &added;
+    }
+    for (auto& entry : list.entries()) {
+      const auto group = group_of(entry.name());
+      auto& above = group.empty() ? app : *groups.at(group);
+      auto& command = *above.add_subcommand(std::string(last_word(entry.name())));
+      add_options(command, entry.table);
+      commands[&entry] = &command;
+    }
+  }
+
+  [[nodiscard]] CommandList::Entry* asked() const {
+    for (const auto& [entry, command] : commands) {
+      if (command->parsed()) return entry;
+    }
+    return nullptr;
+  }
+
+  [[nodiscard]] std::string_view asked_group() const {
+    for (const auto& [name, group] : groups) {
+      if (group->parsed()) return name;
+    }
+    return {};
+  }
+};
+
+// The first word that CLI11 has found no place for; empty: none. Options come first, since a file
+// may be too many only because it was the value of one.
+std::string left_over(const CLI::App& command) {
+  auto words = command.remaining();
+  std::erase(words, "--");
+  const auto option =
+      std::ranges::find_if(words, [](const auto& word) { return word.starts_with('-'); });
+  if (option != words.end()) return *option;
+  return words.empty() ? std::string{} : words.front();
+}
+
+// What CLI11 says of an option that has too few values, or too many, in our words.
+std::string wrong_count(std::string_view said, const CommandList::Entry* entry) {
+  const auto name = said.substr(0, said.find_first_of(": "));
+  const auto* row = entry == nullptr ? nullptr : entry->table.find(name);
+  if (row == nullptr && entry != nullptr) row = entry->table.find(fmt::format("--{}", name));
+  if (row == nullptr) return std::string(said);
+  if (row->value.empty()) return fmt::format("{} takes no value", row->name);
+  if (said.find("received") != std::string_view::npos)
+    return fmt::format("{} is there more than once", row->name);
+  return fmt::format("{} is without its value, {}", row->name, row->expected);
+}
+
+// The first word of the call that CLI11 has given back to `kusabi` itself; empty: none.
+std::string left_over_of_all(const CLI::App& app) {
+  auto words = app.remaining();
+  std::erase(words, "--");
+  return words.empty() ? std::string{} : words.front();
+}
+
+// @param files what comes after "--"
+void check_words(const CommandList& list, const Parser& parser,
+                 const std::vector<std::string>& files) {
+  if (const auto word = left_over_of_all(parser.app); !word.empty()) {
+    // What a subcommand has no place for after "--" goes back to `kusabi`.
+    const auto* const taker = parser.asked();
+    if (taker != nullptr && std::ranges::find(files, word) != files.end())
+      throw WrongCall(one_word_too_many(*taker, word));
+    throw WrongCall(word.starts_with('-') ? no_option_of_all(list, word)
+                                          : no_such_subcommand(list, {}, word));
+  }
+  const auto group = parser.asked_group();
+  if (!group.empty()) {
+    if (const auto word = left_over(*parser.groups.at(group)); !word.empty())
+      throw WrongCall(no_such_subcommand(list, group, word));
+    if (parser.asked() == nullptr) throw WrongCall(subcommand_missing(list, group));
+  }
+  auto* const entry = parser.asked();
+  if (entry == nullptr) return;
+  if (const auto word = left_over(*parser.commands.at(entry)); !word.empty()) {
+    throw WrongCall(word.starts_with('-') ? no_such_option(list, *entry, word)
+                                          : one_word_too_many(*entry, word));
   }
 }
 
-// Text of a manual page: a hyphen is one that can be copied, and no line begins with a command.
-std::string roff(std::string_view text) {
-  std::string escaped;
-  if (text.starts_with('.') || text.starts_with('\'')) escaped = "\\&";
-  for (const char c : text) {
-    escaped += c == '\\' ? std::string("\\e") : c == '-' ? std::string("\\-") : std::string(1, c);
+// `kusabi help`, and what follows.
+std::string help_on(const CommandList& list, const std::vector<std::string>& words) {
+  std::string name;
+  for (const auto& word : words) {
+    if (!word.starts_with('-')) name += name.empty() ? word : ' ' + word;
   }
-  return escaped;
+  if (name.empty() || name == "help") return overview(list);
+  if (const auto* const entry = list.find(name)) return help(*entry);
+  if (const auto* const group = list.group(name)) return help(list, *group);
+  const auto group = group_of(name);
+  if (list.group(group) == nullptr || group.empty())
+    throw WrongCall(no_such_subcommand(list, {}, name));
+  throw WrongCall(no_such_subcommand(list, group, name.substr(group.size() + 1)));
 }
 
-std::string manual_entry(const OptionRow& row) {
-  std::string text = fmt::format(".TP\n\\fB{}\\fR", roff(row.name));
-  if (row.named() && !row.value.empty()) text += fmt::format(" \\fI{}\\fR", roff(row.value));
-  text += fmt::format("\n{}.", roff(row.help));
-  if (!row.range.empty()) text += fmt::format("\nRange: {}.", roff(row.range));
-  if (!row.unit.empty()) text += fmt::format("\nUnit: {}.", roff(row.unit));
-  if (!row.usual.empty()) text += fmt::format("\nUnless given: {}.", roff(row.usual));
-  if (row.required) text += "\nRequired.";
-  if (!row.needs.empty()) text += fmt::format("\nNeeds {}.", roff(row.needs));
-  return text + '\n';
+bool given(const CommandList& list, std::string_view option) {
+  return list.own().find(option)->given.has_value();
 }
 
 }  // namespace
 
-CommandLine::CommandLine(std::vector<std::unique_ptr<Subcommand>> subcommands,
-                         std::vector<Group> groups)
-    : groups_(std::move(groups)) {
-  for (auto& subcommand : subcommands) {
-    auto& entry = entries_.emplace_back();
-    entry.subcommand = std::move(subcommand);
-    entry.subcommand->describe(entry.table);
-  }
-}
-
-std::string CommandLine::names() const {
-  std::vector<std::string_view> names;
-  for (const auto& entry : entries_) names.push_back(entry.subcommand->name());
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-CommandLine::Asked CommandLine::parse(int argc, const char* const* argv) {
-  CLI::App app{std::string(purpose), "kusabi"};
-  app.set_version_flag("--version", "kusabi " KUSABI_VERSION);
-  bool manual_wanted = false;
-  app.add_flag("--manual", manual_wanted, "print the manual page, for man -l -");
-  app.require_subcommand(0, 1);
-  std::map<std::string_view, CLI::App*> groups;
-  for (const auto& [name, its_purpose] : groups_) {
-    auto& group = *app.add_subcommand(std::string(name), std::string(its_purpose));
-    group.require_subcommand(1);
-    groups[name] = &group;
-  }
-  Asked asked;
-  for (auto& entry : entries_) {
-    const auto name = entry.subcommand->name();
-    const auto space = name.find(' ');
-    const bool grouped = space != std::string_view::npos;
-    auto& above = grouped ? *groups.at(name.substr(0, space)) : app;
-    auto& command = *above.add_subcommand(std::string(grouped ? name.substr(space + 1) : name),
-                                          std::string(entry.subcommand->purpose()));
-    add_options(command, entry.table);
-    command.footer(entry.subcommand->notes());
-    command.callback([&asked, &entry] { asked.entry = &entry; });
-  }
+Asked parse(CommandList& list, int argc, const char* const* argv) {
+  const std::vector<std::string> words(argv + 1, argv + std::max(argc, 1));
+  if (words.empty()) return {nullptr, overview(list), true};
+  if (words.front() == "help") return {nullptr, help_on(list, {words.begin() + 1, words.end()})};
+  Parser parser(list);
+  auto& app = parser.app;
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return {nullptr, app.help()};
-  } catch (const CLI::CallForAllHelp&) {
-    return {nullptr, app.help("", CLI::AppFormatMode::All)};
-  } catch (const CLI::CallForVersion& version) {
-    return {nullptr, fmt::format("{}\n", version.what())};
-  } catch (const CLI::ExtrasError& error) {
-    if (!app.get_subcommands().empty())
-      throw WrongCall(fmt::format("{} (try --help)", error.what()));
-    throw WrongCall(fmt::format("no such subcommand; expected one of {}", names()));
+    const auto* const entry = parser.asked();
+    return {nullptr,
+            help_on(list, {std::string(entry != nullptr ? entry->name() : parser.asked_group())})};
+  } catch (const CLI::ArgumentMismatch& error) {
+    throw WrongCall(fmt::format("{} (try --help)", wrong_count(error.what(), parser.asked())));
   } catch (const CLI::ParseError& error) {
     throw WrongCall(fmt::format("{} (try --help)", error.what()));
   }
-  if (manual_wanted) return {nullptr, manual()};
-  if (asked.entry == nullptr) {
-    throw WrongCall(fmt::format("a subcommand is missing; expected one of {}", names()));
-  }
-  return asked;
+  check_words(list, parser, {std::ranges::find(words, "--"), words.end()});
+  auto* const entry = parser.asked();
+  if (given(list, "--version")) return {nullptr, version()};
+  if (const auto& shell = list.own().find("--completion")->given)
+    return {nullptr, completion(list, *shell)};
+  if (given(list, "--manual"))
+    return {nullptr, entry == nullptr ? manual(list) : manual(list, *entry)};
+  if (entry == nullptr) return {nullptr, overview(list), true};
+  return {entry, {}};
 }
 
-std::string CommandLine::manual() const {
-  std::string text = fmt::format(
-      R"(.TH KUSABI 1 "" "kusabi {}"
-.SH NAME
-kusabi \- wedged configurations and worst\-case limit loads, by parallel tree search
-.SH SYNOPSIS
-)",
-      KUSABI_VERSION);
-  auto out = std::back_inserter(text);
-  for (const auto& [subcommand, table] : entries_) {
-    fmt::format_to(out, ".B kusabi {}\n[options]", roff(subcommand->name()));
-    for (const auto& row : table.rows()) {
-      if (!row.named()) fmt::format_to(out, " \\fI{}\\fR", roff(row.name));
+void check_whole(const CommandList::Entry& entry) {
+  for (const auto& row : entry.table.rows()) {
+    if (row.required && !row.given) {
+      throw WrongCall(fmt::format("{} is required: {}{} (try kusabi {} --help)", row.name, row.help,
+                                  row.role == Role::plain ? ", " + row.expected : "",
+                                  entry.name()));
     }
-    text += "\n.br\n";
+    if (row.given && !row.needs.empty() && !entry.table.find(row.needs)->given)
+      throw WrongCall(fmt::format("{} requires {} (try --help)", row.name, row.needs));
   }
-  fmt::format_to(out,
-                 R"(mpirun \-np \fIranks\fR kusabi ...
-.SH DESCRIPTION
-{}
-Each of the searches runs in one process, or on all ranks of an MPI job.
-.SH SUBCOMMANDS
-)",
-                 roff(purpose));
-  for (const auto& [subcommand, table] : entries_) {
-    fmt::format_to(out, ".SS kusabi {}\n{}.\n", roff(subcommand->name()),
-                   roff(subcommand->purpose()));
-    for (const auto& row : table.rows()) text += manual_entry(row);
-    if (const auto notes = subcommand->notes(); !notes.empty())
-      text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(notes));
-  }
-  text += R"(.SH EXIT STATUS
-.TP
-0
-The whole question is answered; "none" is an answer.
-.TP
-1
-The run failed.
-.TP
-2
-The input or the call is wrong.
-.TP
-3
-Stopped early, or something is left open; what is said holds.
-)";
-  return text;
 }
 
 }  // namespace kusabi::run

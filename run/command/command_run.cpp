@@ -15,6 +15,7 @@
 #include "run/output/outputs.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
 #include "run/session/restart.hpp"
 
 namespace kusabi::run {
@@ -30,8 +31,9 @@ std::string place_of(const OptionRow& row) {
 
 }  // namespace
 
-CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable& table)
-    : session_(session), command_(command), table_(table) {
+CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable& table,
+                       const Defaults& defaults)
+    : session_(session), command_(command), table_(table), defaults_(defaults) {
   const auto* const quiet = table.find("--quiet");
   quiet_ = quiet != nullptr && quiet->given;
   // What a program reads there is not for people.
@@ -40,7 +42,7 @@ CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable&
 }
 
 int CommandRun::execute() {
-  command_.check();
+  check();
   command_.read(*this);
   open_outputs();
   command_.prepare(*this);
@@ -66,10 +68,40 @@ int CommandRun::execute() {
   return static_cast<int>(engine::meet(session_.transport(), {.ranks = 1, .found = code}).found);
 }
 
+// What does not go together may be in the call in part only.
+void CommandRun::check() const {
+  try {
+    command_.check();
+  } catch (const WrongInput& error) {
+    if (defaults_.taken.empty()) throw;
+    throw WrongInput(fmt::format("{} ({})", error.what(), defaults_told()));
+  }
+}
+
+// "defaults of config.toml: --mu 0.65 --sort margin"
+std::string CommandRun::defaults_told() const {
+  auto text = fmt::format("defaults of {}:", defaults_.file);
+  for (const auto& [option, value] : defaults_.taken) {
+    text += ' ' + option;
+    if (!value.empty()) text += ' ' + quoted(value);
+  }
+  return text;
+}
+
+// What every result ends with: where its defaults came from, if from anywhere.
+nlohmann::ordered_json CommandRun::defaults_json() const {
+  auto all = nlohmann::ordered_json::object();
+  if (defaults_.taken.empty()) return all;
+  auto& config = all["config"];
+  config["file"] = defaults_.file;
+  for (const auto& [option, value] : defaults_.taken) config["options"][option.substr(2)] = value;
+  return all;
+}
+
 // The first file that is read: what messages are about.
 std::string CommandRun::input() const {
   for (const auto& row : table_.rows()) {
-    if (row.role == Role::input && row.given) return *row.given;
+    if (row.role == Role::input && !row.named() && row.given) return *row.given;
   }
   return {};
 }
@@ -107,8 +139,9 @@ void CommandRun::announce() {
   const auto line =
       command_.announcement(counted(static_cast<std::uint64_t>(session_.ranks()), "rank"));
   if (line.empty()) return;
-  const auto text =
+  auto text =
       fmt::format("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, command_.name(), input(), line);
+  if (!defaults_.taken.empty()) text += defaults_told() + '\n';
   show_heading(folded(text, page().width));
 }
 
@@ -160,8 +193,8 @@ Step CommandRun::result(std::function<nlohmann::ordered_json()> make) {
 }
 
 Step CommandRun::result(std::function<void(JsonWriter&)> write) {
-  return file("--output", [write = std::move(write)](std::ostream& out) {
-    JsonWriter json(out);
+  return file("--output", [this, write = std::move(write)](std::ostream& out) {
+    JsonWriter json(out, defaults_json());
     write(json);
     out << '\n';
   });

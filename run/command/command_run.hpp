@@ -12,6 +12,7 @@
 
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
+#include "run/command/config_file.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/subcommand.hpp"
 #include "run/output/json_writer.hpp"
@@ -25,7 +26,8 @@ namespace kusabi::run {
 class CommandRun {
  public:
   /// All must outlive it.
-  CommandRun(Session& session, Subcommand& command, const OptionTable& table);
+  CommandRun(Session& session, Subcommand& command, const OptionTable& table,
+             const Defaults& defaults);
 
   /// Goes through all stages. @return the exit code, the same on every rank
   /// @throws WrongInput, support::InputError, engine::Disagreement on every rank alike; whatever
@@ -75,10 +77,14 @@ class CommandRun {
   void announce();
   void put_in_place(const std::string& option);
   [[nodiscard]] std::string input() const;
+  void check() const;
+  [[nodiscard]] std::string defaults_told() const;
+  [[nodiscard]] nlohmann::ordered_json defaults_json() const;
 
   Session& session_;
   Subcommand& command_;
   const OptionTable& table_;
+  const Defaults& defaults_;
   bool quiet_ = false;
   std::map<std::string, OutputFile> outputs_;    // by option; on rank 0
   std::map<std::string, OutputFolder> folders_;  // likewise

@@ -94,6 +94,7 @@ RowBuilder OptionTable::number(std::string name, NumberOption variable, Range ra
         return add({.name = std::move(name),
                     .value = whole<Number> ? "COUNT" : "NUMBER",
                     .range = as_help_shows_it(range),
+                    .expected = expected<Number>(range),
                     .usual = usual_of(range, *its),
                     .help = std::move(help),
                     .take = [its, range](const std::string& text) {
@@ -108,6 +109,8 @@ RowBuilder OptionTable::word(std::string name, std::vector<std::string> words, s
   auto row_value = fmt::format("{}", fmt::join(words, "|"));
   return add({.name = std::move(name),
               .value = std::move(row_value),
+              .expected = fmt::format("one of {}", fmt::join(words, ", ")),
+              .words = words,
               .usual = std::move(usual),
               .help = std::move(help),
               .take = [words = std::move(words), take = std::move(take)](const std::string& text) {
@@ -129,10 +132,11 @@ RowBuilder OptionTable::flag(std::string name, bool& variable, std::string help,
               }});
 }
 
-RowBuilder OptionTable::text(std::string name, std::string& variable, std::string value,
+RowBuilder OptionTable::text(std::string name, std::string& variable, const std::string& value,
                              std::string help) {
   return add({.name = std::move(name),
-              .value = std::move(value),
+              .value = value,
+              .expected = value,
               .help = std::move(help),
               .take = [&variable](const std::string& text) {
                 variable = text;
@@ -144,6 +148,7 @@ RowBuilder OptionTable::file(std::string name, std::string& variable, Role role,
   auto row =
       text(std::move(name), variable, role == Role::folder ? "DIR" : "FILE", std::move(help));
   rows_.back().role = role;
+  rows_.back().expected = role == Role::folder ? "the name of a folder" : "the name of a file";
   return row;
 }
 
@@ -174,6 +179,11 @@ void OptionTable::checkpoints(CheckpointChoice& choice) {
   number("--checkpoint-interval", &choice.interval, above(0), "between two checkpoints").unit("s");
   file("--restart", choice.restart, Role::restart,
        "go on from this checkpoint, on any number of ranks");
+}
+
+void OptionTable::config(ConfigChoice& choice) {
+  file("--config", choice.file, Role::input, "take defaults of options from this TOML file");
+  flag("--no-config", choice.none, "take no defaults from any file");
 }
 
 const OptionRow* OptionTable::find(std::string_view name) const {

@@ -18,6 +18,7 @@
 
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
+#include "run/command/config_choice.hpp"
 
 namespace kusabi::run {
 
@@ -53,11 +54,13 @@ enum class Role {
 
 /// One option, or the file that a subcommand is called with.
 struct OptionRow {
-  std::string name;     ///< "--mu"; "file" if it has no name in the call
-  std::string value{};  ///< what it takes: "NUMBER", "FILE", "a|b|c"; empty: nothing, a switch
-  std::string range{};  ///< which of these, as help shows it: "> 0"
-  std::string unit{};   ///< of a number
-  std::string usual{};  ///< what it is unless given; empty: nothing
+  std::string name;        ///< "--mu"; "file" if it has no name in the call
+  std::string value{};     ///< what it takes: "NUMBER", "FILE", "a|b|c"; empty: nothing, a switch
+  std::string range{};     ///< which of these, as help shows it: "> 0"
+  std::string expected{};  ///< the same as errors say it: "a number above 0"
+  std::vector<std::string> words{};  ///< the choices, if it takes one of some words
+  std::string unit{};                ///< of a number
+  std::string usual{};               ///< what it is unless given; empty: nothing
   std::string help{};
   bool required = false;
   std::string needs{};  ///< an option without which it means nothing
@@ -134,7 +137,8 @@ class OptionTable {
   RowBuilder file(std::string name, std::string& variable, Role role, std::string help);
 
   /// Any text. @param value what help calls it
-  RowBuilder text(std::string name, std::string& variable, std::string value, std::string help);
+  RowBuilder text(std::string name, std::string& variable, const std::string& value,
+                  std::string help);
 
   // What several subcommands have alike.
   void output(std::string name = "--output",
@@ -144,6 +148,7 @@ class OptionTable {
   void time_limit(engine::Limits& limits);
   void node_limit(engine::Limits& limits);
   void checkpoints(CheckpointChoice& choice);
+  void config(ConfigChoice& choice);
 
   [[nodiscard]] const std::deque<OptionRow>& rows() const { return rows_; }
   [[nodiscard]] std::deque<OptionRow>& rows() { return rows_; }

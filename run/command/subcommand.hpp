@@ -35,8 +35,12 @@ class Subcommand {
 
   /// As it is called: one word, or a group and a word.
   [[nodiscard]] virtual std::string_view name() const = 0;
-  /// What it does, in a line of help.
+  /// What it does, in a line of the list of all: a few words.
   [[nodiscard]] virtual std::string_view purpose() const = 0;
+  /// The same at length, in sentences; empty: there is no more to say.
+  [[nodiscard]] virtual std::string_view description() const { return {}; }
+  /// A call that works from the top of the source tree, without `kusabi` and its name.
+  [[nodiscard]] virtual std::string_view example() const = 0;
   /// What help says below the options; empty: nothing. As it is laid out here.
   [[nodiscard]] virtual std::string notes() const { return {}; }
   /// Its options. What they are stored in lives as long as the subcommand.

@@ -33,7 +33,13 @@ class Critical final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "critical"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the smallest friction coefficient at which anything can wedge, proved";
+    return "the smallest friction at which anything can wedge";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "The smallest friction coefficient at which anything can wedge, proved.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "examples/wedge-in-groove.toml";
   }
   [[nodiscard]] std::string notes() const override { return progress_explained(true); }
   void describe(OptionTable& table) override;

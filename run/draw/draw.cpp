@@ -22,7 +22,13 @@ class Draw final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "draw"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the answers in a result file as an image: one of them, or a sheet of all";
+    return "the answers in a result file as an image";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "One of the answers in a result file as an image, or a sheet of all.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "result.json --svg answers.svg";
   }
   void describe(OptionTable& table) override {
     table.file("file", file_, Role::input, "the result, a JSON file").required();

@@ -52,7 +52,13 @@ class SpaceTruss final : public Example {
  public:
   [[nodiscard]] std::string_view name() const override { return "example space-truss"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "a space truss against an inclined wall; the candidates are rows x depth";
+    return "a space truss against an inclined wall";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "A space truss against an inclined wall; the candidates are rows x depth.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "--rows 8 --depth 5 --output truss.toml";
   }
   void describe(OptionTable& table) override {
     table.number("--rows", &size_.rows, above(0), "rows of nodes along y");
@@ -73,7 +79,13 @@ class PlaneTruss final : public Example {
  public:
   [[nodiscard]] std::string_view name() const override { return "example plane-truss"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "a plane truss against an inclined wall; the candidates are the rows";
+    return "a plane truss against an inclined wall";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "A plane truss against an inclined wall; the candidates are the rows.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "--rows 12 --output truss.toml";
   }
   void describe(OptionTable& table) override {
     using problems::Verticals;
@@ -114,8 +126,12 @@ class Grid final : public Example {
  public:
   [[nodiscard]] std::string_view name() const override { return "example grid"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "a plane grid truss, braced crosswise, with loads for limit analysis";
+    return "a plane grid truss for limit analysis";
   }
+  [[nodiscard]] std::string_view description() const override {
+    return "A plane grid truss, braced crosswise, with loads for limit analysis.";
+  }
+  [[nodiscard]] std::string_view example() const override { return "--bays 10 --output grid.toml"; }
   void describe(OptionTable& table) override {
     table.number("--bays", &bays_, above(0), "bays along each axis").required();
     describe_output(table);

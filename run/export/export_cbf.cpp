@@ -31,8 +31,15 @@ class ExportCbf final : public ExportedFile {
  public:
   [[nodiscard]] std::string_view name() const override { return "export cbf"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the cone program of a node of the sign patterns in the Conic Benchmark Format, for "
-           "solvers of second-order cone programs";
+    return "the cone program of a node of the sign patterns";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "The cone program of a node of the sign patterns in the Conic Benchmark Format, for "
+           "solvers of "
+           "second-order cone programs.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "examples/two-bars.toml --mu 2 --output node.cbf";
   }
   void describe(OptionTable& table) override;
   void prepare(CommandRun& run) override;

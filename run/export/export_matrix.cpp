@@ -25,8 +25,14 @@ class ExportMatrix final : public ExportedFile {
  public:
   [[nodiscard]] std::string_view name() const override { return "export matrix"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the stiffness condensed onto the contact candidates, or its inverse, as a Matrix "
-           "Market file";
+    return "the condensed stiffness, or its inverse";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "The stiffness condensed onto the contact candidates, or its inverse, as a Matrix "
+           "Market file.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "examples/two-bars.toml --output stiffness.mtx";
   }
   void describe(OptionTable& table) override;
   void prepare(CommandRun& run) override;

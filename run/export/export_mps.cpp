@@ -32,7 +32,13 @@ class ExportMps final : public ExportedFile {
  public:
   [[nodiscard]] std::string_view name() const override { return "export mps"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the programs of limit analysis as free MPS, for solvers of (0-1) linear programs";
+    return "programs of limit analysis as free MPS";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "The programs of limit analysis as free MPS, for solvers of (0-1) linear programs.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "examples/gust.toml --alpha 0.5 --output gust.mps";
   }
   void describe(OptionTable& table) override;
   void check() const override;

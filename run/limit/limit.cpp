@@ -33,8 +33,15 @@ class Limit final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "limit"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the load factor at which a truss collapses, and its worst case under loads that are "
-           "not known exactly";
+    return "the worst-case limit load of a truss";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "The load factor at which a truss collapses, and its worst case under loads that are "
+           "not known "
+           "exactly.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "examples/paper/limit-3x3.toml --alpha 40";
   }
   [[nodiscard]] std::string notes() const override { return progress_explained(true); }
   void describe(OptionTable& table) override;

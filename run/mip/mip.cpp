@@ -60,7 +60,13 @@ class Mip final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "mip"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "the optimum of a mixed zero-one linear program, with its bound";
+    return "the optimum of a mixed zero-one linear program";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "The optimum of a mixed zero-one linear program, with its bound.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "tests/programs/assignment.mps";
   }
   [[nodiscard]] std::string notes() const override { return progress_explained(true); }
   void describe(OptionTable& table) override;

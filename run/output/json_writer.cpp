@@ -54,6 +54,13 @@ void JsonWriter::end(char bracket) {
   out_ << bracket;
 }
 
+void JsonWriter::end_object() {
+  if (open_.size() == 1) {
+    for (const auto& [name, its_value] : last_.items()) member(name, its_value);
+  }
+  end('}');
+}
+
 // The library's own layout gives every number a line of its own.
 void JsonWriter::value(const ordered_json& value) {
   if (!holds_objects(value)) {

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -24,10 +25,13 @@ namespace kusabi::run {
 ///   json.end_object();
 class JsonWriter {
  public:
-  explicit JsonWriter(std::ostream& out) : out_(out) {}
+  /// @param last an object: members that the root, if it is one, ends with
+  explicit JsonWriter(std::ostream& out,
+                      nlohmann::ordered_json last = nlohmann::ordered_json::object())
+      : out_(out), last_(std::move(last)) {}
 
   void begin_object() { begin('{'); }
-  void end_object() { end('}'); }
+  void end_object();
   void begin_list() { begin('['); }
   void end_list() { end(']'); }
 
@@ -50,6 +54,7 @@ class JsonWriter {
   void before_value();
 
   std::ostream& out_;
+  nlohmann::ordered_json last_;
   std::vector<bool> open_;  // for each object or list that is open: whether it has anything in it
   bool after_key_ = false;
 };

@@ -40,7 +40,15 @@ class Patterns final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "patterns"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "every sign pattern of wedged configurations (contact or separated, node by node)";
+    return "every sign pattern of wedged configurations";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "Which candidates can stay in contact and which separate, with a configuration that "
+           "shows it, "
+           "and that there are no other patterns.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "examples/space-truss.toml --mu 0.65";
   }
   [[nodiscard]] std::string notes() const override { return progress_explained(false); }
   void describe(OptionTable& table) override;

@@ -234,7 +234,7 @@ def _is_partial(content):
     if content["command"] == "patterns":
         return answer["marginal"] + answer["undecided"] > 0
     if content["command"] == "critical":
-        return bool(answer["open"])
+        return bool(answer.get("open", answer.get("doubtful")))  # the latter of 0.1
     if content["command"] == "sweep":
         return bool(answer.get("open")) or any(each.get("count", 0) is None for each in answer["points"])
     if content["command"] == "mip":

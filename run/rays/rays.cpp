@@ -49,7 +49,13 @@ class Rays final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "rays"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "every extremal ray of wedged configurations in the plane, and every maximal cone";
+    return "in the plane, every extremal ray and maximal cone";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "Every extremal ray of wedged configurations in the plane, and every maximal cone.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "examples/plane-truss.toml --mu 0.8";
   }
   [[nodiscard]] std::string notes() const override { return progress_explained(false); }
   void describe(OptionTable& table) override;

@@ -16,7 +16,13 @@ class Report final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "report"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "a result file as a page of HTML, whole in one file: verdict, pictures, numbers";
+    return "a result file as a page of HTML";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "A result file as a page of HTML, whole in one file: verdict, pictures, numbers.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "result.json --output report.html";
   }
   void describe(OptionTable& table) override {
     table.file("file", file_, Role::input, "the result, a JSON file").required();

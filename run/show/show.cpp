@@ -20,8 +20,9 @@ class Show final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "show"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "what a problem file describes, before anything is solved";
+    return "what a problem file describes, before it is solved";
   }
+  [[nodiscard]] std::string_view example() const override { return "examples/space-truss.toml"; }
   void describe(OptionTable& table) override {
     table.file("file", file_, Role::input, "the problem, a TOML file").required();
     table.output("--vtu",

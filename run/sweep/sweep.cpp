@@ -25,8 +25,15 @@ class Sweep final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "sweep"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "how the sign patterns grow in number with friction, or how a worst-case limit load "
-           "falls with the uncertainty of loads, exact between the points";
+    return "patterns over friction, or limit loads over uncertainty";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "How the sign patterns grow in number with friction, or how a worst-case limit load "
+           "falls with "
+           "the uncertainty of loads, exact between the points.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "examples/two-bars.toml --mu 1.25:2.75:0.5";
   }
   void describe(OptionTable& table) override;
   void check() const override;

@@ -45,7 +45,15 @@ class Verify final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "verify"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "proves a list of patterns, or a worst-case load factor, from its certificate, exactly";
+    return "proves an answer from its certificate, exactly";
+  }
+  [[nodiscard]] std::string_view description() const override {
+    return "Proves a list of patterns, a critical friction coefficient or a worst-case load factor "
+           "from "
+           "its certificate, in exact arithmetic.";
+  }
+  [[nodiscard]] std::string_view example() const override {
+    return "answer.cert --problem examples/space-truss.toml";
   }
   void describe(OptionTable& table) override;
   void read(CommandRun& run) override;

@@ -126,6 +126,17 @@ class Schema(KusabiCase):
         result = self.check("patterns", "../tests/cases/plane_truss_and_post.toml", ("--mu", 0.5))
         self.assertTrue(result["result"]["patterns"][0]["at_rest"])
 
+    def test_defaults_from_a_file(self):
+        config = self.folder / "config.toml"
+        config.write_text('[patterns]\nsort = "margin"\ngroup = 2\n[rays]\nmethod = "tree"\n')
+        for command, words, options in (("patterns", ("--mu", 2), {"sort": "margin", "group": "2"}),
+                                        ("patterns", ("--mu", 2, "--group", 1), {"sort": "margin"}),
+                                        ("rays", ("--mu", 2), {"method": "tree"})):
+            result = self.check(command, "two-bars.toml", (*words, "--config", config))
+            self.assertEqual(result["config"], {"file": str(config), "options": options})
+        result["config"]["options"] = {}
+        self.assertFalse(self.schema.is_valid(result))
+
     def test_rays(self):
         self.check_wedged("rays", 1)
 

@@ -317,7 +317,7 @@ TEST_F(Words, WhatIsOpenIsYellow) {
 TEST_F(Words, HelpExplainsALineOfTheLog) {
   const std::string found = "     time   nodes   per s    open   found      idle    done      left";
   const std::string best =
-      "     time   nodes   per s    open    objective        bound     gap      idle    done";
+      "     time   nodes   per s    open    objective        bound     gap      idle\n";
   for (const std::string name : {"patterns", "rays"})
     EXPECT_THAT(shell(command + " " + name + " --help").output, HasSubstr(found)) << name;
   for (const std::string name : {"critical", "limit", "mip"})

@@ -1,0 +1,59 @@
+# Debian packages, made by run/package (cpack -G DEB): kusabi the command with its manual pages and completion,
+# libkusabi-dev libraries and headers, kusabi-doc what a user reads and tries.
+set(KUSABI_MAINTAINER "Kusabi's maintainers <maintainers@kusabi.invalid>" CACHE STRING
+  "Who is named in Debian packages as their maintainer")
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME kusabi)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "${KUSABI_MAINTAINER}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL command development documents)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+# In each staged package: what Debian wants beside the files, and in its form.
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/finish.cmake)
+set(CPACK_KUSABI_SOURCE ${PROJECT_SOURCE_DIR})
+
+set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME kusabi)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "openmpi-bin")
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "kusabi-doc, libkusabi-dev, python3, graphviz, paraview")
+set(CPACK_DEBIAN_COMMAND_DESCRIPTION
+"wedged configurations and worst-case limit loads
+Finds all ways in which a structure that is pressed against a rigid obstacle
+with Coulomb friction can stay stuck without any load, the smallest friction
+at which anything can wedge, and the worst-case limit load of a truss whose
+loads are known within bounds only: by a tree search that is shared among the
+ranks of an MPI job, each answer with its proof.
+
+This package has the command, its manual pages, and completion for shells.")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkusabi-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "libopenmpi-dev, libboost-serialization-dev, libeigen3-dev, libfmt-dev, libglpk-dev, libgmp-dev, libmpfr-dev, libqd-dev, libtomlplusplus-dev, zlib1g-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "kusabi-doc, cmake, pkgconf")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+"parallel tree search, and what it finds in mechanics (libraries)
+The libraries behind the command kusabi: a search engine on MPI for trees of
+one's own, and the questions about wedged configurations and worst-case limit
+loads, from C++20.
+
+This package has static libraries, headers, a CMake package and files for
+pkg-config.")
+
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_NAME kusabi-doc)
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DOCUMENTS_DESCRIPTION
+"wedged configurations and worst-case limit loads (documentation)
+What the command kusabi and its libraries do, how surely, and how they are
+used, with problem files to try and programs to start from.")
+include(CPack)

@@ -1,0 +1,57 @@
+// The tables are filled once, when the list is made.
+#include "run/command/command_list.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kusabi::run {
+
+std::string_view group_of(std::string_view name) {
+  const auto space = name.find(' ');
+  return space == std::string_view::npos ? std::string_view{} : name.substr(0, space);
+}
+
+std::string_view last_word(std::string_view name) {
+  return name.substr(name.rfind(' ') + 1);  // npos + 1 is 0
+}
+
+CommandList::CommandList(std::vector<std::unique_ptr<Subcommand>> subcommands,
+                         std::vector<Group> groups, std::vector<Chapter> chapters)
+    : groups_(std::move(groups)), chapters_(std::move(chapters)) {
+  own_.flag("--version", switched_,
+            "print the version, the commit, and the libraries and the compiler it is built with");
+  own_.flag("--manual", switched_,
+            "print the manual page of a subcommand or, without one, of all, for man -l -");
+  own_.choice<std::string>("--completion", shell_,
+                           {{"bash", "bash"}, {"zsh", "zsh"}, {"fish", "fish"}},
+                           "print what completes calls of kusabi in this shell");
+  for (auto& subcommand : subcommands) {
+    auto& entry = entries_.emplace_back();
+    entry.subcommand = std::move(subcommand);
+    entry.subcommand->describe(entry.table);
+    entry.table.config(entry.config);
+  }
+}
+
+const CommandList::Entry* CommandList::find(std::string_view name) const {
+  const auto found = std::ranges::find(entries_, name, &Entry::name);
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+const CommandList::Group* CommandList::group(std::string_view name) const {
+  const auto found = std::ranges::find(groups_, name, &Group::name);
+  return found == groups_.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> CommandList::words_after(std::string_view group) const {
+  std::vector<std::string_view> words;
+  for (const auto& entry : entries_) {
+    const auto its_group = group_of(entry.name());
+    const auto word = its_group == group ? last_word(entry.name()) : its_group;
+    if (its_group != group && !group.empty()) continue;
+    if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+  }
+  return words;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,74 @@
+// All subcommands with their tables of options: what the command line, help, the manual pages and
+// completion are made from.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "run/command/config_choice.hpp"
+#include "run/command/option_table.hpp"
+#include "run/command/subcommand.hpp"
+
+namespace kusabi::run {
+
+class CommandList {
+ public:
+  /// A group of subcommands, called by its name and theirs.
+  struct Group {
+    std::string_view name;
+    std::string_view purpose;
+  };
+
+  /// What people come with, and the subcommands that answer it: the order of help.
+  struct Chapter {
+    std::string_view question;
+    std::vector<std::string_view> names;
+  };
+
+  /// A subcommand with its options.
+  struct Entry {
+    std::unique_ptr<Subcommand> subcommand;
+    OptionTable table;
+    ConfigChoice config;
+
+    [[nodiscard]] std::string_view name() const { return subcommand->name(); }
+  };
+
+  /// @pre each subcommand is in one chapter
+  CommandList(std::vector<std::unique_ptr<Subcommand>> subcommands, std::vector<Group> groups,
+              std::vector<Chapter> chapters);
+
+  [[nodiscard]] std::deque<Entry>& entries() { return entries_; }
+  [[nodiscard]] const std::deque<Entry>& entries() const { return entries_; }
+  [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
+  [[nodiscard]] const std::vector<Chapter>& chapters() const { return chapters_; }
+  /// The options of `kusabi` itself.
+  [[nodiscard]] OptionTable& own() { return own_; }
+  [[nodiscard]] const OptionTable& own() const { return own_; }
+
+  /// The one of that name ("patterns", "example grid"); null if there is none.
+  [[nodiscard]] const Entry* find(std::string_view name) const;
+  [[nodiscard]] const Group* group(std::string_view name) const;
+
+  /// The words that may follow those of a group, or, without one, `kusabi` itself: subcommands and
+  /// groups, each once.
+  [[nodiscard]] std::vector<std::string_view> words_after(std::string_view group) const;
+
+ private:
+  std::deque<Entry> entries_;
+  std::vector<Group> groups_;
+  std::vector<Chapter> chapters_;
+  OptionTable own_;
+  bool switched_ = false;
+  std::string shell_;
+};
+
+/// The group of "example grid"; empty if it is in none.
+std::string_view group_of(std::string_view name);
+/// "grid" of "example grid", and of "grid".
+std::string_view last_word(std::string_view name);
+
+}  // namespace kusabi::run

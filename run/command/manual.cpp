@@ -1,0 +1,155 @@
+// Sections in the order of man-pages(7).
+#include "run/command/manual.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "run/command/help.hpp"
+
+namespace kusabi::run {
+namespace {
+
+constexpr std::string_view after = R"(.SH EXIT STATUS
+.TP
+0
+The whole question is answered; "none" is an answer.
+.TP
+1
+The run failed, or a proof was refused.
+.TP
+2
+The input or the call is wrong.
+.TP
+3
+Stopped early, or something is left open; what is said holds.
+.SH ENVIRONMENT
+.TP
+.B KUSABI_CONFIG
+The file of defaults; if it is empty, there is none.
+.TP
+.B XDG_CONFIG_HOME
+The folder of
+.IR kusabi/config.toml ,
+where it is looked for otherwise; unless set,
+.IR ~/.config .
+.TP
+.BR COLUMNS ", " NO_COLOR ", " TERM
+How answers look on a terminal.
+.SH FILES
+.TP
+.I config.toml
+Defaults of options: a table for each subcommand, whose keys are the options without their dashes.
+What the call has goes before it.
+)";
+
+// Text of a manual page: a hyphen is one that can be copied, and no line begins with a command.
+std::string roff(std::string_view text) {
+  std::string escaped;
+  bool line_begins = true;
+  for (const char c : text) {
+    if (line_begins && (c == '.' || c == '\'')) escaped += "\\&";
+    escaped += c == '\\' ? std::string("\\e") : c == '-' ? std::string("\\-") : std::string(1, c);
+    line_begins = c == '\n';
+  }
+  return escaped;
+}
+
+std::string paragraph(const OptionRow& row) {
+  auto text = fmt::format(".TP\n\\fB{}\\fR", roff(row.name));
+  if (row.named() && !row.value.empty()) text += fmt::format(" \\fI{}\\fR", roff(value_name(row)));
+  text += fmt::format("\n{}.\n", roff(row.help));
+  if (const auto rules = option_rules(row); !rules.empty()) text += roff(rules) + '\n';
+  if (row.required) text += "Required.\n";
+  return text;
+}
+
+std::string title(std::string name) {
+  std::ranges::transform(name, name.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
+  return fmt::format(".TH {} 1 \"\" \"kusabi {}\" \"Kusabi\"\n", roff(name), KUSABI_VERSION);
+}
+
+std::string page_name(const CommandList::Entry& entry) {
+  auto name = fmt::format("kusabi-{}", entry.name());
+  std::ranges::replace(name, ' ', '-');
+  return name;
+}
+
+std::string synopsis(const CommandList::Entry& entry) {
+  return fmt::format(".B kusabi {}\n{}\n", roff(entry.name()), roff(usage(entry.table).substr(1)));
+}
+
+// Options, example and notes.
+std::string body(const CommandList::Entry& entry) {
+  const auto& command = *entry.subcommand;
+  std::string text;
+  for (const auto& row : entry.table.rows()) text += paragraph(row);
+  text +=
+      fmt::format(".PP\nExample:\n.B kusabi {} {}\n", roff(entry.name()), roff(command.example()));
+  if (const auto notes = command.notes(); !notes.empty())
+    text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(notes));
+  return text;
+}
+
+std::string described(const CommandList::Entry& entry) {
+  const auto text = entry.subcommand->description();
+  return text.empty() ? fmt::format("{}.", entry.subcommand->purpose()) : std::string(text);
+}
+
+}  // namespace
+
+std::string manual(const CommandList& list) {
+  auto text = title("kusabi");
+  text +=
+      ".SH NAME\nkusabi \\- wedged configurations and worst\\-case limit loads, by parallel tree "
+      "search\n.SH SYNOPSIS\n";
+  const auto out = std::back_inserter(text);
+  for (const auto& entry : list.entries()) text += synopsis(entry) + ".br\n";
+  text += R"(mpirun \-np \fIranks\fR kusabi ...
+.br
+.B kusabi help
+[\fIsubcommand\fR]
+.SH DESCRIPTION
+All wedged configurations of a structure with Coulomb friction, worst\-case limit loads of trusses,
+and the 0\-1 programs that they are.
+Each of the searches runs in one process, or on all ranks of an MPI job.
+.SH OPTIONS
+)";
+  for (const auto& row : list.own().rows()) text += paragraph(row);
+  text +=
+      ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint what it can do; of a subcommand, its "
+      "options.\n";
+  text += ".SH SUBCOMMANDS\n";
+  for (const auto& chapter : list.chapters()) {
+    for (const auto name : chapter.names) {
+      const auto& entry = *list.find(name);
+      fmt::format_to(out, ".SS kusabi {}\n{}\n", roff(name), roff(described(entry)));
+      text += body(entry);
+    }
+  }
+  return text + std::string(after);
+}
+
+std::string manual(const CommandList& list, const CommandList::Entry& entry) {
+  const auto name = page_name(entry);
+  auto text = title(name);
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, ".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}", roff(name),
+                 roff(entry.subcommand->purpose()), synopsis(entry));
+  fmt::format_to(out, ".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}{}", roff(described(entry)), body(entry),
+                 after);
+  text += ".SH SEE ALSO\n.BR kusabi (1)";
+  for (const auto& chapter : list.chapters()) {
+    if (std::ranges::find(chapter.names, entry.name()) == chapter.names.end()) continue;
+    for (const auto other : chapter.names) {
+      if (other == entry.name()) continue;
+      fmt::format_to(out, ",\n.BR {} (1)", roff(page_name(*list.find(other))));
+    }
+  }
+  return text + '\n';
+}
+
+}  // namespace kusabi::run

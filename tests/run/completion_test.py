@@ -1,0 +1,95 @@
+"""That what `kusabi --completion` and `kusabi --manual` print works: bash completes calls with it, zsh and fish take
+it, and man has no complaints. Shells and man that are not installed are left out.
+
+    python3 completion_test.py KUSABI SOURCES
+"""
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from kusabi_case import KUSABI, KusabiCase, main  # noqa: E402: beside the folder of this file
+
+
+def printed(*words):
+    return subprocess.run([KUSABI, *words], check=True, capture_output=True, text=True).stdout
+
+
+class Completion(KusabiCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.script = printed("--completion", "bash")
+
+    def completed(self, line, folder="."):
+        """What bash offers for the last word of the line."""
+        words = line.split(" ")
+        call = (f"{self.script}\ncompopt() {{ :; }}\nCOMP_WORDS=({' '.join(map(shlex.quote, words))})\n"
+                f"COMP_CWORD={len(words) - 1}\n_kusabi\nprintf '%s\\n' \"${{COMPREPLY[@]}}\"")
+        run = subprocess.run(["bash", "--norc", "-u", "-c", call], cwd=folder, capture_output=True, text=True)
+        self.assertEqual(run.stderr, "")
+        return run.stdout.split()
+
+    @classmethod
+    def files(cls, folder):
+        for name in ("truss.toml", "other.json"):
+            (pathlib.Path(folder) / name).touch()
+        (pathlib.Path(folder) / "pictures").mkdir()
+
+    def test_subcommands(self):
+        self.assertEqual(self.completed("kusabi pat"), ["patterns"])
+        self.assertIn("example", self.completed("kusabi "))
+        self.assertIn("help", self.completed("kusabi "))
+        self.assertEqual(self.completed("kusabi --ver"), ["--version"])
+        self.assertEqual(self.completed("kusabi example "), ["space-truss", "plane-truss", "grid"])
+        self.assertEqual(self.completed("kusabi help exp"), ["export"])
+        self.assertEqual(self.completed("kusabi help bench u"), ["uts"])
+        self.assertEqual(self.completed("kusabi --completion z"), ["zsh"])
+
+    def test_options_and_choices(self):
+        self.assertEqual(self.completed("kusabi patterns truss.toml --chec"), ["--checkpoint", "--checkpoint-interval"])
+        self.assertEqual(self.completed("kusabi patterns --sort "), ["number", "margin", "contact", "critical"])
+        self.assertEqual(self.completed("kusabi patterns --sort = mar"), ["margin"])
+        self.assertEqual(self.completed("kusabi patterns --sort ="), ["number", "margin", "contact", "critical"])
+        self.assertEqual(self.completed("kusabi example grid --b"), ["--bays"])
+        self.assertEqual(self.completed("kusabi patterns --mu "), [])
+        self.assertEqual(self.completed("kusabi limit --mu"), [])
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.files(folder)
+            self.assertEqual(sorted(self.completed("kusabi patterns ", folder)), ["other.json", "pictures", "truss.toml"])
+            self.assertEqual(self.completed("kusabi patterns truss.toml --output o", folder), ["other.json"])
+            self.assertEqual(self.completed("kusabi patterns truss.toml --vtu ", folder), ["pictures"])
+            self.assertEqual(self.completed("kusabi patterns --mu 0.5 tr", folder), ["truss.toml"])
+            self.assertEqual(self.completed("kusabi example grid tr", folder), [])
+
+    def check_syntax(self, shell, *options):
+        if shutil.which(shell) is None:
+            self.skipTest(f"{shell} is not installed")
+        with tempfile.NamedTemporaryFile("w", suffix="." + shell) as script:
+            script.write(printed("--completion", shell))
+            script.flush()
+            run = subprocess.run([shell, *options, script.name], capture_output=True, text=True)
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_zsh(self):
+        self.check_syntax("zsh", "-n")
+
+    def test_fish(self):
+        self.check_syntax("fish", "--no-execute")
+
+    def test_manual_pages(self):
+        if shutil.which("groff") is None:
+            self.skipTest("groff is not installed")
+        for words in ((), ("patterns",), ("limit",), ("example", "grid")):
+            page = printed("--manual", *words)
+            run = subprocess.run(["groff", "-man", "-Tutf8", "-ww"], input=page, capture_output=True, text=True)
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            self.assertIn("Stopped early, or something is left open", run.stdout)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,28 @@
+// Which name is taken for the one that was meant.
+#include "support/nearest.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using kusabi::support::nearest;
+
+TEST(Nearest, IsTheOneWithTheFewestSlips) {
+  EXPECT_EQ(nearest("patern", {"rays", "patterns"}), "patterns");
+  EXPECT_EQ(nearest("menbers", {"number", "members"}), "members");
+  EXPECT_EQ(nearest("rays", {"ray", "rays"}), "rays");
+}
+
+TEST(Nearest, CountsNeighboursThatHaveChangedPlacesOnce) {
+  EXPECT_EQ(nearest("gird", {"grid", "give"}), "grid");
+  EXPECT_EQ(nearest("ylimti", {"limits"}), "");
+}
+
+TEST(Nearest, IsNoneIfHalfOfTheWordIsWrong) {
+  EXPECT_EQ(nearest("x", {"y"}), "");
+  EXPECT_EQ(nearest("mu", {"mv", "u"}), "");
+  EXPECT_EQ(nearest("", {"", "mu"}), "");
+  EXPECT_EQ(nearest("nothing", {"patterns", "limit"}), "");
+}
+
+}  // namespace
