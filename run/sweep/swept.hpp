@@ -25,6 +25,7 @@ struct SweepOptions {
   double width = 1e-8;           ///< of the brackets of friction coefficients
   std::string alpha;             ///< points of the uncertainty; empty: friction is swept
   engine::Limits limits;
+  CheckpointChoice checkpoint;
 };
 
 class Swept {
@@ -45,6 +46,8 @@ class Swept {
   [[nodiscard]] virtual std::optional<pictures::Chart> chart() const = 0;
   [[nodiscard]] virtual std::string table() const = 0;
   [[nodiscard]] virtual Verdict verdict() const = 0;
+  /// Whether it was stopped, and by what.
+  [[nodiscard]] virtual engine::Status status() const = 0;
 };
 
 /// @param structure of the file @param points increasing; may be empty @param most the largest
