@@ -2,14 +2,23 @@
 // is shown meanwhile. Without a word the question runs to its end, in silence.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
+#include <type_traits>
+#include <typeinfo>
 #include <utility>
+#include <vector>
 
 #include "engine/budget.hpp"
 #include "engine/options.hpp"
+#include "engine/recording.hpp"
 #include "engine/search.hpp"
+#include "engine/shared_work.hpp"
 #include "engine/shown_objective.hpp"
+#include "engine/together.hpp"
 #include "engine/transport/transport.hpp"
 
 namespace kusabi::engine {
@@ -29,16 +38,31 @@ struct Supervision {
 
   /// Told, on rank 0, what long work outside of searches is doing: one line, now and then.
   std::function<void(const std::string&)> say = {};
+
+  /// Told, on rank 0, of what went wrong without ending the question: one line.
+  std::function<void(const std::string&)> warn = {};
+
+  /// Where what is finished of the question is kept, so that another run can go on with it; unless
+  /// given, nowhere.
+  std::optional<Keeping> keeping = {};
 };
 
-/// One question on all ranks of a transport, under way.
+/// One question on all ranks of a transport, under way. Its parts are searches, works that are
+/// shared and works of rank 0; each is done once, however many runs the question takes, if it is
+/// kept: what was finished in an earlier run is not done again (engine/recording.hpp).
+///
+/// Requires then: what the parts are and come to depends on the question alone, not on the number
+/// of ranks nor on timing, unless the budget is spent.
 class Campaign {
  public:
   /// The time begins to count. The transport must outlive it.
   explicit Campaign(Transport& transport, Supervision supervision = {})
       : transport_(transport),
         supervision_(std::move(supervision)),
-        budget_(supervision_.limits, supervision_.interrupt) {}
+        budget_(supervision_.limits, supervision_.interrupt) {
+    if (supervision_.keeping)
+      recording_.emplace(transport, *supervision_.keeping, supervision_.warn);
+  }
   Campaign(const Campaign&) = delete;
   Campaign& operator=(const Campaign&) = delete;
   ~Campaign() = default;
@@ -47,15 +71,47 @@ class Campaign {
   [[nodiscard]] bool is_first() const { return transport_.rank() == 0; }
   [[nodiscard]] const Budget& budget() const { return budget_; }
 
-  /// engine::search within what is left of the budget, watched.
-  /// @param options is completed by limits, interrupt and progress
+  /// Whether what is finished is kept.
+  [[nodiscard]] bool is_kept() const { return recording_.has_value(); }
+
+  /// engine::search within what is left of the budget, watched. A part of the question.
+  /// @param options is completed by limits, interrupt and progress; if the question is kept, by
+  ///   where its checkpoint is as well
   template <class P>
   OutcomeOf<P> search(P& problem, Options options, const ShownObjective& shown = {}) {
+    if (!recording_) return search_anew(problem, std::move(options), shown);
+    const auto kind = kind_of_search(typeid(P).name());
+    if (const auto known = recording_->known(kind, budget_.spent(), false)) return told<P>(*known);
+    const bool sound = recording_->sound(budget_.spent());
+    if (sound) options.checkpoint = recording_->checkpoint();
+    auto outcome = search_anew(problem, std::move(options), shown);
+    if (sound && outcome.status == Status::solved)
+      recording_->keep(kind, is_first() ? pack(outcome) : Bytes());
+    return outcome;
+  }
+
+  /// The same, but no part of the question: every run does it again.
+  template <class P>
+  OutcomeOf<P> search_anew(P& problem, Options options, const ShownObjective& shown = {}) {
     options.limits = budget_.left();
     options.interrupt = budget_.interrupt();
+    if (!options.warn) options.warn = supervision_.warn;
     if (is_first() && supervision_.watch)
       options.progress = supervision_.watch(options.goal, shown);
     return engine::search(problem, transport_, options);
+  }
+
+  /// engine::share_work, as a part of the question.
+  template <class Result>
+  std::vector<Result> share(std::uint64_t pieces, std::function<Result(std::uint64_t)> piece) {
+    return part<std::vector<Result>>(
+        [&] { return share_work<Result>(transport_, pieces, std::move(piece)); });
+  }
+
+  /// engine::from_first_rank, as a part of the question: for work that takes long.
+  template <class Make>
+  std::invoke_result_t<Make> by_first_rank(Make make) {
+    return part<std::invoke_result_t<Make>>([&] { return from_first_rank(transport_, make); });
   }
 
   void say(const std::string& line) {
@@ -63,9 +119,32 @@ class Campaign {
   }
 
  private:
+  // What every rank gets alike.
+  template <class Value, class Make>
+  Value part(Make make) {
+    if (!recording_) return make();
+    const std::string kind = typeid(Value).name();
+    if (const auto known = recording_->known(kind, budget_.spent(), true))
+      return unpack<Value>(std::span<const char>(known->data(), known->size()));
+    Value value = make();
+    if (recording_->sound(budget_.spent()))
+      recording_->keep(kind, is_first() ? pack(value) : Bytes());
+    return value;
+  }
+
+  // The outcome of a search that was done before: whole on rank 0, as it is after any.
+  template <class P>
+  OutcomeOf<P> told(const Bytes& known) {
+    if (is_first()) return unpack<OutcomeOf<P>>(std::span<const char>(known.data(), known.size()));
+    OutcomeOf<P> outcome;
+    outcome.ranks.resize(1);
+    return outcome;
+  }
+
   Transport& transport_;
   Supervision supervision_;
   Budget budget_;
+  std::optional<Recording> recording_;
 };
 
 }  // namespace kusabi::engine

@@ -342,6 +342,15 @@ std::string usable_checkpoint(const std::string& file, std::uint64_t problem,
   }
 }
 
+void remove_checkpoint(const std::string& file) {
+  std::error_code error;
+  if (!fs::exists(file, error) && !fs::exists(previous(file), error)) return;
+  // The older one first: as long as there is any, it is the newest.
+  fs::remove(previous(file), error);
+  fs::remove(file, error);
+  remove_leftovers(file);
+}
+
 bool checkpoint_exists(const std::string& file) {
   return fs::exists(file) || fs::exists(previous(file));
 }

@@ -86,6 +86,10 @@ Manifest read_manifest(const std::string& manifest_file);
 /// @throws CheckpointError with the fault of the newest if neither is good
 std::string usable_checkpoint(const std::string& file, std::uint64_t problem, std::string& warning);
 
+/// Removes a checkpoint that is no longer needed, with all its parts, if there is one. Never throws
+/// a CheckpointError: what cannot be removed stays.
+void remove_checkpoint(const std::string& file);
+
 /// Whether there is a checkpoint, good or not, that a new search would overwrite.
 bool checkpoint_exists(const std::string& file);
 

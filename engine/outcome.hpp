@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include <boost/serialization/vector.hpp>
+
 #include "engine/expansion.hpp"
 #include "engine/problem.hpp"
 #include "engine/statistics.hpp"
@@ -51,6 +53,12 @@ struct Outcome {
   /// What happened when, in the order of the ranks and on one time axis; on rank 0, and empty
   /// unless `Options::trace_events` asks for it.
   std::vector<RankTrace> traces;
+
+  /// All but the traces, which are of one run.
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& status& open& saved& bound& solutions& ranks& earlier;
+  }
 
   /// Nodes opened on all ranks, earlier runs included.
   [[nodiscard]] std::uint64_t opened() const {

@@ -10,7 +10,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "engine/shared_work.hpp"
+#include "engine/campaign.hpp"
 #include "engine/together.hpp"
 #include "solvers/linear/linear_program.hpp"
 
@@ -62,8 +62,7 @@ SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
   SampledLoads result;
   std::optional<std::pair<double, std::uint64_t>> least;
   const auto pieces = (question.samples + samples_a_piece - 1) / samples_a_piece;
-  for (const auto& some :
-       engine::share_work<Factors>(search.campaign().transport(), pieces, piece)) {
+  for (const auto& some : search.campaign().share<Factors>(pieces, piece)) {
     for (const auto& [sample, factor] : some) {
       result.factors.push_back(factor);
       if (std::isfinite(factor) && (!least || factor < least->first)) least = {factor, sample};

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "engine/shared_work.hpp"
 #include "engine/together.hpp"
 #include "nodes/limit/balanced_model.hpp"
 
@@ -75,7 +74,9 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
   auto& pricing = solvers_->pricing;
   say(fmt::format("{} of {} uncertain loads are looked at for cuts", columns.size(),
                   model().uncertain_count()));
-  if (campaign_.transport().size() == 1 || columns.size() <= pricing_block) {
+  const bool small = campaign_.transport().size() == 1 || columns.size() <= pricing_block;
+  // What is kept is shared even then: a run that goes on need not price it again.
+  if (columns.empty() || (small && !campaign_.is_kept())) {
     return price_alone(pricing, z, columns);
   }
   pricing.aim(z, columns.front());
@@ -86,7 +87,7 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
                        columns.subspan(first, std::min(pricing_block, columns.size() - first)));
   };
   sharing_ = true;
-  auto shared = engine::share_work<std::vector<StaticCut>>(campaign_.transport(), blocks, block);
+  auto shared = campaign_.share<std::vector<StaticCut>>(blocks, block);
   sharing_ = false;
   std::vector<StaticCut> cuts;
   for (auto& some : shared) std::move(some.begin(), some.end(), std::back_inserter(cuts));

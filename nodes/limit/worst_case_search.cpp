@@ -27,11 +27,13 @@ SignSearch search_signs(RootSearch& search, RootResult& root, double alpha) {
   std::vector<SignTree::Solution> best;
   std::tie(best, result.status) = engine::from_first_rank(campaign.transport(), [&] {
     result.nodes = outcome.opened();
-    for (const auto& rank : outcome.ranks) {
-      const auto& tally = rank.tally;
-      result.programs +=
-          tally.counts.load_factors + tally.counts.relaxations + tally.counts.pricings;
-      result.closed.insert(result.closed.end(), tally.evidence.begin(), tally.evidence.end());
+    for (const auto* const reports : {&outcome.earlier, &outcome.ranks}) {
+      for (const auto& rank : *reports) {
+        const auto& tally = rank.tally;
+        result.programs +=
+            tally.counts.load_factors + tally.counts.relaxations + tally.counts.pricings;
+        result.closed.insert(result.closed.end(), tally.evidence.begin(), tally.evidence.end());
+      }
     }
     std::ranges::sort(result.closed, {}, &ClosedNode::signs);
     std::vector<SignTree::Solution> found;

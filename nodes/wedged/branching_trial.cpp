@@ -11,7 +11,6 @@
 #include <random>
 #include <utility>
 
-#include "engine/shared_work.hpp"
 #include "engine/together.hpp"
 
 namespace kusabi::wedged {
@@ -94,8 +93,8 @@ class Trial {
   TriedTree best_of(std::uint32_t block, int candidates) {
     constexpr auto unknown = std::numeric_limits<double>::infinity();
     const auto few = few_nodes(candidates);
-    const auto first = engine::from_first_rank(
-        campaign_.transport(), [&] { return look(block, looked_through(candidates)); });
+    const auto first =
+        campaign_.by_first_rank([&] { return look(block, looked_through(candidates)); });
     if (first.whole) return {rules_.front(), static_cast<double>(first.opened)};
     if (candidates < fewest_candidates) return {rules_.front(), unknown};
     const auto rules = first.much ? 1 : trees_.size();
@@ -155,11 +154,10 @@ class Trial {
   }
 
   std::vector<Dive> share(std::uint32_t block, std::uint64_t round, std::size_t rules) {
-    return engine::share_work<Dive>(
-        campaign_.transport(), dives_a_round * rules, [&](std::uint64_t piece) {
-          return dive(trees_[piece % rules], block, round * dives_a_round + piece / rules,
-                      campaign_.budget());
-        });
+    return campaign_.share<Dive>(dives_a_round * rules, [&](std::uint64_t piece) {
+      return dive(trees_[piece % rules], block, round * dives_a_round + piece / rules,
+                  campaign_.budget());
+    });
   }
 
   bool ended() {

@@ -226,15 +226,14 @@ RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedPr
     for (int first = 0; first < bounding.candidates() && !spent; first += group_size) {
       const auto pieces =
           static_cast<std::uint64_t>(2 * std::min(group_size, bounding.candidates() - first));
-      auto found = engine::share_work<std::vector<ProvedBound>>(
-          campaign.transport(), pieces, [&](std::uint64_t piece) {
-            std::vector<ProvedBound> own;
-            const int candidate = first + static_cast<int>(piece / 2);
-            if (auto one =
-                    bounding.improved(candidate, piece % 2 == 0 ? Side::separated : Side::contact))
-              own.push_back(std::move(*one));
-            return own;
-          });
+      auto found = campaign.share<std::vector<ProvedBound>>(pieces, [&](std::uint64_t piece) {
+        std::vector<ProvedBound> own;
+        const int candidate = first + static_cast<int>(piece / 2);
+        if (auto one =
+                bounding.improved(candidate, piece % 2 == 0 ? Side::separated : Side::contact))
+          own.push_back(std::move(*one));
+        return own;
+      });
       for (auto& each : found)
         for (auto& one : each) bounding.take_up(std::move(one));
       result.programs += pieces;

@@ -56,7 +56,7 @@ BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem&
 
 CriticalDive dive_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                      std::int64_t multiple, double width, const BlockBounds& bounds) {
-  return engine::from_first_rank(campaign.transport(), [&] {
+  return campaign.by_first_rank([&] {
     auto tree = tree_at(problem, width * static_cast<double>(multiple), bounds);
     const auto most = dive_nodes_a_candidate * problem.contact_names.size();
     std::vector<SignPatternTree::Node> open{tree.root()};

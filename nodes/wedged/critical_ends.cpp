@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include <boost/serialization/vector.hpp>
 
+#include "engine/counts.hpp"
+#include "engine/expansion.hpp"
 #include "engine/together.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/critical_friction.hpp"
@@ -50,9 +54,49 @@ struct Decided {
   [[nodiscard]] bool lives() const { return count(LeafState::alive) + count(LeafState::flat) != 0; }
 };
 
-// What one rank saw proved, and what not.
-struct Proved {
-  std::uint64_t alive = 0, unproved = 0;
+/// The problem type that engine::search searches: a tree of sign patterns that counts what the
+/// verifier says of its nodes, so that the counts go with the search wherever it goes on.
+class JudgedTree {
+ public:
+  using Node = SignPatternTree::Node;
+  using Solution = SignPatternTree::Solution;
+  static constexpr auto work_of_first_child = SignPatternTree::work_of_first_child;
+
+  struct Tally : engine::Counts<Tally> {
+    std::uint64_t alive = 0;     ///< leaves that live by the verifier's test
+    std::uint64_t unproved = 0;  ///< nodes of which it proves nothing
+
+    static constexpr auto fields() {
+      return std::tuple{field("alive", &Tally::alive), field("unproved", &Tally::unproved)};
+    }
+  };
+
+  /// @param holds whether the verifier accepts what is said of a node
+  JudgedTree(SignPatternTree tree, std::function<bool(const Evidence&)> holds)
+      : tree_(std::move(tree)), holds_(std::move(holds)) {
+    tree_.report_to([this](const auto& evidence) {
+      const bool held = holds_(evidence);
+      if (!held || evidence.kind == Evidence::Kind::marginal) ++tally_.unproved;
+      if (held && evidence.kind == Evidence::Kind::alive) ++tally_.alive;
+    });
+  }
+  JudgedTree(const JudgedTree&) = delete;
+  JudgedTree& operator=(const JudgedTree&) = delete;
+  ~JudgedTree() = default;
+
+  Node root() const { return tree_.root(); }
+  Tally tally() const { return tally_; }
+
+  void expand(Node&& node, engine::Expansion<JudgedTree>& out) {
+    auto fate = tree_.decide(node);
+    if (fate.leaf) out.solution(std::move(*fate.leaf));
+    for (const Node& child : fate.children) out.branch(child);
+  }
+
+ private:
+  SignPatternTree tree_;
+  std::function<bool(const Evidence&)> holds_;
+  Tally tally_;
 };
 
 class Ends {
@@ -89,35 +133,33 @@ Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted,
                      std::vector<CriticalCost>& costs) {
   const auto friction = candidate_friction(problem_, factor);
   const SignPatternOptions options{.tolerances = CriticalFriction::tolerances, .thorough = true};
-  SignPatternTree tree(problem_, friction, options);
+  SignPatternTree patterns(problem_, friction, options);
   const auto prepared = prepare(campaign_, problem_, friction, options);
-  inform(tree, prepared);
+  inform(patterns, prepared);
   const auto bounds = proved_bounds(prepared);
   const auto record = recorder_ ? recorder_(end, factor, friction) : nullptr;
   std::optional<EvidenceCheck> check;
   if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&stiffness_)) {
     check.emplace(problem_, *stiffness, friction, bounds);
   }
-  Proved own;
-  tree.report_to([&](const auto& evidence) {
-    const bool holds = !check || check->holds(evidence);
-    if (!holds || evidence.kind == Evidence::Kind::marginal) ++own.unproved;
-    if (holds && evidence.kind == Evidence::Kind::alive) ++own.alive;
+  JudgedTree tree(std::move(patterns), [&](const auto& evidence) {
     if (record) record->add(evidence);
+    return !check || check->holds(evidence);
   });
-  auto outcome = campaign_.search(tree, {});
+  // A record is of one run.
+  auto outcome = record ? campaign_.search_anew(tree, {}) : campaign_.search(tree, {});
   const bool lower = end == CriticalEnd::lower;
   costs.push_back({lower ? CriticalPhase::lower_end : CriticalPhase::upper_end, factor,
                    outcome.opened(), outcome.opened()});
   auto decided = engine::from_first_rank(campaign_.transport(), [&] {
     std::vector<Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
-    return Decided{.status = outcome.status, .leaves = maximal_cones(std::move(leaves))};
+    const auto judged = outcome.tally();
+    return Decided{.status = outcome.status,
+                   .leaves = maximal_cones(std::move(leaves)),
+                   .alive = judged.alive,
+                   .unproved = judged.unproved};
   });
-  const auto all =
-      engine::meet(campaign_.transport(), {.ranks = 1, .open = own.unproved, .found = own.alive});
-  decided.alive = all.found;
-  decided.unproved = all.open;
   if (record) record->end(bounds, decided.solved() && wanted(decided));
   return decided;
 }

@@ -1,7 +1,9 @@
 // The stages, and what all subcommands do alike between them.
 #include "run/command/command_run.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,6 +19,9 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/restart.hpp"
+#include "run/session/supervision.hpp"
+#include "run/session/time_limit.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -43,6 +48,7 @@ CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable&
 
 int CommandRun::execute() {
   check();
+  settle_time_limit();
   command_.read(*this);
   open_outputs();
   command_.prepare(*this);
@@ -62,6 +68,7 @@ int CommandRun::execute() {
         tell_doubt(remark);
       }
     }
+    if (journal_ && verdict.code == solved) journal_->finish();
     code = static_cast<std::uint64_t>(verdict.code);
   }
   // A survey adds up, and only rank 0 has something to add; the others sleep until it is written.
@@ -98,6 +105,16 @@ nlohmann::ordered_json CommandRun::defaults_json() const {
   return all;
 }
 
+// The job's end is asked for once, and by rank 0 alone: the batch system has others to serve.
+void CommandRun::settle_time_limit() {
+  auto* const limits = table_.ends_with_the_job();
+  if (limits == nullptr) return;
+  limits->seconds = session_.from_first_rank([] { return seconds_of_slurm_job(); });
+  ends_with_the_job_at_ = std::chrono::steady_clock::now() +
+                          std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                              std::chrono::duration<double>(limits->seconds));
+}
+
 // The first file that is read: what messages are about.
 std::string CommandRun::input() const {
   for (const auto& row : table_.rows()) {
@@ -116,7 +133,8 @@ void CommandRun::open_outputs() {
       for (const auto& ending : row.endings) outputs.push_back({row.name, place_of(row) + ending});
     } else if (row.role == Role::input && row.named()) {
       read_too.push_back({row.name, *row.given});
-    } else if (row.role == Role::checkpoint || row.role == Role::restart) {
+    } else if (row.role == Role::checkpoint || row.role == Role::restart ||
+               row.role == Role::state) {
       // A search that goes on keeps its state where it was, or elsewhere if told so.
       if (others.empty()) others.push_back({row.name, *row.given});
     }
@@ -147,6 +165,7 @@ void CommandRun::announce() {
 
 engine::CheckpointOptions CommandRun::checkpoint(const CheckpointChoice& choice,
                                                  std::uint64_t tree) {
+  if (keeping_) return {};
   return {.file = choice.kept_in(),
           .interval = choice.interval,
           .resume_from = restart_from(session_, choice.file, choice.restart, tree),
@@ -155,6 +174,13 @@ engine::CheckpointOptions CommandRun::checkpoint(const CheckpointChoice& choice,
 
 std::vector<std::string> CommandRun::how_to_go_on(const CheckpointChoice& choice,
                                                   engine::Status why, bool saved) {
+  const int ranks = session_.ranks();
+  const auto call = [&](Role without) {
+    return fmt::format(
+        "{}kusabi {}{}", ranks == 1 ? "" : fmt::format("mpirun -np {} ", ranks), command_.name(),
+        table_.call([&](const OptionRow& row) { return row.role == without || row.stops == why; }));
+  };
+  if (keeping_) return {fmt::format("go on with: {}", call(Role::restart))};
   const auto& checkpoint = choice.kept_in();
   if (checkpoint.empty()) return {};
   if (!saved && !engine::checkpoint_exists(checkpoint)) {
@@ -162,14 +188,50 @@ std::vector<std::string> CommandRun::how_to_go_on(const CheckpointChoice& choice
   }
   std::vector<std::string> lines;
   if (!saved) lines.emplace_back("the last checkpoint could not be written");
-  const auto options = table_.call(
-      [&](const OptionRow& row) { return row.role == Role::restart || row.stops == why; });
-  const int ranks = session_.ranks();
-  lines.push_back(fmt::format("go on{} with: {}kusabi {}{} --restart {}",
-                              saved ? "" : " from the one before it",
-                              ranks == 1 ? "" : fmt::format("mpirun -np {} ", ranks),
-                              command_.name(), options, quoted(checkpoint)));
+  lines.push_back(fmt::format("go on{} with: {} --restart {}",
+                              saved ? "" : " from the one before it", call(Role::restart),
+                              quoted(checkpoint)));
   return lines;
+}
+
+void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts problem) {
+  if (choice.state.empty()) return;
+  if (!choice.kept_in().empty()) {
+    throw WrongInput(
+        "--resume: --checkpoint and --restart are another way to go on; expected one of the two");
+  }
+  engine::Facts facts{{"kusabi", KUSABI_VERSION}, {"command", std::string(command_.name())}};
+  std::move(problem.begin(), problem.end(), std::back_inserter(facts));
+  for (auto& fact : table_.facts()) facts.push_back(std::move(fact));
+  support::Fingerprint question;
+  for (const auto& [name, value] : facts) {
+    question.add(name);
+    question.add(value);
+  }
+  kept_ = session_.from_first_rank([&] {
+    journal_ = opened_journal(choice.state, facts, question.value());
+    for (const auto& line : journal_->warnings()) warn(line);
+    if (journal_->is_finished() && !quiet_) tell("{}: finished before\n", choice.state);
+    return state_of(*journal_);
+  });
+  keeping_ = engine::Keeping{.journal = journal_.get(),
+                             .file = choice.state,
+                             .interval = choice.interval,
+                             .question = question.value()};
+}
+
+engine::Supervision CommandRun::supervision(const engine::Limits& limits) {
+  engine::Limits left = limits;
+  if (ends_with_the_job_at_) {
+    const std::chrono::duration<double> until =
+        *ends_with_the_job_at_ - std::chrono::steady_clock::now();
+    left.seconds = std::max(0.0, until.count());
+  }
+  auto result = run::supervision(kept_.finished ? engine::Limits{} : left, quiet_);
+  if (kept_.finished) result.interrupt = {};  // what takes no time need not be stopped
+  result.warn = warn;
+  result.keeping = keeping_;
+  return result;
 }
 
 bool CommandRun::wants(const std::string& option) const {

@@ -2,14 +2,19 @@
 // rank 0, open the outputs, prepare, announce, search, write, say what is left.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <iosfwd>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "engine/campaign.hpp"
+#include "engine/journal.hpp"
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
 #include "run/command/config_file.hpp"
@@ -19,6 +24,7 @@
 #include "run/output/output_file.hpp"
 #include "run/output/output_folder.hpp"
 #include "run/output/page.hpp"
+#include "run/session/restart.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {
@@ -43,6 +49,22 @@ class CommandRun {
   /// @param tree fingerprint of the tree
   /// @throws WrongInput if there is no such checkpoint, or one is in the way
   engine::CheckpointOptions checkpoint(const CheckpointChoice& choice, std::uint64_t tree);
+
+  /// Opens what --resume names, if it is given: what is finished of the question, for this run and
+  /// those that go on with it.
+  /// @param problem facts of what is read, beside those of the options
+  /// @throws WrongInput if it is in use, damaged or of another call
+  void keep_state(const CheckpointChoice& choice, engine::Facts problem);
+
+  /// Whether a search is finished already, or at least one is under way.
+  [[nodiscard]] bool has_searched() const { return kept_.searched; }
+  [[nodiscard]] bool has_begun_to_search() const { return kept_.searched || kept_.searching; }
+  /// Whether all that was asked for was finished in an earlier run.
+  [[nodiscard]] bool is_finished() const { return kept_.finished; }
+
+  /// How the command takes part in a question, and where that is kept. Signals are heeded from here
+  /// on. @param limits of the call
+  engine::Supervision supervision(const engine::Limits& limits);
 
   /// How a search that stopped early is gone on with, in lines for Verdict::remarks. @param saved
   /// whether its last state is in the checkpoint
@@ -73,6 +95,7 @@ class CommandRun {
   static Step print(std::string text);
 
  private:
+  void settle_time_limit();
   void open_outputs();
   void announce();
   void put_in_place(const std::string& option);
@@ -89,6 +112,10 @@ class CommandRun {
   std::map<std::string, OutputFile> outputs_;    // by option; on rank 0
   std::map<std::string, OutputFolder> folders_;  // likewise
   std::vector<std::string> written_;
+  std::unique_ptr<engine::Journal> journal_;  // on rank 0, if --resume is given
+  std::optional<engine::Keeping> keeping_;    // likewise, on every rank
+  KeptState kept_;
+  std::optional<std::chrono::steady_clock::time_point> ends_with_the_job_at_;
 };
 
 }  // namespace kusabi::run

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "run/session/time_limit.hpp"
+
 namespace kusabi::run {
 namespace {
 
@@ -57,6 +59,14 @@ std::string take_number(const std::string& text, const Range& range, Variable& v
 
 std::string usual_of(const Range& /*range*/, const std::optional<double>& /*empty*/) {
   return {};
+}
+
+// The same number is the same fact, however it is written.
+std::string as_fact(const std::string& text) {
+  double number = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  return error == std::errc{} && end == last ? fmt::format("{}", number) : text;
 }
 
 // A value that could not be given stands for none.
@@ -157,28 +167,60 @@ void OptionTable::output(std::string name, std::string help) {
 }
 
 void OptionTable::quiet(std::string help) {
-  flag("--quiet", switched_, std::move(help));
+  flag("--quiet", switched_, std::move(help)).varies();
 }
 
 void OptionTable::serial() {
-  flag("--serial", switched_, "run in this process alone, without MPI");
+  flag("--serial", switched_, "run in this process alone, without MPI").varies();
 }
 
 void OptionTable::time_limit(engine::Limits& limits) {
-  number("--time-limit", &limits.seconds, above(0), "stop after so long").unit("s");
+  add({.name = "--time-limit",
+       .value = "TIME",
+       .range = "seconds, 90s, 1h30m or slurm",
+       .help = "stop after so long; slurm: shortly before the job's end",
+       .matters = false,
+       .take = [this, &limits](const std::string& text) -> std::string {
+         if (text == "slurm") {
+           ends_with_the_job_ = &limits;
+           return {};
+         }
+         const auto seconds = seconds_in(text);
+         if (!seconds) {
+           return fmt::format("'{}', expected a number above 0, in seconds, or 90s, 1h30m, slurm",
+                              text);
+         }
+         limits.seconds = *seconds;
+         return {};
+       }});
 }
 
 void OptionTable::node_limit(engine::Limits& limits) {
   number("--node-limit", &limits.nodes, above(0), "stop when so many nodes have been opened")
-      .stops(engine::Status::node_limit);
+      .stops(engine::Status::node_limit)
+      .varies();
+}
+
+void OptionTable::resume(CheckpointChoice& choice, const std::string& help) {
+  file("--resume", choice.state, Role::state,
+       fmt::format("keep in this file, and others beside it, what is finished, and go on with it: "
+                   "the same call again begins, goes on or, at the end, gives the result again{}",
+                   help));
+  if (find("--checkpoint-interval") != nullptr) return;
+  number("--checkpoint-interval", &choice.interval, above(0), "between two states of a search")
+      .unit("s")
+      .varies();
 }
 
 void OptionTable::checkpoints(CheckpointChoice& choice) {
   file("--checkpoint", choice.file, Role::checkpoint,
        "keep the state of the search in this file and others beside it");
-  number("--checkpoint-interval", &choice.interval, above(0), "between two checkpoints").unit("s");
+  number("--checkpoint-interval", &choice.interval, above(0), "between two checkpoints")
+      .unit("s")
+      .varies();
   file("--restart", choice.restart, Role::restart,
        "go on from this checkpoint, on any number of ranks");
+  resume(choice);
 }
 
 void OptionTable::config(ConfigChoice& choice) {
@@ -189,6 +231,20 @@ void OptionTable::config(ConfigChoice& choice) {
 const OptionRow* OptionTable::find(std::string_view name) const {
   const auto found = std::ranges::find(rows_, name, &OptionRow::name);
   return found == rows_.end() ? nullptr : &*found;
+}
+
+std::vector<std::pair<std::string, std::string>> OptionTable::facts() const {
+  std::vector<std::pair<std::string, std::string>> facts;
+  for (const auto& row : rows_) {
+    const bool is_file = row.role != Role::plain;
+    if (!row.matters.value_or(!is_file || row.role == Role::evidence)) continue;
+    if (row.given) {
+      facts.emplace_back(row.name, is_file ? std::string() : as_fact(*row.given));
+    } else if (!row.usual.empty()) {
+      facts.emplace_back(row.name, as_fact(row.usual));
+    }
+  }
+  return facts;
 }
 
 std::string OptionTable::call(const std::function<bool(const OptionRow&)>& leave_out) const {

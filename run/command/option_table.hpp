@@ -50,6 +50,7 @@ enum class Role {
   evidence,    ///< files that are written while ranks search
   checkpoint,  ///< the file that keeps the state of a search
   restart,     ///< the file that the search goes on from
+  state,       ///< the file that keeps what is finished of a question
 };
 
 /// One option, or the file that a subcommand is called with.
@@ -68,6 +69,9 @@ struct OptionRow {
   std::vector<std::string> endings{""};  ///< of its files' names
   /// How a search ends that it stops: who goes on from there does not want to stop there again.
   std::optional<engine::Status> stops{};
+  /// Whether runs that go on with each other must have it alike: what is computed depends on it.
+  /// Unless said, this holds for plain options and for evidence.
+  std::optional<bool> matters{};
   /// Takes what the call has. @return what is wrong with it, empty if nothing is
   std::function<std::string(const std::string& text)> take{};
   std::optional<std::string> given{};  ///< what the call has
@@ -83,6 +87,10 @@ class RowBuilder {
   RowBuilder& needs(std::string option) { return row_.needs = std::move(option), *this; }
   RowBuilder& unit(std::string unit) { return row_.unit = std::move(unit), *this; }
   RowBuilder& stops(engine::Status how) { return row_.stops = how, *this; }
+  /// A run that goes on with another need not have it alike.
+  RowBuilder& varies() { return row_.matters = false, *this; }
+  /// Or must, though it is a file.
+  RowBuilder& matters() { return row_.matters = true, *this; }
   /// The files' names are what the call has and one of these.
   RowBuilder& ends_in(std::vector<std::string> endings) {
     return row_.endings = std::move(endings), *this;
@@ -101,6 +109,7 @@ struct CheckpointChoice {
   std::string file;       ///< keep the state here; empty: where `restart` is, if that is anywhere
   double interval = 600;  ///< seconds between two
   std::string restart;    ///< go on from here; empty: start anew
+  std::string state;      ///< of --resume: go on from here or begin; empty: neither
 
   [[nodiscard]] const std::string& kept_in() const { return file.empty() ? restart : file; }
 };
@@ -147,13 +156,20 @@ class OptionTable {
   void serial();
   void time_limit(engine::Limits& limits);
   void node_limit(engine::Limits& limits);
-  void checkpoints(CheckpointChoice& choice);
+  void checkpoints(CheckpointChoice& choice);  ///< with --resume
+  void resume(CheckpointChoice& choice, const std::string& help = "");
   void config(ConfigChoice& choice);
 
   [[nodiscard]] const std::deque<OptionRow>& rows() const { return rows_; }
   [[nodiscard]] std::deque<OptionRow>& rows() { return rows_; }
   /// The row of that name; null if there is none.
   [[nodiscard]] const OptionRow* find(std::string_view name) const;
+
+  /// What the options say of what is computed: those that matter, with what was given or is usual.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;
+
+  /// What is to end with the job of the batch system; null if nothing is.
+  [[nodiscard]] engine::Limits* ends_with_the_job() const { return ends_with_the_job_; }
 
   /// The options as they were given, ready for a shell; those for which `leave_out` holds are not
   /// among them.
@@ -168,6 +184,7 @@ class OptionTable {
   // What nobody asks for but by `OptionRow::given`.
   bool switched_ = false;
   std::string named_;
+  engine::Limits* ends_with_the_job_ = nullptr;
 };
 
 }  // namespace kusabi::run

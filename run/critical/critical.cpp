@@ -2,6 +2,7 @@
 #include "run/critical/critical.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,7 +21,6 @@
 #include "run/pictures/vtu_series.hpp"
 #include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -76,8 +76,10 @@ void Critical::describe(OptionTable& table) {
   table.number("--mu-max", &options_.question.most, above(0),
                "no larger coefficient is of interest");
   table.number("--width", &options_.question.width, above(0), "of the brackets");
-  table.number("--top", &options_.top, above(0),
-               "list so many of the patterns, those that begin to live first; all are in the file");
+  table
+      .number("--top", &options_.top, above(0),
+              "list so many of the patterns, those that begin to live first; all are in the file")
+      .varies();
   table.output();
   table.output("--csv", "write the patterns to this file, a line each");
   table
@@ -91,6 +93,7 @@ void Critical::describe(OptionTable& table) {
       .ends_in({".lower", ".upper"});
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
+  table.resume(options_.checkpoint, "; --certificate has the ends proved anew");
   table.quiet();
   table.serial();
 }
@@ -127,6 +130,7 @@ void Critical::prepare(CommandRun& run) {
   if (options_.question.most) friction_at(problem_, *options_.question.most, options_.file);
   if (!options_.question.most && most < wedged::usual_most) options_.question.most = most;
   agree(run.session(), problem_);
+  run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
 }
 
 std::string Critical::announcement(const std::string& ranks) const {
@@ -136,7 +140,7 @@ std::string Critical::announcement(const std::string& ranks) const {
 }
 
 void Critical::search(CommandRun& run) {
-  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
   findings_ = wedged::find_critical_friction(
       campaign, structure_, problem_, options_.question,
       end_recorder(run.session(), {options_.certificate, options_.file, run.quiet()}, problem_));
@@ -171,12 +175,14 @@ std::vector<Step> Critical::results(CommandRun& run) {
           })};
 }
 
-Verdict Critical::verdict(CommandRun& /*run*/) {
+Verdict Critical::verdict(CommandRun& run) {
   Verdict verdict{.remarks = {}, .code = findings_.answered() ? solved : stopped_early};
   if (findings_.status != engine::Status::solved) {
     verdict.remarks.push_back(
         fmt::format("stopped early ({}): nothing lives below {:.10g}; more is not proved",
                     status_name(findings_.status), findings_.lower));
+    std::ranges::move(run.how_to_go_on(options_.checkpoint, findings_.status, false),
+                      std::back_inserter(verdict.remarks));
   }
   for (const auto& sentence : open_sentences(options_, findings_))
     verdict.remarks.push_back("open: " + sentence);

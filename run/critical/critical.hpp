@@ -19,6 +19,7 @@ struct CriticalOptions {
   std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< so many in the table
   std::string certificate;  ///< evidence of both ends goes to NAME.lower and NAME.upper
   engine::Limits limits;    ///< where to stop early
+  CheckpointChoice checkpoint;
 };
 
 std::unique_ptr<Subcommand> critical_subcommand();

@@ -19,8 +19,6 @@
 
 #include "engine/checkpoint.hpp"
 #include "engine/together.hpp"
-#include "problems/wedged/free_stiffness.hpp"
-#include "problems/wedged/problem_block.hpp"
 #include "run/output/values.hpp"
 #include "support/sha1.hpp"
 
@@ -29,21 +27,6 @@ namespace kusabi::run {
 namespace fs = std::filesystem;
 
 namespace {
-
-// A name of one line, whatever it holds.
-std::string one_line(const std::string& name) {
-  std::string text;
-  for (const char c : name) {
-    const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
-    text += control ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c)) : std::string(1, c);
-  }
-  return text;
-}
-
-template <class Numbers>
-void append(std::string& text, const Numbers& numbers) {
-  for (const double number : numbers) fmt::format_to(std::back_inserter(text), " {:a}", number);
-}
 
 struct Part {
   unsigned run = 0;
@@ -125,89 +108,71 @@ class Writer {
   support::Sha1Stream digest_;
 };
 
-}  // namespace
-
-namespace {
-
-// The oldest that can say it.
-int version_of(const problems::WedgedProblem& problem,
-               std::span<const wedged::ProvedBound> bounds) {
-  if (!bounds.empty()) return 4;
-  return problem.motions.cols() == 0 ? 2 : 3;
-}
-
-void append_bound(std::string& text, const wedged::ProvedBound& bound) {
-  const auto* const side = bound.side == wedged::Side::contact ? "contact" : "separated";
-  const auto* const kind = bound.never() ? "never" : "bound";
-  text += fmt::format("{} {} {} {}", kind, bound.block + 1, bound.candidate, side);
-  if (!bound.never()) text += fmt::format(" {:a}", bound.most);
-  append(text, bound.numbers);
-  text += '\n';
-}
-
-const char* kind_name(wedged::Evidence::Kind kind) {
-  using Kind = wedged::Evidence::Kind;
-  switch (kind) {
-    case Kind::dead:
-      return "dead";
-    case Kind::cut:
-      return "cut";
-    case Kind::alive:
-      return "alive";
-    case Kind::marginal:
-      break;
-  }
-  return "marginal";
-}
-
-}  // namespace
-
-std::string certificate_header(const problems::WedgedProblem& problem,
-                               std::span<const double> friction,
-                               std::span<const wedged::ProvedBound> bounds) {
-  const auto& motions = problem.motions;
-  auto text =
-      fmt::format("kusabi certificate {}\ndimension {}\ncandidates {}\n",
-                  version_of(problem, bounds), problem.dimension, problem.contact_names.size());
-  for (const auto& name : problem.contact_names) text += fmt::format("name {}\n", one_line(name));
-  text += "friction";
-  append(text, friction);
-  const auto blocks = problems::blocks_of(problem);
-  text += fmt::format("\nblocks {}\n", blocks.size());
-  for (const auto& block : blocks) text += fmt::format("block {}\n", support::hexadecimal(block));
-  text += "stiffness\n";
-  const auto stiffness = problems::free_stiffness(problem);
-  for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      text += fmt::format("{}{:a}", j == 0 ? "" : " ", stiffness(i, j));
+// All parts in one file.
+void write_whole(OutputFile& whole, const std::string& header, const std::vector<Part>& parts) {
+  Writer writer(whole.stream());
+  writer.add(header);
+  std::uint64_t count = 0;
+  std::string line;
+  for (const auto& part : parts) {
+    std::ifstream file(part.file, std::ios::binary);
+    if (!file) throw std::runtime_error(part.file + ": cannot be read");
+    next_line(file, line);  // of which tree
+    while (next_line(file, line)) {
+      writer.add(line + '\n');
+      ++count;
     }
-    text += '\n';
   }
-  if (motions.cols() > 0 || !bounds.empty()) text += fmt::format("motions {}\n", motions.cols());
-  for (Eigen::Index i = 0; i < motions.rows() && motions.cols() > 0; ++i) {
-    for (Eigen::Index k = 0; k < motions.cols(); ++k)
-      text += fmt::format("{}{:a}", k == 0 ? "" : " ", motions(i, k));
-    text += '\n';
-  }
-  if (!bounds.empty()) text += fmt::format("bounds {}\n", bounds.size());
-  for (const auto& bound : bounds) append_bound(text, bound);
-  return text + "nodes\n";
+  writer.add(fmt::format("end {}\n", count));
+  writer.end();
+  whole.put_in_place();
 }
 
-std::string certificate_line(const wedged::Evidence& evidence) {
-  auto line = fmt::format("{} {} {} {}", kind_name(evidence.kind), evidence.block + 1,
-                          support::hexadecimal(evidence.node.contact),
-                          support::hexadecimal(evidence.node.separated));
-  append(line, evidence.numbers);
-  return line + '\n';
+// Whether a file is a certificate with this beginning, and has its end.
+bool is_whole(const std::string& name, const std::string& header) {
+  std::ifstream file(name, std::ios::binary);
+  std::string beginning(header.size(), '\0');
+  if (!file.read(beginning.data(), static_cast<std::streamsize>(beginning.size())) ||
+      beginning != header) {
+    return false;
+  }
+  support::Sha1Stream digest;
+  digest.add(header);
+  std::string line;
+  while (next_line(file, line)) {
+    if (line == "digest " + support::hexadecimal(digest.digest())) return true;
+    digest.add(line + '\n');
+  }
+  return false;
 }
+
+void remove(const std::vector<Part>& parts) {
+  std::error_code nothing_to_be_done;
+  for (const auto& part : parts) fs::remove(part.file, nothing_to_be_done);
+}
+
+// How the first line of each part begins.
+std::string of_tree(std::uint64_t tree) {
+  return "part of the tree " + hexadecimal(tree);
+}
+
+void require_tree(const Part& part, const std::string& tree) {
+  const auto line = first_line(part.file);
+  // A part without a whole line was killed before it had begun.
+  if (line.empty() || line.starts_with(tree)) return;
+  throw std::runtime_error(
+      fmt::format("{} belongs to another problem, friction or tolerance", part.file));
+}
+
+}  // namespace
 
 CertificateFile::CertificateFile(Session& session, const std::string& name,
                                  const std::string& input, std::uint64_t tree, bool goes_on,
                                  const std::string& checkpoint)
-    : session_(session), name_(name), tree_("part of the tree " + hexadecimal(tree)) {
+    : session_(session), name_(name), tree_(of_tree(tree)) {
   if (!wanted()) return;
-  run_ = session.from_first_rank([&] { return prepare(input, goes_on); });
+  const auto state = checkpoint.empty() ? std::string{} : fs::absolute(checkpoint).string();
+  run_ = session.from_first_rank([&] { return prepare(input, goes_on, state); });
   const auto file = part_name(name_, run_, session.transport().rank());
   constexpr mode_t for_all = 0666;
   part_ = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, for_all);
@@ -215,7 +180,6 @@ CertificateFile::CertificateFile(Session& session, const std::string& name,
     throw std::runtime_error(fmt::format("{}: cannot be written: {}", file, std::strerror(errno)));
   }
   flock(part_, LOCK_EX | LOCK_NB);
-  const auto state = checkpoint.empty() ? std::string{} : fs::absolute(checkpoint).string();
   put(state.empty() ? tree_ + '\n' : fmt::format("{}{}{}\n", tree_, of_checkpoint, state));
 }
 
@@ -224,7 +188,8 @@ CertificateFile::~CertificateFile() {
 }
 
 // @return a number for this run's parts that is still free
-std::string CertificateFile::prepare(const std::string& input, bool goes_on) {
+std::string CertificateFile::prepare(const std::string& input, bool goes_on,
+                                     const std::string& own) {
   const auto refuse = [&](const std::string& why) {
     throw WrongInput(fmt::format("--certificate {}: {}", name_, why));
   };
@@ -241,11 +206,13 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on) {
           fmt::format("{} is being written by another search; expected another name", part.file));
     }
     const auto checkpoint = goes_on ? std::string{} : checkpoint_of(part.file);
-    if (!checkpoint.empty()) {
+    // Those of a run that was killed before it had anything to go on from are of no use.
+    if (!checkpoint.empty() && checkpoint != own) {
+      const bool is_state = first_line(checkpoint).starts_with("kusabi-state ");
       refuse(
-          fmt::format("{} is in the way, a part of a search that did not end; expected --restart "
-                      "{} to go on with it, or a new name",
-                      part.file, checkpoint));
+          fmt::format("{} is in the way, a part of a search that did not end; expected --{} {} to "
+                      "go on with it, or a new name",
+                      part.file, is_state ? "resume" : "restart", checkpoint));
     }
   }
   const unsigned run = parts.empty() ? 1 : parts.back().run + 1;
@@ -260,10 +227,10 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on) {
                     name_));
   }
   for (const auto& part : parts) {
-    const auto line = first_line(part.file);
-    // A part without a whole line was killed before it had begun.
-    if (!line.empty() && !line.starts_with(tree_)) {
-      refuse(fmt::format("{} belongs to another problem, friction or tolerance", part.file));
+    try {
+      require_tree(part, tree_);
+    } catch (const std::runtime_error& fault) {
+      refuse(fault.what());
     }
   }
   return std::to_string(run);
@@ -306,28 +273,27 @@ void CertificateFile::put_in_place(const std::string& header) {
         fmt::format("{}: {} parts expected, {} found; do all ranks write to the same folder?",
                     name_, session_.ranks(), own));
   }
-  Writer writer(whole_->stream());
-  writer.add(header);
-  std::uint64_t count = 0;
-  std::string line;
-  for (const auto& part : parts) {
-    std::ifstream file(part.file, std::ios::binary);
-    if (!file) throw std::runtime_error(part.file + ": cannot be read");
-    next_line(file, line);  // of which tree
-    while (next_line(file, line)) {
-      writer.add(line + '\n');
-      ++count;
-    }
-  }
-  writer.add(fmt::format("end {}\n", count));
-  writer.end();
-  whole_->put_in_place();
+  write_whole(*whole_, header, parts);
   drop();
 }
 
+void put_earlier_certificate_in_place(const std::string& name, const std::string& input,
+                                      std::uint64_t tree, const std::string& header) {
+  const auto parts = parts_of(name);
+  if (!is_whole(name, header)) {
+    if (parts.empty()) {
+      throw std::runtime_error(fmt::format(
+          "{}: is not there, nor are its parts; expected them, or another --resume", name));
+    }
+    for (const auto& part : parts) require_tree(part, of_tree(tree));
+    OutputFile whole("--certificate", name, input);
+    write_whole(whole, header, parts);
+  }
+  remove(parts);
+}
+
 void CertificateFile::drop() {
-  std::error_code nothing_to_be_done;
-  for (const auto& part : parts_of(name_)) fs::remove(part.file, nothing_to_be_done);
+  remove(parts_of(name_));
 }
 
 }  // namespace kusabi::run

@@ -26,6 +26,13 @@ std::string certificate_header(const problems::WedgedProblem& problem,
 /// A node of a certificate: its line, with the end of the line.
 std::string certificate_line(const wedged::Evidence& evidence);
 
+/// Puts the certificate of a search together that came to its end in an earlier run, or leaves it
+/// as it is if that run has done so. On rank 0.
+/// @param input as CertificateFile() @param tree fingerprint of the tree that was searched
+/// @throws std::runtime_error if its parts are not there, or are of another tree
+void put_earlier_certificate_in_place(const std::string& name, const std::string& input,
+                                      std::uint64_t tree, const std::string& header);
+
 /// A certificate that is being written, by all ranks together. Part `rank` of a run lies in
 /// NAME.part.RUN.RANK until the certificate is in its place, and is locked while the rank lives.
 /// Its first line says of which tree it is, and with which checkpoint it can go on.
@@ -71,7 +78,7 @@ class CertificateFile {
   void drop();
 
  private:
-  std::string prepare(const std::string& input, bool goes_on);
+  std::string prepare(const std::string& input, bool goes_on, const std::string& own);
   void put(std::string_view text);  // into the part, as a whole unless the disk is full
 
   Session& session_;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,10 +21,11 @@
 #include "run/limit/limit_report.hpp"
 #include "run/limit/members_csv.hpp"
 #include "run/output/standard_output.hpp"
+#include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/supervision.hpp"
+#include "support/fingerprint.hpp"
 #include "verify/limit_certificate.hpp"
 
 namespace kusabi::run {
@@ -109,6 +111,7 @@ void Limit::describe(OptionTable& table) {
              "write the curves to this file, a line a breakpoint");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
+  table.resume(options_.checkpoint);
   table.output();
   table.output("--csv", "write the members to this file, a line each: forces, utilisation, yield");
   table
@@ -119,7 +122,8 @@ void Limit::describe(OptionTable& table) {
   table
       .file("--certificate", certificate_, Role::output,
             "write the evidence to this file, for kusabi verify")
-      .needs("--alpha");
+      .needs("--alpha")
+      .matters();
   table.quiet();
   table.serial();
 }
@@ -150,6 +154,13 @@ void Limit::prepare(CommandRun& run) {
   if (!options_.curve_load.empty()) {
     options_.question.curve_load = curve_load(load_text_, options_.curve_load, *problem_);
   }
+  engine::Facts facts{{"the problem", hexadecimal(problem_->fingerprint)}};
+  if (!options_.curve_load.empty()) {
+    support::Fingerprint load;
+    load.add(load_text_);
+    facts.emplace_back("--curve-load", hexadecimal(load.value()));
+  }
+  run.keep_state(options_.checkpoint, std::move(facts));
 }
 
 std::string Limit::announcement(const std::string& ranks) const {
@@ -161,7 +172,7 @@ std::string Limit::announcement(const std::string& ranks) const {
 
 void Limit::search(CommandRun& run) {
   options_.question.evidence = !certificate_.empty();
-  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
   try {
     found_ = limit::limit_loads(campaign, truss_, *problem_, options_.question);
   } catch (const limit::BigMTooSmall&) {
@@ -213,6 +224,10 @@ Verdict Limit::verdict(CommandRun& run) {
     }
   }
   const auto& worst = found_.answer.worst;
+  const auto stopped =
+      worst && worst->search != engine::Status::solved ? worst->search : found_.answer.rest;
+  if (stopped != engine::Status::solved)
+    verdict.remarks = run.how_to_go_on(options_.checkpoint, stopped, false);
   const bool whole_tree = worst && worst->as_printed && worst->search == engine::Status::solved;
   if (whole_tree && !worst->proved && !run.quiet()) {
     verdict.remarks.emplace_back(

@@ -16,6 +16,7 @@ struct LimitOptions {
   std::string curve_load;  ///< the file of a load of one's own
   limit::LimitQuestion question;
   engine::Limits limits;  ///< where the search of a tree stops early
+  CheckpointChoice checkpoint;
 };
 
 std::unique_ptr<Subcommand> limit_subcommand();

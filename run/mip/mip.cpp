@@ -1,6 +1,8 @@
 // From the file to the report, on all ranks.
 #include "run/mip/mip.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -8,13 +10,13 @@
 #include <fmt/format.h>
 
 #include "engine/campaign.hpp"
+#include "engine/signals.hpp"
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/command/command_run.hpp"
 #include "run/mip/mip_report.hpp"
 #include "run/output/values.hpp"
 #include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/supervision.hpp"
 #include "solvers/linear/program_file.hpp"
 #include "support/fingerprint.hpp"
 
@@ -79,7 +81,8 @@ class Mip final : public Subcommand {
 
  private:
   MipOptions options_;
-  std::optional<engine::Campaign> campaign_;  // from the reading of the file on
+  std::chrono::steady_clock::time_point began_;  // to read the file, which counts
+  std::optional<engine::Campaign> campaign_;
   ProgramFile program_;
   std::uint64_t fingerprint_ = 0;
   engine::Options search_options_;
@@ -115,14 +118,16 @@ void Mip::describe(OptionTable& table) {
   table
       .number("--gap", &options_.limits.gap, above(0),
               "stop when objective and bound differ by so much, relative to the objective")
-      .stops(engine::Status::gap_limit);
+      .stops(engine::Status::gap_limit)
+      .varies();
   table.checkpoints(options_.checkpoint);
   table.quiet();
   table.serial();
 }
 
 void Mip::read(CommandRun& run) {
-  campaign_.emplace(run.session().transport(), supervision(options_.limits, run.quiet()));
+  engine::heed_signals();
+  began_ = std::chrono::steady_clock::now();
   program_ = run.session().from_first_rank([&] { return linear::read_program(options_.file); });
 }
 
@@ -131,6 +136,11 @@ void Mip::prepare(CommandRun& run) {
   search_options_.order = options_.order;
   search_options_.checkpoint =
       run.checkpoint(options_.checkpoint, tree_fingerprint(fingerprint_, options_));
+  run.keep_state(options_.checkpoint, {{"the program", hexadecimal(fingerprint_)}});
+  auto limits = options_.limits;
+  const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - began_;
+  limits.seconds = std::max(0.0, limits.seconds - reading.count());
+  campaign_.emplace(run.session().transport(), run.supervision(limits));
   search_options_.warn = warn;
   warn_all(run.session(), program_.warnings);
 }

@@ -26,7 +26,6 @@
 #include "run/pictures/vtu_series.hpp"
 #include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -115,27 +114,36 @@ void Patterns::describe(OptionTable& table) {
   table
       .flag("--candidates", options_.list_candidates,
             "list the patterns that the polyhedral cones let live, and what the test says of each")
-      .needs("--method");
-  table.choice(
-      "--sort", options_.sort,
-      {{"number", PatternSort::number},
-       {"margin", PatternSort::margin},
-       {"contact", PatternSort::contact},
-       {"critical", PatternSort::critical}},
-      "the table: as found, by the largest margin, by the fewest candidates in contact, or by the "
-      "friction coefficient that each pattern begins to live at, which is then computed: some ten "
-      "programs a pattern");
-  table.number("--group", &options_.group, between(0, 1000),
-               "list patterns whose contact sets differ in at most so many candidates, step by "
-               "step, as one line, the firmest first; the groups are in the result file, too; "
-               "without it a terminal shows more than 40 patterns in groups around the firmest, "
-               "with 0 all");
-  table.number("--top", &options_.top, above(0), "list so many in the table; all are in the file");
+      .needs("--method")
+      .varies();
+  table
+      .choice("--sort", options_.sort,
+              {{"number", PatternSort::number},
+               {"margin", PatternSort::margin},
+               {"contact", PatternSort::contact},
+               {"critical", PatternSort::critical}},
+              "the table: as found, by the largest margin, by the fewest candidates in contact, or "
+              "by the "
+              "friction coefficient that each pattern begins to live at, which is then computed: "
+              "some ten "
+              "programs a pattern")
+      .varies();
+  table
+      .number("--group", &options_.group, between(0, 1000),
+              "list patterns whose contact sets differ in at most so many candidates, step by "
+              "step, as one line, the firmest first; the groups are in the result file, too; "
+              "without it a terminal shows more than 40 patterns in groups around the firmest, "
+              "with 0 all")
+      .varies();
+  table.number("--top", &options_.top, above(0), "list so many in the table; all are in the file")
+      .varies();
   // By the number of signs decided, see SignPatternTree::bound.
-  table.choice(
-      "--order", options_.order,
-      {{"depth-first", engine::Order::depth_first}, {"breadth-first", engine::Order::best_first}},
-      "which node is opened next: the same patterns; breadth-first keeps many nodes");
+  table
+      .choice("--order", options_.order,
+              {{"depth-first", engine::Order::depth_first},
+               {"breadth-first", engine::Order::best_first}},
+              "which node is opened next: the same patterns; breadth-first keeps many nodes")
+      .varies();
   table.output();
   table.output("--csv", "write the patterns to this file, a line each");
   table
@@ -145,7 +153,8 @@ void Patterns::describe(OptionTable& table) {
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.number("--pattern-limit", &options_.limits.solutions, above(0), "stop at so many patterns")
-      .stops(engine::Status::solution_limit);
+      .stops(engine::Status::solution_limit)
+      .varies();
   table.checkpoints(options_.checkpoint);
   table.file("--trace", trace_, Role::output,
              "write what each rank did when to this file, for ui.perfetto.dev");
@@ -203,9 +212,13 @@ void Patterns::prepare(CommandRun& run) {
   auto& search = question_.search;
   search.order = options_.order;
   const auto fingerprint = tree_fingerprint();
+  run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
   search.checkpoint = run.checkpoint(options_.checkpoint, fingerprint);
-  certificate_.emplace(run.session(), options_.certificate, options_.file, fingerprint,
-                       !options_.checkpoint.restart.empty(), search.checkpoint.file);
+  // Where an earlier run has come to the end there is nothing left to write down.
+  certificate_.emplace(
+      run.session(), run.has_searched() ? std::string() : options_.certificate, options_.file,
+      fingerprint, !options_.checkpoint.restart.empty() || run.has_begun_to_search(),
+      options_.checkpoint.state.empty() ? search.checkpoint.file : options_.checkpoint.state);
   if (certificate_->wanted())
     question_.witness = [this](const auto& evidence) { certificate_->add(evidence); };
   if (!trace_.empty()) search.trace_events = trace_events_a_rank(run.session().ranks());
@@ -218,7 +231,7 @@ std::string Patterns::announcement(const std::string& ranks) const {
 }
 
 void Patterns::search(CommandRun& run) {
-  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
   findings_ = wedged::find_patterns(campaign, problem_, friction_, question_);
   if (certificate_->wanted()) certificate_->close();
   if (options_.sort != PatternSort::critical) return;
@@ -230,6 +243,10 @@ void Patterns::search(CommandRun& run) {
 // After an early stop the parts of the certificate are kept only if a checkpoint is there to go on
 // from.
 void Patterns::end_certificate() {
+  if (!certificate_->wanted() && !options_.certificate.empty()) {
+    put_earlier_certificate_in_place(options_.certificate, options_.file, tree_fingerprint(),
+                                     certificate_header(problem_, friction_, findings_->bounds));
+  }
   if (!certificate_->wanted()) return;
   if (whole()) {
     certificate_->put_in_place(certificate_header(problem_, friction_, findings_->bounds));
@@ -265,7 +282,8 @@ std::vector<Step> Patterns::results(CommandRun& run) {
   const auto report = std::make_shared<const PatternsReport>(
       PatternsReport{options_, problem_, *findings_, brackets_, CommandRun::page()});
   const auto& kept = question_.search.checkpoint.file;
-  goes_on_ = !kept.empty() && engine::checkpoint_exists(kept);
+  const auto& state = options_.checkpoint.state;
+  goes_on_ = !state.empty() || (!kept.empty() && engine::checkpoint_exists(kept));
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
   return {run.result([report, states] { return report->json(WholeStateJson(*states)); }),
           run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
@@ -301,7 +319,7 @@ Verdict Patterns::verdict(CommandRun& run) {
   }
   const auto drawn = series_remark(findings_->leaves.size(), "patterns");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
-  if (certificate_->wanted() && !(whole() && run.quiet())) {
+  if (!options_.certificate.empty() && !(whole() && run.quiet())) {
     remarks.push_back(what_became_of_the_certificate());
   }
   return verdict;

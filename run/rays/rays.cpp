@@ -21,7 +21,6 @@
 #include "run/rays/rays_report.hpp"
 #include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
-#include "run/session/supervision.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -106,9 +105,12 @@ void Rays::describe(OptionTable& table) {
       .flag("--whole", options_.whole,
             "write all displacements and support reactions of each ray, too: a result file some "
             "times as large")
-      .needs("--output");
+      .needs("--output")
+      .varies();
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
+  table.resume(options_.checkpoint,
+               "; double description, which is short, begins anew, the tree goes on");
   table.quiet();
   table.serial();
 }
@@ -131,10 +133,16 @@ void Rays::prepare(CommandRun& run) {
   warn_all(run.session(), structure_.warnings);
   problem_ = problems::wedged_problem(structure_);
   agree(run.session(), problem_);
+  run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
   check_problem();
   friction_ = friction_at(problem_, options_.friction, options_.file);
   cone_ = wedged::reaction_cone(structure_, problem_, friction_);
-  method_ = wedged::first_method(options_.method, options_.limits);
+  // A tree that was begun is gone on with, and what is finished is done the same way.
+  if (options_.method == RayMethod::automatic && run.has_begun_to_search()) {
+    options_.method = RayMethod::tree;
+  }
+  method_ =
+      wedged::first_method(options_.method, run.is_finished() ? engine::Limits{} : options_.limits);
 }
 
 void Rays::check_problem() const {
@@ -162,7 +170,7 @@ std::string Rays::announcement(const std::string& ranks) const {
 }
 
 void Rays::search(CommandRun& run) {
-  engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+  engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
   found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, options_.method);
 }
 
@@ -224,6 +232,8 @@ Verdict Rays::verdict(CommandRun& run) {
       fmt::format("stopped early ({}): the list of rays is not complete, and no cones are "
                   "made of it",
                   status_name(found_.status)));
+  std::ranges::move(run.how_to_go_on(options_.checkpoint, found_.status, false),
+                    std::back_inserter(verdict.remarks));
   return verdict;
 }
 

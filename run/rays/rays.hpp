@@ -17,6 +17,7 @@ struct RaysOptions {
   wedged::RayMethod method = wedged::RayMethod::automatic;
   bool whole = false;     ///< with all displacements and support reactions in the result file
   engine::Limits limits;  ///< where to stop early; wedged::RayMethod::tree only
+  CheckpointChoice checkpoint;
 };
 
 std::unique_ptr<Subcommand> rays_subcommand();

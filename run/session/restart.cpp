@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
+#include "engine/kept_search.hpp"
+#include "engine/recording.hpp"
 #include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
@@ -55,6 +57,26 @@ std::string restart_from(Session& session, const std::string& checkpoint,
       throw WrongInput(fmt::format("--restart {}", error.what()));
     }
   });
+}
+
+std::unique_ptr<engine::Journal> opened_journal(const std::string& state,
+                                                const engine::Facts& facts,
+                                                std::uint64_t question) {
+  try {
+    auto journal = std::make_unique<engine::Journal>(state, facts);
+    engine::expect_usable_search(*journal, question);
+    return journal;
+  } catch (const engine::CheckpointError& error) {
+    throw WrongInput(fmt::format("--resume {}", error.what()));
+  }
+}
+
+KeptState state_of(const engine::Journal& journal) {
+  KeptState state;
+  state.searched = engine::has_searched(journal);
+  state.searching = engine::is_searching(journal);
+  state.finished = journal.is_finished();
+  return state;
 }
 
 }  // namespace kusabi::run

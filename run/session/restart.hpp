@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/journal.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {
@@ -23,5 +25,23 @@ void warn_all(Session& session, const std::vector<std::string>& lines);
 /// @throws WrongInput if one cannot be used
 std::string restart_from(Session& session, const std::string& checkpoint,
                          const std::string& restart, std::optional<std::uint64_t> tree);
+
+/// What --resume names, opened or begun; on rank 0. @param question fingerprint of the facts
+/// @throws WrongInput if it cannot be used
+std::unique_ptr<engine::Journal> opened_journal(const std::string& state,
+                                                const engine::Facts& facts, std::uint64_t question);
+
+/// How far the question is that is kept in a journal.
+struct KeptState {
+  bool searched = false;   ///< a search is finished
+  bool searching = false;  ///< one is under way
+  bool finished = false;   ///< nothing is left to do
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& searched& searching& finished;
+  }
+};
+KeptState state_of(const engine::Journal& journal);
 
 }  // namespace kusabi::run

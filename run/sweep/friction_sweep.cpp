@@ -11,7 +11,6 @@
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
-#include "run/session/supervision.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -38,19 +37,21 @@ class FrictionSweep final : public Swept {
     problem_ = problems::wedged_problem(structure_);
     friction_at(problem_, question_.most, options_.file);
     agree(run.session(), problem_);
+    run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
     return fmt::format("{}; up to a friction coefficient of {}{}; {}", problem_line(problem_),
                        question_.most, times(problem_), ranks);
   }
   void search(CommandRun& run) override {
-    engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+    engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
     found_ = wedged::sweep_friction(campaign, problem_, question_);
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
   [[nodiscard]] std::string table(const std::string& sentence) const override;
   [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] engine::Status status() const override { return found_.status; }
 
  private:
   /// At the points that were asked for; none if the tree was not done.

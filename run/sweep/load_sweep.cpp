@@ -34,6 +34,7 @@ class LoadSweep final : public Swept {
   void prepare(CommandRun& run) override {
     problem_ = problems::limit_problem(truss_);
     engine::agree(run.session().transport(), problem_.fingerprint);
+    run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
     ranks_ = run.session().ranks();
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
@@ -43,13 +44,14 @@ class LoadSweep final : public Swept {
                        problem_.units.force, ranks);
   }
   void search(CommandRun& run) override {
-    engine::Campaign campaign(run.session().transport(), supervision(options_.limits, run.quiet()));
+    engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
     found_ = limit::sweep_limit_loads(campaign, truss_, problem_, alphas_);
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
   [[nodiscard]] std::string table(const std::string& sentence) const override;
   [[nodiscard]] Verdict verdict() const override;
+  [[nodiscard]] engine::Status status() const override { return found_.status; }
 
  private:
   /// lambda_min over multiples of the largest alpha; null if it is not known.

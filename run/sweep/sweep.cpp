@@ -1,6 +1,8 @@
 // The options, and which of the two is swept.
 #include "run/sweep/sweep.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -78,6 +80,7 @@ void Sweep::describe(OptionTable& table) {
   table.file("--svg", svg_, Role::output, "draw them to this file");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
+  table.resume(options_.checkpoint);
   table.quiet();
   table.serial();
 }
@@ -135,6 +138,10 @@ std::vector<Step> Sweep::results(CommandRun& run) {
 
 Verdict Sweep::verdict(CommandRun& run) {
   auto verdict = swept_->verdict();
+  if (swept_->status() != engine::Status::solved) {
+    std::ranges::move(run.how_to_go_on(options_.checkpoint, swept_->status(), false),
+                      std::back_inserter(verdict.remarks));
+  }
   if (run.wants("--svg") && !chart_) {
     verdict.remarks.push_back(
         fmt::format("nothing is known that could be drawn: {} is as it was", svg_));

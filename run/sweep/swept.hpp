@@ -24,6 +24,7 @@ struct SweepOptions {
   double width = 1e-8;           ///< of the brackets of friction coefficients
   std::string alpha;             ///< points of the uncertainty; empty: friction is swept
   engine::Limits limits;
+  CheckpointChoice checkpoint;
 };
 
 class Swept {
@@ -43,6 +44,8 @@ class Swept {
   /// @param sentence what the answer comes to; may be empty
   [[nodiscard]] virtual std::string table(const std::string& sentence) const = 0;
   [[nodiscard]] virtual Verdict verdict() const = 0;
+  /// Whether it was stopped, and by what.
+  [[nodiscard]] virtual engine::Status status() const = 0;
 };
 
 /// @param structure of the file @param points increasing; may be empty @param most the largest

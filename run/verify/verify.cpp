@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,9 +16,11 @@
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/output/page.hpp"
+#include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/verify_limit.hpp"
 #include "run/verify/verify_patterns.hpp"
+#include "support/fingerprint.hpp"
 #include "verify/limit_certificate.hpp"
 
 namespace kusabi::run {
@@ -57,6 +60,7 @@ class Verify final : public Subcommand {
   }
   void describe(OptionTable& table) override;
   void read(CommandRun& run) override;
+  void prepare(CommandRun& run) override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
   Verdict verdict(CommandRun& run) override;
@@ -64,6 +68,7 @@ class Verify final : public Subcommand {
  private:
   VerifyOptions options_;
   std::string text_;
+  problems::ProblemText problem_text_;
   std::optional<problems::Structure> structure_;
   VerifyFindings findings_;
 };
@@ -76,6 +81,8 @@ void Verify::describe(OptionTable& table) {
   table.file("--problem", options_.problem, Role::input,
              "prove it of the structure in this problem file, whose stiffness is computed anew "
              "with bounds for every rounding; without it, of the numbers in the certificate");
+  table.resume(options_.checkpoint,
+               "; who verifies believes that file, so it should be nobody else's");
   table.quiet("print errors and what is refused only");
   table.serial();
 }
@@ -83,9 +90,25 @@ void Verify::describe(OptionTable& table) {
 void Verify::read(CommandRun& run) {
   text_ = run.session().from_first_rank([&] { return content(options_.certificate); });
   if (options_.problem.empty()) return;
-  const auto problem =
+  problem_text_ =
       run.session().from_first_rank([&] { return problems::problem_text(options_.problem); });
-  structure_ = problems::read_structure(problem, options_.problem);
+  structure_ = problems::read_structure(problem_text_, options_.problem);
+}
+
+void Verify::prepare(CommandRun& run) {
+  support::Fingerprint fingerprint;
+  fingerprint.add(text_);
+  engine::Facts facts{{"the certificate", hexadecimal(fingerprint.value())}};
+  if (!options_.problem.empty()) {
+    support::Fingerprint problem;
+    problem.add(problem_text_.toml);
+    for (const auto& [name, text] : problem_text_.meshes) {
+      problem.add(name);
+      problem.add(text);
+    }
+    facts.emplace_back("--problem", hexadecimal(problem.value()));
+  }
+  run.keep_state(options_.checkpoint, std::move(facts));
 }
 
 // The first line says what it is a certificate of.
@@ -102,8 +125,14 @@ std::vector<Step> Verify::results(CommandRun& run) {
   return {CommandRun::print(folded(text, page.width))};
 }
 
-Verdict Verify::verdict(CommandRun& /*run*/) {
-  return {{}, findings_.code};
+Verdict Verify::verdict(CommandRun& run) {
+  Verdict verdict{.remarks = {}, .code = findings_.code};
+  if (findings_.status == engine::Status::solved) return verdict;
+  verdict.remarks = run.how_to_go_on(options_.checkpoint, findings_.status, false);
+  verdict.remarks.insert(verdict.remarks.begin(),
+                         fmt::format("stopped early ({}): nothing is proved as long as not all is",
+                                     status_name(findings_.status)));
+  return verdict;
 }
 
 }  // namespace

@@ -11,14 +11,16 @@ namespace kusabi::run {
 struct VerifyOptions {
   std::string certificate;  ///< the file
   std::string problem;      ///< the problem file it is to be proved of; empty: of its own K
+  CheckpointChoice checkpoint;
 };
 
 /// What has come of it. The texts are on rank 0.
 struct VerifyFindings {
   ExitCode code = solved;
-  std::string refusals = {};  ///< a line each
-  std::string summary = {};   ///< of what, and how
-  std::string verdict = {};   ///< what is proved: the last line
+  engine::Status status = engine::Status::solved;  ///< otherwise nothing is said
+  std::string refusals = {};                       ///< a line each
+  std::string summary = {};                        ///< of what, and how
+  std::string verdict = {};                        ///< what is proved: the last line
 };
 
 std::unique_ptr<Subcommand> verify_subcommand();

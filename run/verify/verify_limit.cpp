@@ -14,7 +14,7 @@
 #include <boost/serialization/string.hpp>
 #include <fmt/format.h>
 
-#include "engine/shared_work.hpp"
+#include "engine/campaign.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/output/values.hpp"
@@ -59,10 +59,10 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
     fingerprint = problems::limit_problem(*structure).fingerprint;  // or an error: it is no truss
     auto found = verify::limit_agreement(certificate, evidence::verified_structure(*structure));
     if (const auto* why = std::get_if<std::string>(&found)) {
-      return {failed,
-              fmt::format("{}: refused: {}: {}\n", options.certificate, options.problem, *why),
-              {},
-              "NOT PROVED\n"};
+      return {.code = failed,
+              .refusals =
+                  fmt::format("{}: refused: {}: {}\n", options.certificate, options.problem, *why),
+              .verdict = "NOT PROVED\n"};
     }
     truss = std::move(std::get<verify::LimitTruss>(found));
   }
@@ -87,8 +87,19 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
       }
       return found;
     };
-    const auto verdicts = engine::share_work<NodeVerdict>(run.session().transport(),
-                                                          certificate.nodes.size(), verdict);
+    engine::SharedWork<NodeVerdict> work(certificate.nodes.size(), verdict);
+    // Stopped by signals only if it can be gone on with.
+    engine::Supervision kept;
+    if (!options.checkpoint.state.empty()) kept = run.supervision({});
+    engine::Campaign campaign(run.session().transport(), std::move(kept));
+    const auto outcome = campaign.search(work, {});
+    if (outcome.status != engine::Status::solved)
+      return {.code = stopped_early, .status = outcome.status};
+    const auto verdicts = engine::from_first_rank(run.session().transport(), [&] {
+      std::vector<NodeVerdict> found;
+      for (const auto& each : outcome.solutions) found.push_back(each.solution);
+      return found;
+    });
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
       lower = std::min(lower, verdicts[i].lower);
       if (!verdicts[i].refusal.empty()) {

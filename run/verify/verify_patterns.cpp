@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "engine/search.hpp"
+#include "engine/campaign.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
@@ -148,6 +148,16 @@ VerifyFindings refusal_of_all(const VerifyOptions& options, const std::string& w
   return findings;
 }
 
+// Stopped by signals only if it can be gone on with.
+engine::Outcome<Verification> verified(CommandRun& run, Verification& verification,
+                                       const VerifyOptions& options,
+                                       const engine::Options& search_options) {
+  if (options.checkpoint.state.empty())
+    return engine::search(verification, run.session().transport(), search_options);
+  engine::Campaign campaign(run.session().transport(), run.supervision({}));
+  return campaign.search(verification, search_options);
+}
+
 }  // namespace
 
 VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
@@ -180,8 +190,11 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
     progress.emplace(search_options.goal);
     search_options.progress = [&](const auto& state) { progress->show(state); };
   }
-  const auto outcome = engine::search(verification, run.session().transport(), search_options);
+  const auto outcome = verified(run, verification, options, search_options);
   progress.reset();
+  if (outcome.status != engine::Status::solved) {
+    return {.code = stopped_early, .status = outcome.status};
+  }
 
   const auto flaw = verify::flaw_of_cover(certificate);
   const bool refused = flaw.has_value() || !outcome.solutions.empty() || !bounds_refused.empty();

@@ -1,0 +1,149 @@
+// Rank 0 has the journal, and tells the others.
+#include "engine/recording.hpp"
+
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include "engine/kept_search.hpp"
+#include "engine/together.hpp"
+
+namespace kusabi::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view search_kind = "search of ";
+
+std::string checkpoint_of_part(const std::string& file, const std::string& number) {
+  return file + ".search" + number;
+}
+
+// Of two parts far from one another.
+std::uint64_t fingerprint_of_part(std::uint64_t question, std::uint64_t number) {
+  constexpr std::uint64_t odd = 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio
+  return question + odd * (number + 1);
+}
+
+// What rank 0 says of a part.
+struct ToldPart {
+  bool known = false;
+  Bytes content;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& known& content;
+  }
+};
+
+}  // namespace
+
+std::string checkpoint_of_part(const std::string& file, std::uint64_t number) {
+  return checkpoint_of_part(file, std::to_string(number));
+}
+
+std::string kind_of_search(const std::string& problem) {
+  return std::string(search_kind) + problem;
+}
+
+bool has_searched(const Journal& journal) {
+  for (std::size_t i = 0; i < journal.size(); ++i) {
+    if (journal.kind(i).starts_with(search_kind)) return true;
+  }
+  return false;
+}
+
+bool is_searching(const Journal& journal) {
+  const auto place = fs::absolute(journal.file());
+  const auto beginning = checkpoint_of_part(place.filename().string(), "");
+  std::error_code error;
+  for (fs::directory_iterator entry(place.parent_path(), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const auto name = entry->path().filename().string();
+    if (!name.starts_with(beginning)) continue;
+    const auto digits = name.find_first_not_of("0123456789", beginning.size());
+    if (digits == std::string::npos && checkpoint_exists(entry->path().string())) return true;
+  }
+  return false;
+}
+
+void expect_usable_search(const Journal& journal, std::uint64_t question) {
+  const auto file = checkpoint_of_part(journal.file(), journal.size());
+  if (!checkpoint_exists(file)) return;
+  try {
+    std::string warning;  // is told when the search goes on
+    usable_checkpoint(file, fingerprint_of_part(question, journal.size()), warning);
+  } catch (const CheckpointError& error) {
+    throw CheckpointError(std::string(error.what()) + "; without " + file +
+                          "* this search would begin anew");
+  }
+}
+
+Recording::Recording(Transport& transport, Keeping keeping,
+                     std::function<void(const std::string&)> warn)
+    : transport_(transport), keeping_(std::move(keeping)), warn_(std::move(warn)) {}
+
+std::optional<Bytes> Recording::known(const std::string& kind, bool spent, bool for_all) {
+  if (!replaying_ || !sound(spent)) return std::nullopt;
+  Bytes own;
+  auto told = from_first_rank(transport_, [&] {
+    auto& journal = *keeping_.journal;
+    if (next_ >= journal.size()) return ToldPart{};
+    if (journal.kind(next_) != kind) {
+      throw CheckpointError(journal.file() + ": its part " + std::to_string(next_ + 1) +
+                            " is of something else; expected the same build of kusabi, or another "
+                            "file");
+    }
+    // A run may have been killed before it could clear up.
+    remove_checkpoint(checkpoint_of_part(keeping_.file, next_));
+    own = journal.content(next_);
+    return ToldPart{true, for_all ? own : Bytes()};
+  });
+  replaying_ = told.known;
+  if (!told.known) return std::nullopt;
+  ++next_;
+  if (is_first()) return own;
+  return std::move(told.content);
+}
+
+bool Recording::sound(bool spent) {
+  if (!sound_) return false;
+  // A survey counts, and here it counts the ranks that were asked to end.
+  sound_ = meet(transport_, {.ranks = 1, .found = spent ? 1U : 0U}).found == 0;
+  return sound_;
+}
+
+CheckpointOptions Recording::checkpoint() {
+  const auto file = checkpoint_of_part(keeping_.file, next_);
+  const auto problem = fingerprint_of_part(keeping_.question, next_);
+  auto resume_from = from_first_rank(transport_, [&]() -> std::string {
+    if (!checkpoint_exists(file)) return {};
+    std::string warning;
+    auto usable = usable_checkpoint(file, problem, warning);
+    if (!warning.empty() && warn_) warn_(warning);
+    return usable;
+  });
+  return {.file = file,
+          .interval = keeping_.interval,
+          .resume_from = std::move(resume_from),
+          .problem = problem};
+}
+
+void Recording::keep(const std::string& kind, const Bytes& content) {
+  const auto number = next_++;
+  if (!is_first() || !writable_) return;
+  try {
+    keeping_.journal->append(kind, content);
+  } catch (const CheckpointError& error) {
+    writable_ = false;  // a part that is not there cannot be followed by one that is
+    if (warn_) warn_(std::string(error.what()) + "; from here on nothing more is kept");
+    return;
+  }
+  remove_checkpoint(checkpoint_of_part(keeping_.file, number));
+}
+
+}  // namespace kusabi::engine

@@ -1,0 +1,28 @@
+#!/bin/bash
+# One question on many ranks, in as many turns as it takes, for PBS Professional, OpenPBS and Torque.
+#
+#     qsub -v CALL="patterns FILE --mu 0.65" run/jobs/pbs.sh
+#
+# PBS does not tell a job when it ends: TIME is what it may take of the walltime below, with room to write.
+#PBS -N kusabi
+#PBS -l select=1:ncpus=8:mpiprocs=8
+#PBS -l walltime=04:00:00
+#PBS -r y
+set -u
+cd "$PBS_O_WORKDIR" || exit 2
+: "${CALL:?expected qsub -v CALL=\"patterns FILE --mu 0.65\"}"
+script=${SCRIPT:-run/jobs/pbs.sh}
+turn=${TURN:-1}
+most_turns=${KUSABI_MOST_TURNS:-100}
+
+result=$PBS_JOBNAME.json
+rm -f "$result"
+# shellcheck disable=SC2086  # CALL is words
+mpirun kusabi $CALL --resume "$PBS_JOBNAME.state" --time-limit "${TIME:-3h55m}" --output "$result"
+code=$?
+
+if [ "$code" -eq 3 ] && grep -Eq '"status": *"(time-limit|interrupted)"' "$result" && [ "$turn" -lt "$most_turns" ]; then
+  qsub -N "$PBS_JOBNAME" -v "CALL=$CALL,TIME=${TIME:-3h55m},SCRIPT=$script,TURN=$((turn + 1))" "$script"
+  exit
+fi
+exit "$code"

@@ -1,0 +1,37 @@
+#!/bin/bash
+# A question at many points, each a job by itself with a state of its own: here the patterns at ten friction
+# coefficients. Each goes back into the queue until it is done, as with slurm.sh.
+#
+#     sbatch --array=1-10 run/jobs/slurm-array.sh patterns FILE --mu 'n * 0.1'
+#
+# Of each argument that is a product with n, n is the number of the task.
+#SBATCH --job-name=kusabi
+#SBATCH --ntasks=1
+#SBATCH --time=04:00:00
+#SBATCH --requeue
+#SBATCH --open-mode=append
+set -u
+most_turns=${KUSABI_MOST_TURNS:-100}
+number=$SLURM_ARRAY_TASK_ID
+
+words=()
+for word in "$@"; do
+  case $word in
+    'n * '*) word=$(awk -v n="$number" -v step="${word#n \* }" 'BEGIN { printf "%.10g", n * step }') ;;
+  esac
+  words+=("$word")
+done
+
+result=$SLURM_JOB_NAME.$number.json
+rm -f "$result"
+# shellcheck disable=SC2086  # the launcher may have options
+${KUSABI_LAUNCHER:-mpirun} kusabi "${words[@]}" --resume "$SLURM_JOB_NAME.$number.state" --time-limit slurm \
+  --output "$result"
+code=$?
+
+if [ "$code" -eq 3 ] && grep -Eq '"status": *"(time-limit|interrupted)"' "$result" &&
+  [ "${SLURM_RESTART_COUNT:-0}" -lt "$most_turns" ]; then
+  scontrol requeue "$SLURM_JOB_ID"
+  exit
+fi
+exit "$code"

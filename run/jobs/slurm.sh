@@ -1,0 +1,30 @@
+#!/bin/bash
+# One question on many ranks, in as many turns as it takes. Slurm gives each turn its time; shortly before it is over
+# kusabi keeps its state and ends, and the job is put into the queue again. A node that fails, a job that is preempted
+# or killed: the next turn goes on from the last state.
+#
+#     sbatch run/jobs/slurm.sh patterns FILE --mu 0.65
+#
+# RESULT.json and STATE lie in the folder that the job was sent from, under its name: sbatch --job-name NAME.
+#SBATCH --job-name=kusabi
+#SBATCH --ntasks=8
+#SBATCH --time=04:00:00
+#SBATCH --requeue
+#SBATCH --open-mode=append
+set -u
+most_turns=${KUSABI_MOST_TURNS:-100}
+
+result=$SLURM_JOB_NAME.json
+# What kills its ranks kills mpirun, too: what the last turn has written says nothing of this one.
+rm -f "$result"
+# shellcheck disable=SC2086  # the launcher may have options: KUSABI_LAUNCHER="srun --mpi=pmix"
+${KUSABI_LAUNCHER:-mpirun} kusabi "$@" --resume "$SLURM_JOB_NAME.state" --time-limit slurm --output "$result"
+code=$?
+
+# Exit code 3 alone does not say whether more time helps: something may have been left open for good.
+if [ "$code" -eq 3 ] && grep -Eq '"status": *"(time-limit|interrupted)"' "$result" &&
+  [ "${SLURM_RESTART_COUNT:-0}" -lt "$most_turns" ]; then
+  scontrol requeue "$SLURM_JOB_ID"
+  exit
+fi
+exit "$code"

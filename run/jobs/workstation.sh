@@ -1,0 +1,27 @@
+#!/bin/bash
+# One question on the cores of this machine, until it is done, whatever ends it in between: a machine that is switched
+# off and on (call it from cron's @reboot), a process that is killed, Ctrl-C and the same call again.
+#
+#     run/jobs/workstation.sh NAME patterns FILE --mu 0.65
+#
+# NAME.state and NAME.json are where the state and the result go. The ranks are KUSABI_RANKS, or one a core.
+set -u
+if [ $# -lt 3 ]; then
+  echo "usage: ${0##*/} NAME SUBCOMMAND FILE [OPTIONS]" >&2
+  exit 2
+fi
+name=$1
+shift
+ranks=${KUSABI_RANKS:-$(nproc)}
+most_turns=${KUSABI_MOST_TURNS:-100}
+killed=128
+
+for ((turn = 1; turn <= most_turns; ++turn)); do
+  # To end, mpirun gives its ranks time to keep their state: see docs/long-runs.md.
+  mpirun --mca odls_base_sigkill_timeout 60 -np "$ranks" \
+    kusabi "$@" --resume "$name.state" --output "$name.json"
+  code=$?
+  # A rank that was killed; anything else is an answer, or an error that would come again.
+  [ "$code" -gt "$killed" ] || exit "$code"
+done
+exit "$code"

@@ -1,0 +1,145 @@
+// Durations read unit by unit, and squeue asked where the environment says nothing.
+#include "run/session/time_limit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "run/output/wrong_input.hpp"
+
+namespace kusabi::run {
+namespace {
+
+constexpr double minute = 60;
+constexpr double hour = 60 * minute;
+constexpr double day = 24 * hour;
+
+// The number that a text begins with, which is cut off.
+std::optional<double> take_number(std::string_view& text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || !std::isfinite(number) || number < 0) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return number;
+}
+
+std::optional<double> unit_of(char letter) {
+  switch (letter) {
+    case 's':
+      return 1;
+    case 'm':
+      return minute;
+    case 'h':
+      return hour;
+    case 'd':
+      return day;
+    default:
+      return std::nullopt;
+  }
+}
+
+// As squeue writes the time that is left: "MM:SS", "HH:MM:SS", "D-HH:MM:SS".
+std::optional<double> seconds_of_squeue(std::string_view text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
+  double days = 0;
+  if (const auto dash = text.find('-'); dash != std::string_view::npos) {
+    auto before = text.substr(0, dash);
+    const auto number = take_number(before);
+    if (!number || !before.empty()) return std::nullopt;
+    days = *number;
+    text.remove_prefix(dash + 1);
+  }
+  double seconds = 0;
+  for (bool first = true; first || !text.empty(); first = false) {
+    if (!first) {
+      if (text.front() != ':') return std::nullopt;
+      text.remove_prefix(1);
+    }
+    const auto number = take_number(text);
+    if (!number) return std::nullopt;
+    seconds = minute * seconds + *number;
+  }
+  return day * days + seconds;
+}
+
+std::string printed_by(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
+  std::string text;
+  std::array<char, 256> piece{};
+  while (pipe) {
+    const auto count = std::fread(piece.data(), 1, piece.size(), pipe.get());
+    if (count == 0) break;
+    text.append(piece.data(), count);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<double> seconds_in(std::string_view text) {
+  double seconds = 0;
+  double last_unit = std::numeric_limits<double>::infinity();
+  for (bool first = true; first || !text.empty(); first = false) {
+    const auto number = take_number(text);
+    if (!number) return std::nullopt;
+    if (first && text.empty()) {
+      seconds = *number;
+      break;
+    }
+    const auto unit = text.empty() ? std::nullopt : unit_of(text.front());
+    if (!unit || *unit >= last_unit) return std::nullopt;
+    text.remove_prefix(1);
+    seconds += *unit * *number;
+    last_unit = *unit;
+  }
+  if (!(seconds > 0) || !std::isfinite(seconds)) return std::nullopt;
+  return seconds;
+}
+
+double margin_before_the_end(double left) {
+  constexpr double most = 2 * minute;
+  constexpr double share = 0.1;
+  return std::clamp(share * left, 0.0, most);
+}
+
+double seconds_of_slurm_job(const Environment& environment, const Shell& shell, double now) {
+  const auto* const job = environment("SLURM_JOB_ID");
+  if (job == nullptr) {
+    throw WrongInput(
+        "--time-limit slurm: this is no job of Slurm (SLURM_JOB_ID is not set); expected a "
+        "duration, as 1h30m");
+  }
+  const auto less_margin = [](double left) {
+    return std::max(0.0, left - margin_before_the_end(left));
+  };
+  if (const auto* const end = environment("SLURM_JOB_END_TIME")) {
+    std::string_view text(end);
+    if (const auto at = take_number(text); at && text.empty()) return less_margin(*at - now);
+  }
+  std::string_view digits(job);
+  const auto number = take_number(digits);  // what goes to the shell is a number
+  const auto left = number && digits.empty()
+                        ? shell(fmt::format("squeue -h -j {} -o %L 2>/dev/null", job))
+                        : std::string();
+  if (const auto seconds = seconds_of_squeue(left)) return less_margin(*seconds);
+  throw WrongInput(
+      fmt::format("--time-limit slurm: it cannot be told when job {} ends (SLURM_JOB_END_TIME is "
+                  "not set, and squeue says '{}'); expected a duration, as 1h30m",
+                  job, left.substr(0, left.find('\n'))));
+}
+
+double seconds_of_slurm_job() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return seconds_of_slurm_job([](const char* name) { return std::getenv(name); }, printed_by,
+                              std::chrono::duration<double>(now).count());
+}
+
+}  // namespace kusabi::run
