@@ -62,7 +62,7 @@ class LoadSweep final : public Swept {
   [[nodiscard]] double alpha_at(double beta) const { return beta * alphas_.back(); }
   [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
   [[nodiscard]] std::string curve_text() const;
-  [[nodiscard]] const char* status() const;
+  [[nodiscard]] const char* outcome_name() const;
 
   const SweepOptions& options_;
   problems::Structure truss_;
@@ -86,7 +86,7 @@ ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
           {"yielding", std::move(yielding)},      {"tension", std::move(tension)}};
 }
 
-const char* LoadSweep::status() const {
+const char* LoadSweep::outcome_name() const {
   if (found_.status != engine::Status::solved) return status_name(found_.status);
   if (!found_.whole(alphas_.size())) return "open";
   return found_.last.status == limit::LoadStatus::not_carried ? "not-carried" : "solved";
@@ -119,7 +119,7 @@ ordered_json LoadSweep::json() const {
           {"version", KUSABI_VERSION},
           {"problem", limit_problem_json(problem_, truss_, options_.file)},
           {"options", {{"alpha", alphas_}}},
-          {"status", status()},
+          {"status", outcome_name()},
           {"result", std::move(result)},
           {"statistics", {{"ranks", ranks_}}}};
 }
