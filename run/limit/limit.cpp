@@ -1,6 +1,8 @@
 // From the file to the report, on all ranks.
 #include "run/limit/limit.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -226,8 +228,10 @@ Verdict Limit::verdict(CommandRun& run) {
   const auto& worst = found_.answer.worst;
   const auto stopped =
       worst && worst->search != engine::Status::solved ? worst->search : found_.answer.rest;
-  if (stopped != engine::Status::solved)
-    verdict.remarks = run.how_to_go_on(options_.checkpoint, stopped, false);
+  if (stopped != engine::Status::solved) {
+    std::ranges::move(run.how_to_go_on(options_.checkpoint, stopped, false),
+                      std::back_inserter(verdict.remarks));
+  }
   const bool whole_tree = worst && worst->as_printed && worst->search == engine::Status::solved;
   if (whole_tree && !worst->proved && !run.quiet()) {
     verdict.remarks.emplace_back(

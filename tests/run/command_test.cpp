@@ -341,7 +341,7 @@ TEST_F(Command, RefusesWrongCalls) {
       {"critical " + truss + " --width 0", "--width: '0', " + above_0},
       {"critical " + truss + " --width 1e-20", "--width 1e-20: expected a number below --mu-max"},
       {"critical " + truss + " --method guess",
-       "--method: 'guess', expected one of descent, global, newton, bisection"},
+       "--method: 'guess', expected one of auto, descent, global, newton, bisection"},
       {"rays " + plane + " --mu 1 --method double-description --node-limit 9", "expected no limit"},
       {"rays " + truss + " --mu 1", "dimension is 3; expected 2"},
       {"limit " + truss + " --cuts static", "--cuts requires --alpha"},
