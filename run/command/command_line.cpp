@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "run/command/completion.hpp"
 #include "run/command/help.hpp"
@@ -20,13 +21,14 @@ namespace kusabi::run {
 namespace {
 
 void add(CLI::App& command, OptionRow& row) {
+  const auto names = fmt::format("{}", fmt::join(row.names(), ","));
   if (row.value.empty()) {
-    command.add_flag_callback(row.name, [&row] { row.take(*(row.given = "")); })
+    command.add_flag_callback(names, [&row] { row.take(*(row.given = "")); })
         ->disable_flag_override();
     return;
   }
   command
-      .add_option_function<std::string>(row.name,
+      .add_option_function<std::string>(names,
                                         [&row](const std::string& text) { row.given = text; })
       ->check([&row](const std::string& text) { return row.take(text); }, "");
 }

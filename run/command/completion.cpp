@@ -28,7 +28,7 @@ std::string within_quotes(std::string_view text) {
 std::string option_names(const OptionTable& table) {
   std::string names = "--help";
   for (const auto& row : table.rows()) {
-    if (row.named()) names += ' ' + row.name;
+    if (row.named()) names += fmt::format(" {}", fmt::join(row.names(), " "));
   }
   return names;
 }
@@ -45,7 +45,7 @@ std::string bash_values(const OptionTable& table) {
                        : row.value == "DIR" ? std::string("-d")
                        : takes_a_file(row)  ? std::string("-f")
                                             : std::string("''");
-    fmt::format_to(out, "        {}) values={} ;;\n", row.name, reply);
+    fmt::format_to(out, "        {}) values={} ;;\n", fmt::join(row.names(), "|"), reply);
   }
   return text;
 }
@@ -135,7 +135,10 @@ std::string zsh_arguments(const OptionTable& table) {
   const auto out = std::back_inserter(text);
   for (const auto& row : table.rows()) {
     if (row.named()) {
-      fmt::format_to(out, " \\\n        '{}[{}]", row.name, zsh_text(row.help));
+      const auto name = row.letter.empty()
+                            ? fmt::format("'{}", row.name)
+                            : fmt::format("'({0} {1})'{{{0},{1}}}'", row.letter, row.name);
+      fmt::format_to(out, " \\\n        {}[{}]", name, zsh_text(row.help));
       if (!row.value.empty())
         fmt::format_to(out, ":{}:{}", zsh_text(value_name(row)), zsh_action(row));
       text += '\'';
@@ -196,7 +199,8 @@ void fish_options(std::string& text, const std::string& when, const OptionTable&
       files = true;
       continue;
     }
-    fmt::format_to(out, "complete -c kusabi -n '{}' -l {} -d '{}'", when, row.name.substr(2),
+    fmt::format_to(out, "complete -c kusabi -n '{}' -l {}{} -d '{}'", when, row.name.substr(2),
+                   row.letter.empty() ? "" : " -s " + row.letter.substr(1),
                    within_quotes(row.help));
     if (!row.words.empty()) {
       fmt::format_to(out, " -x -a '{}'", fmt::join(row.words, " "));

@@ -35,7 +35,8 @@ std::string head_of(const OptionRow& row) {
 
 std::string entry_of(const OptionRow& row) {
   const auto rules = option_rules(row);
-  return entry_of(head_of(row), rules.empty() ? row.help : row.help + ". " + rules);
+  const auto letter = row.letter.empty() ? row.letter : row.letter + ", ";
+  return entry_of(letter + head_of(row), rules.empty() ? row.help : row.help + ". " + rules);
 }
 
 std::string line_of(std::string_view name, std::string_view purpose) {

@@ -57,7 +57,9 @@ std::string roff(std::string_view text) {
 }
 
 std::string paragraph(const OptionRow& row) {
-  auto text = fmt::format(".TP\n\\fB{}\\fR", roff(row.name));
+  auto text = std::string(".TP\n");
+  if (!row.letter.empty()) text += fmt::format("\\fB{}\\fR, ", roff(row.letter));
+  text += fmt::format("\\fB{}\\fR", roff(row.name));
   if (row.named() && !row.value.empty()) text += fmt::format(" \\fI{}\\fR", roff(value_name(row)));
   text += fmt::format("\n{}.\n", roff(row.help));
   if (const auto rules = option_rules(row); !rules.empty()) text += roff(rules) + '\n';

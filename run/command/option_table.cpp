@@ -90,6 +90,16 @@ std::string quoted(const std::string& word) {
   return text + '\'';
 }
 
+RowBuilder& RowBuilder::swept() {
+  row_.take = [take = row_.take, name = row_.name](const std::string& text) {
+    auto wrong = take(text);
+    if (!wrong.empty() && text.find(':') != std::string::npos)
+      wrong += fmt::format("; for a range: kusabi sweep FILE {} {}", name, text);
+    return wrong;
+  };
+  return *this;
+}
+
 RowBuilder OptionTable::add(OptionRow row) {
   return RowBuilder(rows_.emplace_back(std::move(row)));
 }
@@ -162,12 +172,16 @@ RowBuilder OptionTable::file(std::string name, std::string& variable, Role role,
   return row;
 }
 
-void OptionTable::output(std::string name, std::string help) {
+void OptionTable::output(std::string help) {
+  file("--output", named_, Role::output, std::move(help)).letter("-o");
+}
+
+void OptionTable::further_output(std::string name, std::string help) {
   file(std::move(name), named_, Role::output, std::move(help));
 }
 
 void OptionTable::quiet(std::string help) {
-  flag("--quiet", switched_, std::move(help)).varies();
+  flag("--quiet", switched_, std::move(help)).letter("-q").varies();
 }
 
 void OptionTable::serial() {

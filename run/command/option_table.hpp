@@ -56,6 +56,7 @@ enum class Role {
 /// One option, or the file that a subcommand is called with.
 struct OptionRow {
   std::string name;        ///< "--mu"; "file" if it has no name in the call
+  std::string letter{};    ///< its short form, "-o"; empty: it has none
   std::string value{};     ///< what it takes: "NUMBER", "FILE", "a|b|c"; empty: nothing, a switch
   std::string range{};     ///< which of these, as help shows it: "> 0"
   std::string expected{};  ///< the same as errors say it: "a number above 0"
@@ -77,12 +78,17 @@ struct OptionRow {
   std::optional<std::string> given{};  ///< what the call has
 
   [[nodiscard]] bool named() const { return name.starts_with('-'); }
+  /// As a call may have it: {"-o", "--output"}.
+  [[nodiscard]] std::vector<std::string> names() const {
+    return letter.empty() ? std::vector{name} : std::vector{letter, name};
+  }
 };
 
 /// A row that is being described.
 class RowBuilder {
  public:
   explicit RowBuilder(OptionRow& row) : row_(row) {}
+  RowBuilder& letter(std::string letter) { return row_.letter = std::move(letter), *this; }
   RowBuilder& required() { return row_.required = true, *this; }
   RowBuilder& needs(std::string option) { return row_.needs = std::move(option), *this; }
   RowBuilder& unit(std::string unit) { return row_.unit = std::move(unit), *this; }
@@ -91,6 +97,8 @@ class RowBuilder {
   RowBuilder& varies() { return row_.matters = false, *this; }
   /// Or must, though it is a file.
   RowBuilder& matters() { return row_.matters = true, *this; }
+  /// Who asks for a range of it is told of `kusabi sweep`.
+  RowBuilder& swept();
   /// The files' names are what the call has and one of these.
   RowBuilder& ends_in(std::vector<std::string> endings) {
     return row_.endings = std::move(endings), *this;
@@ -150,8 +158,8 @@ class OptionTable {
                   std::string help);
 
   // What several subcommands have alike.
-  void output(std::string name = "--output",
-              std::string help = "write the result to this JSON file");
+  void output(std::string help = "write the result to this JSON file");
+  void further_output(std::string name, std::string help);
   void quiet(std::string help = "print errors only");
   void serial();
   void time_limit(engine::Limits& limits);

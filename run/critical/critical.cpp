@@ -81,7 +81,7 @@ void Critical::describe(OptionTable& table) {
               "list so many of the patterns, those that begin to live first; all are in the file")
       .varies();
   table.output();
-  table.output("--csv", "write the patterns to this file, a line each");
+  table.further_output("--csv", "write the patterns to this file, a line each");
   table
       .file("--vtu", vtu_, Role::folder,
             "write a picture of each pattern that lives at the upper end to this folder, for "

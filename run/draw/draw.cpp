@@ -32,7 +32,7 @@ class Draw final : public Subcommand {
   }
   void describe(OptionTable& table) override {
     table.file("file", file_, Role::input, "the result, a JSON file").required();
-    table.output("--svg", "write the image to this SVG file instead of standard output");
+    table.further_output("--svg", "write the image to this SVG file instead of standard output");
     table.number("--pattern", &pattern_, above(0),
                  "draw this one in detail: a pattern or ray by its number, of kusabi limit 1 for "
                  "the nominal load, 2 for the worst case");

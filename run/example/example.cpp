@@ -41,7 +41,7 @@ class Example : public Subcommand {
   [[nodiscard]] virtual problems::Structure structure() const = 0;
 
   static void describe_output(OptionTable& table) {
-    table.output("--output", "write to this file instead of standard output");
+    table.output("write to this file instead of standard output");
   }
 
  private:

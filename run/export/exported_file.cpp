@@ -13,7 +13,7 @@ void ExportedFile::describe_input(OptionTable& table) {
 }
 
 void ExportedFile::describe_output(OptionTable& table) {
-  table.output("--output", "write to this file instead of standard output");
+  table.output("write to this file instead of standard output");
   table.serial();
 }
 

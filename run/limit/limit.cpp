@@ -77,7 +77,8 @@ void Limit::describe(OptionTable& table) {
   table
       .number("--alpha", &options_.question.alpha, at_least(0),
               "the uncertain parts of the dead load are known up to +- this")
-      .unit("in the file's unit of force");
+      .unit("in the file's unit of force")
+      .swept();
   table
       .choice("--cuts", options_.question.method,
               {{"none", limit::LimitMethod::fixed},
@@ -115,7 +116,8 @@ void Limit::describe(OptionTable& table) {
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint);
   table.output();
-  table.output("--csv", "write the members to this file, a line each: forces, utilisation, yield");
+  table.further_output("--csv",
+                       "write the members to this file, a line each: forces, utilisation, yield");
   table
       .file("--vtu", vtu_, Role::folder,
             "write pictures of the collapse, nominal and in the worst case, to this folder, for "

@@ -112,7 +112,7 @@ void Mip::describe(OptionTable& table) {
   table.flag("--no-tighten", options_.tighten, "leave big Ms as they are", false);
   table.flag("--no-dive", options_.dive, "do not look for points before the search", false);
   table.output();
-  table.output("--csv", "write the columns of the point found to this file, a line each");
+  table.further_output("--csv", "write the columns of the point found to this file, a line each");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table

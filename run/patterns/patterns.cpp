@@ -84,7 +84,7 @@ void Patterns::describe(OptionTable& table) {
   using wedged::Branching;
   using wedged::FacetBound;
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
-  table.number("--mu", &options_.friction, above(0), "friction coefficient").required();
+  table.number("--mu", &options_.friction, above(0), "friction coefficient").required().swept();
   // Doubles have no more digits in a margin, and above nothing would be left to find.
   table.number("--tolerance", &options_.tolerance, between(1e-12, 1e-3),
                "a margin t* up to this size is a tie, neither positive nor negative");
@@ -145,7 +145,7 @@ void Patterns::describe(OptionTable& table) {
               "which node is opened next: the same patterns; breadth-first keeps many nodes")
       .varies();
   table.output();
-  table.output("--csv", "write the patterns to this file, a line each");
+  table.further_output("--csv", "write the patterns to this file, a line each");
   table
       .file("--vtu", vtu_, Role::folder,
             "write a picture of each pattern to this folder, for ParaView: patterns.pvd opens them")

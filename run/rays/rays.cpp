@@ -97,8 +97,8 @@ void Rays::describe(OptionTable& table) {
       .file("--vtu", vtu_, Role::folder,
             "write a picture of each ray to this folder, for ParaView: rays.pvd opens them")
       .ends_in({"/rays.pvd"});
-  table.output("--csv", "write the rays to this file, a line each");
-  table.output(
+  table.further_output("--csv", "write the rays to this file, a line each");
+  table.further_output(
       "--dot",
       "write which rays each cone has to this file, as a graph for Graphviz; up to 200 rays");
   table

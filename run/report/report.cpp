@@ -26,7 +26,7 @@ class Report final : public Subcommand {
   }
   void describe(OptionTable& table) override {
     table.file("file", file_, Role::input, "the result, a JSON file").required();
-    table.output("--output", "write the page to this HTML file instead of standard output");
+    table.output("write the page to this HTML file instead of standard output");
     table.quiet();
     table.serial();
   }

@@ -25,9 +25,10 @@ class Show final : public Subcommand {
   [[nodiscard]] std::string_view example() const override { return "examples/space-truss.toml"; }
   void describe(OptionTable& table) override {
     table.file("file", file_, Role::input, "the problem, a TOML file").required();
-    table.output("--vtu",
-                 "write a picture of the structure to this VTU file, for ParaView: supports, "
-                 "normals, candidates, loads");
+    table.further_output(
+        "--vtu",
+        "write a picture of the structure to this VTU file, for ParaView: supports, "
+        "normals, candidates, loads");
     table.quiet();
     table.serial();
   }

@@ -310,6 +310,8 @@ TEST_F(Command, RefusesWrongCalls) {
       {"patterns " + truss + " --mu nan", "--mu: 'nan', " + above_0},
       {"patterns " + truss + " --mu inf", "--mu: 'inf', " + above_0},
       {"patterns " + truss + " --mu 1,5", "--mu: '1,5', " + above_0},
+      {"patterns " + truss + " --mu 0:1:0.1", "for a range: kusabi sweep FILE --mu 0:1:0.1"},
+      {"limit " + truss + " --alpha 0:60:5", "for a range: kusabi sweep FILE --alpha 0:60:5"},
       {"patterns " + truss + " --mu ''", "--mu: '', " + above_0},
       {"patterns none.toml --mu 0.5", "none.toml: the file cannot be read"},
       {"patterns " + quoted(folder_.string()) + " --mu 0.5", "cannot be read"},
@@ -362,6 +364,19 @@ TEST_F(Command, RefusesWrongCalls) {
     EXPECT_THAT(run.output, HasSubstr(message)) << call;
     EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
   }
+}
+
+TEST_F(Command, TakesLettersForWhatIsTypedMost) {
+  const auto short_call =
+      shell(command + " patterns " + truss + " --mu 0.65 -q -o " + argument("short.json"));
+  EXPECT_EQ(short_call.exit_code, 0);
+  EXPECT_EQ(short_call.output, "");
+  shell(command + " patterns " + truss + " --mu 0.65 --quiet --output " + argument("long.json"));
+  EXPECT_EQ(nlohmann::json::parse(content(in_folder("short.json")))["result"],
+            nlohmann::json::parse(content(in_folder("long.json")))["result"]);
+  EXPECT_THAT(shell(command + " patterns " + truss + " --mu 0.65 -o").output,
+              HasSubstr("--output is without its value"));
+  EXPECT_THAT(shell(command + " patterns --help").output, HasSubstr("  -o, --output FILE"));
 }
 
 TEST_F(Command, DoesNotOverwriteTheProblemWithTheResult) {

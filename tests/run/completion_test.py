@@ -54,6 +54,7 @@ class Completion(KusabiCase):
         self.assertEqual(self.completed("kusabi patterns --sort = mar"), ["margin"])
         self.assertEqual(self.completed("kusabi patterns --sort ="), ["number", "margin", "contact", "critical"])
         self.assertEqual(self.completed("kusabi example grid --b"), ["--bays"])
+        self.assertIn("-o", self.completed("kusabi report -"))
         self.assertEqual(self.completed("kusabi patterns --mu "), [])
         self.assertEqual(self.completed("kusabi limit --mu"), [])
 
