@@ -1,0 +1,92 @@
+// Least singular values of the rows of G that a node has.
+#include "solvers/conic/motion_bounds.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+namespace kusabi::conic {
+namespace {
+
+// Singular values below this part of the largest are those of motions that nothing of a part takes
+// part in, up to the rounding of places and directions in the file.
+constexpr double negligible = 1e-10;
+
+// One over the least singular value that counts; zero of a matrix that is zero.
+double inverse_of_least(const Eigen::MatrixXd& part, double negligible_share) {
+  if (part.size() == 0) return 0;
+  Eigen::VectorXd values;
+  if (part.rows() > part.cols()) {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> factor(part);
+    const Eigen::MatrixXd small =
+        factor.matrixQR().topRows(part.cols()).triangularView<Eigen::Upper>();
+    values = Eigen::JacobiSVD<Eigen::MatrixXd>(small).singularValues();
+  } else {
+    values = Eigen::JacobiSVD<Eigen::MatrixXd>(part).singularValues();
+    if (negligible_share == 0 && part.rows() < part.cols())
+      return std::numeric_limits<double>::infinity();
+  }
+  const double floor = negligible_share * values[0];
+  double least = std::numeric_limits<double>::infinity();
+  for (const double value : values)
+    if (value > floor || negligible_share == 0) least = std::min(least, value);
+  return std::isfinite(least) ? 1.001 / least : 0;
+}
+
+}  // namespace
+
+MotionBounds::MotionBounds(Eigen::MatrixXd motions, int lifting, double error,
+                           Eigen::VectorXd roots, std::vector<Eigen::Index> first_rows)
+    : motions_(std::move(motions)),
+      roots_(std::move(roots)),
+      first_rows_(std::move(first_rows)),
+      lifting_(lifting),
+      error_(error) {
+  least_root_ = roots_.size() == 0 ? 0 : roots_.minCoeff();
+  largest_ = motions_.size() == 0 ? 0 : motions_.cwiseAbs().maxCoeff();
+}
+
+double MotionBounds::carry(std::span<const int> cones, int dimension) const {
+  Eigen::MatrixXd part(static_cast<Eigen::Index>(cones.size()) * dimension, motions_.cols());
+  Eigen::Index row = 0;
+  for (const int k : cones)
+    for (int d = 0; d < dimension; ++d, ++row)
+      part.row(row) = motions_.row(dimension * k + d) / roots_[dimension * k + d];
+  return inverse_of_least(part, negligible);
+}
+
+double MotionBounds::close(std::span<const int> contact) const {
+  Eigen::MatrixXd part(static_cast<Eigen::Index>(contact.size()), lifting_);
+  Eigen::Index row = 0;
+  for (const int i : contact) {
+    const auto at = first_rows_[static_cast<std::size_t>(i)];
+    part.row(row++) = motions_.row(at).head(lifting_) / roots_[at];
+  }
+  return inverse_of_least(part, negligible);
+}
+
+double MotionBounds::lift(int candidate) const {
+  return motions_.row(first_rows_[static_cast<std::size_t>(candidate)]).head(lifting_).norm() +
+         error_ * lifting_;
+}
+
+double MotionBounds::balance(std::span<const int> rows, const std::vector<double>& sizes,
+                             std::span<const double> y, double rounding, bool whole) const {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(lifting_);
+  Eigen::MatrixXd part(static_cast<Eigen::Index>(rows.size()), lifting_);
+  double total = 0;
+  for (std::size_t place = 0; place < rows.size(); ++place) {
+    const auto at = first_rows_[static_cast<std::size_t>(rows[place])];
+    part.row(static_cast<Eigen::Index>(place)) = sizes[place] * motions_.row(at).head(lifting_);
+    load += y[place] * motions_.row(at).head(lifting_).transpose();
+    total += std::abs(y[place]);
+  }
+  const double size = load.norm() + total * noise(rounding) * std::sqrt(double(lifting_));
+  if (size == 0) return 0;
+  return size * inverse_of_least(part, whole ? 0 : negligible);
+}
+
+}  // namespace kusabi::conic
