@@ -11,7 +11,7 @@ build_packages=(g++ cmake make ninja-build libopenmpi-dev openmpi-bin libboost-s
   libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libgmp-dev libmpfr-dev libglpk-dev
   libqd-dev zlib1g-dev)
 # What the tests need besides.
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev python3 python3-jsonschema python3-numpy)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev python3 python3-jsonschema python3-numpy mkdocs)
 
 # install_missing PACKAGE...: installs those that are not there yet.
 install_missing() {
