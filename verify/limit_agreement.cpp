@@ -75,11 +75,29 @@ std::optional<std::vector<Near>> true_load(const std::vector<double>& recorded,
   return exact;
 }
 
-// In an order of their own, each by displacement.
-std::vector<Sparse> sorted(std::vector<Sparse> columns) {
-  for (auto& column : columns) std::ranges::sort(column);
-  std::ranges::sort(columns);
+// Columns of T, each by displacement, with their half-widths.
+using Columns = std::multimap<Sparse, double>;
+
+Columns columns_of(const LimitCertificate& certificate) {
+  Columns columns;
+  for (std::size_t j = 0; j < certificate.uncertain.size(); ++j) {
+    auto column = certificate.uncertain[j];
+    std::ranges::sort(column);
+    columns.emplace(std::move(column), certificate.alpha[j]);
+  }
   return columns;
+}
+
+// Takes a column from those of a certificate. @param half_width nothing: whichever it has
+// @return whether there is one
+bool take(Columns& columns, Sparse column, std::optional<double> half_width) {
+  std::ranges::sort(column);
+  const auto [first, last] = columns.equal_range(column);
+  const auto found = std::find_if(
+      first, last, [&](const auto& each) { return !half_width || each.second == *half_width; });
+  if (found == last) return false;
+  columns.erase(found);
+  return true;
 }
 
 // The columns of T. What acts on a support goes to the ground.
@@ -101,6 +119,27 @@ std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom&
     }
   }
   return columns;
+}
+
+// Half-widths that the structure says come first: of columns that are the same they take theirs.
+std::optional<std::string> other_uncertain_loads(const LimitCertificate& certificate,
+                                                 const Structure& structure,
+                                                 const std::vector<Sparse>& columns) {
+  const std::string others = "its uncertain loads are not those of the truss";
+  auto recorded = columns_of(certificate);
+  const auto half_width = [&](std::size_t j) {
+    return structure.half_widths.empty() ? std::nullopt : structure.half_widths[j];
+  };
+  for (const bool said : {true, false}) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      if (half_width(j).has_value() != said || take(recorded, columns[j], half_width(j))) continue;
+      return said && take(recorded, columns[j], {})
+                 ? "its half-width of an uncertain load is not that of the truss"
+                 : others;
+    }
+  }
+  if (!recorded.empty()) return others;
+  return {};
 }
 
 std::optional<std::string> other_bars(const LimitCertificate& certificate,
@@ -144,9 +183,9 @@ std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& ce
   if (!true_reference) return "its reference load is not that of the truss";
   truss.dead = *std::move(true_dead);
   truss.reference = *std::move(true_reference);
-  if (sorted(uncertain_columns(structure, freedom, dead, reference)) !=
-      sorted(certificate.uncertain)) {
-    return "its uncertain loads are not those of the truss";
+  if (auto why = other_uncertain_loads(certificate, structure,
+                                       uncertain_columns(structure, freedom, dead, reference))) {
+    return *why;
   }
   return truss;
 }

@@ -15,7 +15,8 @@ namespace kusabi::verify {
 /// roundings of them. The proof takes the difference into account, whatever it is.
 inline constexpr double cosine_tolerance = 0x1p-48;
 
-/// Compares all numbers that describe the truss: yield forces and weights must be the same, loads
+/// Compares all numbers that describe the truss: yield forces, weights and the
+/// half-widths that the structure says must be the same, loads
 /// and direction cosines the same but for rounding, by how much is returned.
 /// @return a sentence that says where they disagree, if they do
 std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& certificate,

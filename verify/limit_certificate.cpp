@@ -1,9 +1,11 @@
 // Writing and reading the file, section by section.
 #include "verify/limit_certificate.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <functional>
 
 #include "support/sha1.hpp"
 #include "verify/lines.hpp"
@@ -38,6 +40,15 @@ void put(std::string& text, const Sparse& entries) {
   for (const auto& [place, value] : entries) {
     put(text, place);
     put(text, value);
+  }
+}
+
+// One number where they are all the same.
+void put_half_widths(std::string& text, const std::vector<double>& alpha) {
+  if (std::ranges::adjacent_find(alpha, std::not_equal_to()) != alpha.end()) {
+    put(text, alpha);
+  } else {
+    put(text, alpha.empty() ? 0.0 : alpha.front());
   }
 }
 
@@ -80,6 +91,22 @@ std::vector<double> vector(Lines& lines, const std::string& keyword, std::size_t
   return values;
 }
 
+// One for all columns, or one for each.
+void read_half_widths(Lines& lines, LimitCertificate& certificate) {
+  const std::string what = "'alpha' and a number that is not negative, or one for each column";
+  const auto m = certificate.uncertain.size();
+  lines.next();
+  lines.expect_word("alpha", what);
+  auto& alpha = certificate.alpha;
+  do {
+    alpha.push_back(lines.number(what));
+    if (alpha.back() < 0 || alpha.size() > std::max<std::size_t>(m, 1)) lines.refuse(what);
+  } while (!lines.remainder().empty());
+  lines.end_of_line(what);
+  if (alpha.size() != 1 && alpha.size() != m) lines.refuse(what);
+  alpha.resize(m, alpha.front());
+}
+
 void read_problem(Lines& lines, LimitCertificate& certificate) {
   lines.expect(limit_first_line);
   certificate.displacements = count(lines, "displacements");
@@ -113,8 +140,7 @@ void read_problem(Lines& lines, LimitCertificate& certificate) {
     } while (!lines.remainder().empty());
     lines.end_of_line(what);
   }
-  certificate.alpha = vector(lines, "alpha", 1).front();
-  if (certificate.alpha < 0) lines.refuse("'alpha' and a number that is not negative");
+  read_half_widths(lines, certificate);
 }
 
 LimitCut read_cut(Lines& lines, const LimitCertificate& certificate) {
@@ -192,7 +218,7 @@ std::string limit_certificate_text(const LimitCertificate& certificate) {
     }
   }
   text += "\nalpha";
-  put(text, certificate.alpha);
+  put_half_widths(text, certificate.alpha);
   text += "\nload";
   put(text, certificate.load);
   text += "\nmotion";

@@ -54,9 +54,9 @@ struct LimitCertificate {
   std::vector<double> dead;         ///< f_D
   std::vector<double> reference;    ///< f_R
   std::vector<Sparse> uncertain;    ///< T, by column; none is empty, no component zero
-  double alpha = 0;
-  std::vector<double> load;    ///< zeta
-  std::vector<double> motion;  ///< u
+  std::vector<double> alpha;        ///< m: |zeta_j| <= alpha_j, >= 0
+  std::vector<double> load;         ///< zeta
+  std::vector<double> motion;       ///< u
   std::vector<LimitCut> cuts;
   std::vector<LimitNode> nodes;
 

@@ -210,8 +210,10 @@ std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
 }
 
 std::variant<mpq_class, std::string> LimitProof::upper() const {
-  for (const double zeta : certificate_.load) {
-    if (std::abs(zeta) > certificate_.alpha) return "the load is outside of its bounds";
+  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
+    if (std::abs(certificate_.load[j]) > certificate_.alpha[j]) {
+      return "the load is outside of its bounds";
+    }
   }
   const auto u = still_motion(false);
   Dyadic work;   // of f_R
@@ -258,12 +260,12 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
     for (const auto& [i, force] : cut.forces) taken[i] = taken[i] + product(mu, std::abs(force));
     for (const auto& [e, missing] : defects_[c]) defects[e] = defects[e] + product(mu, missing);
   }
-  // f_D + sum over decided signs of s (alpha w + nu) d + lambda f_R - B q
+  // f_D + sum over decided signs of s (alpha_j w + nu) d + lambda f_R - B q
   std::vector<Dyadic> load;
   for (const auto& dead : truss_.dead) load.push_back(dead.value);
   for (std::size_t j = 0; j < m; ++j) {
     const auto& [weight, direction] = uncertain_[j];
-    const Dyadic needed = Dyadic(certificate.alpha) * Dyadic(weight);
+    const Dyadic needed = Dyadic(certificate.alpha[j]) * Dyadic(weight);
     if (node.signs[j] == 0) {
       if (share_of[j] < needed) return "the cuts of a column have too small a share";
     } else {

@@ -96,7 +96,7 @@ struct Force {
   Vector components{};
 };
 
-/// A component of a load that is known up to +- weight times alpha.
+/// A component of a load that is known up to +- weight times a half-width.
 struct UncertainForce {
   std::size_t node = 0;
   std::size_t axis = 0;
@@ -118,6 +118,8 @@ struct Structure {
   /// Nothing: every free component without dead and reference load, with weight 1.
   /// Otherwise by parameter: all components of one grow together.
   std::optional<std::vector<std::vector<UncertainForce>>> uncertain;
+  /// By parameter, its half-width if the structure says it; all others are free. Empty: all are.
+  std::vector<std::optional<double>> half_widths;
   std::vector<GroundSpring> springs;
   std::vector<GivenStiffness> given;
 };

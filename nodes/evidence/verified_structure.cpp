@@ -107,6 +107,7 @@ verify::Structure verified_structure(const problems::Structure& structure) {
   if (structure.uncertain) {
     result.uncertain.emplace();
     for (const auto& parameter : *structure.uncertain) {
+      result.half_widths.push_back(parameter.half_width);
       auto& load = result.uncertain->emplace_back();
       for (const auto& [node, axis, weight] : parameter.components) {
         load.push_back({number(node), number(axis), weight});

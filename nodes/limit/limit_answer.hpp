@@ -67,7 +67,7 @@ struct LimitWorstCase {
   /// was asked for, or it was stopped before.
   bool as_printed = false;
   bool no_safe_m = false;  ///< (29) was asked for, but not tried: no safe M was found
-  Eigen::VectorXd zeta;    ///< empty: no critical load is known
+  Eigen::VectorXd zeta;    ///< m, relative to the half-widths; empty: no critical load is known
   std::optional<LimitCollapse> collapse;
   Eigen::VectorXd overpowering_motion;  ///< of not_carried: what shows it, n^d; may be empty
   std::uint64_t cuts = 0;               ///< static ones

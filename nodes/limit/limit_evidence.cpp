@@ -73,7 +73,7 @@ verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<s
   for (std::size_t c = 0; c < node.mu.size(); ++c) {
     const auto j = columns[c];
     if (node.signs[j] != 0) continue;  // gamma_j is gone there
-    const double needed = alpha_ * problem_.uncertain[j].weight * enough;
+    const double needed = alpha_ * problem_.uncertain[j].reach() * enough;
     double share = node.mu[c] * unit_of(j);
     if (sum[j] < needed / 2) {
       // Of next to nothing the simplex method makes nothing: any cut will do.
@@ -115,8 +115,13 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
       load.emplace_back(static_cast<std::size_t>(degree), column.weight * value);
     }
   }
-  certificate.alpha = alpha;
-  for (const double zeta : worst.zeta) certificate.load.push_back(std::copysign(alpha, zeta));
+  // Exact: where half-widths are not 1, alpha is, but for a place on a curve.
+  for (const auto& column : problem.uncertain)
+    certificate.alpha.push_back(alpha * column.half_width);
+  for (Eigen::Index j = 0; j < worst.zeta.size(); ++j) {
+    certificate.load.push_back(
+        std::copysign(certificate.alpha[static_cast<std::size_t>(j)], worst.zeta(j)));
+  }
   for (const double u : problems::motion_in_units(model, worst.collapse.motion)) {
     certificate.motion.push_back(u);
   }

@@ -20,7 +20,9 @@ enum class LimitMethod {
 };
 
 struct LimitQuestion {
-  std::optional<double> alpha{};  ///< half-width of the uncertain components; nothing: nominal only
+  /// Half-width of the uncertain loads, relative to those of the columns of T
+  /// (`problems::settle_half_widths`); nothing: nominal only.
+  std::optional<double> alpha{};
   LimitMethod method = LimitMethod::static_cuts;
   std::optional<double> big_m{};  ///< M of (29), in the paper's units; nothing: derived
   /// The evidence of both ends is wanted: of the method as printed they are proved, too, once its

@@ -17,10 +17,10 @@ constexpr double far = 1e4;
 std::vector<int> motions_along(const problems::LimitModel& model, int next) {
   std::vector<bool> taken(static_cast<std::size_t>(model.free_count()), false);
   std::vector<int> along;
-  for (const auto& [weight, direction, name] : model.uncertain) {
-    const auto& [degree, value] = direction.front();
+  for (const auto& column : model.uncertain) {
+    const auto& [degree, value] = column.direction.front();
     const auto at = static_cast<std::size_t>(degree);
-    const bool itself = direction.size() == 1 && value == 1 && !taken[at];
+    const bool itself = column.direction.size() == 1 && value == 1 && !taken[at];
     if (itself) taken[at] = true;
     along.push_back(itself ? degree : next++);
   }

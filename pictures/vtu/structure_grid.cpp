@@ -101,7 +101,7 @@ Eigen::MatrixXd uncertain_loads(const Structure& structure) {
   auto vectors = no_vectors(structure);
   for (const auto& parameter : *structure.uncertain) {
     for (const auto& [node, axis, weight] : parameter.components)
-      vectors(axis, node) += std::abs(weight);
+      vectors(axis, node) += std::abs(weight) * parameter.half_width.value_or(1);
   }
   return vectors;
 }

@@ -4,35 +4,18 @@
 
 #include <fmt/format.h>
 
-#include "problems/files/loads_file.hpp"
+#include "problems/files/bar_group.hpp"
 #include "problems/files/problem_sections.hpp"
 #include "problems/structure/element_shape.hpp"
-#include "problems/structure/structure_check.hpp"
 
 namespace kusabi::problems {
 namespace {
 
-void axial_stiffness(const TomlReader& reader, const TomlTable& group, Member& bar,
-                     support::SourcePosition& position) {
-  const toml::node* entry = group.table->get("EA");
-  position = reader.position(entry == nullptr ? *group.table : *entry);
-  if (entry == nullptr) return;
-  bar.axial_stiffness = reader.number(*entry, "EA");
-  // Zero would mean that none is given.
-  if (bar.axial_stiffness == 0) reader.fail(position, axial_stiffness_fault(0));
-}
-
 void member_group(ProblemDraft& draft, const TomlTable& group) {
   const TomlReader& reader = draft.reader();
   Structure& structure = draft.structure();
-  reader.allow_only(group, {"EA", "yield", "between"});
-  Member bar{};
-  support::SourcePosition stiffness_position;
-  axial_stiffness(reader, group, bar, stiffness_position);
-  const toml::node* yield_entry = group.table->get("yield");
-  if (yield_entry != nullptr) bar.yield = yield_in(reader, *yield_entry);
-  const support::SourcePosition yield_position =
-      reader.position(yield_entry == nullptr ? *group.table : *yield_entry);
+  reader.allow_only(group, {"EA", "E", "A", "yield", "fy", "between"});
+  auto [bar, stiffness_position, yield_position] = bars_in(reader, group);
   const auto& between = reader.require(group, "between", "between = [[\"a\", \"b\"], ...]");
   for (const toml::node* pair : reader.elements(between, "between")) {
     const auto ends = reader.texts(*pair, "a member");

@@ -1,5 +1,5 @@
-// The sections of a problem file that limit analysis needs: yield forces, [[loads]] and
-// [[uncertainty]] (docs/problem-files.md).
+// The sections of a problem file that limit analysis needs: [[loads]] and [[uncertainty]]
+// (docs/problem-files.md).
 #pragma once
 
 #include <array>
@@ -18,9 +18,6 @@ namespace kusabi::problems {
 std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
                             std::string_view called, int dimension);
 
-/// `yield = 800` or `yield = { tension = 800, compression = 500 }`.
-YieldForces yield_in(const TomlReader& reader, const toml::node& node);
-
 class LoadsFile {
  public:
   /// @param nodes from a table to the nodes that it lists, or an InputError
@@ -28,10 +25,11 @@ class LoadsFile {
             std::function<std::vector<ListedNode>(const TomlTable&)> nodes)
       : reader_(reader), nodes_(std::move(nodes)) {}
 
-  /// Adds the loads of [[loads]] to the structure.
+  /// Adds the loads of [[loads]] to the structure, and an uncertain parameter for each component
+  /// that is an interval.
   void read_loads(const toml::node& section, Structure& structure) const;
 
-  /// Fills the uncertain parameters of the structure from [[uncertainty]].
+  /// Adds the uncertain parameters of [[uncertainty]].
   void read_uncertainty(const toml::node& section, Structure& structure) const;
 
  private:

@@ -1,27 +1,33 @@
 // Which material has which keys.
 #include "problems/files/material_section.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include <fmt/format.h>
 
-#include "problems/files/loads_file.hpp"
-#include "problems/structure/structure_check.hpp"
+#include "problems/files/bar_group.hpp"
 
 namespace kusabi::problems {
 namespace {
 
+/// Whether a material is one of bars: it has a key that bodies do not have.
+bool is_of_bars(const TomlTable& table) {
+  const auto has = [&](std::string_view key) { return table.table->contains(key); };
+  return std::ranges::any_of(std::array{"EA", "A", "yield", "fy"}, has);
+}
+
 GroupMaterial bar_material(const TomlReader& reader, const TomlTable& table) {
-  reader.allow_only(table, {"groups", "EA", "yield"});
+  reader.allow_only(table, {"groups", "EA", "E", "A", "yield", "fy"});
+  if (!table.table->contains("E")) {
+    reader.require(table, "EA", "EA = an axial stiffness, a force, or E and A");
+  }
   GroupMaterial material;
-  const auto& entry = reader.require(table, "EA", "EA = an axial stiffness, a force");
   material.of_bars = true;
-  material.position = reader.position(entry);
-  material.bar.axial_stiffness = reader.number(entry, "EA");
-  if (material.bar.axial_stiffness == 0) {
-    reader.fail(material.position, axial_stiffness_fault(0));
-  }
-  if (const auto* yield = table.table->get("yield"); yield != nullptr) {
-    material.bar.yield = yield_in(reader, *yield);
-  }
+  const auto bars = bars_in(reader, table);
+  material.bar = bars.bar;
+  material.position = bars.stiffness;
   return material;
 }
 
@@ -63,10 +69,11 @@ std::vector<GroupMaterial> read_materials(const ProblemDraft& draft) {
   const TomlReader& reader = draft.reader();
   for (const TomlTable& table : reader.groups(*section, "material")) {
     const auto& groups = reader.require(table, "groups", "groups = [\"MESH.GROUP\", ...]");
-    if (table.table->contains("EA")) {
+    if (is_of_bars(table)) {
       materials.push_back(bar_material(reader, table));
     } else {
-      reader.allow_only(table, {"groups", "E", "nu", "thickness", "plane", "EA", "yield"});
+      reader.allow_only(table,
+                        {"groups", "E", "nu", "thickness", "plane", "EA", "A", "yield", "fy"});
       materials.push_back(body_material(draft, table));
     }
     materials.back().groups = reader.texts(groups, "groups");

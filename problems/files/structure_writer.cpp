@@ -217,12 +217,17 @@ void write_contact(const Structure& structure, std::string& text) {
       });
 }
 
+std::string case_text(const std::string& load_case) {
+  return load_case.empty() ? "" : fmt::format("case = {}\n", quoted(load_case));
+}
+
 void write_loads(const Structure& structure, std::string& text) {
   const auto& loads = structure.loads;
   by_runs(
       loads.size(),
       [&](auto a, auto b) {
-        return loads[a].kind == loads[b].kind && loads[a].force == loads[b].force;
+        return loads[a].kind == loads[b].kind && loads[a].force == loads[b].force &&
+               loads[a].load_case == loads[b].load_case;
       },
       [&](auto first, auto last) {
         std::vector<std::string> names;
@@ -232,7 +237,15 @@ void write_loads(const Structure& structure, std::string& text) {
         text += fmt::format("\n[[loads]]\nkind = \"{}\"\nnodes = {}\nforce = {}\n",
                             loads[first].kind == Load::Kind::dead ? "dead" : "reference",
                             list(names), vector_text(loads[first].force));
+        text += case_text(loads[first].load_case);
       });
+}
+
+std::string half_width_text(const UncertainParameter& parameter) {
+  std::string text;
+  if (parameter.half_width) text += fmt::format("alpha = {}\n", *parameter.half_width);
+  if (!parameter.group.empty()) text += fmt::format("group = {}\n", quoted(parameter.group));
+  return text + case_text(parameter.load_case);
 }
 
 // A force for each node, and what is not named is zero.
@@ -249,7 +262,7 @@ void write_uncertain_load(const Structure& structure, const UncertainParameter& 
         text += fmt::format("  {{ nodes = [{}], force = {} }},\n",
                             quoted(structure.node_names[node]), vector_text(force));
       });
-  text += "]\n";
+  text += "]\n" + half_width_text(parameter);
 }
 
 // A group a parameter: lists of what is uncertain are short, or left out.
@@ -263,7 +276,8 @@ void write_uncertainty(const Structure& structure, std::string& text) {
     const auto& [node, axis, weight] = parameter.components.front();
     text += fmt::format("\n[[uncertainty]]\nnodes = [{}]\naxes = [\"{}\"]\nweight = {}\n",
                         quoted(structure.node_names[static_cast<std::size_t>(node)]),
-                        axis_name(axis), weight);
+                        axis_name(axis), weight) +
+            half_width_text(parameter);
   }
 }
 

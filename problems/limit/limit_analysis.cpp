@@ -20,10 +20,19 @@ double unit_of(double size, double force_unit) {
   return std::ldexp(force_unit, exponent - 1);
 }
 
+// A model's columns have their half-widths in their weights.
+std::vector<UncertainColumn> of_one_width(std::vector<UncertainColumn> columns) {
+  for (auto& column : columns) {
+    column.weight = column.reach();
+    column.half_width = 1;
+  }
+  return columns;
+}
+
 // T~ = F Y^-1 T, the weights being the sizes of its columns. @param row_unit Y
 void scale_uncertain(const LimitProblem& problem, const Eigen::VectorXd& row_unit,
                      LimitModel& model) {
-  model.uncertain = problem.uncertain;
+  model.uncertain = of_one_width(problem.uncertain);
   model.direction_unit.resize(problem.uncertain_count());
   for (int j = 0; j < problem.uncertain_count(); ++j) {
     auto& column = model.uncertain[static_cast<std::size_t>(j)];
@@ -84,7 +93,7 @@ LimitModel unscaled_model(const LimitProblem& problem) {
   model.reference = problem.reference;
   model.tension = problem.tension;
   model.compression = problem.compression;
-  model.uncertain = problem.uncertain;
+  model.uncertain = of_one_width(problem.uncertain);
   model.member_unit = Eigen::VectorXd::Ones(problem.member_count());
   model.displacement_unit = Eigen::VectorXd::Ones(problem.free_count());
   model.direction_unit = Eigen::VectorXd::Ones(problem.uncertain_count());

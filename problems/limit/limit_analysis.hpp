@@ -10,7 +10,8 @@
 //   B~ = Y^-1 B C,  f~_D = Y^-1 f_D,  f~_R = Y^-1 f_R / R,  T~ = F Y^-1 T,  q~ = C^-1 q,
 //   u~ = R Y u,  lambda~ = R lambda,  zeta~ = zeta / F.
 //
-// Column j of T~ is weight w~_j times a direction d~_j whose largest component is of size one.
+// Column j of T~ is weight w~_j times a direction d~_j whose largest component is of size one. Its
+// half-width is in the weight, so that one alpha goes for all.
 // Units that differ by less than eight are one. A yield force of far more than F stands for
 // "never"; it is cut off at `most_yield` c_i, which can only lower the load factor.
 #pragma once

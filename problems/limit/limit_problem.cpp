@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "problems/structure/constraints.hpp"
+#include "problems/structure/load_cases.hpp"
 #include "problems/structure/mechanism.hpp"
 #include "problems/structure/structure_check.hpp"
 #include "support/fingerprint.hpp"
@@ -45,7 +46,14 @@ void require_bars_with_yield_and_reference(const Structure& structure) {
     if (structure.members[index].yield) continue;
     throw structure_error(
         structure, position_of(structure.sources.yields, static_cast<int>(index)),
-        "a [[members]] group has no yield; expected yield = axial force at which it yields");
+        "a [[members]] group has no yield; expected yield = axial force at which it yields, or "
+        "fy and A");
+  }
+  if (!load_cases(structure).empty()) {
+    throw structure_error(structure, top_of(structure),
+                          fmt::format("the loads are several cases, and a limit load is of one; "
+                                      "expected one of {} to be chosen (--case)",
+                                      choice_of_load_cases(structure)));
   }
   const bool any = std::ranges::any_of(
       structure.loads, [](const Load& load) { return load.kind == Load::Kind::reference; });
@@ -89,44 +97,19 @@ UncertainColumn column_of(const UncertainParameter& parameter, const FreeDegrees
   }
   std::ranges::sort(free, {}, &UncertainColumn::Component::degree);
   auto column = free.size() == 1 ? UncertainColumn::single(free[0].degree, free[0].value)
-                                 : UncertainColumn{1, std::move(free)};
+                                 : UncertainColumn{.direction = std::move(free)};
   column.name = parameter.name;
+  column.group = parameter.group;
+  column.half_width = parameter.half_width.value_or(1);
+  column.in_file = parameter.half_width.has_value();
   return column;
-}
-
-bool works_with(const Eigen::VectorXd& reference, const UncertainColumn& column) {
-  double sizes = 0;
-  for (const auto& [degree, value] : column.direction) {
-    sizes += std::abs(value * reference(degree));
-  }
-  return std::abs(column.along(reference)) > no_reference_work * sizes;
-}
-
-std::string reference_fault(const Structure& structure, const UncertainParameter& parameter) {
-  if (!parameter.name.empty()) {
-    return fmt::format(
-        "the uncertain load {} has a part along the reference load; expected "
-        "f_R^T t = 0, the sum of the products of their components (assumption 3.1)",
-        support::in_quotes(parameter.name));
-  }
-  const auto& [node, axis, weight] = parameter.components.front();
-  return fmt::format(
-      "component {} of the load at {} is uncertain and carries reference load; "
-      "expected one or the other (assumption 3.1)",
-      axis_name(axis), support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]));
 }
 
 std::vector<UncertainColumn> given_columns(const Structure& structure,
                                            const LimitProblem& problem) {
   std::vector<UncertainColumn> columns;
-  int first = 0;
   for (const UncertainParameter& parameter : *structure.uncertain) {
     columns.push_back(column_of(parameter, problem.degrees));
-    if (works_with(problem.reference, columns.back())) {
-      throw structure_error(structure, position_of(structure.sources.uncertain, first),
-                            reference_fault(structure, parameter));
-    }
-    first += static_cast<int>(parameter.components.size());
   }
   return columns;
 }
@@ -166,6 +149,10 @@ std::uint64_t fingerprint(const LimitProblem& problem) {
       result.add(degree);
       result.add(column.weight * value);
     }
+    if (column.in_file) {
+      result.add(-1);  // nor is that a count of components
+      result.add(column.half_width);
+    }
   }
   return result.value();
 }
@@ -179,18 +166,26 @@ std::string member_name(const LimitProblem& problem, int member) {
 }
 
 std::string parameter_name(const LimitProblem& problem, int column) {
-  const auto& [weight, direction, name] = problem.uncertain[static_cast<std::size_t>(column)];
-  if (!name.empty()) return name;
+  const auto& given = problem.uncertain[static_cast<std::size_t>(column)];
+  if (!given.name.empty()) return given.name;
   const auto& [node, axis] =
-      problem.degrees.free[static_cast<std::size_t>(direction.front().degree)];
+      problem.degrees.free[static_cast<std::size_t>(given.direction.front().degree)];
   return fmt::format("{} at {}", axis_name(axis),
                      problem.node_names[static_cast<std::size_t>(node)]);
 }
 
-Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
+bool works_with_reference(const LimitProblem& problem, const UncertainColumn& column) {
+  double sizes = 0;
+  for (const auto& [degree, value] : column.direction) {
+    sizes += std::abs(value * problem.reference(degree));
+  }
+  return std::abs(column.along(problem.reference)) > no_reference_work * sizes;
+}
+
+Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& shares) {
   Eigen::VectorXd load = problem.dead;
   for (int j = 0; j < problem.uncertain_count(); ++j) {
-    problem.uncertain[static_cast<std::size_t>(j)].add_to(load, zeta(j));
+    problem.uncertain[static_cast<std::size_t>(j)].add_to(load, shares(j));
   }
   return load;
 }

@@ -3,7 +3,7 @@
 //
 //   lambda*(zeta) = max  lambda
 //                   s.t. B q = f_D + T zeta + lambda f_R,   -q^c_i <= q_i <= q^t_i,           (5)
-//   lambda_min(alpha) = min { lambda*(zeta) : |zeta_j| <= alpha }.                            (13)
+//   lambda_min(alpha) = min { lambda*(zeta) : |zeta_j| <= h_j alpha }.                        (13)
 //
 // Members may yield at different forces in tension and compression; the paper's common q^y is
 // q^t = q^c.
@@ -50,17 +50,21 @@ std::string member_name(const LimitProblem& problem, int member);
 /// The name of a column of T, or "x at tip" of its component.
 std::string parameter_name(const LimitProblem& problem, int column);
 
-/// f_D + T zeta. @param zeta m
-Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& zeta);
+/// f_D + T zeta. @param shares zeta_j / h_j, m
+Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& shares);
 
 /// What f_R^T t_j may be relative to sum_e |f_R,e t_j,e|: components are typed with ten digits or
 /// so. No bound and no proof rests on it.
 inline constexpr double no_reference_work = 1e-9;
 
-/// Checks what limit analysis needs, and assumption 3.1 (ii) of the paper: (i) is of no need.
-/// @throws InputError if `check_structure` does; if loads or yield forces are missing; if no
-///         reference load acts on a free displacement; if f_R^T t_j is not zero for a column of T
-///         (assumption 3.1 (ii)); if the structure is a mechanism (with the nodes that move)
+/// Whether f_R^T t_j is not zero: such a load takes from the reference load, or adds to it, and
+/// assumption 3.1 (ii) of the paper does not hold (docs/theory/limit.md).
+bool works_with_reference(const LimitProblem& problem, const UncertainColumn& column);
+
+/// Checks what limit analysis needs; assumption 3.1 of the paper is of no need.
+/// @throws InputError if `check_structure` does; if loads or yield forces are missing; if the
+///         loads are of several cases; if no reference load acts on a free displacement; if the
+///         structure is a mechanism (with the nodes that move)
 LimitProblem limit_problem(const Structure& structure);
 
 }  // namespace kusabi::problems

@@ -17,9 +17,9 @@ std::string degree_name(const LimitProblem& problem, int degree) {
 
 // A column of T by its name, or by the displacement of its one component.
 std::string uncertain_name(const LimitProblem& problem, std::size_t column) {
-  const auto& [weight, direction, given] = problem.uncertain[column];
-  if (given.empty()) return degree_name(problem, direction.front().degree);
-  std::string name = given;
+  const auto& given = problem.uncertain[column];
+  if (given.name.empty()) return degree_name(problem, given.direction.front().degree);
+  std::string name = given.name;
   std::ranges::replace(name, ' ', '_');
   return name;
 }

@@ -7,7 +7,7 @@
 namespace kusabi::problems {
 
 UncertainColumn UncertainColumn::single(int degree, double value) {
-  return {std::abs(value), {{degree, value < 0 ? -1.0 : 1.0}}};
+  return {.weight = std::abs(value), .direction = {{degree, value < 0 ? -1.0 : 1.0}}};
 }
 
 double UncertainColumn::along(const Eigen::VectorXd& motion) const {
@@ -16,14 +16,14 @@ double UncertainColumn::along(const Eigen::VectorXd& motion) const {
   return total;
 }
 
-void UncertainColumn::add_to(Eigen::VectorXd& load, double zeta) const {
-  for (const auto& [degree, value] : direction) load(degree) += weight * value * zeta;
+void UncertainColumn::add_to(Eigen::VectorXd& load, double share) const {
+  for (const auto& [degree, value] : direction) load(degree) += reach() * value * share;
 }
 
 double UncertainColumn::largest() const {
   double most = 0;
   for (const auto& [degree, value] : direction) most = std::max(most, std::abs(value));
-  return weight * most;
+  return reach() * most;
 }
 
 }  // namespace kusabi::problems

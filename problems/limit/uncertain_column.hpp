@@ -1,5 +1,5 @@
 // A column of T: how a parameter zeta_j acts on the dead load, f_D + sum_j zeta_j t_j (section 3.1
-// of the limit paper).
+// of the limit paper), and how far the parameter may go.
 #pragma once
 
 #include <string>
@@ -21,17 +21,22 @@ struct UncertainColumn {
   double weight = 1;                 ///< w_j > 0
   std::vector<Component> direction;  ///< d_j, by displacement, not empty
   std::string name{};                ///< empty: of a single component
+  std::string group{};               ///< of those that are told how far they go together
+  /// h_j: |zeta_j| <= h_j alpha. The alpha that is asked for goes for all columns with 1; where
+  /// some have a half-width of their own, each has its own and alpha is 1.
+  double half_width = 1;
+  bool in_file = false;  ///< whether the file says its half-width
 
   /// The load at one free displacement. @param value not zero
   static UncertainColumn single(int degree, double value);
 
   /// d_j^T u. @param motion n^d
   [[nodiscard]] double along(const Eigen::VectorXd& motion) const;
-  /// t_j^T u: the work of the load for zeta_j = 1.
-  [[nodiscard]] double work(const Eigen::VectorXd& motion) const { return weight * along(motion); }
-  /// Adds zeta t_j.
-  void add_to(Eigen::VectorXd& load, double zeta) const;
-  /// The size of the largest component of t_j.
+  /// h_j w_j: what the search knows the column by.
+  [[nodiscard]] double reach() const { return half_width * weight; }
+  /// Adds h_j t_j times a share of alpha.
+  void add_to(Eigen::VectorXd& load, double share) const;
+  /// The size of the largest component of h_j t_j.
   [[nodiscard]] double largest() const;
 };
 

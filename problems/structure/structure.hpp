@@ -46,7 +46,8 @@ struct Load {
   enum class Kind { dead, reference };
   Kind kind;
   int node;
-  Eigen::VectorXd force;  ///< d
+  Eigen::VectorXd force;    ///< d
+  std::string load_case{};  ///< empty: it is of all cases
 };
 
 /// What a parameter of the dead load puts on one component.
@@ -56,11 +57,14 @@ struct UncertainComponent {
   double weight = 1;  ///< not zero: the half-width for alpha = 1
 };
 
-/// A parameter zeta_j of the dead load, known up to +- alpha, and its column of T (limit paper (6),
-/// (7)).
+/// A parameter zeta_j of the dead load, known up to its half-width, and its column of T (limit
+/// paper (6), (7)).
 struct UncertainParameter {
   std::string name;  ///< empty: of a single component, which is its name, with a weight above zero
   std::vector<UncertainComponent> components;
+  std::optional<double> half_width{};  ///< of zeta_j, force; nothing: the alpha that is asked for
+  std::string group{};                 ///< what the file calls those that it is of; may be empty
+  std::string load_case{};             ///< empty: it is of all cases
 };
 
 /// How a plane element is held across the plane.
@@ -191,7 +195,8 @@ struct Structure {
   std::vector<Tie> ties;
   std::vector<ContactCandidate> contact;  ///< in the order of every answer
   std::vector<Load> loads;                ///< in the order of the file
-  /// Nothing: every free component that carries neither dead nor reference load, with weight 1.
+  /// Intervals of the dead load among them. Nothing: every free component that carries neither dead
+  /// nor reference load, with weight 1.
   std::optional<std::vector<UncertainParameter>> uncertain;
   Sources sources;
   /// What the file has that may not be meant, or was left out: a line each, with its place.

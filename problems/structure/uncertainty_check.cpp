@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "problems/structure/load_cases.hpp"
+#include "problems/structure/structure_check.hpp"
+
 namespace kusabi::problems {
 namespace {
 
@@ -16,6 +19,7 @@ class UncertaintyCheck {
  public:
   explicit UncertaintyCheck(const Structure& structure) : structure_(structure) {}
 
+  void half_width(const UncertainParameter& parameter) const;
   void single(const UncertainParameter& parameter);
   void named(const UncertainParameter& parameter);
 
@@ -47,6 +51,16 @@ void UncertaintyCheck::component(const UncertainComponent& component, bool negat
   if (!(size >= smallest_weight && size <= largest_weight)) {
     fail(fmt::format("the weight of an uncertain component is {:g}; expected between {:g} and {:g}",
                      component.weight, smallest_weight, largest_weight));
+  }
+}
+
+void UncertaintyCheck::half_width(const UncertainParameter& parameter) const {
+  if (!parameter.half_width) return;
+  // Written so that NaN fails too.
+  if (!(*parameter.half_width >= smallest_magnitude &&
+        *parameter.half_width <= largest_magnitude)) {
+    fail(fmt::format("the half-width of an uncertain load is {:g}; expected between {:g} and {:g}",
+                     *parameter.half_width, smallest_magnitude, largest_magnitude));
   }
 }
 
@@ -102,8 +116,13 @@ void check_uncertainty(const Structure& structure) {
       ++index;
     }
   }
+  for (const auto& load_case : load_cases(structure)) {
+    check_uncertainty(in_load_case(structure, load_case));
+  }
+  if (!load_cases(structure).empty()) return;
   UncertaintyCheck check(structure);
   for (const auto& parameter : *structure.uncertain) {
+    check.half_width(parameter);
     if (parameter.name.empty()) {
       check.single(parameter);
     } else {

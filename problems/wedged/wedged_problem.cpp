@@ -34,9 +34,9 @@ void require_contact_and_stiffness(const Structure& structure) {
   }
   for (std::size_t index = 0; index < structure.members.size(); ++index) {
     if (structure.members[index].axial_stiffness != 0) continue;
-    throw structure_error(structure,
-                          position_of(structure.sources.axial_stiffnesses, static_cast<int>(index)),
-                          "a [[members]] group has no EA; expected EA = axial stiffness, a force");
+    throw structure_error(
+        structure, position_of(structure.sources.axial_stiffnesses, static_cast<int>(index)),
+        "a [[members]] group has no EA; expected EA = axial stiffness, a force, or E and A");
   }
 }
 

@@ -11,10 +11,12 @@
 #include "engine/together.hpp"
 #include "nodes/limit/safe_big_m.hpp"
 #include "problems/files/structure_file.hpp"
+#include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/limit/mixed_limit.hpp"
 #include "problems/limit/program_names.hpp"
+#include "problems/structure/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/export/export.hpp"
 #include "run/export/exported_file.hpp"
@@ -49,12 +51,14 @@ class ExportMps final : public ExportedFile {
   void write(std::ostream& out) const override;
 
  private:
+  void settle_half_widths();
   [[nodiscard]] linear::MixedProgram program() const;
   [[nodiscard]] std::vector<std::string> comments() const;
   [[nodiscard]] std::vector<std::string> comments_on_worst_case() const;
 
   Program choice_ = Program::worst_case;
   std::optional<double> alpha_;
+  std::string load_case_;
   std::optional<double> asked_m_;
   std::optional<problems::LimitProblem> problem_;
   Eigen::VectorXd big_m_;  // of the worst case: one an uncertain component
@@ -73,28 +77,37 @@ void ExportMps::describe(OptionTable& table) {
               "of the worst case: the uncertain components of the dead load are known up to +- "
               "this")
       .unit("in the file's unit of force");
-  table
-      .number("--big-m", &asked_m_, above(0),
-              "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
-              "Without it a safe one is derived for each component")
-      .needs("--alpha");
+  table.number("--big-m", &asked_m_, above(0),
+               "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
+               "Without it a safe one is derived for each component");
+  table.text("--case", load_case_, "NAME", "of the load cases of the file, this one");
   describe_output(table);
 }
 
 void ExportMps::check() const {
   const bool of_worst_case = choice_ == Program::worst_case;
-  if (of_worst_case && !alpha_) {
-    throw WrongInput("--program worst-case: of no uncertainty; expected --alpha");
-  }
-  if (!of_worst_case && alpha_) {
+  if (!of_worst_case && (alpha_ || asked_m_)) {
     throw WrongInput(
-        "--alpha: of a program without uncertainty; expected --program worst-case, or no --alpha");
+        "--alpha, --big-m: of a program without uncertainty; expected --program worst-case, or "
+        "neither");
   }
 }
 
 void ExportMps::prepare(CommandRun& run) {
-  problem_ = problems::limit_problem(problems::read_structure(text(), file()));
+  problem_ = problems::limit_problem(
+      problems::in_chosen_case(problems::read_structure(text(), file()), load_case_));
+  if (choice_ == Program::worst_case) settle_half_widths();
   engine::agree(run.session().transport(), problem_->fingerprint);
+}
+
+void ExportMps::settle_half_widths() {
+  problems::LimitProblem* const one = &*problem_;
+  try {
+    alpha_ = problems::settle_half_widths({&one, 1}, {.alpha = alpha_});
+  } catch (const problems::UnfitHalfWidths& error) {
+    throw WrongInput(fmt::format("--alpha: {}", error.what()));
+  }
+  if (!alpha_) throw WrongInput("--program worst-case: of no uncertainty; expected --alpha");
 }
 
 void ExportMps::search(CommandRun& run) {
@@ -137,9 +150,11 @@ linear::MixedProgram ExportMps::program() const {
 }
 
 std::vector<std::string> ExportMps::comments_on_worst_case() const {
+  const auto alpha = problems::common_half_width(*problem_, *alpha_);
   std::vector<std::string> lines{
-      fmt::format("Its uncertain components are known up to +- {} {} times their weights.", *alpha_,
-                  problem_->units.force),
+      alpha ? fmt::format("Its uncertain components are known up to +- {} {} times their weights.",
+                          *alpha, problem_->units.force)
+            : std::string("Its uncertain components are known up to half-widths of their own."),
       "Minimise: the optimal objective is the worst-case load factor, lambda_min.",
       "u: the collapse mode, with f_R'u = 1; z: how much each member is stretched or shortened; "
       "gamma: the size of each uncertain",

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/limit/collapse_mode.hpp"
+#include "problems/limit/half_widths.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/values.hpp"
 
@@ -32,7 +33,8 @@ struct NamedCurve {
 
 std::vector<NamedCurve> curves_of(const CurveReport& report) {
   const auto& [options, problem, answer] = report;
-  const double alpha = options.question.alpha.value_or(0);
+  const double alpha =
+      problems::common_half_width(problem, options.question.alpha.value_or(0)).value_or(1);
   std::vector<NamedCurve> list;
   if (answer.curve) {
     list.push_back({&*answer.curve, "curve", "critical",

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,9 +15,12 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
+#include "problems/structure/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/limit/curve_load.hpp"
 #include "run/limit/curve_report.hpp"
+#include "run/limit/group_half_widths.hpp"
+#include "run/limit/limit_cases.hpp"
 #include "run/limit/limit_pictures.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/members_csv.hpp"
@@ -58,53 +60,57 @@ class Limit final : public Subcommand {
   Verdict verdict(CommandRun& run) override;
 
  private:
+  void take_cases(problems::Structure structure);
+  void settle_half_widths();
+  void refuse_without_worst_case() const;
   [[nodiscard]] const char* why_no_certificate() const;
 
   LimitOptions options_;
+  std::string group_alpha_;
   std::string certificate_;
   std::string curve_csv_;
   std::string vtu_;
   problems::ProblemText text_;
   std::string load_text_;
-  problems::Structure truss_;
-  std::optional<problems::LimitProblem> problem_;
-  limit::LimitFindings found_;
+  std::vector<LimitCase> cases_;  // one, without a name, if the file has none
 };
 
 void Limit::describe(OptionTable& table) {
   constexpr double most_samples = 1e8;
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table
-      .number("--alpha", &options_.question.alpha, at_least(0),
-              "the uncertain parts of the dead load are known up to +- this")
+      .number("--alpha", &options_.asked.alpha, at_least(0),
+              "the uncertain parts of the dead load are known up to +- this, but those that have "
+              "an alpha of their own")
       .unit("in the file's unit of force")
       .swept();
+  table.text("--case", options_.load_case, "NAME",
+             "of the load cases of the file, this one; without it all, one after another");
   table
-      .choice("--cuts", options_.question.method,
-              {{"none", limit::LimitMethod::fixed},
-               {"disjunctive", limit::LimitMethod::disjunctive},
-               {"tighten", limit::LimitMethod::tightened},
-               {"static", limit::LimitMethod::static_cuts},
-               {"all", limit::LimitMethod::all}},
-              "how the worst case is found: by static cuts, or by the 0-1 program (29) with none, "
-              "disjunctive ones (the paper's method), a tightened M, or all of these. With none or "
-              "disjunctive and --big-m: as printed in the paper")
-      .needs("--alpha");
+      .text("--group-alpha", group_alpha_, "NAME=NUMBER,...",
+            "likewise, of the uncertain loads or groups with these names")
+      .unit("in the file's unit of force");
+  table.choice(
+      "--cuts", options_.question.method,
+      {{"none", limit::LimitMethod::fixed},
+       {"disjunctive", limit::LimitMethod::disjunctive},
+       {"tighten", limit::LimitMethod::tightened},
+       {"static", limit::LimitMethod::static_cuts},
+       {"all", limit::LimitMethod::all}},
+      "how the worst case is found: by static cuts, or by the 0-1 program (29) with none, "
+      "disjunctive ones (the paper's method), a tightened M, or all of these. With none or "
+      "disjunctive and --big-m: as printed in the paper");
   table
       .number("--big-m", &options_.question.big_m, above(0),
               "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
               "Without it a safe one is derived")
       .needs("--cuts");
-  table
-      .number(
-          "--samples", &options_.question.samples, between(1, most_samples),
-          "compare with so many random dead loads; --cuts none and disjunctive start from the best")
-      .needs("--alpha");
+  table.number(
+      "--samples", &options_.question.samples, between(1, most_samples),
+      "compare with so many random dead loads; --cuts none and disjunctive start from the best");
   table.number("--seed", &options_.question.seed, at_least(0), "of the random dead loads");
-  table
-      .flag("--curve", options_.question.curve,
-            "how the load factor falls as the critical load, or alpha, grows from zero")
-      .needs("--alpha");
+  table.flag("--curve", options_.question.curve,
+             "how the load factor falls as the critical load, or alpha, grows from zero");
   table.file("--curve-load", options_.curve_load, Role::input,
              "how it falls as the load in this file grows: [[loads]] of nodes and force, or an "
              "earlier result, of which it is the critical part");
@@ -126,13 +132,13 @@ void Limit::describe(OptionTable& table) {
   table
       .file("--certificate", certificate_, Role::output,
             "write the evidence to this file, for kusabi verify")
-      .needs("--alpha")
       .matters();
   table.quiet();
   table.serial();
 }
 
 void Limit::check() const {
+  group_half_widths(group_alpha_);
   if (options_.question.curve || !options_.curve_load.empty()) return;
   if (!curve_csv_.empty()) {
     throw WrongInput("--curve-csv: no curve is asked for; expected --curve or --curve-load, too");
@@ -142,6 +148,36 @@ void Limit::check() const {
   }
 }
 
+// What only a worst case has.
+void Limit::refuse_without_worst_case() const {
+  const auto& question = options_.question;
+  const char* option = nullptr;
+  if (question.method != limit::LimitMethod::static_cuts) option = "--cuts";
+  if (question.samples > 0) option = "--samples";
+  if (question.curve) option = "--curve";
+  if (!certificate_.empty()) option = "--certificate";
+  if (option == nullptr) return;
+  throw WrongInput(
+      fmt::format("{}: it is of a worst case, and how far uncertain loads may go is not known; "
+                  "expected --alpha, "
+                  "or alpha in the groups of the file",
+                  option));
+}
+
+// How far uncertain loads may go, as the file and the call have it.
+void Limit::settle_half_widths() {
+  options_.asked.groups = group_half_widths(group_alpha_);
+  std::vector<problems::LimitProblem*> problems;
+  for (auto& each : cases_) problems.push_back(&each.problem);
+  try {
+    options_.question.alpha = problems::settle_half_widths(problems, options_.asked);
+  } catch (const problems::UnfitHalfWidths& error) {
+    throw WrongInput(fmt::format(
+        "{}: {}", options_.asked.groups.empty() ? "--alpha" : "--group-alpha", error.what()));
+  }
+  if (!options_.question.alpha) refuse_without_worst_case();
+}
+
 void Limit::read(CommandRun& run) {
   text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
   if (options_.curve_load.empty()) return;
@@ -149,17 +185,37 @@ void Limit::read(CommandRun& run) {
       [&] { return problems::file_text(options_.curve_load, "a result file in JSON"); });
 }
 
+// The cases of the file, or the one that is asked for.
+void Limit::take_cases(problems::Structure structure) {
+  structure = problems::in_chosen_case(std::move(structure), options_.load_case);
+  auto names = problems::load_cases(structure);
+  if (names.size() > 1 && !certificate_.empty()) {
+    throw WrongInput("--certificate: it is of one load case; expected --case, one of " +
+                     problems::choice_of_load_cases(structure));
+  }
+  if (names.empty()) names.emplace_back();
+  for (const auto& name : names) {
+    auto truss = name.empty() ? structure : problems::in_load_case(structure, name);
+    auto problem = problems::limit_problem(truss);
+    cases_.push_back({name, std::move(truss), std::move(problem)});
+  }
+}
+
 void Limit::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  truss_ = problems::read_structure(text_, options_.file);
-  warn_all(run.session(), truss_.warnings);
-  problem_ = problems::limit_problem(truss_);
-  engine::agree(run.session().transport(), problem_->fingerprint);
-  if (!options_.curve_load.empty()) {
-    options_.question.curve_load = curve_load(load_text_, options_.curve_load, *problem_);
+  auto structure = problems::read_structure(text_, options_.file);
+  warn_all(run.session(), structure.warnings);
+  take_cases(std::move(structure));
+  settle_half_widths();
+  engine::Facts facts;
+  for (const auto& [name, truss, problem, found] : cases_) {
+    engine::agree(run.session().transport(), problem.fingerprint);
+    facts.emplace_back(name.empty() ? "the problem" : "the problem, case " + name,
+                       hexadecimal(problem.fingerprint));
   }
-  engine::Facts facts{{"the problem", hexadecimal(problem_->fingerprint)}};
   if (!options_.curve_load.empty()) {
+    options_.question.curve_load =
+        curve_load(load_text_, options_.curve_load, cases_.front().problem);
     support::Fingerprint load;
     load.add(load_text_);
     facts.emplace_back("--curve-load", hexadecimal(load.value()));
@@ -168,9 +224,11 @@ void Limit::prepare(CommandRun& run) {
 }
 
 std::string Limit::announcement(const std::string& ranks) const {
-  return fmt::format("{}: {}, {} nodes, {} members, {} free displacements; {}", problem_->name,
-                     problem_->dimension == 2 ? "in the plane" : "in space",
-                     problem_->node_names.size(), problem_->member_count(), problem_->free_count(),
+  const auto& problem = cases_.front().problem;
+  return fmt::format("{}: {}, {} nodes, {} members, {} free displacements{}; {}", problem.name,
+                     problem.dimension == 2 ? "in the plane" : "in space",
+                     problem.node_names.size(), problem.member_count(), problem.free_count(),
+                     cases_.size() == 1 ? "" : fmt::format(", {} load cases", cases_.size()),
                      ranks);
 }
 
@@ -178,12 +236,18 @@ void Limit::search(CommandRun& run) {
   options_.question.evidence = !certificate_.empty();
   engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
   try {
-    found_ = limit::limit_loads(campaign, truss_, *problem_, options_.question);
+    for (auto& each : cases_) {
+      if (cases_.size() > 1) campaign.say("load case " + each.name);
+      each.found = limit::limit_loads(campaign, each.truss, each.problem, options_.question);
+    }
   } catch (const limit::BigMTooSmall&) {
     throw WrongInput(
         "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
   }
-  if (run.shows() && found_.answer.worst && found_.answer.worst->no_safe_m) {
+  const auto no_safe_m = [](const LimitCase& each) {
+    return each.found.answer.worst && each.found.answer.worst->no_safe_m;
+  };
+  if (run.shows() && std::ranges::any_of(cases_, no_safe_m)) {
     tell(
         "--cuts: no safe M was found, and (29) was not tried; the ends are those of static "
         "cuts\n");
@@ -192,7 +256,7 @@ void Limit::search(CommandRun& run) {
 
 std::vector<Step> Limit::results(CommandRun& run) {
   const auto report = std::make_shared<const LimitReport>(
-      LimitReport{options_, truss_, *problem_, found_.answer, run.session().ranks()});
+      LimitReport{options_, cases_, governing(cases_), run.session().ranks()});
   std::vector<Step> steps{run.result([report] { return report->json(); })};
   steps.push_back(
       run.file("--csv", [report](std::ostream& out) { write_members_csv(out, *report); }));
@@ -200,9 +264,9 @@ std::vector<Step> Limit::results(CommandRun& run) {
     CurveReport{report->options, report->problem, report->answer}.write_csv(out);
   }));
   steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
-  if (found_.certificate) {
-    steps.push_back(run.file("--certificate", [this](std::ostream& out) {
-      out << limit_certificate_text(*found_.certificate);
+  if (const auto& certificate = cases_.front().found.certificate) {
+    steps.push_back(run.file("--certificate", [&certificate](std::ostream& out) {
+      out << limit_certificate_text(*certificate);
     }));
   }
   steps.push_back(run.answer([report] { return report->table(CommandRun::page()); }));
@@ -210,7 +274,7 @@ std::vector<Step> Limit::results(CommandRun& run) {
 }
 
 const char* Limit::why_no_certificate() const {
-  const auto& worst = found_.answer.worst;
+  const auto& worst = cases_.front().found.answer.worst;
   if (!worst) return "it would be of a worst case; expected --alpha";
   if (worst->as_printed) return "the search was stopped before the two ends were proved";
   return worst->status == limit::RootStatus::not_carried
@@ -219,23 +283,30 @@ const char* Limit::why_no_certificate() const {
 }
 
 Verdict Limit::verdict(CommandRun& run) {
-  Verdict verdict{.remarks = {}, .code = found_.answer.whole() ? solved : stopped_early};
-  if (run.wants("--certificate") && !found_.certificate) {
+  Verdict verdict{.remarks = {}, .code = all_whole(cases_) ? solved : stopped_early};
+  if (run.wants("--certificate") && !cases_.front().found.certificate) {
     verdict.code = stopped_early;
     if (!run.quiet()) {
       verdict.remarks.push_back(
           fmt::format("no certificate ({} is as it was): {}", certificate_, why_no_certificate()));
     }
   }
-  const auto& worst = found_.answer.worst;
-  const auto stopped =
-      worst && worst->search != engine::Status::solved ? worst->search : found_.answer.rest;
-  if (stopped != engine::Status::solved) {
-    std::ranges::move(run.how_to_go_on(options_.checkpoint, stopped, false),
+  bool printed = false;  // of the whole tree, and not proved
+  auto ended_by = engine::Status::solved;
+  for (const auto& each : cases_) {
+    const auto& answer = each.found.answer;
+    const auto& worst = answer.worst;
+    const auto stopped =
+        worst && worst->search != engine::Status::solved ? worst->search : answer.rest;
+    if (stopped != engine::Status::solved && ended_by == engine::Status::solved) ended_by = stopped;
+    printed = printed || (worst && worst->as_printed && !worst->proved &&
+                          worst->search == engine::Status::solved);
+  }
+  if (ended_by != engine::Status::solved) {
+    std::ranges::move(run.how_to_go_on(options_.checkpoint, ended_by, false),
                       std::back_inserter(verdict.remarks));
   }
-  const bool whole_tree = worst && worst->as_printed && worst->search == engine::Status::solved;
-  if (whole_tree && !worst->proved && !run.quiet()) {
+  if (printed && !run.quiet()) {
     verdict.remarks.emplace_back(
         "not proved: the ends of (29) are those of the worst case if its M is large enough; "
         "--certificate FILE has them proved by static cuts");

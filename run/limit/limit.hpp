@@ -7,15 +7,18 @@
 
 #include "engine/options.hpp"
 #include "nodes/limit/limit_question.hpp"
+#include "problems/limit/half_widths.hpp"
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
 
 struct LimitOptions {
   std::string file;
+  std::string load_case;   ///< the one that is asked for; empty: all
   std::string curve_load;  ///< the file of a load of one's own
-  limit::LimitQuestion question;
-  engine::Limits limits;  ///< where the search of a tree stops early
+  problems::AskedHalfWidths asked;
+  limit::LimitQuestion question;  ///< its alpha follows from `asked` and the file
+  engine::Limits limits;          ///< where the search of a tree stops early
   CheckpointChoice checkpoint;
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "problems/limit/collapse_mode.hpp"
+#include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
 #include "run/limit/collapse_loads.hpp"
 #include "run/limit/curve_report.hpp"
@@ -26,7 +27,9 @@ const std::string& node_name(const LimitProblem& problem, int node) {
 ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
   auto list = ordered_json::array();
   for (int j = 0; j < problem.uncertain_count(); ++j) {
-    list.push_back({{"name", problems::parameter_name(problem, j)}, {"value", zeta(j)}});
+    const double half_width = problem.uncertain[static_cast<std::size_t>(j)].half_width;
+    list.push_back(
+        {{"name", problems::parameter_name(problem, j)}, {"value", half_width * zeta(j)}});
   }
   return list;
 }
@@ -123,12 +126,15 @@ ordered_json interval_json(const limit::LimitCollapse& collapse) {
 
 ordered_json options_json(const LimitOptions& options) {
   const auto& question = options.question;
-  ordered_json chosen{{"alpha", number_or_null(question.alpha)},
+  ordered_json chosen{{"alpha", number_or_null(options.asked.alpha)},
                       {"cuts", method_name(question.method)},
                       {"big_m", number_or_null(question.big_m)},
                       {"samples", question.samples},
                       {"seed", question.seed},
                       {"curve", question.curve}};
+  for (const auto& [name, half_width] : options.asked.groups)
+    chosen["group_alpha"][name] = half_width;
+  if (!options.load_case.empty()) chosen["case"] = options.load_case;
   if (!options.curve_load.empty()) chosen["curve_load"] = options.curve_load;
   chosen["curve_to"] = question.curve_to;
   return chosen;
@@ -136,7 +142,8 @@ ordered_json options_json(const LimitOptions& options) {
 
 void add_worst_case(ordered_json& result, const LimitReport& report,
                     const limit::LimitWorstCase& worst) {
-  result["alpha"] = *report.options.question.alpha;
+  result["alpha"] =
+      number_or_null(problems::common_half_width(report.problem, *report.options.question.alpha));
   result["uncertain_components"] = report.problem.uncertain_count();
   result["worst_case"] = {{"lower", number_or_null(worst.ends.lower)},
                           {"upper", number_or_null(worst.ends.upper)},
@@ -170,8 +177,14 @@ ordered_json samples_json(const LimitReport& report) {
 }
 
 ordered_json result_json(const LimitReport& report) {
-  const auto& [options, truss, problem, answer, ranks] = report;
+  const auto& options = report.options;
+  const auto& problem = report.problem;
+  const auto& answer = report.answer;
   ordered_json result;
+  if (!report.load_case.empty()) {
+    result["case"] = report.load_case;
+    result["cases"] = cases_json(report.cases);
+  }
   result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
   if (answer.nominal) {
     result["nominal_interval"] = interval_json(*answer.nominal);
@@ -202,6 +215,14 @@ std::string status_of(const limit::LimitAnswer& answer) {
   return status;
 }
 
+// That of the case that governs, unless another one is open.
+std::string status_of(std::span<const LimitCase> cases) {
+  for (const auto& each : cases) {
+    if (!each.found.answer.whole()) return status_of(each.found.answer);
+  }
+  return status_of(governing(cases).found.answer);
+}
+
 ordered_json statistics_json(const LimitReport& report) {
   ordered_json statistics{{"ranks", report.ranks}};
   if (const auto& worst = report.answer.worst) {
@@ -221,7 +242,7 @@ ordered_json LimitReport::json() const {
           {"version", KUSABI_VERSION},
           {"problem", limit_problem_json(problem, truss, options.file)},
           {"options", options_json(options)},
-          {"status", status_of(answer)},
+          {"status", status_of(cases)},
           {"result", result_json(*this)},
           {"statistics", statistics_json(*this)}};
 }

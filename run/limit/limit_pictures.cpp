@@ -47,7 +47,9 @@ pictures::UnstructuredGrid collapse_grid(const Structure& truss, const LimitProb
 }  // namespace
 
 void draw_collapses(OutputFolder& folder, const LimitReport& report) {
-  const auto& [options, truss, problem, answer, ranks] = report;
+  const auto& truss = report.truss;
+  const auto& problem = report.problem;
+  const auto& answer = report.answer;
   VtuSeries series(folder);
   if (answer.nominal) {
     series.add("nominal.vtu",

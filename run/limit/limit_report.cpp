@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/limit/collapse_mode.hpp"
+#include "problems/limit/half_widths.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/limit/zero_one_report.hpp"
@@ -82,8 +83,18 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
                  const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "\nworst case of {} uncertain loads, alpha = {} {}\n",
-                 problem.uncertain_count(), *options.question.alpha, problem.units.force);
+  const auto alpha = problems::common_half_width(problem, *options.question.alpha);
+  fmt::format_to(out, "\nworst case of {} uncertain loads, {}\n", problem.uncertain_count(),
+                 alpha ? fmt::format("alpha = {} {}", *alpha, problem.units.force)
+                       : "each within its own half-width");
+  const auto along = std::ranges::count_if(
+      problem.uncertain, [&](const auto& column) { return works_with_reference(problem, column); });
+  if (along > 0) {
+    fmt::format_to(out,
+                   "  {} of them act along the reference load: factors are what it may be "
+                   "besides\n",
+                   along);
+  }
   if (worst.status == RootStatus::not_carried) {
     fmt::format_to(out,
                    "  some admissible dead load is carried at no load factor, of either sign{}\n",
@@ -129,8 +140,8 @@ std::string no_nominal(const limit::LimitAnswer& answer) {
 
 std::string LimitReport::table(const Page& page) const {
   const auto verdict = limit_verdict(options, problem, answer, page);
-  if (!answer.nominal) return page.doubtful(no_nominal(answer)) + verdict;
-  std::string text;
+  std::string text = cases.size() > 1 ? cases_text(cases) : std::string();
+  if (!answer.nominal) return text + page.doubtful(no_nominal(answer)) + verdict;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "nominal load factor {:.10g}\n", answer.nominal->factor);
   write_zero(text, "the dead load", *answer.nominal);

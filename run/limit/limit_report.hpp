@@ -1,6 +1,7 @@
 // The table and the JSON of `kusabi limit`.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,17 +11,30 @@
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/structure.hpp"
 #include "run/limit/limit.hpp"
+#include "run/limit/limit_cases.hpp"
 #include "run/output/page.hpp"
 
 namespace kusabi::run {
 
-/// Both views of the answer. @pre the references outlive it
+/// Both views of the answer, in the load case that governs. @pre the references outlive it
 struct LimitReport {
+  LimitReport(const LimitOptions& of, std::span<const LimitCase> all, const LimitCase& governs,
+              int on_ranks)
+      : options(of),
+        cases(all),
+        truss(governs.truss),
+        problem(governs.problem),
+        answer(governs.found.answer),
+        load_case(governs.name),
+        ranks(on_ranks) {}
+
   const LimitOptions& options;
+  std::span<const LimitCase> cases;  ///< all, at least one
   const problems::Structure& truss;
   const problems::LimitProblem& problem;
   const limit::LimitAnswer& answer;
-  int ranks = 1;
+  const std::string& load_case;  ///< empty: the file has none
+  int ranks;
 
   /// @param page that it is printed on
   [[nodiscard]] std::string table(const Page& page) const;

@@ -15,6 +15,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/limit/collapse_mode.hpp"
+#include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
 #include "run/output/conclusions.hpp"
 #include "run/output/name_ranges.hpp"
@@ -92,7 +93,8 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
     if (!column.name.empty()) continue;
     const auto& free =
         problem.degrees.free[static_cast<std::size_t>(column.direction.front().degree)];
-    places[{free.axis, zeta(j) < 0, size_text(std::abs(zeta(j)), unit)}].push_back(
+    const double size = std::abs(zeta(j)) * column.half_width;
+    places[{free.axis, zeta(j) < 0, size_text(size, unit)}].push_back(
         problem.node_names[static_cast<std::size_t>(free.node)]);
   }
   for (const auto& [what, names] : places) {
@@ -101,10 +103,10 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
                         fmt::join(names, " "), size, names.size() == 1 ? "" : " each");
   }
   for (int j = 0; j < problem.uncertain_count(); ++j) {
-    const auto& name = problem.uncertain[static_cast<std::size_t>(j)].name;
-    if (name.empty()) continue;
-    text += fmt::format("    {}{}: {}\n", zeta(j) >= 0 ? '+' : '-', name,
-                        size_text(std::abs(zeta(j)), unit));
+    const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
+    if (column.name.empty()) continue;
+    text += fmt::format("    {}{}: {}\n", zeta(j) >= 0 ? '+' : '-', column.name,
+                        size_text(std::abs(zeta(j)) * column.half_width, unit));
   }
   return text;
 }
@@ -119,12 +121,13 @@ std::string limit_verdict(const LimitOptions& options, const LimitProblem& probl
       return said(not_carried_sentence(answer.nominal.has_value()));
     const auto& ends = worst->ends;
     const auto lower = std::isfinite(ends.lower) ? std::optional(ends.lower) : std::nullopt;
-    return said(
-        always_carried_sentence(lower, options.question.alpha.value_or(0), problem.units.force),
-        worst->collapse
-            ? yielding_sentence(problem, *worst->collapse,
-                                worst->proved ? "In the worst case" : "At the worst known")
-            : std::string{});
+    return said(always_carried_sentence(
+                    lower, problems::common_half_width(problem, options.question.alpha.value_or(0)),
+                    problem.units.force),
+                worst->collapse
+                    ? yielding_sentence(problem, *worst->collapse,
+                                        worst->proved ? "In the worst case" : "At the worst known")
+                    : std::string{});
   }
   if (!answer.nominal) {
     const bool proved = answer.status == limit::LoadStatus::not_carried && answer.no_factor_proved;

@@ -62,17 +62,20 @@ std::string carried_sentence(std::optional<double> factor) {
   return fmt::format("It carries {} times the reference load, and no more.", rounded_down(*factor));
 }
 
-std::string always_carried_sentence(std::optional<double> lower, double alpha,
+std::string always_carried_sentence(std::optional<double> lower, std::optional<double> alpha,
                                     std::string_view force) {
-  const auto within = fmt::format("whatever the dead load is within ± {} {}.", alpha, force);
+  const auto within = alpha
+                          ? fmt::format("whatever the dead load is within ± {} {}.", *alpha, force)
+                          : std::string("whatever the dead load is within its bounds.");
   if (!lower) return "No load was found that it carries " + within;
   return fmt::format("It carries at least {} times the reference load, {}", rounded_down(*lower),
                      within);
 }
 
 std::string not_carried_sentence(bool uncertain) {
-  return uncertain ? "There is a dead load within ± α that it does not carry at any load factor."
-                   : "It does not carry its dead load at any load factor.";
+  return uncertain
+             ? "There is a dead load within its bounds that it does not carry at any load factor."
+             : "It does not carry its dead load at any load factor.";
 }
 
 std::string rounded_down(double number) {

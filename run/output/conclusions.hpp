@@ -35,8 +35,9 @@ std::string critical_sentence(double lower, std::optional<double> upper);
 std::string carried_sentence(std::optional<double> factor);
 
 /// The same whatever an uncertain dead load is. @param lower of the least factor; nothing: none is
-/// known  @param force the unit of alpha
-std::string always_carried_sentence(std::optional<double> lower, double alpha,
+/// known  @param alpha of all uncertain loads; nothing: each has its own  @param force the unit of
+/// alpha
+std::string always_carried_sentence(std::optional<double> lower, std::optional<double> alpha,
                                     std::string_view force);
 
 /// A dead load is carried at no factor: the given one, or one of those that may be.

@@ -25,8 +25,10 @@ ordered_json uncertain_loads_json(const LimitProblem& problem) {
                             {"axis", problems::axis_name(axis)},
                             {"weight", column.weight * value}});
     }
-    list.push_back(
-        {{"name", problems::parameter_name(problem, j)}, {"components", std::move(components)}});
+    ordered_json load{{"name", problems::parameter_name(problem, j)},
+                      {"components", std::move(components)}};
+    if (column.in_file) load["half_width"] = column.half_width;
+    list.push_back(std::move(load));
   }
   return list;
 }

@@ -125,14 +125,17 @@ class Concluding {
   }
 
   void worst_case(const ResultJson& worst) {
-    const double alpha = reader_.number(result_, "alpha");
+    const auto alpha = ResultReader::find(result_, "alpha") == nullptr
+                           ? std::nullopt
+                           : std::optional(reader_.number(result_, "alpha"));
     if (ResultReader::find(worst, "lower") == nullptr) {
       all_.sentence = always_carried_sentence({}, alpha, force());
       return;
     }
     const double lower = reader_.number(worst, "lower");
     all_.sentence = always_carried_sentence(lower, alpha, force());
-    if (lower < 0) reserve("The factor is negative: a dead load within ± α alone collapses it.");
+    if (lower < 0)
+      reserve("The factor is negative: a dead load within its bounds alone collapses it.");
     if (!is_true(worst, "lower_proved")) reserve("The lower end is computed, not proved.");
     if (!is_true(worst, "upper_proved")) reserve("The upper end is computed, not proved.");
   }

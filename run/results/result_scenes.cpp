@@ -183,8 +183,10 @@ class SceneReader {
       for (const auto& load : reader_.list(result_, "critical_load"))
         add_load(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
                  node_named(reader_.text(load, "node")), load);
-      add_line(all.scenes.back(), fmt::format("dead load uncertain up to α = {:.10g}",
-                                              reader_.number(result_, "alpha")));
+      const bool alike = ResultReader::find(result_, "alpha") != nullptr;
+      add_line(all.scenes.back(), alike ? fmt::format("dead load uncertain up to α = {:.10g}",
+                                                      reader_.number(result_, "alpha"))
+                                        : std::string("dead load uncertain, each part by itself"));
     }
   }
 

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/structure/element_shape.hpp"
+#include "problems/structure/load_cases.hpp"
 #include "run/output/values.hpp"
 
 namespace kusabi::run {
@@ -99,6 +100,11 @@ std::string loads(const Structure& structure) {
     parts.push_back(fmt::format("{} uncertain", structure.uncertain->size()));
   } else if (!parts.empty()) {
     parts.emplace_back("uncertain where there is none of these");
+  }
+  const auto cases = problems::load_cases(structure);
+  if (!cases.empty()) {
+    parts.push_back(fmt::format("in {}: {}", counted(cases.size(), "load case"),
+                                problems::choice_of_load_cases(structure)));
   }
   return joined(parts);
 }

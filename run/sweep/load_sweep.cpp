@@ -1,4 +1,5 @@
 // From the range of uncertainty to the worst-case limit load factors.
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/output/values.hpp"
+#include "run/output/wrong_input.hpp"
 #include "run/pictures/limit_problem_json.hpp"
 #include "run/session/supervision.hpp"
 #include "run/sweep/swept.hpp"
@@ -33,6 +35,11 @@ class LoadSweep final : public Swept {
 
   void prepare(CommandRun& run) override {
     problem_ = problems::limit_problem(truss_);
+    if (std::ranges::any_of(problem_.uncertain, &problems::UncertainColumn::in_file)) {
+      throw WrongInput(
+          "--alpha: uncertain loads of the file have half-widths of their own, which no range of "
+          "alpha goes for; expected none that has");
+    }
     engine::agree(run.session().transport(), problem_.fingerprint);
     run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
     ranks_ = run.session().ranks();

@@ -13,6 +13,7 @@
 #include "nodes/wedged/critical_findings.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
+#include "problems/structure/load_cases.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"
@@ -75,6 +76,8 @@ void Sweep::describe(OptionTable& table) {
       .text("--alpha", options_.alpha, "POINTS",
             "of a truss: half-widths of the uncertain parts of the dead load, likewise")
       .unit("in the file's unit of force");
+  table.text("--case", options_.load_case, "NAME", "of the load cases of the file, this one")
+      .needs("--alpha");
   table.output();
   table.file("--csv", csv_, Role::output, "write the points and the steps to this file");
   table.file("--svg", svg_, Role::output, "draw them to this file");
@@ -117,7 +120,8 @@ void Sweep::prepare(CommandRun& run) {
     swept_ = swept_friction(options_, std::move(structure), std::move(points), most);
   } else {
     swept_ =
-        swept_loads(options_, std::move(structure), sweep_points("--alpha", options_.alpha, true));
+        swept_loads(options_, problems::in_chosen_case(std::move(structure), options_.load_case),
+                    sweep_points("--alpha", options_.alpha, true));
   }
   swept_->prepare(run);
 }

@@ -23,6 +23,7 @@ struct SweepOptions {
   std::optional<double> mu_max;  ///< the largest coefficient
   double width = 1e-8;           ///< of the brackets of friction coefficients
   std::string alpha;             ///< points of the uncertainty; empty: friction is swept
+  std::string load_case;         ///< of a truss; empty: the file has one
   engine::Limits limits;
   CheckpointChoice checkpoint;
 };

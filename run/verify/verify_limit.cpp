@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -13,12 +14,15 @@
 
 #include <boost/serialization/string.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "engine/campaign.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/limit/limit_problem.hpp"
+#include "problems/structure/load_cases.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "support/input_error.hpp"
 #include "verify/limit_agreement.hpp"
 #include "verify/limit_certificate.hpp"
 #include "verify/limit_proof.hpp"
@@ -47,6 +51,49 @@ verify::LimitCertificate certificate_in(const std::string& text, const std::stri
   }
 }
 
+/// What a certificate is proved of.
+struct AgreedTruss {
+  verify::LimitTruss truss;
+  std::uint64_t fingerprint = 0;
+  std::string load_case;  // empty: the file has none
+};
+
+// The first load case that the certificate speaks of; or why there is none.
+// @throws InputError if it is no truss
+std::variant<AgreedTruss, std::string> truss_of(const verify::LimitCertificate& certificate,
+                                                const problems::Structure& structure) {
+  auto names = problems::load_cases(structure);
+  if (names.empty()) names.emplace_back();
+  std::vector<std::string> whys;
+  for (const auto& name : names) {
+    const auto of_case = name.empty() ? structure : problems::in_load_case(structure, name);
+    const auto fingerprint = problems::limit_problem(of_case).fingerprint;
+    auto found = verify::limit_agreement(certificate, evidence::verified_structure(of_case));
+    if (auto* const truss = std::get_if<verify::LimitTruss>(&found))
+      return AgreedTruss{std::move(*truss), fingerprint, name};
+    const auto& why = std::get<std::string>(found);
+    whys.push_back(name.empty() ? why : fmt::format("case {}: {}", support::in_quotes(name), why));
+  }
+  return fmt::format("{}", fmt::join(whys, "; "));
+}
+
+// Zeros if there are no columns.
+std::pair<double, double> ends_of(const std::vector<double>& alpha) {
+  if (alpha.empty()) return {};
+  const auto [least, most] = std::ranges::minmax(alpha);
+  return {least, most};
+}
+
+// "2 uncertain loads within +- 5, 1 within +- 30"
+std::string half_widths_text(const std::vector<double>& alpha) {
+  std::map<double, std::size_t> loads;
+  for (const double half_width : alpha) ++loads[half_width];
+  std::vector<std::string> parts;
+  for (const auto& [half_width, count] : loads)
+    parts.push_back(fmt::format("{} within +- {}", count, half_width));
+  return fmt::format("uncertain loads: {}\n", fmt::join(parts, ", "));
+}
+
 }  // namespace
 
 VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
@@ -55,16 +102,20 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   const auto certificate = certificate_in(text, options.certificate);
   auto truss = verify::recorded_truss(certificate);
   std::uint64_t fingerprint = 0;
+  std::string load_case;
   if (structure) {
-    fingerprint = problems::limit_problem(*structure).fingerprint;  // or an error: it is no truss
-    auto found = verify::limit_agreement(certificate, evidence::verified_structure(*structure));
+    auto found = truss_of(certificate, *structure);
     if (const auto* why = std::get_if<std::string>(&found)) {
       return {.code = failed,
               .refusals =
                   fmt::format("{}: refused: {}: {}\n", options.certificate, options.problem, *why),
               .verdict = "NOT PROVED\n"};
     }
-    truss = std::move(std::get<verify::LimitTruss>(found));
+    auto& agreed = std::get<AgreedTruss>(found);
+    truss = std::move(agreed.truss);
+    fingerprint = agreed.fingerprint;
+    if (!agreed.load_case.empty())
+      load_case = "load case " + support::in_quotes(agreed.load_case) + "\n";
   }
   const verify::LimitProof proof(certificate, std::move(truss));
   std::vector<std::string> refusals;
@@ -125,14 +176,18 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
                    "direction cosines were computed anew from the truss, yield forces and loads "
                    "compared\n",
                    structure->name, options.problem, hexadecimal(fingerprint));
+    summary += load_case;
   } else {
     summary += "the truss is the certificate's own; --problem FILE proves it of a file\n";
   }
   fmt::format_to(out, "{} cuts, {} nodes cover all loads\n", certificate.cuts.size(),
                  certificate.nodes.size());
-  findings.verdict =
-      fmt::format("PROVED: the least load factor for alpha = {} is between {:.17g} and {:.17g}\n",
-                  certificate.alpha, std::min(lower, above), above);
+  const auto [least, most] = ends_of(certificate.alpha);
+  if (least != most) summary += half_widths_text(certificate.alpha);
+  findings.verdict = fmt::format(
+      "PROVED: the least load factor for {} is between {:.17g} and {:.17g}\n",
+      least == most ? fmt::format("alpha = {}", most) : "uncertain loads within these half-widths",
+      std::min(lower, above), above);
   return findings;
 }
 

@@ -1,5 +1,6 @@
 // `kusabi limit` on trusses that once came out wrong, with the truth; and stopped half-way.
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <string>
 
@@ -118,6 +119,136 @@ TEST_F(LimitCommand, EveryMethodHandsOverACertificate) {
     EXPECT_EQ(proved.exit_code, 0) << proved.output;
     EXPECT_THAT(proved.output, HasSubstr("PROVED"));
   }
+}
+
+TEST_F(LimitCommand, RefusesWhatAWorstCaseHasWithoutOne) {
+  for (const char* option : {"--cuts all", "--samples 3", "--curve", "--certificate cert"}) {
+    const auto run = shell(command + " limit " + example("static-gap.toml") + ' ' + option);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_THAT(run.output, HasSubstr("expected --alpha, or alpha in the groups of the file"));
+  }
+}
+
+// A level bar, which carries from -2 to 3, and an upright one, from -5 to 5, that share the
+// reference load (1, 1).
+class LoadCases : public LimitCommand {
+ protected:
+  void SetUp() override {
+    LimitCommand::SetUp();
+    std::ofstream(in_folder("cases.toml")) << R"(name = "two bars"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+left = [0, 0]
+top = [1, 1]
+tip = [1, 0]
+[[members]]
+yield = { tension = 3, compression = 2 }
+between = [["left", "tip"]]
+[[members]]
+yield = 5
+between = [["top", "tip"]]
+[[supports]]
+nodes = ["left", "top"]
+[[loads]]
+kind = "reference"
+nodes = ["tip"]
+force = [1, 1]
+[[loads]]
+kind = "dead"
+case = "pull"
+nodes = ["tip"]
+force = [[-0.5, 0.5], -1]
+[[loads]]
+kind = "dead"
+case = "push"
+nodes = ["tip"]
+force = [2, 0]
+[[uncertainty]]
+case = "push"
+nodes = ["tip"]
+axes = ["x"]
+alpha = 0.25
+)";
+  }
+  [[nodiscard]] std::string file() const { return argument("cases.toml"); }
+};
+
+// By hand: 3 - 0.5 where the tip is pulled down, for 5 + 1 is more, and 3 - 2 - 0.25.
+TEST_F(LoadCases, AreAnsweredOneAfterAnother) {
+  const auto json = result_of(file());
+  expect_proved(json, 0.75, 1e-8);
+  const auto& result = json["result"];
+  EXPECT_EQ(result["case"], "push");
+  EXPECT_EQ(result["alpha"], 0.25);
+  ASSERT_EQ(result["cases"].size(), 2U);
+  EXPECT_EQ(result["cases"][0]["name"], "pull");
+  EXPECT_NEAR(result["cases"][0]["nominal"].get<double>(), 3, 1e-9);
+  EXPECT_NEAR(result["cases"][0]["worst_case"]["lower"].get<double>(), 2.5, 1e-8);
+  EXPECT_EQ(result["cases"][1]["state"], "solved");
+  EXPECT_NEAR(result["cases"][1]["nominal"].get<double>(), 1, 1e-9);
+  const auto run = shell(command + " limit " + file());
+  EXPECT_THAT(run.output, HasSubstr("the least factor is that of push\n"));
+  EXPECT_THAT(run.output, HasSubstr("1 of them act along the reference load"));
+  auto alone = json;
+  shell(ranks(2) + command + " limit " + file() + " --output " + argument("out.json"));
+  auto together = Json::parse(content(in_folder("out.json")));
+  EXPECT_TRUE(alone.erase("statistics") && together.erase("statistics"));
+  EXPECT_EQ(alone, together);
+}
+
+// The least of (5) over all corners of the uncertain loads, as another program has it (HiGHS, by
+// SciPy).
+TEST_F(LimitCommand, AnswersBothCasesOfTheSteelMast) {
+  const auto json = result_of(example("steel-mast.toml"));
+  EXPECT_EQ(json["status"], "solved");
+  EXPECT_EQ(json["result"]["case"], "wind");
+  const auto& cases = json["result"]["cases"];
+  ASSERT_EQ(cases.size(), 2U);
+  EXPECT_NEAR(cases[0]["nominal"].get<double>(), 12.44, 1e-8);
+  EXPECT_NEAR(cases[0]["worst_case"]["lower"].get<double>(), 10.19, 1e-6);
+  EXPECT_NEAR(cases[0]["worst_case"]["upper"].get<double>(), 10.19, 1e-6);
+  EXPECT_NEAR(cases[1]["nominal"].get<double>(), 14.74, 1e-8);
+  EXPECT_NEAR(cases[1]["worst_case"]["lower"].get<double>(), 13.44, 1e-6);
+}
+
+TEST_F(LoadCases, CanBeAskedForByName) {
+  const auto json = result_of(file() + " --case pull");
+  expect_proved(json, 2.5, 1e-8);
+  EXPECT_FALSE(json["result"].contains("cases"));
+  EXPECT_EQ(json["options"]["case"], "pull");
+  const auto refusal = [&](const std::string& call) {
+    const auto run = shell(command + call);
+    EXPECT_EQ(run.exit_code, 2) << run.output;
+    return run.output;
+  };
+  EXPECT_THAT(refusal(" limit " + file() + " --case pul"), HasSubstr("one of \"pull\", \"push\""));
+  EXPECT_THAT(refusal(" limit " + example("gust.toml") + " --case pull"),
+              HasSubstr("there is no load case \"pull\"; expected none"));
+  EXPECT_THAT(refusal(" limit " + file() + " --certificate " + argument("cert")),
+              HasSubstr("it is of one load case; expected --case"));
+  EXPECT_THAT(refusal(" limit " + file() + " --alpha 1"), HasSubstr("expected no --alpha"));
+  EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1"), HasSubstr("to be chosen (--case)"));
+  EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1 --case pull"),
+              HasSubstr("half-widths of their own"));
+  EXPECT_THAT(refusal(" export mps " + file()), HasSubstr("to be chosen (--case)"));
+}
+
+TEST_F(LoadCases, AreFoundByTheProofOfOne) {
+  const auto run =
+      shell(command + " limit " + file() + " --case push --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto proved = shell(command + " verify " + argument("cert") + " --problem " + file());
+  EXPECT_EQ(proved.exit_code, 0) << proved.output;
+  EXPECT_THAT(proved.output, HasSubstr("\nload case \"push\"\n"));
+  EXPECT_THAT(proved.output, HasSubstr("PROVED: the least load factor for alpha = 0.25"));
+  auto text = content(in_folder("cases.toml"));
+  text.replace(text.find("0.25"), 4, "0.26");
+  std::ofstream(in_folder("cases.toml")) << text;
+  const auto other = shell(command + " verify " + argument("cert") + " --problem " + file());
+  EXPECT_EQ(other.exit_code, 1) << other.output;
+  EXPECT_THAT(other.output, HasSubstr("case \"push\": its half-width of an uncertain load"));
+  EXPECT_THAT(other.output, HasSubstr("NOT PROVED"));
 }
 
 TEST_F(LimitCommand, HandsOverACertificateWithTheCutsOfThePaper) {

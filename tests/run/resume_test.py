@@ -36,6 +36,7 @@ CALLS = {
     "static cuts": ("limit", EXAMPLES / "static-gap.toml", "--alpha", 0.35, "--curve"),
     "zero-one": ("limit", EXAMPLES / "static-gap.toml", "--alpha", 0.45, "--cuts", "disjunctive", "--big-m", 20,
                  "--samples", 40),
+    "load cases": ("limit", EXAMPLES / "steel-mast.toml"),
     "friction": ("sweep", EXAMPLES / "plane-truss.toml", "--mu", "0.5:1:0.25"),
     "loads": ("sweep", EXAMPLES / "gust.toml", "--alpha", "0.1:0.3:0.1"),
     "program": ("mip", SOURCES / "tests/programs/warehouses.lp"),

@@ -38,6 +38,7 @@ WEDGED = {
 LIMIT = {
     "gust.toml": ((), ("--alpha", 0.5, "--curve", "--samples", 10, "--cuts", "all", "--curve-to", 3)),
     "truss-bridge.toml": ((), ("--alpha", 1)),
+    "steel-mast.toml": ((), ("--case", "wind")),
     "static-gap.toml": ((), ("--alpha", 0.1)),
     "paper/limit-3x3.toml": ((), ("--alpha", 40, "--cuts", "none", "--big-m", 5, "--node-limit", 5)),
     "paper/limit-4x4.toml": ((),),
@@ -65,12 +66,12 @@ OPTIONAL_OF = {
     "rays": {"result": {"tree", "motions"}, "cones": {"motions"}, "rays": {"axial_forces"}},
     "critical": {"patterns": {"block", "at_rest", "axial_forces"}, "pattern": {"block", "at_rest", "axial_forces"},
                  "statistics": {"ranks"}, "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},  # by the method
-    "limit": {"options": {"curve_load"}, "statistics": {"nodes", "tree_programs", "zero_one"},
-              "result": {"zero_one", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
+    "limit": {"options": {"curve_load", "group_alpha", "case"}, "uncertain_loads": {"half_width"}, "cases": {"worst_case"}, "statistics": {"nodes", "tree_programs", "zero_one"},
+              "result": {"zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "sweep": {"result": {"curve_end"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},
     "mip": {},
 }
-NAMED = {"all_displacements", "support_reactions", "nominal_support_reactions", "columns"}  # their keys are names of the problem
+NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_support_reactions", "columns"}  # their keys are names of the problem
 
 
 def places(value, way=(), name=""):

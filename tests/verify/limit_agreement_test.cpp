@@ -41,7 +41,7 @@ LimitCertificate evidence() {
   certificate.dead = {0, 0};
   certificate.reference = {0, -1};
   certificate.uncertain = {{{0, 1.0}}};
-  certificate.alpha = 0.5;
+  certificate.alpha = {0.5};
   certificate.load = {-0.5};
   certificate.motion = {-1, -1};
   certificate.cuts = {{0, 0.0, {{0, 1.0}}}};

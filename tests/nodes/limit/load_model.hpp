@@ -1,16 +1,23 @@
 // What the tests of the load model share: a truss from end to end, on one rank.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include <gtest/gtest.h>
 
 #include "engine/transport/single_process.hpp"
+#include "nodes/evidence/verified_structure.hpp"
 #include "nodes/limit/limit_loads.hpp"
 #include "support/input_error.hpp"
 #include "tests/nodes/limit/correlated_trusses.hpp"
 #include "tests/nodes/limit/plain_truss.hpp"
+#include "verify/limit_agreement.hpp"
+#include "verify/limit_proof.hpp"
 
 namespace kusabi::limit::test {
 
@@ -32,6 +39,28 @@ inline std::optional<problems::LimitProblem> problem_of(const problems::Structur
     EXPECT_TRUE(why.ends_with("every node") || why.ends_with("or no such node")) << why;
     return {};
   }
+}
+
+// What the certificate shows of the truss; an empty interval: nothing.
+struct Shown {
+  double lower = std::numeric_limits<double>::infinity();
+  double upper = -std::numeric_limits<double>::infinity();
+  std::string why;
+};
+
+inline Shown shown(const verify::LimitCertificate& certificate, const problems::Structure& truss) {
+  auto agreed = verify::limit_agreement(certificate, evidence::verified_structure(truss));
+  if (const auto* why = std::get_if<std::string>(&agreed)) return {.why = *why};
+  const verify::LimitProof proof(certificate, std::get<verify::LimitTruss>(std::move(agreed)));
+  Shown result;
+  if (const auto flaw = verify::flaw_of_sign_cover(certificate)) return {.why = *flaw};
+  for (const auto& node : certificate.nodes) {
+    const auto lower = proof.lower(node);
+    if (const auto* why = std::get_if<std::string>(&lower)) return {.why = *why};
+    result.lower = std::min(result.lower, verify::rounded_down(std::get<mpq_class>(lower)));
+  }
+  result.upper = verify::rounded_up(std::get<mpq_class>(proof.upper()));
+  return result;
 }
 
 }  // namespace kusabi::limit::test

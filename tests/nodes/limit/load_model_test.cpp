@@ -10,11 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "nodes/evidence/verified_structure.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/files/structure_writer.hpp"
-#include "verify/limit_agreement.hpp"
-#include "verify/limit_proof.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -25,32 +22,11 @@ using test::findings;
 using test::near;
 using test::PlainTruss;
 using test::problem_of;
+using test::shown;
 
 unsigned from_environment(const char* name, unsigned otherwise) {
   const char* const text = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
   return text == nullptr ? otherwise : static_cast<unsigned>(std::stoul(text));
-}
-
-// What the certificate shows of the truss; an empty interval: nothing.
-struct Shown {
-  double lower = std::numeric_limits<double>::infinity();
-  double upper = -std::numeric_limits<double>::infinity();
-  std::string why;
-};
-
-Shown shown(const verify::LimitCertificate& certificate, const Structure& truss) {
-  auto agreed = verify::limit_agreement(certificate, evidence::verified_structure(truss));
-  if (const auto* why = std::get_if<std::string>(&agreed)) return {.why = *why};
-  const verify::LimitProof proof(certificate, std::get<verify::LimitTruss>(std::move(agreed)));
-  Shown result;
-  if (const auto flaw = verify::flaw_of_sign_cover(certificate)) return {.why = *flaw};
-  for (const auto& node : certificate.nodes) {
-    const auto lower = proof.lower(node);
-    if (const auto* why = std::get_if<std::string>(&lower)) return {.why = *why};
-    result.lower = std::min(result.lower, verify::rounded_down(std::get<mpq_class>(lower)));
-  }
-  result.upper = verify::rounded_up(std::get<mpq_class>(proof.upper()));
-  return result;
 }
 
 // Another column of T in the certificate is not that of the truss.
@@ -94,7 +70,7 @@ void expect_nothing_wrong_is_shown(const verify::LimitCertificate& certificate,
     auto moved = certificate;
     moved.uncertain = columns_of(limit_problem(other));
     const auto claim = shown(moved, other);
-    const auto least = PlainTruss(other).least_of_all_corners(certificate.alpha);
+    const auto least = PlainTruss(other).least_of_all_corners(certificate.alpha.at(0));
     if (!least || !claim.why.empty()) continue;
     EXPECT_LE(claim.lower, *least + near);
     EXPECT_GE(claim.upper, *least - near);

@@ -189,6 +189,52 @@ TEST(LoadModel, OfTwoBarsIsThatOfTheHandCalculation) {
   EXPECT_NEAR(least(across, 0.5), 2.5, 1e-9);
   EXPECT_NEAR(least(across, 2), 1, 1e-9);
   EXPECT_NEAR(least(across + more, 1), 1.5, 1e-9);
+  // Along the reference load, which assumption 3.1 (ii) leaves out: q = lambda + zeta in the level
+  // bar alone, and in both.
+  const std::string level = "[[uncertainty]]\nnodes = [\"tip\"]\naxes = [\"x\"]\n";
+  const std::string along =
+      "[[uncertainty]]\nname = \"along\"\nforces = [{ nodes = [\"tip\"], force = [1, 1] }]\n";
+  EXPECT_NEAR(least(level, 0.5), 2.5, 1e-9);
+  EXPECT_NEAR(least(along, 0.5), 2.5, 1e-9);
+  EXPECT_NEAR(least(along, 4), -1, 1e-9);
+}
+
+// A parameter of c f_R takes alpha |c| from the least factor, whatever else is uncertain; one on a
+// component that carries reference load is like any other.
+TEST(LoadModel, MayActAlongTheReferenceLoad) {
+  unsigned compared = 0;
+  for (unsigned seed = 1; seed <= 25; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    auto [truss, alpha] = test::correlated_truss(seed);
+    if (!problem_of(truss)) continue;
+    const auto before = PlainTruss(truss).least_of_all_corners(alpha);
+    problems::UncertainParameter along{"along", {}};
+    for (const auto& load : truss.loads) {
+      if (load.kind != problems::Load::Kind::reference) continue;
+      for (int axis = 0; axis < truss.dimension; ++axis) {
+        if (load.force(axis) != 0)
+          along.components.push_back({load.node, axis, 0.25 * load.force(axis)});
+      }
+    }
+    auto& parameters = *truss.uncertain;
+    parameters.push_back(along);
+    if (before) {
+      EXPECT_NEAR(PlainTruss(truss).least_of_all_corners(alpha).value(), *before - alpha / 4, near);
+    }
+    parameters.push_back({"component", {along.components.front()}});
+    const auto [answer, certificate] = findings(truss, {.alpha = alpha});
+    const auto least = PlainTruss(truss).least_of_all_corners(alpha);
+    if (!least) continue;
+    ASSERT_TRUE(answer.worst && certificate);
+    EXPECT_TRUE(answer.whole());
+    EXPECT_NEAR(answer.worst->ends.upper, *least, near);
+    const auto claim = test::shown(*certificate, truss);
+    EXPECT_EQ(claim.why, "");
+    EXPECT_LE(claim.lower, *least + near);
+    EXPECT_NEAR(claim.lower, claim.upper, near);
+    ++compared;
+  }
+  EXPECT_GE(compared, 8U);
 }
 
 }  // namespace

@@ -96,9 +96,10 @@ PlainTruss::PlainTruss(const problems::Structure& truss) {
   }
   uncertain.setZero(count, static_cast<Eigen::Index>(truss.uncertain->size()));
   for (Eigen::Index j = 0; j < uncertain.cols(); ++j) {
-    for (const auto& each : (*truss.uncertain)[static_cast<std::size_t>(j)].components) {
+    const auto& parameter = (*truss.uncertain)[static_cast<std::size_t>(j)];
+    for (const auto& each : parameter.components) {
       const int e = number(each.axis, each.node);
-      if (e >= 0) uncertain(e, j) += each.weight;
+      if (e >= 0) uncertain(e, j) += parameter.half_width.value_or(1) * each.weight;
     }
   }
 }

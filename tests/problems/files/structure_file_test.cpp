@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "problems/files/structure_writer.hpp"
 #include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {
@@ -74,6 +75,59 @@ TEST(StructureFile, KnowsWhereEverythingStands) {
   EXPECT_EQ(sources.contact[0].line, 22);
   EXPECT_EQ(sources.normals[0].line, 23);
   EXPECT_EQ(sources.tangents[0].line, 24);
+}
+
+/// Three bars, each a group of its own.
+std::string steel_truss(const std::string& first, const std::string& second,
+                        const std::string& third) {
+  return R"(name = "steel"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+a = [0, 0]
+b = [4, 0]
+tip = [0, 3]
+[[supports]]
+nodes = ["a"]
+[[supports]]
+nodes = ["b"]
+fixed = ["y"]
+[[members]]
+between = [["a", "b"]]
+)" + first +
+         "\n[[members]]\nbetween = [[\"a\", \"tip\"]]\n" + second +
+         "\n[[members]]\nbetween = [[\"b\", \"tip\"]]\n" + third;
+}
+
+// All of these products are exact.
+TEST(StructureFile, TakesModulusAreaAndYieldStressForTheirForces) {
+  const auto in_stresses =
+      read_structure(steel_truss("E = 210e6\nA = 0.0625\nfy = 355e3",
+                                 "fy = { compression = 240e3, tension = 355e3 }\nA = 0.125",
+                                 "EA = 7\nA = 2\nfy = 1.5"),
+                     "stresses");
+  const auto in_forces = read_structure(
+      steel_truss("EA = 13125000\nyield = 22187.5",
+                  "yield = { tension = 44375, compression = 3e4 }", "EA = 7\nyield = 3"),
+      "forces");
+  ASSERT_EQ(in_stresses.members.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(in_stresses.members[i].axial_stiffness, in_forces.members[i].axial_stiffness) << i;
+    EXPECT_EQ(in_stresses.members[i].yield, in_forces.members[i].yield) << i;
+  }
+  EXPECT_EQ(structure_text(in_stresses), structure_text(in_forces));
+}
+
+TEST(StructureFile, WritesTheForcesThatStressesComeTo) {
+  const auto structure = read_structure(
+      steel_truss("E = 2.1e8\nA = 1.1e-3\nfy = 0.3", "fy = 1e5\nA = 0.7e-3", "yield = 1"), "steel");
+  const auto again = read_structure(structure_text(structure), "again");
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(again.members[i].axial_stiffness, structure.members[i].axial_stiffness) << i;
+    EXPECT_EQ(again.members[i].yield, structure.members[i].yield) << i;
+  }
+  EXPECT_EQ(structure.members[0].axial_stiffness, 2.1e8 * 1.1e-3);
+  EXPECT_EQ(structure.members[1].axial_stiffness, 0);
 }
 
 std::string error_of(const std::filesystem::path& file) {

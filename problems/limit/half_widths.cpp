@@ -1,0 +1,106 @@
+// Groups first, and what is left by alpha.
+#include "problems/limit/half_widths.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "support/input_error.hpp"
+#include "support/nearest.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+bool is_called(const UncertainColumn& column, const std::string& name) {
+  return column.name == name || column.group == name;
+}
+
+/// A column and the problem that it is of, with whether its half-width is known.
+struct Settled {
+  const LimitProblem* problem;
+  int number;
+  UncertainColumn* column;
+  bool known;
+
+  [[nodiscard]] std::string name() const {
+    return support::in_quotes(parameter_name(*problem, number));
+  }
+};
+
+// What to say of a name that no load and no group has.
+std::string names_instead(const std::vector<Settled>& columns, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const auto& each : columns) {
+    for (const std::string* known : {&each.column->name, &each.column->group}) {
+      if (!known->empty()) names.emplace_back(*known);
+    }
+  }
+  const auto meant = support::nearest(name, names);
+  return meant.empty() ? "" : fmt::format("; did you mean {}?", support::in_quotes(meant));
+}
+
+void settle_group(std::vector<Settled>& columns, const std::string& name, double half_width) {
+  bool any = false;
+  for (auto& each : columns) {
+    if (!is_called(*each.column, name)) continue;
+    any = true;
+    if (each.column->in_file) {
+      throw UnfitHalfWidths(
+          fmt::format("the file says alpha = {} of {}; expected a group that it "
+                      "leaves open",
+                      each.column->half_width, support::in_quotes(name)));
+    }
+    if (each.known) {
+      throw UnfitHalfWidths(fmt::format(
+          "{} is given twice, as by its name and by its group; expected once", each.name()));
+    }
+    each.column->half_width = half_width;
+    each.known = true;
+  }
+  if (any) return;
+  throw UnfitHalfWidths(
+      fmt::format("no uncertain load has the name or the group {}; expected one "
+                  "of [[uncertainty]]{}",
+                  support::in_quotes(name), names_instead(columns, name)));
+}
+
+}  // namespace
+
+std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
+                                         const AskedHalfWidths& asked) {
+  std::vector<Settled> columns;
+  for (auto* const problem : cases) {
+    for (int j = 0; j < problem->uncertain_count(); ++j) {
+      auto& column = problem->uncertain[static_cast<std::size_t>(j)];
+      columns.push_back({problem, j, &column, column.in_file});
+    }
+  }
+  for (const auto& [name, half_width] : asked.groups) settle_group(columns, name, half_width);
+  const auto open = std::ranges::find(columns, false, &Settled::known);
+  if (std::ranges::find(columns, true, &Settled::known) == columns.end()) return asked.alpha;
+  if (open == columns.end()) {
+    if (!asked.alpha) return 1;
+    throw UnfitHalfWidths("every uncertain load has a half-width of its own; expected no --alpha");
+  }
+  if (!asked.alpha || *asked.alpha == 0) {
+    throw UnfitHalfWidths(
+        fmt::format("other uncertain loads have half-widths of their own, but how far {} may go is "
+                    "left open; expected --alpha, above 0, as well",
+                    open->name()));
+  }
+  for (auto& each : columns) {
+    if (!each.known) each.column->half_width = *asked.alpha;
+  }
+  return 1;
+}
+
+std::optional<double> common_half_width(const LimitProblem& problem, double alpha) {
+  if (problem.uncertain.empty()) return alpha;
+  const auto [least, most] =
+      std::ranges::minmax(problem.uncertain, {}, &UncertainColumn::half_width);
+  if (least.half_width != most.half_width) return {};
+  return alpha * least.half_width;
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,89 @@
+// Row by row.
+#include "run/limit/limit_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "run/output/values.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+
+bool is_carried_at_none(const limit::LimitAnswer& answer) {
+  if (answer.worst) return answer.worst->status == limit::RootStatus::not_carried;
+  return answer.status == limit::LoadStatus::not_carried;
+}
+
+// What cases are compared by; infinity: it is not known.
+double least_factor(const LimitCase& each) {
+  const auto& answer = each.found.answer;
+  if (is_carried_at_none(answer)) return -std::numeric_limits<double>::infinity();
+  if (answer.worst) return answer.worst->ends.upper;
+  return answer.nominal ? answer.nominal->factor : std::numeric_limits<double>::infinity();
+}
+
+const char* state_of(const limit::LimitAnswer& answer) {
+  if (!answer.whole()) return "open";
+  return is_carried_at_none(answer) ? "not-carried" : "solved";
+}
+
+std::string found_text(const limit::LimitAnswer& answer) {
+  if (is_carried_at_none(answer)) {
+    return fmt::format("carried at no factor{}", answer.whole() ? ", proved" : ", open");
+  }
+  if (!answer.nominal) return "open";
+  auto text = fmt::format("nominal {:.10g}", answer.nominal->factor);
+  if (const auto& worst = answer.worst) {
+    text += fmt::format(", worst case {:.10g} ... {:.10g}, {}", worst->ends.lower,
+                        worst->ends.upper, worst->proved ? "proved" : "open");
+  } else if (!answer.whole()) {
+    text += ", open";
+  }
+  return text;
+}
+
+}  // namespace
+
+const LimitCase& governing(std::span<const LimitCase> cases) {
+  return *std::ranges::min_element(cases, {}, least_factor);
+}
+
+bool all_whole(std::span<const LimitCase> cases) {
+  return std::ranges::all_of(cases, [](const auto& each) { return each.found.answer.whole(); });
+}
+
+std::string cases_text(std::span<const LimitCase> cases) {
+  std::string text = fmt::format("{} load cases\n", cases.size());
+  const auto out = std::back_inserter(text);
+  for (const auto& each : cases)
+    fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found.answer));
+  fmt::format_to(out, "{} {}\n\nload case {}\n",
+                 all_whole(cases) ? "the least factor is that of" : "the least that is known is of",
+                 governing(cases).name, governing(cases).name);
+  return text;
+}
+
+ordered_json cases_json(std::span<const LimitCase> cases) {
+  auto rows = ordered_json::array();
+  for (const auto& each : cases) {
+    const auto& answer = each.found.answer;
+    ordered_json row{{"name", each.name},
+                     {"nominal", answer.nominal ? ordered_json(answer.nominal->factor) : nullptr}};
+    if (const auto& worst = answer.worst) {
+      row["worst_case"] = {{"lower", number_or_null(worst->ends.lower)},
+                           {"upper", number_or_null(worst->ends.upper)},
+                           {"proved", worst->proved}};
+    }
+    row["state"] = state_of(answer);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace kusabi::run

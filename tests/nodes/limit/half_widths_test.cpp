@@ -1,0 +1,173 @@
+// Uncertain loads that each go as far as the file says, or as is asked of their group: against all
+// corners, and by exact proofs.
+#include "problems/limit/half_widths.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "problems/files/structure_file.hpp"
+#include "problems/files/structure_writer.hpp"
+#include "tests/nodes/limit/load_model.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+using problems::AskedHalfWidths;
+using problems::Structure;
+using test::near;
+using test::PlainTruss;
+using testing::HasSubstr;
+
+// From end to end. @return the problem with its half-widths, too
+std::pair<LimitFindings, problems::LimitProblem> found(const Structure& truss,
+                                                       const AskedHalfWidths& asked) {
+  auto problem = problems::limit_problem(truss);
+  problems::LimitProblem* const one = &problem;
+  const auto alpha = problems::settle_half_widths({&one, 1}, asked);
+  engine::SingleProcess alone;
+  engine::Campaign campaign(alone);
+  return {limit_loads(campaign, truss, problem, {.alpha = alpha}), problem};
+}
+
+// Those of the file are of every other parameter, the rest is asked for.
+TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
+  unsigned compared = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    auto [truss, alpha] = test::correlated_truss(seed);
+    if (!test::problem_of(truss)) continue;
+    auto& parameters = *truss.uncertain;
+    auto all = truss;  // what all of them come to
+    for (std::size_t j = 0; j < parameters.size(); ++j) {
+      const double own = alpha * (0.3 + 0.35 * static_cast<double>(j));
+      if (j % 2 == 0) parameters[j].half_width = own;
+      (*all.uncertain)[j].half_width = j % 2 == 0 ? own : alpha;
+    }
+    const auto [findings, problem] = found(truss, {.alpha = alpha});
+    const auto least = PlainTruss(all).least_of_all_corners(1);
+    if (!least) continue;
+    const auto& [answer, certificate] = findings;
+    ASSERT_TRUE(answer.worst && certificate);
+    EXPECT_TRUE(answer.whole());
+    EXPECT_NEAR(answer.worst->ends.upper, *least, near);
+    for (const auto* file : {&truss, &all}) {
+      const auto claim = test::shown(*certificate, *file);
+      EXPECT_EQ(claim.why, "");
+      EXPECT_LE(claim.lower, *least + near);
+      EXPECT_NEAR(claim.lower, claim.upper, near);
+    }
+    // The file says another one; or the certificate does.
+    auto other = truss;
+    other.uncertain->front().half_width = 1.125 * *parameters.front().half_width;
+    EXPECT_THAT(test::shown(*certificate, other).why, HasSubstr("half-width"));
+    for (std::size_t j = 0; j < certificate->alpha.size(); ++j) {
+      auto wider = *certificate;
+      wider.alpha[j] *= 1.5;
+      EXPECT_NE(test::shown(wider, all).why, "");
+    }
+    ++compared;
+  }
+  EXPECT_GE(compared, 10U);
+}
+
+// By the name of the load, or of the group: the same answer as of one alpha where they are alike,
+// and as of weights.
+TEST(HalfWidths, OfGroupsAreWhatWeightsWouldSay) {
+  const auto read = [](const std::string& weight, const std::string& group) {
+    return problems::read_structure(R"(name = "two bars"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+left = [0, 0]
+top = [1, 1]
+tip = [1, 0]
+[[members]]
+yield = { tension = 3, compression = 2 }
+between = [["left", "tip"]]
+[[members]]
+yield = 5
+between = [["top", "tip"]]
+[[supports]]
+nodes = ["left", "top"]
+[[loads]]
+kind = "reference"
+nodes = ["tip"]
+force = [1, 1]
+[[uncertainty]]
+name = "across"
+forces = [{ nodes = ["tip"], force = [1, -1] }]
+)" + weight + "[[uncertainty]]\nnodes = [\"tip\"]\naxes = [\"y\"]\n" +
+                                        group,
+                                    "two-bars.toml");
+  };
+  const auto upper = [](const Structure& truss, const AskedHalfWidths& asked) {
+    const auto answer = found(truss, asked).first.answer;
+    EXPECT_TRUE(answer.whole());
+    return answer.worst->ends.upper;
+  };
+  // q = (lambda + zeta, lambda - zeta + eta): 3 - 0.5, and 5 - 0.5 - 3 where eta goes far.
+  const auto open = read("", "group = \"side\"\n");
+  EXPECT_NEAR(upper(open, {.alpha = 0.5}), 2.5, 1e-9);
+  EXPECT_NEAR(upper(open, {.alpha = 0.5, .groups = {{"side", 3}}}), 1.5, 1e-9);
+  EXPECT_NEAR(upper(open, {.alpha = 3, .groups = {{"across", 0.5}}}), 1.5, 1e-9);
+  EXPECT_NEAR(upper(open, {.groups = {{"across", 0.5}, {"side", 3}}}), 1.5, 1e-9);
+  EXPECT_NEAR(upper(read("alpha = 0.5\n", "alpha = 3\n"), {}), 1.5, 1e-9);
+  const auto why = [](const Structure& truss, const AskedHalfWidths& asked) -> std::string {
+    try {
+      found(truss, asked);
+    } catch (const problems::UnfitHalfWidths& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(why(open, {.alpha = 1, .groups = {{"sied", 1}}}),
+              HasSubstr("did you mean \"side\"?"));
+  EXPECT_THAT(why(open, {.alpha = 1, .groups = {{"side", 1}, {"side", 2}}}), HasSubstr("twice"));
+  EXPECT_THAT(why(open, {.groups = {{"side", 1}}}), HasSubstr("expected --alpha"));
+  EXPECT_THAT(why(open, {.alpha = 0, .groups = {{"side", 1}}}), HasSubstr("above 0"));
+  EXPECT_THAT(why(open, {.alpha = 1, .groups = {{"side", 1}, {"across", 2}}}),
+              HasSubstr("expected no --alpha"));
+  EXPECT_THAT(why(read("alpha = 1\n", ""), {.alpha = 2, .groups = {{"across", 1}}}),
+              HasSubstr("the file says alpha = 1"));
+}
+
+// [lower, upper] is the middle and a half-width, whatever alpha the others have.
+TEST(HalfWidths, OfAnIntervalAreFromEndToEnd) {
+  const auto truss = problems::read_structure(R"(name = "one bar"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+left = [0, 0]
+tip = [1, 0]
+[[members]]
+yield = 5
+between = [["left", "tip"]]
+[[supports]]
+nodes = ["left"]
+[[supports]]
+nodes = ["tip"]
+fixed = ["y"]
+[[loads]]
+kind = "reference"
+nodes = ["tip"]
+force = [1, 0]
+[[loads]]
+kind = "dead"
+nodes = ["tip"]
+force = [[-0.25, 1.75], 0]
+)",
+                                              "one-bar.toml");
+  const auto [findings, problem] = found(truss, {});
+  EXPECT_NEAR(findings.answer.nominal->factor, 4.25, 1e-9);
+  EXPECT_NEAR(findings.answer.worst->ends.upper, 3.25, 1e-9);
+  ASSERT_TRUE(findings.certificate);
+  EXPECT_EQ(test::shown(*findings.certificate, truss).why, "");
+  const auto again = problems::read_structure(problems::structure_text(truss), "again");
+  EXPECT_EQ(problems::limit_problem(again).fingerprint, problems::limit_problem(truss).fingerprint);
+}
+
+}  // namespace
+}  // namespace kusabi::limit
