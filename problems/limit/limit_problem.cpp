@@ -187,6 +187,12 @@ std::string parameter_name(const LimitProblem& problem, int column) {
                      problem.node_names[static_cast<std::size_t>(node)]);
 }
 
+bool alpha_is_force(const LimitProblem& problem) {
+  return std::ranges::all_of(problem.uncertain, [](const UncertainColumn& column) {
+    return column.direction.size() == 1 && column.largest() == 1;
+  });
+}
+
 Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
   Eigen::VectorXd load = problem.dead;
   for (int j = 0; j < problem.uncertain_count(); ++j) {

@@ -82,8 +82,9 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
                  const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "\nworst case of {} uncertain loads, alpha = {} {}\n",
-                 problem.uncertain_count(), *options.question.alpha, problem.units.force);
+  fmt::format_to(out, "\nworst case of {} uncertain loads, alpha = {}{}{}\n",
+                 problem.uncertain_count(), *options.question.alpha,
+                 unit_of_alpha(problem) ? " " : "", unit_of_alpha(problem).value_or(""));
   if (worst.status == RootStatus::not_carried) {
     fmt::format_to(out,
                    "  some admissible dead load is carried at no load factor, of either sign{}\n",

@@ -57,6 +57,11 @@ std::string yielding_sentence(const LimitProblem& problem, const LimitCollapse& 
 
 }  // namespace
 
+std::optional<std::string_view> unit_of_alpha(const LimitProblem& problem) {
+  if (!problems::alpha_is_force(problem)) return std::nullopt;
+  return problem.units.force;
+}
+
 std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& collapse) {
   const auto used = problems::utilisation(problem, collapse.forces);
   std::set<int> yielding;
@@ -92,7 +97,8 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
     if (!column.name.empty()) continue;
     const auto& free =
         problem.degrees.free[static_cast<std::size_t>(column.direction.front().degree)];
-    places[{free.axis, zeta(j) < 0, size_text(std::abs(zeta(j)), unit)}].push_back(
+    const auto size = size_text(std::abs(zeta(j)) * column.largest(), unit);
+    places[{free.axis, zeta(j) < 0, size}].push_back(
         problem.node_names[static_cast<std::size_t>(free.node)]);
   }
   for (const auto& [what, names] : places) {
@@ -103,8 +109,8 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
   for (int j = 0; j < problem.uncertain_count(); ++j) {
     const auto& name = problem.uncertain[static_cast<std::size_t>(j)].name;
     if (name.empty()) continue;
-    text += fmt::format("    {}{}: {}\n", zeta(j) >= 0 ? '+' : '-', name,
-                        size_text(std::abs(zeta(j)), unit));
+    text +=
+        fmt::format("    {}{}: {:.6g} times\n", zeta(j) >= 0 ? '+' : '-', name, std::abs(zeta(j)));
   }
   return text;
 }
@@ -120,7 +126,7 @@ std::string limit_verdict(const LimitOptions& options, const LimitProblem& probl
     const auto& ends = worst->ends;
     const auto lower = std::isfinite(ends.lower) ? std::optional(ends.lower) : std::nullopt;
     return said(
-        always_carried_sentence(lower, options.question.alpha.value_or(0), problem.units.force),
+        always_carried_sentence(lower, options.question.alpha.value_or(0), unit_of_alpha(problem)),
         worst->collapse
             ? yielding_sentence(problem, *worst->collapse,
                                 worst->proved ? "In the worst case" : "At the worst known")
