@@ -188,7 +188,7 @@ void Journal::open_file() {
 void Journal::lock() {
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   if (errno == EWOULDBLOCK)
-    refuse(file_, "is in use by another run; expected its end, or another file");
+    throw JournalInUse(file_ + ": is in use by another run; expected its end, or another file");
   warnings_.push_back(file_ + ": cannot be locked here (" + system_error() +
                       "): see to it that no two runs have it at a time");
 }

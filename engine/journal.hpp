@@ -20,12 +20,19 @@ namespace kusabi::engine {
 /// What a question depends on, each fact with its name: a journal of other facts is another's.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
+/// A journal that another process has open.
+class JournalInUse : public CheckpointError {
+ public:
+  using CheckpointError::CheckpointError;
+};
+
 class Journal {
  public:
   /// Opens the file, or begins it if there is none, and locks it as long as this lives. The lock is
-  /// the kernel's, so it goes with the process, however that ends.
-  /// @throws CheckpointError if the file cannot be read or written, is in use, is none of these, or
-  ///   is of other facts; then nothing in it has changed
+  /// the kernel's, so it goes with the process, however that ends: who holds it lives.
+  /// @throws JournalInUse if another process has it
+  /// @throws CheckpointError if the file cannot be read or written, is none of these, or is of
+  ///   other facts; then nothing in it has changed
   Journal(std::string file, const Facts& facts);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;

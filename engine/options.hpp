@@ -48,8 +48,10 @@ enum class Interrupt { none, checkpoint, stop };
 /// Where the state of the search is kept for a restart. A new search never takes the place of a
 /// checkpoint that is there: it must go on from it, or have another `file`.
 struct CheckpointOptions {
-  std::string file;         ///< the manifest; parts lie beside it. Empty: no checkpoints
-  double interval = 600;    ///< seconds between two
+  std::string file;       ///< the manifest; parts lie beside it. Empty: no checkpoints
+  double interval = 600;  ///< seconds between two
+  /// Another one whenever the incumbent is better than in the last: for Goal::best.
+  bool on_improvement = false;
   std::string resume_from;  ///< a manifest found good by usable_checkpoint(); empty: start anew
   /// Fingerprint of the problem: a number that another problem is unlikely to have. It must be
   /// given with either file, since another problem's checkpoint would lead to a wrong answer.

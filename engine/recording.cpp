@@ -129,6 +129,7 @@ CheckpointOptions Recording::checkpoint() {
   });
   return {.file = file,
           .interval = keeping_.interval,
+          .on_improvement = keeping_.on_improvement,
           .resume_from = std::move(resume_from),
           .problem = problem};
 }

@@ -21,10 +21,11 @@ namespace kusabi::engine {
 
 /// Where a question is kept.
 struct Keeping {
-  Journal* journal = nullptr;  ///< on rank 0, null elsewhere; must outlive the question
-  std::string file;            ///< its name, on every rank
-  double interval = 600;       ///< seconds between two checkpoints of a search
-  std::uint64_t question = 0;  ///< fingerprint of the facts
+  Journal* journal = nullptr;   ///< on rank 0, null elsewhere; must outlive the question
+  std::string file;             ///< its name, on every rank
+  double interval = 600;        ///< seconds between two checkpoints of a search
+  bool on_improvement = false;  ///< and one whenever its incumbent is improved
+  std::uint64_t question = 0;   ///< fingerprint of the facts
 };
 
 /// The checkpoint of the search that is part `number` of the question kept in `file`.

@@ -151,6 +151,8 @@ class Rank {
   // Every rank comes here with the same waves in the same order, and so to the same decisions.
   void act_on(const Survey& wave);
   [[nodiscard]] bool keeps_checkpoints() const;
+  [[nodiscard]] bool is_worth_keeping(double objective) const;  // an incumbent, by itself
+  [[nodiscard]] bool checkpoint_due(const Survey& wave) const;
   void note_stop(const Survey& wave);
   [[nodiscard]] bool gap_closed(const Survey& wave) const;
 
@@ -218,10 +220,11 @@ class Rank {
   bool joined_ = false;
   Survey last_wave_;
 
-  std::uint64_t epoch_ = 0;       // of the last checkpoint written, good or not
-  std::uint64_t good_epoch_ = 0;  // the last that counts, as far as rank 0 knows
-  bool failed_ = false;           // to write the own part
-  bool saved_ = false;            // the last one counts
+  std::uint64_t epoch_ = 0;           // of the last checkpoint written, good or not
+  std::uint64_t good_epoch_ = 0;      // the last that counts, as far as rank 0 knows
+  double kept_objective_ = infinity;  // of the incumbent in the last, as all ranks know
+  bool failed_ = false;               // to write the own part
+  bool saved_ = false;                // the last one counts
 
   std::optional<TraceRecorder> trace_;
   std::vector<RankTrace> traces_;  // of all ranks, on rank 0

@@ -22,7 +22,8 @@ void Rank::attend_survey() {
     if (phase_ == Phase::closing) return;
   }
   // A resting rank joins at once: the wave then ends as soon as the last busy rank joins it.
-  const bool due = now_ - last_survey_ >= options_.survey_interval || at_node_limit();
+  const bool due = now_ - last_survey_ >= options_.survey_interval || at_node_limit() ||
+                   is_worth_keeping(local_.incumbent().objective);
   if (resting() || due) join();
 }
 
@@ -71,8 +72,7 @@ void Rank::act_on(const Survey& wave) {
     case Phase::searching:
       if (termination_.observe(wave)) {
         start_closing();
-      } else if (status_ != Status::solved ||
-                 ((wave.wishes & wish_checkpoint) != 0 && keeps_checkpoints())) {
+      } else if (status_ != Status::solved || checkpoint_due(wave)) {
         enter(Phase::pausing);
         termination_ = {};
       }
@@ -91,6 +91,15 @@ void Rank::act_on(const Survey& wave) {
 
 bool Rank::keeps_checkpoints() const {
   return !options_.checkpoint.file.empty();
+}
+
+bool Rank::is_worth_keeping(double objective) const {
+  return keeps_checkpoints() && options_.checkpoint.on_improvement && objective < kept_objective_;
+}
+
+bool Rank::checkpoint_due(const Survey& wave) const {
+  const bool wished = keeps_checkpoints() && (wave.wishes & wish_checkpoint) != 0;
+  return wished || is_worth_keeping(wave.objective);
 }
 
 void Rank::note_stop(const Survey& wave) {
@@ -145,7 +154,7 @@ void Rank::show(const Survey& wave) const {
 }
 
 void Rank::expect_checkpoint_options() const {
-  const auto& [file, interval, resume_from, problem] = options_.checkpoint;
+  const auto& [file, interval, on_improvement, resume_from, problem] = options_.checkpoint;
   if (file.empty() && resume_from.empty()) return;
   if (!problem) {
     throw std::invalid_argument(
@@ -181,6 +190,7 @@ void Rank::write_checkpoint(const Survey& wave) {
 
 void Rank::finish_checkpoint(const Survey& wave) {
   last_checkpoint_ = now_;
+  kept_objective_ = wave.objective;
   saved_ = false;
   if (transport_.rank() != 0) return;
   if ((wave.wishes & wish_failed) != 0) {

@@ -57,7 +57,7 @@ BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem&
 CriticalDive dive_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                      std::int64_t multiple, double width, const BlockBounds& bounds) {
   return campaign.by_first_rank([&] {
-    auto tree = tree_at(problem, width * static_cast<double>(multiple), bounds);
+    auto tree = tree_at(problem, FrictionGrid(width).at(multiple), bounds);
     const auto most = dive_nodes_a_candidate * problem.contact_names.size();
     std::vector<SignPatternTree::Node> open{tree.root()};
     CriticalDive result;

@@ -77,7 +77,7 @@ CriticalFriction::Range CriticalFriction::range(const problems::WedgedProblem& p
 }
 
 CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, double width)
-    : width_(width),
+    : grid_(width),
       range_(range(problem)),
       own_(problem.friction.empty() ? std::vector<double>(problem.contact_names.size(), 1)
                                     : problem.friction),
@@ -164,11 +164,11 @@ FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
 void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
                               std::int64_t most) const {
   const double below = std::min(probe.dead_below, at(std::min(cell.alive, most)));
-  auto dead = static_cast<std::int64_t>(std::floor(below / width_));
+  auto dead = static_cast<std::int64_t>(std::floor(below / width()));
   if (at(dead + 1) <= below) ++dead;
   cell.dead = std::max(cell.dead, std::min(dead, most));
   if (probe.alive_from < at(cell.alive) && probe.alive_from <= at(most)) {
-    cell.alive = static_cast<std::int64_t>(std::ceil(probe.alive_from / width_));
+    cell.alive = static_cast<std::int64_t>(std::ceil(probe.alive_from / width()));
     if (at(cell.alive - 1) >= probe.alive_from) --cell.alive;
   }
   cell.alive = std::max(cell.alive, cell.dead + 1);
@@ -244,7 +244,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     narrow(cell, said, most);
     const bool flat = said.tie && is_flat(pattern, factor);
     if (flat) {
-      const auto living = static_cast<std::int64_t>(std::ceil(factor / width_));
+      const auto living = static_cast<std::int64_t>(std::ceil(factor / width()));
       cell.alive = std::max(cell.dead + 1, std::min(cell.alive, living));
     } else {
       sides.take(factor, said.level);
@@ -263,9 +263,9 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     if (!inside(next) || (step > trusted_steps && step % 3 == 0))
       next = open ? 2 * factor : std::midpoint(floor, at(cell.alive));
     next = std::min(next, at(most));
-    if (std::abs(next - factor) < settled * std::sqrt(width_)) {
+    if (std::abs(next - factor) < settled * std::sqrt(width())) {
       // Newton's method has arrived: the points of the grid on both sides of it.
-      const auto below = static_cast<std::int64_t>(std::floor(next / width_));
+      const auto below = static_cast<std::int64_t>(std::floor(next / width()));
       for (const auto point : {below + 1, below}) {
         if (point > cell.dead && point < cell.alive)
           narrow(cell, probe(pattern, at(point), sign_only), most);

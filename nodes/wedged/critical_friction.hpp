@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "nodes/wedged/contact_solver.hpp"
+#include "nodes/wedged/friction_grid.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -133,10 +134,8 @@ class CriticalFriction {
 
   /// What was solved last.
   [[nodiscard]] ContactSolver& solver() { return solver_; }
-  [[nodiscard]] double width() const { return width_; }
-  [[nodiscard]] double at(std::int64_t multiple) const {
-    return width_ * static_cast<double>(multiple);
-  }
+  [[nodiscard]] double width() const { return grid_.width(); }
+  [[nodiscard]] double at(std::int64_t multiple) const { return grid_.at(multiple); }
 
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
@@ -162,7 +161,7 @@ class CriticalFriction {
   void surround(const SignPattern& pattern, CriticalCell& cell, std::int64_t marginal);
   void narrow(CriticalCell& cell, const FrictionProbe& probe, std::int64_t most) const;
 
-  double width_;
+  FrictionGrid grid_;
   Range range_;
   std::vector<double> own_, friction_;  // phi_i; mu_i of the last probe
   Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, then G': (m + p) x dm

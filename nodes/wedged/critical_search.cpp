@@ -89,10 +89,11 @@ CriticalFindings findings_of(const engine::OutcomeOf<CriticalTree>& outcome, dou
   findings.status = outcome.status;
   const bool whole = outcome.status == engine::Status::solved;
   findings.lower = whole ? most : std::min(most, std::max(known, outcome.bound));
+  const FrictionGrid grid(width);
   for (const auto& found : outcome.solutions) {
     const auto& cell = found.solution.cell;
-    findings.lower = std::min(findings.lower, width * static_cast<double>(cell.dead));
-    findings.upper = width * static_cast<double>(cell.alive);
+    findings.lower = std::min(findings.lower, grid.at(cell.dead));
+    findings.upper = grid.at(cell.alive);
   }
   // A leaf that is doubtful from further down on is opened on any schedule.
   findings.lower = std::min(findings.lower, outcome.tally().doubt.value);
@@ -142,12 +143,23 @@ struct Known {
   }
 };
 
-// On the first rank alone, so that what it comes to depends on no timing.
-Known trial_from_below(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                       const CriticalQuestion& question, double most,
-                       std::vector<engine::RankReport<CriticalTree>>& ranks) {
+// What a trial from below says, and who has worked on it.
+struct BelowTrial {
+  Known known;
+  std::vector<engine::RankReport<CriticalTree>> ranks;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& known& ranks;
+  }
+};
+
+// On the first rank alone, so that what it comes to depends on no timing; a part of the question,
+// since what comes next depends on it.
+BelowTrial trial_from_below(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                            const CriticalQuestion& question, double most) {
   const double width = question.width;
-  return engine::from_first_rank(campaign.transport(), [&] {
+  return campaign.by_first_rank([&] {
     CriticalTree tree(problem, width, multiples(most, width), CriticalDirection::up);
     engine::Options options;
     options.goal = engine::Goal::best;
@@ -157,14 +169,13 @@ Known trial_from_below(engine::Campaign& campaign, const problems::WedgedProblem
         most_trial_nodes, trial_nodes_a_candidate * std::uint64_t{problem.contact_names.size()}));
     options.interrupt = campaign.budget().interrupt();
     const auto outcome = engine::search(tree, options);
-    Known known{.whole = outcome.status == engine::Status::solved,
-                .opened = outcome.opened(),
-                .programs = outcome.tally().programs};
     auto findings = findings_of(outcome, width, 0, most);
-    ranks = std::move(findings.global_ranks);
-    known.lower = findings.lower;
-    known.upper = or_infinity(findings.upper);
-    return known;
+    return BelowTrial{.known = {.whole = outcome.status == engine::Status::solved,
+                                .lower = findings.lower,
+                                .upper = or_infinity(findings.upper),
+                                .opened = outcome.opened(),
+                                .programs = outcome.tally().programs},
+                      .ranks = std::move(findings.global_ranks)};
   });
 }
 
@@ -306,7 +317,9 @@ CriticalFindings either_way(engine::Campaign& campaign, const problems::WedgedPr
   auto known = known_at_most(campaign, problem, question, costs);
   if (!known.whole) {
     const double upper = known.upper;
-    known = trial_from_below(campaign, problem, question, most, findings.global_ranks);
+    auto trial = trial_from_below(campaign, problem, question, most);
+    known = trial.known;
+    if (campaign.is_first()) findings.global_ranks = std::move(trial.ranks);
     costs.push_back({CriticalPhase::trial, 0, known.opened, known.programs});
     if (!known.whole) known.upper = std::min(known.upper, upper);
   }
@@ -330,16 +343,17 @@ CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
   costs.push_back({CriticalPhase::coefficients, most, outcome.opened(), outcome.tally().programs});
   findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
   if (!campaign.is_first()) return findings;
+  const FrictionGrid grid(width);
   for (const auto& found : outcome.solutions) {
     const auto& [number, cell] = found.solution;
     const auto& leaf = living.leaves[number];
     CriticalEntry entry{.block = leaf.block,
                         .pattern = leaf.pattern,
-                        .lower = width * static_cast<double>(cell.dead),
+                        .lower = grid.at(cell.dead),
                         .upper = {},
                         .reaction = {},
                         .displacement = {}};
-    if (cell.alive != CriticalCell::nowhere) entry.upper = width * static_cast<double>(cell.alive);
+    if (cell.alive != CriticalCell::nowhere) entry.upper = grid.at(cell.alive);
     findings.patterns.push_back(std::move(entry));
   }
   findings.bisection_ranks = std::move(outcome.ranks);

@@ -19,7 +19,7 @@ CriticalTree::Block::Block(const problems::WedgedProblem& problem, double width)
 
 CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
                            CriticalDirection direction, double known)
-    : width_(width), most_(most), direction_(direction), known_(known) {
+    : grid_(width), most_(most), direction_(direction), known_(known) {
   for (const auto& candidates : problems::blocks_of(problem))
     blocks_.emplace_back(problems::block_problem(problem, candidates), width);
 }
@@ -77,7 +77,7 @@ void CriticalTree::split(const Node& node, int candidate, engine::Expansion<Crit
 std::optional<double> CriticalTree::worth(Block& block, const Node& node, double cutoff) const {
   // What is dead at the lower end of the best cell has nothing to add to the bracket.
   const double most = block.critical.at(most_);
-  const double lowest = cutoff < most ? cutoff - width_ : most;
+  const double lowest = cutoff < most ? cutoff - grid_.width() : most;
   const auto is_worth = [&](double bound) {
     return bound <= cutoff && bound < lowest + rounding * std::abs(lowest);
   };
@@ -91,7 +91,7 @@ std::optional<double> CriticalTree::worth(Block& block, const Node& node, double
 
 void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>& out) {
   auto& critical = blocks_[node.place.block].critical;
-  const auto known = static_cast<std::int64_t>(node.bound / width_);
+  const auto known = static_cast<std::int64_t>(node.bound / grid_.width());
   const auto cell = critical.locate(node.place.pattern, {known, CriticalCell::nowhere},
                                     CriticalMethod::newton, most_);
   if (cell.dead >= most_) {

@@ -87,7 +87,7 @@ class CriticalTree {
   [[nodiscard]] Node root() const;
   void expand(Node&& node, engine::Expansion<CriticalTree>& out);
   [[nodiscard]] double objective(const Solution& solution) const {
-    return width_ * static_cast<double>(solution.cell.alive);
+    return grid_.at(solution.cell.alive);
   }
   [[nodiscard]] double bound(const Node& node) const { return node.bound; }
   [[nodiscard]] Tally tally() const;
@@ -106,7 +106,7 @@ class CriticalTree {
   void split(const Node& node, int candidate, engine::Expansion<CriticalTree>& out);
   void close_leaf(const Node& node, engine::Expansion<CriticalTree>& out);
 
-  double width_;
+  FrictionGrid grid_;
   std::int64_t most_;
   CriticalDirection direction_;
   double known_;

@@ -48,13 +48,13 @@ std::vector<PatternBracket> pattern_brackets(engine::Campaign& campaign,
   const auto outcome =
       bracket_patterns(campaign, problem, known, CriticalMethod::newton, width, cells_to_known);
   if (!campaign.is_first() || outcome.status != engine::Status::solved) return {};
+  const FrictionGrid grid(width);
   std::vector<PatternBracket> brackets(known.size());
   for (const auto& found : outcome.solutions) {
     const auto& [number, cell] = found.solution;
     auto& bracket = brackets[number];
-    bracket.lower = width * static_cast<double>(cell.dead);
-    if (cell.alive != CriticalCell::nowhere)
-      bracket.upper = width * static_cast<double>(cell.alive);
+    bracket.lower = grid.at(cell.dead);
+    if (cell.alive != CriticalCell::nowhere) bracket.upper = grid.at(cell.alive);
   }
   return brackets;
 }

@@ -13,13 +13,12 @@ namespace {
 
 /// A change as the whole problem has it.
 ConeLife life_of(const LeafOfSweep& leaf, const LeafChange& change,
-                 const support::IndexSet& candidates, double width) {
+                 const support::IndexSet& candidates, const FrictionGrid& grid) {
   ConeLife life{.block = leaf.block,
                 .pattern = {.contact = leaf.pattern.contact,
                             .separated = candidates - leaf.pattern.contact,
                             .at_rest = {}},
-                .begins = {width * static_cast<double>(change.before),
-                           width * static_cast<double>(change.after)},
+                .begins = {grid.at(change.before), grid.at(change.after)},
                 .absorbed = {}};
   if (change.to.kind == LeafStage::Kind::flat) {
     const auto& [kind, loaded, moved] = change.to;
@@ -92,17 +91,17 @@ std::vector<FrictionBracket> merged(std::vector<FrictionBracket> brackets) {
 }  // namespace
 
 void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& leaves,
-                    const std::vector<support::IndexSet>& candidates, double width) {
+                    const std::vector<support::IndexSet>& candidates, const FrictionGrid& grid) {
   std::vector<ConeLife> lives;
   for (const auto& leaf : leaves) {
     const auto& own = candidates[leaf.block];
     if (!leaf.history || leaf.history->open_above != LeafHistory::never) {
       const auto from = leaf.history ? leaf.history->open_above : 0;
-      findings.open.push_back({leaf.block, leaf.pattern, width * static_cast<double>(from)});
+      findings.open.push_back({leaf.block, leaf.pattern, grid.at(from)});
     }
     if (!leaf.history) continue;
     for (const auto& change : leaf.history->changes)
-      lives.push_back(life_of(leaf, change, own, width));
+      lives.push_back(life_of(leaf, change, own, grid));
   }
   unite(lives);
   for (auto life : lives) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/outcome.hpp"
+#include "nodes/wedged/friction_grid.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "nodes/wedged/sweep_tree.hpp"
 
@@ -88,8 +89,8 @@ struct LeafOfSweep {
 };
 
 /// Takes the cones and the open leaves from the histories.
-/// @param candidates of each block @param width of the grid
+/// @param candidates of each block
 void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& leaves,
-                    const std::vector<support::IndexSet>& candidates, double width);
+                    const std::vector<support::IndexSet>& candidates, const FrictionGrid& grid);
 
 }  // namespace kusabi::wedged

@@ -57,9 +57,9 @@ SweepTree::Leaf leaf_of(const Configuration& found, const support::IndexSet& blo
 }
 
 /// The first point of the grid that is not below.
-std::int64_t not_below(double friction, double width) {
-  auto point = static_cast<std::int64_t>(std::llround(friction / width));
-  while (width * static_cast<double>(point) < friction) ++point;
+std::int64_t not_below(double friction, const FrictionGrid& grid) {
+  auto point = static_cast<std::int64_t>(std::llround(friction / grid.width()));
+  while (grid.at(point) < friction) ++point;
   return point;
 }
 
@@ -73,10 +73,11 @@ SweepFindings sweep_friction(engine::Campaign& campaign, const problems::WedgedP
         "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
         "of it");
   }
-  const auto top = not_below(most, width);
+  const FrictionGrid grid(width);
+  const auto top = not_below(most, grid);
   SweepFindings findings;
   findings.most = most;
-  auto at_most = leaves_at(campaign, problem, width * static_cast<double>(top), findings);
+  auto at_most = leaves_at(campaign, problem, grid.at(top), findings);
   findings.status = at_most.status;
   if (findings.status != engine::Status::solved) return findings;
   const auto blocks = problems::blocks_of(problem);
@@ -94,7 +95,7 @@ SweepFindings sweep_friction(engine::Campaign& campaign, const problems::WedgedP
     histories.push_back({leaf.block, std::move(leaf.pattern), std::nullopt});
   for (auto& found : outcome.solutions)
     histories[found.solution.number].history = std::move(found.solution.history);
-  take_histories(findings, histories, blocks, width);
+  take_histories(findings, histories, blocks, grid);
   return findings;
 }
 

@@ -182,6 +182,12 @@ bool works_with_reference(const LimitProblem& problem, const UncertainColumn& co
   return std::abs(column.along(problem.reference)) > no_reference_work * sizes;
 }
 
+bool alpha_is_force(const LimitProblem& problem) {
+  return std::ranges::all_of(problem.uncertain, [](const UncertainColumn& column) {
+    return column.direction.size() == 1 && column.weight == 1;
+  });
+}
+
 Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& shares) {
   Eigen::VectorXd load = problem.dead;
   for (int j = 0; j < problem.uncertain_count(); ++j) {

@@ -50,6 +50,10 @@ std::string member_name(const LimitProblem& problem, int member);
 /// The name of a column of T, or "x at tip" of its component.
 std::string parameter_name(const LimitProblem& problem, int column);
 
+/// Whether alpha is a force: every uncertain load is one component, which is there up to alpha by
+/// itself. Where loads have weights or shapes of their own, alpha is a number of times them.
+bool alpha_is_force(const LimitProblem& problem);
+
 /// f_D + T zeta. @param shares zeta_j / h_j, m
 Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& shares);
 

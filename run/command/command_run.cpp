@@ -26,11 +26,11 @@
 namespace kusabi::run {
 namespace {
 
-constexpr const char* standard_output = "-";
+constexpr const char* standard_output = "-";  // in the call
 
 // Where an output goes; empty: nowhere.
 std::string place_of(const OptionRow& row) {
-  if (row.role == Role::output && row.given == standard_output) return "/dev/stdout";
+  if (row.role == Role::output && row.given == standard_output) return standard_output_file;
   return row.given.value_or(std::string{});
 }
 
@@ -168,6 +168,7 @@ engine::CheckpointOptions CommandRun::checkpoint(const CheckpointChoice& choice,
   if (keeping_) return {};
   return {.file = choice.kept_in(),
           .interval = choice.interval,
+          .on_improvement = choice.on_improvement,
           .resume_from = restart_from(session_, choice.file, choice.restart, tree),
           .problem = tree};
 }
@@ -209,7 +210,7 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
     question.add(value);
   }
   kept_ = session_.from_first_rank([&] {
-    journal_ = opened_journal(choice.state, facts, question.value());
+    journal_ = opened_journal(choice.state, facts, question.value(), choice.patience);
     for (const auto& line : journal_->warnings()) warn(line);
     if (journal_->is_finished() && !quiet_) tell("{}: finished before\n", choice.state);
     return state_of(*journal_);
@@ -217,6 +218,7 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
   keeping_ = engine::Keeping{.journal = journal_.get(),
                              .file = choice.state,
                              .interval = choice.interval,
+                             .on_improvement = choice.on_improvement,
                              .question = question.value()};
 }
 

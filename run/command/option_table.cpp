@@ -220,9 +220,23 @@ void OptionTable::resume(CheckpointChoice& choice, const std::string& help) {
        fmt::format("keep in this file, and others beside it, what is finished, and go on with it: "
                    "the same call again begins, goes on or, at the end, gives the result again{}",
                    help));
+  number("--resume-wait", &choice.patience, at_least(0),
+         "how long to wait for the end of another run that has that file")
+      .unit("s")
+      .needs("--resume")
+      .varies();
   if (find("--checkpoint-interval") != nullptr) return;
   number("--checkpoint-interval", &choice.interval, above(0), "between two states of a search")
       .unit("s")
+      .varies();
+}
+
+void OptionTable::save_on(CheckpointChoice& choice) {
+  word(
+      "--save-on", {"interval", "improvement"}, "interval",
+      [&choice](std::size_t word) { choice.on_improvement = word == 1; },
+      "when the state of a search is kept: at intervals, or also whenever it finds a better "
+      "solution")
       .varies();
 }
 

@@ -116,8 +116,10 @@ using NumberOption = std::variant<double*, std::optional<double>*, int*, unsigne
 struct CheckpointChoice {
   std::string file;       ///< keep the state here; empty: where `restart` is, if that is anywhere
   double interval = 600;  ///< seconds between two
-  std::string restart;    ///< go on from here; empty: start anew
-  std::string state;      ///< of --resume: go on from here or begin; empty: neither
+  bool on_improvement = false;  ///< and one whenever a better solution is found
+  std::string restart;          ///< go on from here; empty: start anew
+  std::string state;            ///< of --resume: go on from here or begin; empty: neither
+  double patience = 30;         ///< seconds to wait for a state that another run has
 
   [[nodiscard]] const std::string& kept_in() const { return file.empty() ? restart : file; }
 };
@@ -166,6 +168,7 @@ class OptionTable {
   void node_limit(engine::Limits& limits);
   void checkpoints(CheckpointChoice& choice);  ///< with --resume
   void resume(CheckpointChoice& choice, const std::string& help = "");
+  void save_on(CheckpointChoice& choice);  ///< of searches for the best
   void config(ConfigChoice& choice);
 
   [[nodiscard]] const std::deque<OptionRow>& rows() const { return rows_; }

@@ -94,6 +94,7 @@ void Critical::describe(OptionTable& table) {
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint, "; --certificate has the ends proved anew");
+  table.save_on(options_.checkpoint);
   table.quiet();
   table.serial();
 }

@@ -121,6 +121,7 @@ void Limit::describe(OptionTable& table) {
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint);
+  table.save_on(options_.checkpoint);
   table.output();
   table.further_output("--csv",
                        "write the members to this file, a line each: forces, utilisation, yield");

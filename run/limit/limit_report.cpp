@@ -83,9 +83,10 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
                  const limit::LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
+  const auto unit = unit_of_alpha(problem);
   const auto alpha = problems::common_half_width(problem, *options.question.alpha);
   fmt::format_to(out, "\nworst case of {} uncertain loads, {}\n", problem.uncertain_count(),
-                 alpha ? fmt::format("alpha = {} {}", *alpha, problem.units.force)
+                 alpha ? fmt::format("alpha = {}{}{}", *alpha, unit ? " " : "", unit.value_or(""))
                        : "each within its own half-width");
   const auto along = std::ranges::count_if(
       problem.uncertain, [&](const auto& column) { return works_with_reference(problem, column); });

@@ -58,6 +58,11 @@ std::string yielding_sentence(const LimitProblem& problem, const LimitCollapse& 
 
 }  // namespace
 
+std::optional<std::string_view> unit_of_alpha(const LimitProblem& problem) {
+  if (!problems::alpha_is_force(problem)) return std::nullopt;
+  return problem.units.force;
+}
+
 std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& collapse) {
   const auto used = problems::utilisation(problem, collapse.forces);
   std::set<int> yielding;
@@ -93,8 +98,8 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
     if (!column.name.empty()) continue;
     const auto& free =
         problem.degrees.free[static_cast<std::size_t>(column.direction.front().degree)];
-    const double size = std::abs(zeta(j)) * column.half_width;
-    places[{free.axis, zeta(j) < 0, size_text(size, unit)}].push_back(
+    const auto size = size_text(std::abs(zeta(j)) * column.largest(), unit);
+    places[{free.axis, zeta(j) < 0, size}].push_back(
         problem.node_names[static_cast<std::size_t>(free.node)]);
   }
   for (const auto& [what, names] : places) {
@@ -105,8 +110,8 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
   for (int j = 0; j < problem.uncertain_count(); ++j) {
     const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
     if (column.name.empty()) continue;
-    text += fmt::format("    {}{}: {}\n", zeta(j) >= 0 ? '+' : '-', column.name,
-                        size_text(std::abs(zeta(j)) * column.half_width, unit));
+    text += fmt::format("    {}{}: {:.6g} times\n", zeta(j) >= 0 ? '+' : '-', column.name,
+                        std::abs(zeta(j)) * column.half_width);
   }
   return text;
 }
@@ -123,7 +128,7 @@ std::string limit_verdict(const LimitOptions& options, const LimitProblem& probl
     const auto lower = std::isfinite(ends.lower) ? std::optional(ends.lower) : std::nullopt;
     return said(always_carried_sentence(
                     lower, problems::common_half_width(problem, options.question.alpha.value_or(0)),
-                    problem.units.force),
+                    unit_of_alpha(problem)),
                 worst->collapse
                     ? yielding_sentence(problem, *worst->collapse,
                                         worst->proved ? "In the worst case" : "At the worst known")

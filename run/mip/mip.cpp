@@ -121,6 +121,7 @@ void Mip::describe(OptionTable& table) {
       .stops(engine::Status::gap_limit)
       .varies();
   table.checkpoints(options_.checkpoint);
+  table.save_on(options_.checkpoint);
   table.quiet();
   table.serial();
 }

@@ -63,10 +63,10 @@ std::string carried_sentence(std::optional<double> factor) {
 }
 
 std::string always_carried_sentence(std::optional<double> lower, std::optional<double> alpha,
-                                    std::string_view force) {
-  const auto within = alpha
-                          ? fmt::format("whatever the dead load is within ± {} {}.", *alpha, force)
-                          : std::string("whatever the dead load is within its bounds.");
+                                    std::optional<std::string_view> force) {
+  const auto within = alpha ? fmt::format("whatever the dead load is within ± {} {}.", *alpha,
+                                          force.value_or("times its uncertain part"))
+                            : std::string("whatever the dead load is within its bounds.");
   if (!lower) return "No load was found that it carries " + within;
   return fmt::format("It carries at least {} times the reference load, {}", rounded_down(*lower),
                      within);

@@ -36,9 +36,9 @@ std::string carried_sentence(std::optional<double> factor);
 
 /// The same whatever an uncertain dead load is. @param lower of the least factor; nothing: none is
 /// known  @param alpha of all uncertain loads; nothing: each has its own  @param force the unit of
-/// alpha
+/// alpha; nothing: alpha is a number of times the uncertain loads
 std::string always_carried_sentence(std::optional<double> lower, std::optional<double> alpha,
-                                    std::string_view force);
+                                    std::optional<std::string_view> force);
 
 /// A dead load is carried at no factor: the given one, or one of those that may be.
 std::string not_carried_sentence(bool uncertain);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstring>
+#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
@@ -74,7 +76,8 @@ void remove_what_the_dead_left(const fs::path& place) {
 
 OutputFile::OutputFile(const std::string& option, const std::string& name,
                        const std::string& input) {
-  if (name.empty()) return;
+  place_ = name;
+  if (name.empty() || is_standard_output()) return;
   const auto refuse = [&](const std::string& why) {
     throw WrongInput(fmt::format("{} {}: {}", option, name, why));
   };
@@ -87,7 +90,7 @@ OutputFile::OutputFile(const std::string& option, const std::string& name,
     if (fs::equivalent(place_, input, error)) refuse("is the problem file itself");
     if (const auto why = open_beside(); !why.empty()) refuse("cannot be written: " + why);
   } else {
-    place_ = name;  // a device or a pipe, whose real name nobody can open
+    // A device or a pipe, whose real name nobody can open.
     file_.open(place_, std::ios::binary | std::ios::trunc);
     if (!file_) refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
   }
@@ -121,7 +124,18 @@ OutputFile::~OutputFile() {
   if (lock_ >= 0) close(lock_);
 }
 
+// As what is printed, through stdio: the one comes after the other.
+std::ostream& OutputFile::stream() {
+  return is_standard_output() ? std::cout : file_;
+}
+
 void OutputFile::put_in_place() {
+  if (is_standard_output()) {
+    std::cout.flush();
+    flush_standard_output();
+    if (!std::cout) throw std::runtime_error("standard output could not be written in full");
+    return;
+  }
   const auto fail = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("{}: {}", place_.string(), why));
   };

@@ -12,9 +12,14 @@
 
 namespace kusabi::run {
 
+/// The name of standard output.
+inline constexpr const char* standard_output_file = "/dev/stdout";
+
 class OutputFile {
  public:
-  /// Opens a file beside `name`, or `name` itself if it is a device or a pipe. A link is followed.
+  /// Opens a file beside `name`, or `name` itself if it is a device or a pipe;
+  /// standard_output_file is what is open already, wherever that leads: a file there keeps what it
+  /// has. A link is followed.
   /// An empty name: nothing will be written.
   /// @param option the option of the command that names it, for messages
   /// @param input the problem file, which must not be the same
@@ -27,7 +32,7 @@ class OutputFile {
   [[nodiscard]] bool wanted() const { return !place_.empty(); }
 
   /// Where to write to. @pre wanted()
-  [[nodiscard]] std::ostream& stream() { return file_; }
+  [[nodiscard]] std::ostream& stream();
 
   /// Closes the file, syncs it to the disk and puts it into its place.
   /// @pre wanted()
@@ -35,6 +40,7 @@ class OutputFile {
   void put_in_place();
 
  private:
+  [[nodiscard]] bool is_standard_output() const { return place_ == standard_output_file; }
   std::string open_beside();  // @return what is wrong, or nothing
 
   std::filesystem::path place_;

@@ -67,6 +67,7 @@ void check_outputs(const std::string& input, const std::vector<NamedFile>& outpu
   }
   // Opened and left again. A pipe must not be: who reads it would see its end.
   for (const auto& [option, name] : outputs) {
+    if (name == standard_output_file) continue;
     const auto kind = status_of(name);
     if (!kind || S_ISREG(kind->st_mode)) OutputFile(option, name, input);
     if (kind && S_ISDIR(kind->st_mode)) OutputFile(option, name, input);

@@ -8,6 +8,7 @@
 
 #include "pictures/svg/inline_picture.hpp"
 #include "run/report/facts.hpp"
+#include "run/results/alpha_unit.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -47,8 +48,10 @@ class LimitSection {
     };
     take(result_, "nominal", "nominal load factor");
     take(result_, "nominal_interval", "nominal load is carried from, to");
-    const auto force = reader_.text(reader_.at(problem_, "units"), "force");
-    take(result_, "alpha", ("α, how far each uncertain load may go, " + force).c_str());
+    const auto unit = unit_of_alpha(reader_);
+    const auto alpha = unit ? "α, how far each uncertain load may go, " + *unit
+                            : "α, how many times each uncertain load may be there, either way";
+    take(result_, "alpha", alpha.c_str());
     if (const auto* const worst = ResultReader::find(result_, "worst_case")) {
       take(*worst, "lower", "worst case, at least");
       take(*worst, "lower_proved", "at least: proved");

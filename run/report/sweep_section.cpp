@@ -8,6 +8,7 @@
 
 #include "pictures/svg/chart.hpp"
 #include "run/report/facts.hpp"
+#include "run/results/alpha_unit.hpp"
 #include "run/results/sweep_result.hpp"
 
 namespace kusabi::run {
@@ -26,8 +27,7 @@ class SweepSection {
     page_.element("h2", loads ? "Over the uncertainty of loads" : "Over the friction coefficient");
     if (const auto chart = sweep_chart(reader_)) page_.verbatim(inline_chart("curve", *chart));
     if (loads) {
-      const auto& units = reader_.at(reader_.at(reader_.all(), "problem"), "units");
-      load_points(reader_.text(units, "force"));
+      load_points();
       pieces();
     } else {
       friction_points();
@@ -126,11 +126,12 @@ class SweepSection {
     end_table(page_);
   }
 
-  void load_points(const std::string& force) {
+  void load_points() {
     const auto& points = reader_.list(result_, "points");
     if (points.empty()) return;
+    const auto unit = unit_of_alpha(reader_);
     begin_table(page_, "Worst-case load factor at the points asked for",
-                {"α, " + force, "at least", "at most", "proved", "state"});
+                {unit ? "α, " + *unit : "α", "at least", "at most", "proved", "state"});
     for (const auto& point : points) {
       page_.open("tr");
       number(point, "alpha");

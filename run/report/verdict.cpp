@@ -10,6 +10,7 @@
 
 #include "run/output/conclusions.hpp"
 #include "run/output/values.hpp"
+#include "run/results/alpha_unit.hpp"
 #include "run/results/sweep_result.hpp"
 
 namespace kusabi::run {
@@ -129,20 +130,15 @@ class Concluding {
                            ? std::nullopt
                            : std::optional(reader_.number(result_, "alpha"));
     if (ResultReader::find(worst, "lower") == nullptr) {
-      all_.sentence = always_carried_sentence({}, alpha, force());
+      all_.sentence = always_carried_sentence({}, alpha, unit_of_alpha(reader_));
       return;
     }
     const double lower = reader_.number(worst, "lower");
-    all_.sentence = always_carried_sentence(lower, alpha, force());
+    all_.sentence = always_carried_sentence(lower, alpha, unit_of_alpha(reader_));
     if (lower < 0)
       reserve("The factor is negative: a dead load within its bounds alone collapses it.");
     if (!is_true(worst, "lower_proved")) reserve("The lower end is computed, not proved.");
     if (!is_true(worst, "upper_proved")) reserve("The upper end is computed, not proved.");
-  }
-
-  [[nodiscard]] std::string force() const {
-    const auto& problem = reader_.at(reader_.all(), "problem");
-    return reader_.text(reader_.at(problem, "units"), "force");
   }
 
   const ResultReader& reader_;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "run/output/values.hpp"
+#include "run/results/alpha_unit.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -25,8 +26,10 @@ class Swept {
 
  protected:
   [[nodiscard]] std::string problem_name() const { return reader_.text(problem_, "name"); }
-  [[nodiscard]] std::string force() const {
-    return reader_.text(reader_.at(problem_, "units"), "force");
+  // Before what alpha is counted in, if that is a unit.
+  [[nodiscard]] std::string alpha_in(const char* before) const {
+    const auto unit = unit_of_alpha(reader_);
+    return unit ? before + *unit : std::string();
   }
   [[nodiscard]] const ResultJson& list(const char* key) const { return reader_.list(result_, key); }
   [[nodiscard]] double number(const ResultJson& object, const char* key) const {
@@ -134,7 +137,7 @@ class SweptLoads : public Swept {
     const auto& last = list("points").back();
     const auto text =
         fmt::format("The nominal load factor is {:.8g}; ", number(result_, "nominal"));
-    const auto at = fmt::format("at alpha = {} {}", number(last, "alpha"), force());
+    const auto at = fmt::format("at alpha = {}{}", number(last, "alpha"), alpha_in(" "));
     const auto state = reader_.text(last, "state");
     if (state == "not-carried") return text + at + " some load is carried at no factor.";
     if (state != "solved") return text + at + " the worst case is open.";
@@ -148,7 +151,7 @@ class SweptLoads : public Swept {
     Chart chart{.title = problem_name() + ": worst-case limit load factor",
                 .description = sentence(),
                 .lines = {"worst-case limit load factor", sentence()},
-                .x_name = fmt::format("uncertainty alpha of each load, {}", force()),
+                .x_name = "uncertainty alpha of each load" + alpha_in(", "),
                 .y_name = "limit load factor",
                 .whole_numbers = false,
                 .series = {}};

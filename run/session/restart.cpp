@@ -2,8 +2,10 @@
 #include "run/session/restart.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,6 +17,24 @@
 
 namespace kusabi::run {
 namespace {
+
+constexpr auto between_two_looks = std::chrono::milliseconds(100);
+
+std::unique_ptr<engine::Journal> journal_when_free(const std::string& state,
+                                                   const engine::Facts& facts, double patience) {
+  using Clock = std::chrono::steady_clock;
+  const auto begun = Clock::now();
+  for (bool told = false;; told = true) {
+    try {
+      return std::make_unique<engine::Journal>(state, facts);
+    } catch (const engine::JournalInUse&) {
+      if (std::chrono::duration<double>(Clock::now() - begun).count() >= patience) throw;
+    }
+    if (!told)
+      warn(fmt::format("{}: is in use by another run; waiting {} s for its end", state, patience));
+    std::this_thread::sleep_for(between_two_looks);
+  }
+}
 
 // A wrong name should cost a second and not the night.
 void require_writable_folder(const std::string& checkpoint) {
@@ -60,10 +80,10 @@ std::string restart_from(Session& session, const std::string& checkpoint,
 }
 
 std::unique_ptr<engine::Journal> opened_journal(const std::string& state,
-                                                const engine::Facts& facts,
-                                                std::uint64_t question) {
+                                                const engine::Facts& facts, std::uint64_t question,
+                                                double patience) {
   try {
-    auto journal = std::make_unique<engine::Journal>(state, facts);
+    auto journal = journal_when_free(state, facts, patience);
     engine::expect_usable_search(*journal, question);
     return journal;
   } catch (const engine::CheckpointError& error) {

@@ -26,10 +26,13 @@ void warn_all(Session& session, const std::vector<std::string>& lines);
 std::string restart_from(Session& session, const std::string& checkpoint,
                          const std::string& restart, std::optional<std::uint64_t> tree);
 
-/// What --resume names, opened or begun; on rank 0. @param question fingerprint of the facts
+/// What --resume names, opened or begun; on rank 0. If another run has it, its end is waited for: a
+/// queue may begin a turn while ranks of the last one still write.
+/// @param question fingerprint of the facts @param patience seconds to wait
 /// @throws WrongInput if it cannot be used
 std::unique_ptr<engine::Journal> opened_journal(const std::string& state,
-                                                const engine::Facts& facts, std::uint64_t question);
+                                                const engine::Facts& facts, std::uint64_t question,
+                                                double patience);
 
 /// How far the question is that is kept in a journal.
 struct KeptState {

@@ -45,10 +45,10 @@ class LoadSweep final : public Swept {
     ranks_ = run.session().ranks();
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
-    return fmt::format("{}: {}, {} members, {} uncertain loads, alpha up to {} {}; {}",
+    return fmt::format("{}: {}, {} members, {} uncertain loads, alpha up to {}{}; {}",
                        problem_.name, problem_.dimension == 2 ? "in the plane" : "in space",
                        problem_.member_count(), problem_.uncertain_count(), alphas_.back(),
-                       problem_.units.force, ranks);
+                       problems::alpha_is_force(problem_) ? ' ' + problem_.units.force : "", ranks);
   }
   void search(CommandRun& run) override {
     engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));

@@ -2,12 +2,17 @@
 // and no damaged or foreign file is taken for a good one.
 #include "engine/checkpoint.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <boost/crc.hpp>
 #include <gmock/gmock.h>
@@ -138,6 +143,41 @@ TEST_F(Checkpoint, TheBestSolutionSurvives) {
   ASSERT_EQ(outcome.solutions.size(), 1U);
   EXPECT_EQ(outcome.solutions[0].path, whole.solutions[0].path);
   EXPECT_EQ(outcome.bound, whole.bound);
+}
+
+// The interval is never over, so there is a checkpoint only because something better was found; and
+// that has what was best by then.
+TEST_F(Checkpoint, IsThereAsSoonAsTheIncumbentIsBetter) {
+  auto choice = options();
+  choice.goal = Goal::best;
+  choice.survey_interval = 0;
+  choice.nodes_per_step = 1;
+  int several = 0;  // searches with more than one
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(seed);
+    std::vector<double> kept;  // the incumbents of the checkpoints
+    double best = 0;
+    std::uint64_t epoch = 0;
+    choice.progress = [&](const Progress& progress) {
+      const auto newest = checkpoint_exists(file_) ? read_manifest(file_).epoch : 0;
+      if (newest != epoch) kept.push_back(best);
+      epoch = newest;
+      best = progress.objective;
+    };
+    auto knapsack = Knapsack::random(seed, 16);
+    choice.checkpoint.on_improvement = false;
+    search(knapsack, choice);
+    EXPECT_TRUE(kept.empty());
+    choice.checkpoint.on_improvement = true;
+    const auto outcome = search(knapsack, choice);
+    EXPECT_EQ(outcome.status, Status::solved);
+    EXPECT_EQ(std::ranges::adjacent_find(kept, std::less_equal()), kept.end());
+    ASSERT_FALSE(kept.empty());
+    EXPECT_EQ(kept.back(), outcome.bound);
+    if (kept.size() > 1) ++several;
+    remove_checkpoint(file_);
+  }
+  EXPECT_GT(several, 0);
 }
 
 TEST_F(Checkpoint, TheOrderMayChangeOnTheWay) {

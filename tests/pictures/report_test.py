@@ -292,7 +292,7 @@ class Report(KusabiCase):
     def test_a_sweep_of_loads(self):
         answer = self.solve("sweep", "gust.toml", "--alpha", "0:0.6:0.2")["result"]
         page = self.page()
-        self.assertIn("at alpha = 0.6 kN the worst case is 6.9813203, proved", self.verdict(page))
+        self.assertIn("at alpha = 0.6 the worst case is 6.9813203, proved", self.verdict(page))
         self.assertEqual(page.with_id("curve").tag, "svg")
         self.assertEqual(self.rows(page, "Worst-case load factor at the points asked for"),
                          [[each[key] for key in ("alpha", "lower", "upper")] for each in answer["points"]])

@@ -518,6 +518,25 @@ TEST_F(Command, IsPartOfAPipe) {
   EXPECT_EQ(twice.exit_code, 2);
 }
 
+// Standard output is what is open, with all that is there before and comes after.
+TEST_F(Command, WritesToTheStandardOutputThatIsOpen) {
+  const auto call = command + " patterns " + truss + " --mu 0.65 --output ";
+  const auto file = in_folder("all");
+  for (const auto* const name : {"-", "/dev/stdout --quiet"}) {
+    const auto run =
+        shell("{ echo before; " + call + name + "; echo after; } > " + argument("all"));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    const auto text = content(file);
+    ASSERT_TRUE(text.starts_with("before\n{") && text.ends_with("}\nafter\n")) << text;
+    const auto json = text.substr(7, text.size() - 7 - 6);
+    EXPECT_EQ(nlohmann::json::parse(json)["command"], "patterns");
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(file).parent_path()), {}), 1);
+  const auto full = shell("{ " + call + "- > /dev/full; }");
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_THAT(full.output, HasSubstr("standard output"));
+}
+
 // The numbers are those of the result file, whatever the order.
 TEST_F(Command, ListsPatternsInTheOrderThatIsAskedFor) {
   const auto patterns = [&](const std::string& more) {

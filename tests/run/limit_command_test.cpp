@@ -56,10 +56,13 @@ TEST_F(LimitCommand, ProvesATrussWithAChainOfIdleBars) {
 
 TEST_F(LimitCommand, NamesTheUncertainLoadsOfTheWorstCase) {
   const auto call = example("gust.toml") + " --alpha 0.5";
-  EXPECT_THAT(
-      shell(command + " limit " + call).output,
-      HasSubstr("\n    -x at b1 b2: 0.5 kN each\n    -gust: 0.5 kN\n    +where the load stands: "
-                "0.5 kN\n"));
+  EXPECT_THAT(shell(command + " limit " + call).output,
+              AllOf(HasSubstr("\n    -x at b1 b2: 0.15 kN each\n    -gust: 0.5 times\n"
+                              "    +where the load stands: 0.5 times\n"),
+                    HasSubstr("worst case of 4 uncertain loads, alpha = 0.5\n"),
+                    HasSubstr("whatever the dead load is within ± 0.5 times its uncertain part.")));
+  EXPECT_THAT(shell(command + " limit " + example("static-gap.toml") + " --alpha 0.35").output,
+              HasSubstr(", alpha = 0.35 kN\n"));
   const auto json = result_of(call);
   EXPECT_EQ(json["problem"]["m"], 4);
   const auto& parameters = json["result"]["critical_parameters"];

@@ -6,6 +6,7 @@ call is refused.
 
 MPIEXEC is the launcher with its option for the number of ranks, in one word; MORTAL the library of resume/mortal.cpp.
 """
+import fcntl
 import json
 import os
 import pathlib
@@ -180,10 +181,23 @@ class State(Resumed):
 
     def test_is_in_use(self):
         with open(self.state, "w", encoding="ascii") as file:
-            import fcntl
             fcntl.flock(file, fcntl.LOCK_EX)
-            self.assertIn("is in use by another run", self.refused_state(self.CALL))
+            self.assertIn("is in use by another run", self.refused_state(self.CALL, "--resume-wait", 0))
         self.check_end(self.CALL, self.unbroken(self.CALL))
+
+    def test_is_waited_for(self):
+        expected = self.unbroken(self.CALL)
+        line = [KUSABI, *map(str, self.CALL), "--resume", str(self.state), "--resume-wait", "200", "--output",
+                str(self.result)]
+        with open(self.state, "w", encoding="ascii") as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
+            run = subprocess.Popen(line, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            said = run.stderr.readline()
+        # The file is closed, and so the other run at its end.
+        _, rest = run.communicate(timeout=250)
+        self.assertIn(f"{self.state}: is in use by another run; waiting 200 s for its end", said)
+        self.assertNotIn("in use", rest)
+        self.assertEqual((run.returncode, self.answer()), expected, rest)
 
     def test_is_no_other_file(self):
         self.state.write_text("what somebody wrote\n")
@@ -261,6 +275,58 @@ class State(Resumed):
             self.assertEqual(proof.returncode, 0, proof.stderr)
             certificate.unlink()
             self.assertIn("nor are its parts", self.resume(call).stderr)
+            for each in self.folder.glob("state*"):
+                each.unlink()
+
+
+class Improved(Resumed):
+    def test_is_kept(self):
+        """Without any interval, what is kept of a search is kept because something better was found."""
+        for name in ("program", "zero-one"):
+            call = CALLS[name]
+            saves = {}
+            for word in ("interval", "improvement"):
+                # As many files as it writes: it is killed at the first that is about a search.
+                run = self.run_it(call, "--resume", self.state, "--save-on", word, dies_at=1, about="state.search")
+                saves[word] = run.returncode in KILLED
+                if not saves[word]:
+                    self.assertIn(run.returncode, (0, 3), run.stderr)
+                for each in self.folder.glob("state*"):
+                    each.unlink()
+            self.assertEqual(saves, {"interval": False, "improvement": True}, name)
+
+
+class Verified(Resumed):
+    """The words of a verification are its result."""
+
+    QUESTIONS = {"patterns": ("patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65),
+                 "limit": ("limit", EXAMPLES / "static-gap.toml", "--alpha", 0.35)}
+
+    def verify(self, name, *words, dies_at=None):
+        line = [KUSABI, "verify", str(self.folder / name), "--problem", str(self.QUESTIONS[name][1]), *map(str, words)]
+        if dies_at:
+            line = ["env", f"LD_PRELOAD={MORTAL}", f"KUSABI_MORTAL={dies_at}", "KUSABI_MORTAL_FILE=state", *line]
+        return subprocess.run(line, capture_output=True, text=True, check=False, timeout=250)
+
+    def test_says_the_same(self):
+        for name, question in self.QUESTIONS.items():
+            self.assertEqual(self.kusabi(*question, "--certificate", self.folder / name).returncode, 0)
+            unbroken = self.verify(name)
+            self.assertEqual(unbroken.returncode, 0, unbroken.stderr)
+            self.assertIn("PROVED", unbroken.stdout)
+            killed = 0
+            for number in range(1, 9):
+                run = self.verify(name, "--resume", self.state, *OFTEN, dies_at=number)
+                if run.returncode == 0:
+                    break
+                self.assertIn(run.returncode, KILLED, run.stderr)
+                self.assertNotIn("PROVED", run.stdout)
+                killed += 1
+            self.assertGreaterEqual(killed, 2, name)
+            for _ in range(2):  # it goes on, and then it is finished
+                run = self.verify(name, "--resume", self.state, *OFTEN)
+                self.assertEqual((run.returncode, run.stdout), (0, unbroken.stdout), run.stderr)
+            self.assertIn("finished before", run.stderr)
             for each in self.folder.glob("state*"):
                 each.unlink()
 

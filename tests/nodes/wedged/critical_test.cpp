@@ -3,22 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/campaign.hpp"
+#include "engine/journal.hpp"
 #include "engine/simulation.hpp"
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/bisection.hpp"
 #include "nodes/wedged/critical_search.hpp"
 #include "nodes/wedged/critical_tree.hpp"
+#include "nodes/wedged/friction_grid.hpp"
 #include "problems/families/space_truss.hpp"
 #include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
@@ -225,6 +231,60 @@ TEST(CriticalFriction, IsTheSameAfterATrialOfAnyLength) {
   }
   EXPECT_GT(trials.whole, 50);
   EXPECT_GT(trials.descended, 50);
+}
+
+// A run that goes on takes the way that the trial chose when there was time for it, though its own
+// would choose another.
+TEST(CriticalFriction, GoesOnTheWayThatItsTrialChose) {
+  std::string folder = (std::filesystem::temp_directory_path() / "kusabi trial-XXXXXX").string();
+  ASSERT_NE(mkdtemp(folder.data()), nullptr);
+  const auto structure = problems::space_truss({.rows = 4, .depth = 2});
+  const auto problem = problems::wedged_problem(structure);
+  const auto file = folder + "/state";
+  const auto run = [&](std::uint64_t trial_nodes) {
+    engine::Journal journal(file, {{"the problem", "7"}});
+    engine::SingleProcess alone;
+    engine::Supervision supervision;
+    supervision.keeping = engine::Keeping{.journal = &journal, .file = file, .question = 5};
+    engine::Campaign campaign(alone, std::move(supervision));
+    auto found = find_critical_friction(campaign, structure, problem, {.trial_nodes = trial_nodes});
+    return std::pair(std::move(found), journal.size());
+  };
+  const auto [first, parts] = run(1);
+  EXPECT_EQ(first.costs.at(1).phase, CriticalPhase::dive);
+  const auto [again, same_parts] = run(1'000'000);
+  EXPECT_EQ(same_parts, parts);
+  ASSERT_EQ(again.costs.size(), first.costs.size());
+  for (std::size_t i = 0; i < first.costs.size(); ++i) {
+    EXPECT_EQ(again.costs[i].phase, first.costs[i].phase);
+    EXPECT_EQ(again.costs[i].opened, first.costs[i].opened);
+  }
+  EXPECT_EQ(again.global_ranks.size(), first.global_ranks.size());
+  expect_same_answer(again, first);
+  std::filesystem::remove_all(folder);
+}
+
+// Against the digits that a person would write: k and the power of ten, read by the library.
+TEST(FrictionGrid, IsOfTheDecimalsThatItsWidthIsOneOf) {
+  const std::vector<std::tuple<double, std::int64_t, int>> widths = {
+      {1e-8, 1, 8}, {1e-6, 1, 6}, {2.5e-7, 25, 8}, {0.01048576, 1048576, 8}, {1e-22, 1, 22}};
+  for (const auto& [step, digits, places] : widths) {
+    const FrictionGrid grid(step);
+    int other = 0;
+    for (std::int64_t multiple = 1; multiple < 1'000'000'000; multiple = multiple * 7 / 4 + 1) {
+      const auto decimal = std::to_string(digits * multiple) + "e-" + std::to_string(places);
+      EXPECT_EQ(grid.at(multiple), std::strtod(decimal.c_str(), nullptr)) << decimal;
+      if (grid.at(multiple) != step * static_cast<double>(multiple)) ++other;
+    }
+    EXPECT_GT(other, 0) << step << ": the products are the decimals";
+  }
+  EXPECT_EQ(FrictionGrid(1e-8).at(60962948), 0.60962948);
+  // No decimal to count with.
+  for (const double step : {1.0 / 3, 0x1p-30, 3e-30, 40.0}) {
+    const FrictionGrid grid(step);
+    for (const std::int64_t multiple : {0, 1, 2, 3, 1000, 123456789})
+      EXPECT_EQ(grid.at(multiple), step * static_cast<double>(multiple)) << step;
+  }
 }
 
 TEST(CriticalFriction, OfALargerTrussTheTrialIsFollowedByADescent) {

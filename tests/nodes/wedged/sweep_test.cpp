@@ -170,7 +170,7 @@ TEST(FrictionSweep, PutsHistoriesTogether) {
                  {{0, both, LeafHistory{.changes = {{20, 22, flat({0}, {2})}, {40, 41, solid}}}},
                   {0, one, LeafHistory{.changes = {{10, 11, flat({0}, {2})}}}},
                   {0, one, LeafHistory{.changes = {}, .open_above = 70}}},
-                 {set_of({0, 1, 2})}, 1);
+                 {set_of({0, 1, 2})}, FrictionGrid(1));
   ASSERT_EQ(findings.cones.size(), 2U);
   const auto& first = findings.cones[0];
   EXPECT_EQ(first.pattern.at_rest, set_of({1}));
