@@ -80,20 +80,18 @@ class MotionBounds {
 
   /// The share of each y_j that brings normal forces into equilibrium, if all change by at most
   /// this share; more than 1 if they cannot.
-  /// @param rows candidates with a force  @param sizes |y_j|, or what stands for it  @param y of
-  /// each
+  /// @param rows candidates with a force  @param sizes by how much each may change
+  /// @param y what is to be balanced  @param total the sizes of all that y was summed of
   /// @param whole whether no force may be left out of what can be balanced
   template <class Forces>
   [[nodiscard]] double balance(std::span<const int> rows, const std::vector<double>& sizes,
-                               const Forces& y, double rounding, bool whole) const {
+                               const Forces& y, double total, double rounding, bool whole) const {
     Eigen::VectorXd load = Eigen::VectorXd::Zero(lifting_);
     Eigen::MatrixXd part(static_cast<Eigen::Index>(rows.size()), lifting_);
-    double total = 0;
     for (std::size_t place = 0; place < rows.size(); ++place) {
       const auto at = first_rows_[static_cast<std::size_t>(rows[place])];
       part.row(static_cast<Eigen::Index>(place)) = sizes[place] * motions_.row(at).head(lifting_);
       load += y[place] * motions_.row(at).head(lifting_).transpose();
-      total += std::abs(y[place]);
     }
     const double size = load.norm() + total * noise(rounding) * std::sqrt(double(lifting_));
     if (size == 0) return 0;
