@@ -2,6 +2,7 @@
 // is shown meanwhile. Without a word the question runs to its end, in silence.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -38,6 +39,9 @@ struct Supervision {
 
   /// Told, on rank 0, what long work outside of searches is doing: one line, now and then.
   std::function<void(const std::string&)> say = {};
+
+  /// Of what changes all the time, so often.
+  std::chrono::steady_clock::duration say_every = std::chrono::seconds(2);
 
   /// Told, on rank 0, of what went wrong without ending the question: one line.
   std::function<void(const std::string&)> warn = {};
@@ -118,6 +122,15 @@ class Campaign {
     if (is_first() && supervision_.say) supervision_.say(line);
   }
 
+  /// The same of what changes all the time, now and then. @param line makes a line
+  template <class Line>
+  void say_now_and_then(Line line) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - said_ < supervision_.say_every) return;
+    said_ = now;
+    say(line());
+  }
+
  private:
   // What every rank gets alike.
   template <class Value, class Make>
@@ -144,6 +157,7 @@ class Campaign {
   Transport& transport_;
   Supervision supervision_;
   Budget budget_;
+  std::chrono::steady_clock::time_point said_ = std::chrono::steady_clock::now();
   std::optional<Recording> recording_;
 };
 

@@ -60,8 +60,8 @@ class BlockProof {
                                      const support::IndexSet& separated,
                                      std::span<const double> numbers) const;
 
-  /// The same by the cuts of what has been taken up, in a block without motions.
-  /// @param numbers m multipliers of normal displacements, m of cuts
+  /// The same by the cuts of what has been taken up.
+  /// @param numbers as of judge_dead(), then m multipliers of cuts
   /// @pre least_eigenvalue()
   [[nodiscard]] Judgement judge_cut(const support::IndexSet& contact,
                                     const support::IndexSet& separated,
@@ -70,8 +70,7 @@ class BlockProof {
   /// Proves a bound of a candidate, or that it is never on a side, by the cuts of those that were
   /// taken up before, and takes it up. @return why not
   /// @param most times sum_k r_nk: above r_n in contact, u_n separated; nothing: never
-  /// @param numbers m multipliers of normal displacements, m of cuts, and with `most` one of its
-  ///        opposite
+  /// @param numbers as of judge_cut(), and with `most` the multiplier of its opposite
   /// @pre least_eigenvalue()
   [[nodiscard]] std::optional<std::string> take_up(std::size_t candidate, Side side,
                                                    const std::optional<double>& most,
@@ -132,47 +131,6 @@ class BlockProof {
                                                        const DyadicList& u,
                                                        const DyadicList& r) const;
 
-  [[nodiscard]] std::optional<std::string> refusal_of_held(const support::IndexSet& contact,
-                                                           const support::IndexSet& separated,
-                                                           std::span<const double> recorded) const;
-
-  // Multipliers as they were recorded, over the lengths of normals, with the rows of their normals
-  // and by how much each may change.
-  struct Recorded {
-    std::vector<Rationals> rows;
-    Rationals forces;
-    std::vector<double> room;
-  };
-  [[nodiscard]] Recorded recorded_forces(const support::IndexSet& contact,
-                                         std::span<const double> recorded, double raised) const;
-  // Forces along the normals, not negative where u_n >= 0.
-  struct Multipliers {
-    NearList near;
-    Dyadic carried;  // the size of forces at the springs that would bring them into equilibrium
-  };
-  // In exact equilibrium; nothing if there are none.
-  [[nodiscard]] std::optional<Multipliers> multipliers(const support::IndexSet& contact,
-                                                       std::span<const double> recorded,
-                                                       double raised) const;
-  // In equilibrium but for rounding.
-  [[nodiscard]] std::optional<Multipliers> near_multipliers(const support::IndexSet& contact,
-                                                            std::span<const double> recorded) const;
-  [[nodiscard]] std::optional<Dyadic> carried_by_springs(const std::vector<Rationals>& rows,
-                                                         const Rationals& forces) const;
-  [[nodiscard]] NearList along_normals(const Rationals& forces) const;
-  [[nodiscard]] std::optional<std::string> check_dead(const support::IndexSet& separated,
-                                                      const Multipliers& y,
-                                                      const std::vector<double>& mean,
-                                                      const DyadicList& w,
-                                                      const DyadicList& nu) const;
-  [[nodiscard]] std::optional<std::string> check_dead_held(const support::IndexSet& contact,
-                                                           const support::IndexSet& separated,
-                                                           const DyadicList& w,
-                                                           const DyadicList& nu) const;
-  [[nodiscard]] std::optional<std::string> check_margins(const support::IndexSet& separated,
-                                                         const DyadicList& w, const Dyadic& error,
-                                                         const Dyadic& epsilon) const;
-
   // The opposite of a bound: r_ni, or u_ni, is no less than beta sum_k r_nk.
   struct Opposite {
     std::size_t candidate;  // i
@@ -185,14 +143,55 @@ class BlockProof {
     support::IndexSet contact;
     support::IndexSet separated;
     std::span<const double> multipliers;  // y, what is asked of K w
-    std::span<const double> of_cuts;      // eta
+    std::span<const double> mean;         // of a loose body, the mean motion of w
+    std::span<const double> of_cuts;      // eta; empty: no cuts
     std::optional<Opposite> opposite;
   };
-  [[nodiscard]] std::optional<std::string> refusal_of_combination(Combination combination) const;
+  // Whether they leave nothing; with all that is known of sides.
+  [[nodiscard]] Judgement judge(const Combination& combination) const;
+  [[nodiscard]] Judgement judge_with_bounds(Combination combination) const;
+  // What they give for u_nk beside the multipliers, and for r beside w.
   [[nodiscard]] Dyadic displacement_share(const Combination& combination, std::size_t k) const;
-  [[nodiscard]] std::optional<std::string> check_combination(const Combination& combination,
-                                                             const DyadicList& w,
-                                                             const DyadicList& nu) const;
+  [[nodiscard]] DyadicList reaction_shares(const Combination& combination) const;
+  [[nodiscard]] std::optional<std::string> refusal_of_held(const Combination& combination) const;
+  [[nodiscard]] std::optional<std::string> check_held(const Combination& combination,
+                                                      const DyadicList& w,
+                                                      const DyadicList& nu) const;
+
+  // Multipliers as they were recorded, over the lengths of normals, with the rows of their normals,
+  // what they must not be below, and by how much each may change.
+  struct Recorded {
+    std::vector<Rationals> rows;
+    Rationals forces;
+    Rationals least;  // where u_n >= 0
+    std::vector<double> room;
+  };
+  [[nodiscard]] Recorded recorded_forces(const Combination& combination, double small,
+                                         double raised) const;
+  [[nodiscard]] mpq_class least_force(const Combination& combination, std::size_t k) const;
+  // Forces along the normals, where u_n >= 0 not below what the inequalities give.
+  struct Multipliers {
+    NearList near;
+    Dyadic carried;  // the size of forces at the springs that would bring them into equilibrium
+  };
+  // In exact equilibrium; nothing if there are none.
+  [[nodiscard]] std::optional<Multipliers> multipliers(const Combination& combination, double small,
+                                                       double raised) const;
+  // In equilibrium but for rounding.
+  [[nodiscard]] std::optional<Multipliers> near_multipliers(const Combination& combination,
+                                                            double small) const;
+  [[nodiscard]] std::optional<Dyadic> carried_by_springs(const std::vector<Rationals>& rows,
+                                                         const Rationals& forces) const;
+  [[nodiscard]] NearList along_normals(const Rationals& forces) const;
+  [[nodiscard]] Judgement judge_loose(const Combination& combination) const;
+  [[nodiscard]] std::optional<std::string> check_loose(const Combination& combination,
+                                                       const Multipliers& y,
+                                                       const std::vector<double>& mean,
+                                                       const DyadicList& w,
+                                                       const DyadicList& nu) const;
+  [[nodiscard]] std::optional<std::string> check_margins(const support::IndexSet& separated,
+                                                         const DyadicList& w, const Dyadic& error,
+                                                         const Dyadic& epsilon) const;
 
   // Whether the reactions of all candidates that a motion moves work against it, one way or the
   // other, and one of U is among these.
@@ -218,6 +217,7 @@ class BlockProof {
   Dyadic steepest_;                      // the root of 1 + the largest mu^2, or more
   std::optional<Dyadic> least_;          // s
   ProvedBounds bounds_;
+  bool far_bounds_ = false;                // some hold of configurations that do not move far only
   mutable std::list<HeldStiffness> held_;  // the first for dead nodes; others for leaves
 };
 

@@ -23,7 +23,6 @@ Bound read_bound(Lines& lines, const Certificate& certificate) {
   Bound bound;
   bound.line = lines.number();
   bound.block = read_block_number(lines, certificate);
-  refuse_motions(lines, certificate, bound.block, "a bound");
   const auto& block = certificate.blocks[bound.block];
   const std::string candidate = "a contact candidate of the block, counted from 0";
   const auto number = lines.integer(10, candidate);
@@ -35,8 +34,9 @@ Bound read_bound(Lines& lines, const Certificate& certificate) {
   if (!never) bound.most = lines.number(above_zero);
   if (bound.most && *bound.most <= 0) lines.refuse(above_zero);
   const auto own = static_cast<std::size_t>(block.size());
-  lines.numbers(2 * own + (never ? 0 : 1), bound.numbers, "multipliers");
-  refuse_negative(lines, std::span(bound.numbers).subspan(own, own));
+  const auto moving = certificate.motions_of(block).size();
+  lines.numbers(2 * own + moving + (never ? 0 : 1), bound.numbers, multipliers_of(moving));
+  refuse_negative(lines, std::span(bound.numbers).subspan(own + moving, own));
   if (!never && bound.numbers.back() <= 0) {
     lines.refuse("the multiplier of the opposite of the bound, the last one, above zero");
   }
@@ -49,11 +49,8 @@ const char* side_name(Side side) {
   return side == Side::contact ? "contact" : "separated";
 }
 
-void refuse_motions(const Lines& lines, const Certificate& certificate, std::size_t block,
-                    const std::string& what) {
-  if (!certificate.motions_of(certificate.blocks[block]).empty()) {
-    lines.refuse(what + " of a block without motions");
-  }
+std::string multipliers_of(std::size_t motions) {
+  return motions > 0 ? "multipliers and parts of motions" : "multipliers";
 }
 
 void refuse_negative(const Lines& lines, std::span<const double> multipliers) {

@@ -44,8 +44,9 @@ struct Bound {
   /// In contact r_n <= most s, separated u_n <= most s (length / force); nothing: no wedged
   /// configuration has it on this side. > 0.
   std::optional<double> most{};
-  /// Multipliers of the normal displacements, one a candidate of the block; of their cuts, one
-  /// each, >= 0; unless `most` is nothing, that of its opposite, > 0.
+  /// Multipliers of the normal displacements, one a candidate of the block; the parts of its
+  /// motions in the mean motion of w; multipliers of cuts, one a candidate, >= 0; unless `most` is
+  /// nothing, that of its opposite, > 0.
   std::vector<double> numbers{};
 };
 
@@ -58,8 +59,8 @@ struct Record {
   support::IndexSet separated;  ///< R: r = 0
   /// dead: multipliers of the normal displacements, one a candidate of the block. alive: the
   /// tangential reactions of the candidates in U, in their order, d - 1 each. After them, for each
-  /// motion of the block, its part in the mean motion of w (dead), of u (alive). cut: multipliers
-  /// of the normal displacements as for dead, then of the cuts, one a candidate each, >= 0.
+  /// motion of the block, its part in the mean motion of w (dead), of u (alive). cut: all that dead
+  /// has, then multipliers of the cuts, one a candidate each, >= 0.
   std::vector<double> numbers;
 };
 

@@ -22,9 +22,8 @@ struct Version {
 /// @throws CertificateError, as all of these
 std::size_t read_block_number(Lines& lines, const Certificate& certificate);
 
-/// Refuses the line if the block has motions. @param what the line holds
-void refuse_motions(const Lines& lines, const Certificate& certificate, std::size_t block,
-                    const std::string& what);
+/// What the numbers of a dead node, or of a bound, are called. @param motions of its block
+std::string multipliers_of(std::size_t motions);
 
 /// Refuses the line if one of the multipliers of cuts is negative.
 void refuse_negative(const Lines& lines, std::span<const double> multipliers);

@@ -1,6 +1,7 @@
 // Dead nodes: no configuration below them.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "verify/balance.hpp"
@@ -19,92 +20,119 @@ constexpr double small_multiplier = 1e-6;
 // where equilibrium hangs on the last digits of directions.
 constexpr double spare = 0x1p-40;
 
-// Zero where a number is below a share of the largest.
-std::vector<double> without_small(std::span<const double> numbers, double share) {
-  double largest = 0;
-  for (const double number : numbers) largest = std::max(largest, std::abs(number));
-  std::vector<double> rest;
-  for (const double number : numbers)
-    rest.push_back(std::abs(number) < share * largest ? 0 : number);
-  return rest;
-}
-
 constexpr auto not_in_equilibrium =
     "its multipliers are not in equilibrium, or some are negative where u_n >= 0";
+
+// The least double that is known not to be below a number.
+double not_below(const Dyadic& number) {
+  if (number.sign() == 0) return 0;
+  return std::nextafter(number.nearest(), std::numeric_limits<double>::infinity());
+}
 
 }  // namespace
 
 Judgement BlockProof::judge_dead(const IndexSet& contact, const IndexSet& separated,
                                  std::span<const double> numbers) const {
-  if (separated == IndexSet::below(static_cast<int>(candidates())))
+  return judge({.contact = contact,
+                .separated = separated,
+                .multipliers = numbers.first(candidates()),
+                .mean = numbers.subspan(candidates()),
+                .of_cuts = {},
+                .opposite = {}});
+}
+
+Judgement BlockProof::judge(const Combination& combination) const {
+  if (combination.separated == IndexSet::below(static_cast<int>(candidates())))
     return {};  // r = 0, nothing else
-  const auto recorded = numbers.first(candidates());
-  if (motions() == 0) return {refusal_of_held(contact, separated, recorded)};
-  const auto mean = own_coefficients(numbers.subspan(candidates()));
+  return motions() == 0 ? Judgement{refusal_of_held(combination)} : judge_loose(combination);
+}
+
+Judgement BlockProof::judge_loose(const Combination& combination) const {
+  const auto mean = own_coefficients(combination.mean);
   const auto refusal = [&](const std::optional<Multipliers>& y) -> std::optional<std::string> {
     if (!y) return not_in_equilibrium;
     const auto all = first_numbers(block_.dimension * candidates());
     return held_.front().guess(all, y->near.values, [&](const auto& w, const auto& nu) {
-      return check_dead(separated, *y, mean, w, nu);
+      return check_loose(combination, *y, mean, w, nu);
     });
   };
   std::optional<std::string> first;
   // All of them; without those that a solver had to keep above zero; the motion alone; with some
   // more of those that may be raised.
-  for (const auto& [share, raised] :
+  for (const auto& [small, raised] :
        {std::pair{0.0, 0.0}, {small_multiplier, 0.0}, {2.0, 0.0}, {small_multiplier, spare}}) {
-    auto why = refusal(multipliers(contact, without_small(recorded, share), raised));
+    auto why = refusal(multipliers(combination, small, raised));
     if (!why) return {};
     if (!first) first = std::move(why);
   }
-  for (const double share : {0.0, small_multiplier}) {
-    if (!refusal(near_multipliers(contact, without_small(recorded, share)))) return {{}, true};
+  for (const double small : {0.0, small_multiplier}) {
+    if (!refusal(near_multipliers(combination, small))) return {{}, true};
   }
   return {first};
 }
 
-std::optional<std::string> BlockProof::refusal_of_held(const IndexSet& contact,
-                                                       const IndexSet& separated,
-                                                       std::span<const double> recorded) const {
+std::optional<std::string> BlockProof::refusal_of_held(const Combination& combination) const {
   const auto all = first_numbers(block_.dimension * candidates());
   std::vector<double> y(all.size(), 0);
-  for (std::size_t i = 0; i < candidates(); ++i) y[block_.dimension * i] = recorded[i];
+  for (std::size_t k = 0; k < candidates(); ++k) {
+    auto& own = y[block_.dimension * k];
+    own = combination.multipliers[k];
+    // As it was recorded but for rounding, and never less than what u_n >= 0 and the cut give.
+    if (!combination.of_cuts.empty() && !holds(combination.contact, k)) {
+      own = std::max(own, not_below(Dyadic() - displacement_share(combination, k)));
+    }
+    if (!std::isfinite(own)) return "its numbers are too large to compute with";
+  }
   return held_.front().guess(all, DyadicList(y), [&](const auto& w, const auto& nu) {
-    return check_dead_held(contact, separated, w, nu);
+    return check_held(combination, w, nu);
   });
 }
 
-BlockProof::Recorded BlockProof::recorded_forces(const IndexSet& contact,
-                                                 std::span<const double> recorded,
+// y_k is the force times a length that is known up to a share, and no less than what the
+// inequalities give for u_nk, with the opposite sign.
+mpq_class BlockProof::least_force(const Combination& combination, std::size_t k) const {
+  const auto share = displacement_share(combination, k);
+  if (share.sign() == 0) return 0;
+  const auto& length = block_.motions.lengths[block_.dimension * k];
+  const auto off = length * block_.motions.spread;
+  return -share.rational() / (share.sign() > 0 ? length + off : length - off).rational();
+}
+
+BlockProof::Recorded BlockProof::recorded_forces(const Combination& combination, double small,
                                                  double raised) const {
   Recorded result;
   double most = 0;
-  for (const double y : recorded) most = std::max(most, std::abs(y));
+  for (const double y : combination.multipliers) most = std::max(most, std::abs(y));
   for (std::size_t i = 0; i < candidates(); ++i) {
     const auto row = block_.dimension * i;
-    const bool free = holds(contact, i);
-    const double y = free || recorded[i] > 0 ? recorded[i] : 0;
-    const double force = y / block_.motions.lengths[row].nearest();
+    const bool free = holds(combination.contact, i);
     result.rows.push_back(block_.motions.rows[row]);
-    result.forces.emplace_back(force);
-    result.room.push_back(free ? most : std::max(force, raised * most));
+    result.least.push_back(free ? mpq_class(0) : least_force(combination, i));
+    const auto& least = result.least.back();
+    const double length = block_.motions.lengths[row].nearest();
+    // Beyond what it must not be below; zero where that is little.
+    double more = combination.multipliers[i] / length - least.get_d();
+    if (std::abs(more) * length < small * most || !std::isfinite(more)) more = 0;
+    if (!free) more = std::max(more, 0.0);
+    result.forces.push_back(least + mpq_class(more));
+    result.room.push_back(free ? most : std::max(more, raised * most));
   }
   return result;
 }
 
-std::optional<BlockProof::Multipliers> BlockProof::multipliers(const IndexSet& contact,
-                                                               std::span<const double> recorded,
-                                                               double raised) const {
-  auto [rows, forces, room] = recorded_forces(contact, recorded, raised);
-  // Those that would become negative are zero, and the others do it: one less at each turn.
+std::optional<BlockProof::Multipliers> BlockProof::multipliers(const Combination& combination,
+                                                               double small, double raised) const {
+  auto [rows, forces, least, room] = recorded_forces(combination, small, raised);
+  // Those that would become too small are what they may be, and the others do it: one less at each
+  // turn.
   while (true) {
     const auto exact = balanced(rows, forces, room);
     if (!exact) return {};
     bool all_allowed = true;
     for (std::size_t i = 0; i < candidates(); ++i) {
-      if (holds(contact, i) || sgn((*exact)[i]) >= 0) continue;
+      if (holds(combination.contact, i) || (*exact)[i] >= least[i]) continue;
       all_allowed = false;
-      forces[i] = 0;
+      forces[i] = least[i];
       room[i] = 0;
     }
     if (all_allowed) return Multipliers{along_normals(*exact), {}};
@@ -112,16 +140,16 @@ std::optional<BlockProof::Multipliers> BlockProof::multipliers(const IndexSet& c
 }
 
 // Directions that hardly have a part in equilibrium are left as they are.
-std::optional<BlockProof::Multipliers> BlockProof::near_multipliers(
-    const IndexSet& contact, std::span<const double> recorded) const {
-  auto [rows, forces, room] = recorded_forces(contact, recorded, 0);
+std::optional<BlockProof::Multipliers> BlockProof::near_multipliers(const Combination& combination,
+                                                                    double small) const {
+  auto [rows, forces, least, room] = recorded_forces(combination, small, 0);
   constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round) {
     const auto near = nearly_balanced(rows, forces, room);
     if (!near) return {};
     for (std::size_t i = 0; i < candidates(); ++i) {
-      const double force = (*near)[i].get_d();  // as many digits as it was recorded with
-      forces[i] = holds(contact, i) ? force : std::max(force, 0.0);
+      forces[i] = mpq_class((*near)[i].get_d());  // as many digits as it was recorded with
+      if (!holds(combination.contact, i) && forces[i] < least[i]) forces[i] = least[i];
     }
   }
   auto carried = carried_by_springs(rows, forces);
@@ -155,37 +183,40 @@ NearList BlockProof::along_normals(const Rationals& forces) const {
 }
 
 // w with K w = nu near y, and a motion more: it does no work in equilibrium.
-std::optional<std::string> BlockProof::check_dead(const IndexSet& separated, const Multipliers& y,
-                                                  const std::vector<double>& mean,
-                                                  const DyadicList& w, const DyadicList& nu) const {
+std::optional<std::string> BlockProof::check_loose(const Combination& combination,
+                                                   const Multipliers& y,
+                                                   const std::vector<double>& mean,
+                                                   const DyadicList& w,
+                                                   const DyadicList& nu) const {
   std::vector<Rationals> motions_of_block = Elimination(motions()).left();
   const auto shift = seen_of(block_.motions, missing(mean, w, motions_of_block));
   auto moved = w;
   moved += shift.values;
+  moved += reaction_shares(combination);
   const Dyadic count(static_cast<double>(w.size()));
   Dyadic square_sum;
   for (std::size_t k = 0; k < w.size(); ++k)
     square_sum = square_sum + square(nu[k] - y.near.values[k]);
   const auto epsilon = sqrt_above(square_sum) + count * y.near.error + held_.front().spread(w) +
                        Dyadic(farthest_motion) * y.carried;
-  return check_margins(separated, moved, shift.error, epsilon);
+  return check_margins(combination.separated, moved, shift.error, epsilon);
 }
 
-// Nothing is loose: what K w is stands for the multipliers.
-std::optional<std::string> BlockProof::check_dead_held(const IndexSet& contact,
-                                                       const IndexSet& separated,
-                                                       const DyadicList& w,
-                                                       const DyadicList& nu) const {
-  const auto d = block_.dimension;
+// sum_k w~_k'r_k >= sum_k (nu_nk + eta_k A_k - theta [k = i, separated]) u_nk + nu_t'u_t.
+std::optional<std::string> BlockProof::check_held(const Combination& combination,
+                                                  const DyadicList& w, const DyadicList& nu) const {
   Dyadic epsilon_squared;
-  for (std::size_t i = 0; i < candidates(); ++i) {
-    epsilon_squared = epsilon_squared + tangential_square(nu, i);
-    const auto normal = nu[d * i];
-    if (!holds(contact, i) && normal.sign() < 0) {
+  for (std::size_t k = 0; k < candidates(); ++k) {
+    epsilon_squared = epsilon_squared + tangential_square(nu, k);
+    const auto normal = nu[block_.dimension * k] + displacement_share(combination, k);
+    if (!holds(combination.contact, k) && normal.sign() < 0) {
       epsilon_squared = epsilon_squared + square(normal);
     }
   }
-  return check_margins(separated, w, {}, sqrt_above(epsilon_squared) + held_.front().spread(w));
+  auto lifted = w;
+  lifted += reaction_shares(combination);
+  return check_margins(combination.separated, lifted, {},
+                       sqrt_above(epsilon_squared) + held_.front().spread(w));
 }
 
 Dyadic BlockProof::slip_above(const DyadicList& w, std::size_t candidate,

@@ -29,20 +29,19 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
   }
   const auto touching = static_cast<std::size_t>(record.contact.size());
   const auto moving = certificate.motions_of(block).size();
-  const std::string parts = moving > 0 ? " and parts of motions" : "";
+  const auto own = static_cast<std::size_t>(block.size());
   switch (claim) {
     case Claim::dead:
-      lines.numbers(static_cast<std::size_t>(block.size()) + moving, record.numbers,
-                    "multipliers" + parts);
+      lines.numbers(own + moving, record.numbers, multipliers_of(moving));
       break;
     case Claim::cut:
-      refuse_motions(lines, certificate, record.block, "a node with cuts");
-      lines.numbers(2 * static_cast<std::size_t>(block.size()), record.numbers, "multipliers");
-      refuse_negative(lines, std::span(record.numbers).subspan(record.numbers.size() / 2));
+      lines.numbers(2 * own + moving, record.numbers, multipliers_of(moving));
+      refuse_negative(lines, std::span(record.numbers).subspan(own + moving));
       break;
     case Claim::alive:
-      lines.numbers((certificate.dimension - 1) * touching + moving, record.numbers,
-                    "tangential reactions" + parts);
+      lines.numbers(
+          (certificate.dimension - 1) * touching + moving, record.numbers,
+          moving > 0 ? "tangential reactions and parts of motions" : "tangential reactions");
       break;
     case Claim::marginal:
       lines.numbers(0, record.numbers, "numbers");

@@ -33,10 +33,7 @@ support::Stop RootSearch::lockstep_stop() {
 
 // What a long root is doing, every other second.
 void RootSearch::say(const std::string& what) {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - said_ < std::chrono::seconds(2)) return;
-  said_ = now;
-  campaign_.say("at the root: " + what);
+  campaign_.say_now_and_then([&] { return "at the root: " + what; });
 }
 
 LoadStatus RootSearch::set_up(problems::LimitModel model) {

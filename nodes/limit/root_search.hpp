@@ -2,7 +2,6 @@
 // but for the pricing of cuts, which is shared.
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <span>
 #include <string>
@@ -73,7 +72,6 @@ class RootSearch {
   bool ended_ = false;    // all ranks have agreed to end
   bool sharing_ = false;  // each rank does something else just now
   std::unique_ptr<Solvers> solvers_;
-  std::chrono::steady_clock::time_point said_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace kusabi::limit

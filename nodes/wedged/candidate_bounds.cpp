@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "engine/shared_work.hpp"
 #include "engine/together.hpp"
@@ -34,6 +37,10 @@ constexpr double level_of_bound = 30;
 
 /// How near to the best a bound comes, as a share: no nearer than is taken up.
 constexpr double close_enough = hardly_better / 2;
+
+/// A gap of a loose body is looked for from so many mean compliances down: what is larger says
+/// little.
+constexpr double largest_gap = 100;
 
 /// Candidates whose programs do not wait for each other's bounds.
 constexpr int group_size = 8;
@@ -75,6 +82,7 @@ std::vector<conic::Cut> cuts_of(const IndexSet& candidates,
   for (const int i : candidates) {
     const auto& own = bounds[static_cast<std::size_t>(i)];
     if (!own.is_free()) continue;
+    if (std::isinf(own.gap) && own.reaction >= 1) continue;
     const double scale = std::min({1.0, own.gap, own.reaction});
     cuts.push_back({.candidate = i,
                     .share = scale,
@@ -85,18 +93,24 @@ std::vector<conic::Cut> cuts_of(const IndexSet& candidates,
   return cuts;
 }
 
-std::vector<double> cut_forces(const ContactSolver& solver, std::span<const conic::Cut> cuts) {
-  std::vector<double> forces(static_cast<std::size_t>(solver.candidates()));
+std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
+                                 std::span<const conic::Cut> cuts) {
+  auto numbers = mean_motion.with_multipliers(solver.multipliers(), solver.unit());
+  const auto first = numbers.size();
+  numbers.resize(first + static_cast<std::size_t>(solver.candidates()));
   for (std::size_t cut = 0; cut < cuts.size(); ++cut)
-    forces[static_cast<std::size_t>(cuts[cut].candidate)] =
+    numbers[first + static_cast<std::size_t>(cuts[cut].candidate)] =
         solver.unit() * cuts[cut].share * solver.cut_multiplier(cut);
-  return forces;
+  return numbers;
 }
 
-// u_ni <= s max_k (F_nn,ik + mu_k |F_nt,ik|), k != i.
+// u_ni <= s max_k (F_nn,ik + mu_k |F_nt,ik|), k != i; of a loose body but for its motion.
 CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
                                      std::span<const double> friction, conic::Tolerances tolerances)
-    : solver_(problem, friction, tolerances), bounds_(friction.size()) {
+    : solver_(problem, friction, tolerances),
+      mean_motion_(problem),
+      bounds_(friction.size()),
+      least_(friction.size()) {
   solver_.make_room(candidates() + 1);
   const Eigen::Index d = problem.dimension;
   for (int i = 0; i < candidates(); ++i) {
@@ -109,15 +123,13 @@ CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
     }
     // What F may be wrong by is far less than this.
     most += room * problem.compliance.row(d * i).cwiseAbs().maxCoeff();
+    least_[static_cast<std::size_t>(i)] = {.gap = least_share * (most / solver_.unit()),
+                                           .reaction = least_share};
+    if (mean_motion_.count() > 0) continue;
     std::vector<double> numbers(2 * friction.size() + 1);
     numbers[static_cast<std::size_t>(i)] = 1;
     numbers.back() = 1;
     take_up({.candidate = i, .side = Side::separated, .most = most, .numbers = numbers});
-  }
-  least_ = bounds_;
-  for (auto& [gap, reaction] : least_) {
-    gap *= least_share;
-    reaction *= least_share;
   }
 }
 
@@ -137,10 +149,7 @@ void CandidateBounding::take_up(ProvedBound bound) {
 }
 
 std::vector<double> CandidateBounding::evidence(std::span<const conic::Cut> cuts, Side side) const {
-  const auto& y = solver_.multipliers();
-  std::vector<double> numbers(y.begin(), y.end());
-  const auto forces = cut_forces(solver_, cuts.first(cuts.size() - 1));
-  numbers.insert(numbers.end(), forces.begin(), forces.end());
+  auto numbers = cut_evidence(solver_, mean_motion_, cuts.first(cuts.size() - 1));
   const double own = solver_.cut_multiplier(cuts.size() - 1);
   numbers.push_back(side == Side::contact ? solver_.unit() * own : own);
   return numbers;
@@ -150,7 +159,7 @@ std::vector<double> CandidateBounding::evidence(std::span<const conic::Cut> cuts
 // u_ni. Its multipliers prove how much larger than the bound there is at most: it is less by as
 // much as the bound can come down.
 std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side) {
-  const double bound = known(candidate, side);
+  const double bound = std::isinf(known(candidate, side)) ? largest_gap : known(candidate, side);
   if (!bounds_[static_cast<std::size_t>(candidate)].is_free()) return {};
   IndexSet contact, separated, free;
   for (int i = 0; i < candidates(); ++i) {
@@ -187,6 +196,12 @@ std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side)
 
 namespace {
 
+// As a logarithm; that there is a bound now counts as one.
+double fall(double before, double after) {
+  if (std::isinf(before)) return std::isinf(after) ? 0 : 1;
+  return std::log(before / after);
+}
+
 // By what factor all bounds together have come down, as a logarithm, and whether any sides have
 // gone.
 double progress(std::span<const CandidateBounds> before, std::span<const CandidateBounds> after) {
@@ -195,12 +210,25 @@ double progress(std::span<const CandidateBounds> before, std::span<const Candida
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (!before[i].is_free()) continue;
     ++count;
-    sum += after[i].is_free() ? (std::log(before[i].gap / after[i].gap) +
-                                 std::log(before[i].reaction / after[i].reaction)) /
-                                    2
-                              : 1;
+    sum +=
+        after[i].is_free()
+            ? (fall(before[i].gap, after[i].gap) + fall(before[i].reaction, after[i].reaction)) / 2
+            : 1;
   }
   return count == 0 ? 0 : sum / count;
+}
+
+// What a reader of the log sees fall.
+std::string in_short(std::span<const CandidateBounds> bounds, int sweep, int done) {
+  int fixed = 0;
+  double sum = 0;
+  for (const auto& own : bounds) {
+    fixed += own.is_free() ? 0 : 1;
+    sum += std::max(0.0, own.reaction);
+  }
+  return fmt::format(
+      "bounds: sweep {}, {} of {} candidates; {} fixed; largest reactions add up to {:.4g} of all",
+      sweep, done, bounds.size(), fixed, sum);
 }
 
 bool is_decided(std::span<const CandidateBounds> bounds) {
@@ -237,6 +265,10 @@ RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedPr
       for (auto& each : found)
         for (auto& one : each) bounding.take_up(std::move(one));
       result.programs += pieces;
+      campaign.say_now_and_then([&] {
+        return in_short(bounding.bounds(), sweep + 1,
+                        std::min(first + group_size, bounding.candidates()));
+      });
       spent =
           engine::from_first_rank(campaign.transport(), [&] { return campaign.budget().spent(); });
     }

@@ -7,11 +7,14 @@
 //   u_ni / gap_i + r_ni / reaction_i <= s
 //
 // in every wedged configuration. The relaxation of a node in which i is undecided does not know
-// that, and is weak without. Each bound is proved by a cone program in which the cuts found so far
-// take part, so that sweeps over all candidates make all of them better.
+// that, and is weak without. Of a loose body gap_i may be infinite, where it can move off i and
+// from no other candidate against it; r_ni <= reaction_i s is what is left then. Each bound is
+// proved by a cone program in which the cuts found so far take part, so that sweeps over all
+// candidates make all of them better.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,6 +23,7 @@
 
 #include "engine/campaign.hpp"
 #include "nodes/wedged/contact_solver.hpp"
+#include "nodes/wedged/mean_motion.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "solvers/conic/cut.hpp"
 #include "support/index_set.hpp"
@@ -35,7 +39,8 @@ enum class Side {
 /// Of a candidate, for sum_k r_nk = 1, in scaled units (see ContactSolver). A bound below zero says
 /// that there is no configuration on this side.
 struct CandidateBounds {
-  double gap = 0;       ///< of u_n, separated
+  /// Of u_n, separated.
+  double gap = std::numeric_limits<double>::infinity();
   double reaction = 1;  ///< of r_n, in contact
 
   /// The sides there are configurations on, or may be.
@@ -50,8 +55,8 @@ struct ProvedBound {
   int candidate = 0;  ///< of the block; of the whole problem in RootBounds
   Side side = Side::contact;
   double most = 0;  ///< of r_n or u_n, for sum_k r_nk = 1; below zero: nothing on this side
-  /// Multipliers of the normal displacements, m, of the cuts of all candidates, m, and of the bound
-  /// itself unless `most` is below zero.
+  /// Multipliers of the normal displacements, m; of a loose body the mean motion of w, p; those of
+  /// the cuts of all candidates, m, and of the bound itself unless `most` is below zero.
   std::vector<double> numbers;
 
   [[nodiscard]] bool never() const { return most < 0; }
@@ -70,20 +75,22 @@ bool leaves_nothing(std::span<const CandidateBounds> bounds, const support::Inde
 std::optional<int> one_sided(const support::IndexSet& free,
                              std::span<const CandidateBounds> bounds);
 
-/// The cut of each of these candidates that has one. A common factor keeps the largest coefficient
-/// at one.
+/// The cut of each of these candidates of which something is known. A common factor keeps the
+/// largest coefficient at one.
 std::vector<conic::Cut> cuts_of(const support::IndexSet& candidates,
                                 std::span<const CandidateBounds> bounds);
 
-/// By candidate, what the multipliers of cuts_of() are of s >= u_n / gap + r_n / reaction, in units
-/// of the problem.
-std::vector<double> cut_forces(const ContactSolver& solver, std::span<const conic::Cut> cuts);
+/// What was solved with cuts proves, in units of the problem: its multipliers of the normal
+/// displacements, m, the mean motion of w, p, and by candidate those of
+/// s >= u_n / gap + r_n / reaction, m.
+std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
+                                 std::span<const conic::Cut> cuts);
 
 /// Finds the bounds of one block's candidates, one program after another.
 class CandidateBounding {
  public:
-  /// Begins with bounds that need no program.
-  /// @param problem of the block, which has no motions  @param friction of its candidates
+  /// Begins with bounds that need no program; a loose body has none.
+  /// @param problem of the block  @param friction of its candidates
   CandidateBounding(const problems::WedgedProblem& problem, std::span<const double> friction,
                     conic::Tolerances tolerances);
 
@@ -105,6 +112,7 @@ class CandidateBounding {
   [[nodiscard]] std::vector<double> evidence(std::span<const conic::Cut> cuts, Side side) const;
 
   ContactSolver solver_;
+  MeanMotion mean_motion_;
   std::vector<CandidateBounds> bounds_, least_;
   std::vector<ProvedBound> proved_;
 };

@@ -152,6 +152,10 @@ void ContactSolver::climb(Rung<Real>& rung, int number, const IndexSet& contact,
   });
 }
 
+bool ContactSolver::has_centre(const conic::Answer& answer, conic::StopEarly stop) const {
+  return answer.sign == conic::Sign::alive && stop.when_alive && motions_.count() == 0;
+}
+
 bool ContactSolver::is_open(const conic::Answer& answer, conic::StopEarly stop) const {
   if (answer.sign == conic::Sign::marginal) return !conic::is_tie(answer, tolerances_);
   return answer.sign == conic::Sign::alive && !stop.when_alive &&
@@ -165,10 +169,12 @@ conic::Answer ContactSolver::solve_with(std::span<const conic::Cut> cuts, const 
         const conic::Answer answer = solver.solve(contact, separated, stop, {}, cuts);
         reaction_ = solver.reaction();
         displacement_ = solver.displacement();
+        motion_ = solver.motion();
         multipliers_ = solver.multipliers();
+        if (motions_.count() > 0) multipliers_ = given(solver.multipliers());
         for (std::size_t cut = 0; cut < cuts.size(); ++cut)
           multipliers_[cuts[cut].candidate] -= cuts[cut].displacement * solver.cut_multiplier(cut);
-        has_centre_ = answer.sign == conic::Sign::alive && stop.when_alive;
+        has_centre_ = has_centre(answer, stop);
         return answer;
       },
       solver_);
@@ -199,7 +205,7 @@ conic::Answer ContactSolver::solve(const IndexSet& contact, const IndexSet& sepa
         return first;
       },
       solver_);
-  has_centre_ = answer.sign == conic::Sign::alive && stop.when_alive && motions_.count() == 0;
+  has_centre_ = has_centre(answer, stop);
   if (is_open(answer, stop)) climb(long_rung_, 1, contact, separated, ignored, stop, answer);
   if (is_open(answer, stop)) climb(precise_rung_, 2, contact, separated, ignored, stop, answer);
   return answer;

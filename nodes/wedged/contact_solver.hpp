@@ -37,7 +37,7 @@ class ContactSolver {
   ContactSolver(const problems::WedgedProblem& problem, std::span<const double> friction,
                 conic::Tolerances tolerances);
 
-  /// From now on solve_with() has room for so many cuts. @pre a body without motions
+  /// From now on solve_with() has room for so many cuts.
   void make_room(int most_cuts);
 
   /// From the next solve() on, mu is this.
@@ -135,6 +135,7 @@ class ContactSolver {
   /// Which candidates move if these have reactions and no others.
   [[nodiscard]] support::IndexSet moved_by(const support::IndexSet& loaded) const;
   [[nodiscard]] bool is_open(const conic::Answer& answer, conic::StopEarly stop) const;
+  [[nodiscard]] bool has_centre(const conic::Answer& answer, conic::StopEarly stop) const;
 
   int dimension_;
   double unit_;

@@ -39,14 +39,17 @@ double alive_from(const problems::WedgedProblem& problem, const Configuration& l
 }  // namespace
 
 BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                      double factor) {
+                      double factor, Tightening tightening) {
   const auto blocks = problems::blocks_of(problem);
   BlockBounds result;
   result.blocks.resize(blocks.size());
-  if (problem.motions.cols() > 0) return result;
+  const bool is_loose = problem.motions.cols() > 0;
+  if (tightening == Tightening::never || (is_loose && tightening == Tightening::automatic))
+    return result;
+  const int fewest = tightening == Tightening::always ? 1 : fewest_to_bound;
   const auto friction = candidate_friction(problem, factor);
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
-    if (blocks[block].size() < fewest_to_bound) continue;
+    if (blocks[block].size() < fewest) continue;
     auto root = bound_candidates(campaign, problem, friction, block, CriticalFriction::tolerances);
     result.programs += root.programs;
     result.blocks[block] = std::move(root.bounds);

@@ -11,6 +11,7 @@
 #include "engine/campaign.hpp"
 #include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_bounds.hpp"
+#include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -23,10 +24,10 @@ struct BlockBounds {
   std::uint64_t programs = 0;
 };
 
-/// Bounds the candidates of the large blocks. Every rank makes the same call.
-/// @param factor of the candidates' own coefficients
+/// Bounds the candidates of the blocks, unless told otherwise of the large ones of held bodies.
+/// Every rank makes the same call. @param factor of the candidates' own coefficients
 BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                      double factor);
+                      double factor, Tightening tightening);
 
 /// Lets a tree at that coefficient, or at a smaller one, know: how its blocks are split, too.
 template <class Tree>

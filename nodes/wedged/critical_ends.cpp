@@ -132,7 +132,9 @@ template <class Wanted>
 Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted,
                      std::vector<CriticalCost>& costs) {
   const auto friction = candidate_friction(problem_, factor);
-  const SignPatternOptions options{.tolerances = CriticalFriction::tolerances, .thorough = true};
+  const SignPatternOptions options{.tolerances = CriticalFriction::tolerances,
+                                   .tightening = question_.tightening,
+                                   .thorough = true};
   SignPatternTree patterns(problem_, friction, options);
   const auto prepared = prepare(campaign_, problem_, friction, options);
   inform(patterns, prepared);

@@ -40,8 +40,9 @@ using EndRecorder = std::function<std::unique_ptr<EndRecord>(CriticalEnd end, do
 
 /// What the ends are moved by.
 struct EndsQuestion {
-  double width = 0;           ///< of the bracket asked for
-  double most = 0;            ///< no end is above
+  double width = 0;  ///< of the bracket asked for
+  double most = 0;   ///< no end is above
+  Tightening tightening = Tightening::automatic;
   bool with_patterns = true;  ///< whether those are asked for that live at the upper end
 };
 

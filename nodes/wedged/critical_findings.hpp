@@ -37,6 +37,8 @@ struct CriticalQuestion {
   /// need. Nothing: usual_most, or as far as can be computed with.
   std::optional<double> most{};
   double width = 1e-8;  ///< of the brackets
+  /// Whether candidates are bounded on the way down, and where ends are proved.
+  Tightening tightening = Tightening::automatic;
   /// How many nodes `automatic` opens from below before it goes down; nothing: as many as pay.
   std::optional<std::uint64_t> trial_nodes{};
 };

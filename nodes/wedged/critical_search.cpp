@@ -184,11 +184,13 @@ BelowTrial trial_from_below(engine::Campaign& campaign, const problems::WedgedPr
 // coefficient bounds leave little of their trees.
 class Descent {
  public:
-  Descent(engine::Campaign& campaign, const problems::WedgedProblem& problem, double width,
-          double most, std::vector<CriticalCost>& costs, const Known& known = {})
+  Descent(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+          const CriticalQuestion& question, double most, std::vector<CriticalCost>& costs,
+          const Known& known = {})
       : campaign_(campaign),
         problem_(problem),
-        width_(width),
+        tightening_(question.tightening),
+        width_(question.width),
         most_(most),
         costs_(costs),
         known_dead_(known.lower) {
@@ -251,7 +253,7 @@ class Descent {
     const double next = least > 0 ? std::sqrt(least * *alive_) : share_of_last * *alive_;
     const double below = std::max(coarse_ * std::floor(next / coarse_), dead_ + coarse_);
     from_ = near ? last : std::min(below, last);
-    bounds_ = bounds_at(campaign_, problem_, from_);
+    bounds_ = bounds_at(campaign_, problem_, from_, tightening_);
     return !near;
   }
 
@@ -274,7 +276,7 @@ class Descent {
 
   CriticalFindings search(CriticalPhase phase, double width, double from) {
     if (phase == CriticalPhase::fine || bounds_.blocks.empty())
-      bounds_ = bounds_at(campaign_, problem_, from);
+      bounds_ = bounds_at(campaign_, problem_, from, tightening_);
     return smallest(
         campaign_, problem_,
         {CriticalDirection::down, phase, width, std::max(dead_, known_dead_), from, bounds_},
@@ -283,6 +285,7 @@ class Descent {
 
   engine::Campaign& campaign_;
   const problems::WedgedProblem& problem_;
+  Tightening tightening_;
   double width_, most_;
   std::vector<CriticalCost>& costs_;
   double known_dead_;            // as dead_, but not on that grid
@@ -323,8 +326,7 @@ CriticalFindings either_way(engine::Campaign& campaign, const problems::WedgedPr
     costs.push_back({CriticalPhase::trial, 0, known.opened, known.programs});
     if (!known.whole) known.upper = std::min(known.upper, upper);
   }
-  if (!known.whole)
-    return Descent(campaign, problem, question.width, most, costs, known).findings();
+  if (!known.whole) return Descent(campaign, problem, question, most, costs, known).findings();
   findings.lower = known.lower;
   if (std::isfinite(known.upper)) findings.upper = known.upper;
   return findings;
@@ -402,7 +404,7 @@ CriticalFindings find_critical_friction(engine::Campaign& campaign,
       case CriticalWay::automatic:
         return either_way(campaign, problem, question, most, costs);
       case CriticalWay::descent:
-        return Descent(campaign, problem, question.width, most, costs).findings();
+        return Descent(campaign, problem, question, most, costs).findings();
       case CriticalWay::global:
         return smallest(campaign, problem,
                         {CriticalDirection::up, CriticalPhase::fine, question.width, 0, most},
@@ -419,8 +421,8 @@ CriticalFindings find_critical_friction(engine::Campaign& campaign,
   auto findings = search();
   findings.costs = std::move(costs);
   if (findings.status == engine::Status::solved) {
-    prove_ends(campaign, structure, problem, {question.width, most, only_smallest}, recorder,
-               findings);
+    prove_ends(campaign, structure, problem,
+               {question.width, most, question.tightening, only_smallest}, recorder, findings);
   }
   return findings;
 }

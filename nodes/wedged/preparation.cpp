@@ -24,7 +24,6 @@ bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
 std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                                  std::span<const double> friction,
                                  const SignPatternOptions& options) {
-  const bool takes_cuts = options.facets == 0 && problem.motions.cols() == 0;
   // Nobody asks how large trees are if it is said already whether candidates are bounded.
   const int fewest = options.tightening == Tightening::automatic ? fewest_to_bound
                                                                  : std::numeric_limits<int>::max();
@@ -35,10 +34,11 @@ std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::Wed
     auto& own = result[block];
     own.branching = trees[block].branching;
     const int candidates = blocks[block].size();
-    if (!takes_cuts || !pays(trees[block], candidates, options.tightening)) continue;
+    if (options.facets != 0 || !pays(trees[block], candidates, options.tightening)) continue;
     own.root = bound_candidates(campaign, problem, friction, block, options.tolerances);
     // With cuts the centre says more than the first point that proves a node alive.
-    if (options.branching == Branching::automatic && own.branching == Branching::relative)
+    if (options.branching == Branching::automatic && own.branching == Branching::relative &&
+        problem.motions.cols() == 0)
       own.branching = Branching::weighed;
   }
   return result;

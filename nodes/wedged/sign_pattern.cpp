@@ -233,19 +233,18 @@ SignPatternTree::Fate SignPatternTree::prune_with(std::span<const conic::Cut> cu
                                                   const Node& node) {
   ++tally_.dead;
   if (!witness_) return {};
-  const auto& solver = blocks_[node.block].solver;
-  const auto& y = solver.multipliers();
-  std::vector<double> numbers(y.begin(), y.end());
-  const auto forces = cut_forces(solver, cuts);
-  numbers.insert(numbers.end(), forces.begin(), forces.end());
-  report_cut(node, numbers);
+  const Block& block = blocks_[node.block];
+  report_cut(node, cut_evidence(block.solver, block.mean_motion, cuts));
   return {};
 }
 
 // The bound says it all.
 SignPatternTree::Fate SignPatternTree::prune_by_bounds(const Node& node) {
   ++tally_.dead;
-  if (witness_) report_cut(node, std::vector<double>(2 * blocks_[node.block].bounds.size()));
+  const Block& block = blocks_[node.block];
+  if (witness_)
+    report_cut(node, std::vector<double>(2 * block.bounds.size() +
+                                         static_cast<std::size_t>(block.mean_motion.count())));
   return {};
 }
 

@@ -125,9 +125,9 @@ struct PolyhedralCandidate {
 struct Evidence {
   enum class Kind {
     dead,   ///< numbers: the multipliers that prove it, one a candidate of the block
-    cut,    ///< dead with cuts; numbers: the same, then one for the cut of each candidate
     alive,  ///< a leaf; numbers: the tangential reactions of the candidates in U. Of loose bodies
             ///< both go on with the mean motion of w, of u (mean_motion.hpp)
+    cut,    ///< dead with cuts; numbers: as of dead, then one for the cut of each candidate
     marginal,  ///< flat, marginal or undecided: nothing is claimed; no numbers
   };
   Kind kind = Kind::marginal;
@@ -183,9 +183,9 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
 
 /// Whether the candidates are bounded before the tree is searched (candidate_bounds.hpp).
 enum class Tightening {
-  automatic,  ///< where the tree is large: find_patterns looks at it
+  automatic,  ///< of held bodies, where the tree is large: find_patterns looks at it
   never,
-  always,  ///< held bodies, that is, by the cones themselves
+  always,  ///< by the cones themselves, that is
 };
 
 /// How the tree is searched. Whatever is chosen, the patterns are the same.

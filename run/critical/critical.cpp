@@ -23,6 +23,7 @@
 #include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
+#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
@@ -76,6 +77,9 @@ void Critical::describe(OptionTable& table) {
   table.number("--mu-max", &options_.question.most, above(0),
                "no larger coefficient is of interest");
   table.number("--width", &options_.question.width, above(0), "of the brackets");
+  table.choice("--cuts", options_.question.tightening, cuts_words(),
+               "bound the reaction and the gap of each candidate on the way down and before the "
+               "ends are proved, which cuts nodes: of large held bodies, nowhere, or everywhere");
   table
       .number("--top", &options_.top, above(0),
               "list so many of the patterns, those that begin to live first; all are in the file")

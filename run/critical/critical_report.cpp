@@ -10,6 +10,7 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/configuration_csv.hpp"
+#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/nearest_failure.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -225,6 +226,7 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
   auto patterns = ordered_json::array();
   for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry, whole));
   ordered_json chosen = {{"method", way_name(options.question.way)},
+                         {"cuts", name_of(options.question.tightening)},
                          {"width", options.question.width}};
   chosen["mu_max"] = number_or_null(options.question.most);
   return {{"command", "critical"},

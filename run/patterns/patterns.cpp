@@ -28,6 +28,7 @@
 #include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
+#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 #include "support/fingerprint.hpp"
@@ -99,12 +100,9 @@ void Patterns::describe(OptionTable& table) {
       "candidate's compliance, where both children lose most, by a mean of these two, or by what "
       "samples of the trees say: the same patterns from more or fewer nodes");
   table.choice(
-      "--cuts", options_.tightening,
-      {{"auto", wedged::Tightening::automatic},
-       {"none", wedged::Tightening::never},
-       {"always", wedged::Tightening::always}},
+      "--cuts", options_.tightening, cuts_words(),
       "bound the reaction and the gap of each candidate before the tree is searched, which "
-      "cuts its nodes: where the tree is large, nowhere, or wherever the body is held");
+      "cuts its nodes: of held bodies where the tree is large, nowhere, or everywhere");
   table.choice("--method", options_.polyhedral, {{"cones", false}, {"polyhedral", true}},
                "bound nodes with the friction cones themselves, or with polyhedral ones around "
                "them, and put each pattern that these let live to the test of the cones");

@@ -11,6 +11,7 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/configuration_csv.hpp"
+#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/nearest_failure.hpp"
 #include "run/wedged/pattern_groups.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -22,17 +23,6 @@ using nlohmann::ordered_json;
 
 std::string patterns(std::uint64_t count) {
   return counted(count, "sign pattern");
-}
-
-const char* name_of(wedged::Tightening tightening) {
-  switch (tightening) {
-    case wedged::Tightening::never:
-      return "none";
-    case wedged::Tightening::always:
-      return "always";
-    default:
-      return "auto";
-  }
 }
 
 const char* name_of(wedged::Branching branching) {

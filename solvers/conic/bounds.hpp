@@ -47,7 +47,7 @@ struct NodeSets {
   std::span<const int> gap_rows;      ///< candidates whose u_n must not be below t
   std::span<const int> contact_rows;  ///< U
   const support::IndexSet& contact;   ///< U
-  std::span<const Cut> cuts = {};     ///< a loose body has none
+  std::span<const Cut> cuts = {};
 };
 
 /// By how much r_n exceeds x_0 of the standard form for each unit of t: 1 / mu, or 1 without
@@ -149,10 +149,11 @@ class Bounds {
             ? 0
             : safety * mending.close * rho *
                   (1 + std::sqrt(static_cast<double>(sets.contact_rows.size()) / least_));
-    for (const int j : sets.gap_rows) {
+    const auto gap_cost = [&](int j) {
       const double lift = moved == 0 ? 0 : moved * motions_.lift(j);
-      take(normal[j], normal_root(j) * (noise + elsewhere) + lift);
-    }
+      return normal_root(j) * (noise + elsewhere) + lift;
+    };
+    for (const int j : sets.gap_rows) take(normal[j], gap_cost(j));
     for (const int k : sets.cones) {
       const auto mu = friction[static_cast<std::size_t>(k)];
       const double delta =
@@ -174,12 +175,12 @@ class Bounds {
       Real own = 0;
       for (const int k : sets.cones)
         if (owners_[static_cast<std::size_t>(k)] == cut.candidate) own += r[D * k];
-      const double gap = std::abs(cut.displacement) * normal_root(cut.candidate);
-      const double mending_force = mended / (normal_root(cut.candidate) / safety);
+      const double gap = cut.displacement == 0 ? 0 : gap_cost(cut.candidate);
+      const double mending_force = mended / (normal_root(cut.candidate) / safety) + load.reaction;
       const Real left = Real(cut.share) * sum - Real(cut.displacement) * normal[cut.candidate] -
                         Real(cut.reaction) * own;
       take(left / Real(cut.level),
-           (std::abs(cut.share) * loose + gap * (noise + elsewhere) +
+           (std::abs(cut.share) * loose + std::abs(cut.displacement) * gap +
             std::abs(cut.reaction) * mending_force + unit * (std::abs(cut.share) * sizes)) /
                cut.level);
     }
@@ -249,10 +250,9 @@ class Bounds {
       pushes += y[j];
     }
     double shares = 0;
-    const auto first_cut = static_cast<Eigen::Index>(first_cones_.size()) + motions_.count();
     for (std::size_t i = 0; i < sets.cuts.size(); ++i) {
       const Cut& cut = sets.cuts[i];
-      const Real force = y[first_cut + static_cast<Eigen::Index>(i)];
+      const Real force = y[first_cut() + static_cast<Eigen::Index>(i)];
       const double much = std::abs(numbers::rounded(force));
       size += much * std::abs(cut.displacement) * normal_root(cut.candidate);
       shares += much * (std::abs(cut.share) + std::abs(cut.reaction));
@@ -332,8 +332,8 @@ class Bounds {
     return sizes;
   }
 
-  /// By which share of their sizes the normal forces change to be in equilibrium; more than 1 if
-  /// they cannot.
+  /// By which share of their sizes the normal forces change to be in equilibrium, with what cuts
+  /// take from them; more than 1 if they cannot.
   template <class Multipliers>
   [[nodiscard]] double balance(const NodeSets& sets, const Multipliers& y) const {
     std::vector<int> rows(sets.gap_rows.begin(), sets.gap_rows.end());
@@ -341,9 +341,23 @@ class Bounds {
     std::vector<double> forces;
     forces.reserve(rows.size());
     bool all = true;
-    for (const int i : rows) forces.push_back(numbers::rounded(Real(y[i])));
+    double total = 0;
+    std::vector<Real> of_cuts(sets.cuts.empty() ? 0 : first_cones_.size(), Real(0));
+    for (std::size_t k = 0; k < sets.cuts.size(); ++k) {
+      const Real force =
+          y[first_cut() + static_cast<Eigen::Index>(k)] * Real(sets.cuts[k].displacement);
+      of_cuts[static_cast<std::size_t>(sets.cuts[k].candidate)] += force;
+      total += std::abs(numbers::rounded(force));
+    }
+    for (const int i : rows) {
+      total += std::abs(numbers::rounded(Real(y[i])));
+      const Real own =
+          of_cuts.empty() ? Real(y[i]) : Real(y[i] - of_cuts[static_cast<std::size_t>(i)]);
+      forces.push_back(numbers::rounded(own));
+    }
     for (const int j : sets.gap_rows) all = all && y[j] != Real(0);
-    return motions_.balance(rows, force_sizes(sets, y), forces, 2 * rounding_ + 0x1p-53, all);
+    return motions_.balance(rows, force_sizes(sets, y), forces, total, 2 * rounding_ + 0x1p-53,
+                            all);
   }
 
   /// sum_j R_j |y_j| with the sizes of `balance`.
@@ -374,6 +388,11 @@ class Bounds {
   /// Forces further from equilibrium are not yet multipliers: what else is concluded from them, for
   /// other coefficients of friction, takes them for exact.
   static constexpr double most_balance = 1e-6;
+
+  /// Where the multipliers of cuts begin.
+  [[nodiscard]] Eigen::Index first_cut() const {
+    return static_cast<Eigen::Index>(first_cones_.size()) + motions_.count();
+  }
 
   [[nodiscard]] double normal_root(int candidate) const {
     return roots_[D * first_cones_[static_cast<std::size_t>(candidate)]];

@@ -237,12 +237,17 @@ Eigen::VectorXd InteriorPoint<D>::hold_motions(const NodeProgram<D>& program) {
   const Eigen::MatrixXd& columns = program.free_columns();
   // Of the size of the rows of U: those with a slack only grow.
   double size = 0;
-  for (int i = 0; i < program.rows(); ++i) size += normal_equations_.diagonal(i) - w_[i] * w_[i];
+  for (int i = 0; i < program.first_cut(); ++i) size += normal_equations_.diagonal(i) - weights_[i];
   const double weight = size / columns.squaredNorm();
-  for (Eigen::Index l = 0; l < columns.cols(); ++l)
-    normal_equations_.add_square(columns.col(l).data(), weight);
-  const Eigen::VectorXd unbalanced = columns.transpose() * y_;
-  predictor_ -= weight * (columns * unbalanced);
+  // With the rows of cuts what these have of the columns is eliminated.
+  const auto count = program.first_cut();
+  along_.setZero();
+  for (Eigen::Index l = 0; l < columns.cols(); ++l) {
+    along_.head(count) = columns.col(l).head(count);
+    normal_equations_.add_square(along_.data(), weight);
+  }
+  const Eigen::VectorXd unbalanced = columns.transpose() * y_.head(columns.rows());
+  predictor_.head(columns.rows()) -= weight * (columns * unbalanced);
   return unbalanced;
 }
 
@@ -250,21 +255,27 @@ template <int D>
 bool InteriorPoint<D>::free_motions(const NodeProgram<D>& program,
                                     const Eigen::VectorXd& unbalanced) {
   const Eigen::MatrixXd& columns = program.free_columns();
-  moved_ = columns;
-  for (Eigen::Index l = 0; l < moved_.cols(); ++l) normal_equations_.solve(moved_.col(l).data());
+  moved_.resize(columns.rows(), columns.cols());
+  trial_.setZero();
+  for (Eigen::Index l = 0; l < moved_.cols(); ++l) {
+    trial_.head(columns.rows()) = columns.col(l);
+    solve(trial_);
+    moved_.col(l) = trial_.head(columns.rows());
+  }
   schur_.compute(columns.transpose() * moved_);
   if (schur_.info() != Eigen::Success) return false;
   motion_ = balance(program, correction_);
   balance(program, predictor_);
-  predictor_ -= moved_ * schur_.solve(unbalanced);
+  predictor_.head(columns.rows()) -= moved_ * schur_.solve(unbalanced);
   return true;
 }
 
 template <int D>
 Eigen::VectorXd InteriorPoint<D>::balance(const NodeProgram<D>& program,
                                           Eigen::VectorXd& solution) const {
-  const Eigen::VectorXd motion = schur_.solve(program.free_columns().transpose() * solution);
-  solution -= moved_ * motion;
+  auto rows = solution.head(moved_.rows());
+  const Eigen::VectorXd motion = schur_.solve(program.free_columns().transpose() * rows);
+  rows -= moved_ * motion;
   return motion;
 }
 

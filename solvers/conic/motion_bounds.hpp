@@ -50,11 +50,12 @@ class MotionBounds {
 
   /// The share of each y_j that brings normal forces into equilibrium, if all change by at most
   /// this share; more than 1 if they cannot.
-  /// @param rows candidates with a force  @param sizes |y_j|, or what stands for it  @param y of
-  /// each
+  /// @param rows candidates with a force  @param sizes by how much each may change
+  /// @param y what is to be balanced  @param total the sizes of all that y was summed of
   /// @param whole whether no force may be left out of what can be balanced
   [[nodiscard]] double balance(std::span<const int> rows, const std::vector<double>& sizes,
-                               std::span<const double> y, double rounding, bool whole) const;
+                               std::span<const double> y, double total, double rounding,
+                               bool whole) const;
 
  private:
   Eigen::MatrixXd motions_;

@@ -100,7 +100,6 @@ NodeProgram<D>::NodeProgram(const Eigen::MatrixXd& compliance, std::span<const d
     for (std::size_t k = 0; k < owners_.size(); ++k)
       normal_motions_(owners_[k], l) = motions_.at_cones(D * static_cast<Eigen::Index>(k), l);
   }
-  free_columns_ = normal_motions_;
   make_room(0);
   pull_.setZero(normal_compliance_.cols());
   forces_.setZero(normal_compliance_.rows());
@@ -192,7 +191,8 @@ void NodeProgram<D>::fill_columns() {
   for (Eigen::Index d = 0; d < D; ++d)
     for (Eigen::Index more = 0; more < absent; ++more) column(d, c + more).setZero();
   for (Eigen::Index each = 0; each < c; ++each) column(0, each) += right_side_.head(height);
-  if (motions_.lifting > 0) free_columns_ = normal_motions_;
+  free_columns_.setZero(padded(rows()), motions_.lifting);
+  free_columns_.topRows(first_cut()) = normal_motions_.topRows(first_cut());
   for (const int i : ignored_) {
     for (Eigen::Index d = 0; d < D; ++d)
       for (Eigen::Index each = 0; each < c; ++each) column(d, each)[i] = 0;
@@ -221,6 +221,7 @@ void NodeProgram<D>::fill_cuts() {
     const auto place = first_cut() + static_cast<Eigen::Index>(cut_rows_.size());
     right_side_[place] = row.gamma - displacement * right_side_[i] - share;
     slack_[place] = 1;
+    free_columns_.row(place) = -displacement * free_columns_.row(i);
     cut_rows_.push_back(row);
   }
 }

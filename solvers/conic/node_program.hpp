@@ -20,11 +20,12 @@
 // normal rows of G, and p rows G'r = 0 without a slack. So there are m + p rows and free columns H
 // (docs/theory/wedged.md, "Loose bodies").
 //
-// Cuts (cut.hpp) are rows with a slack after all of these; a body with motions has none. They are
-// not kept: with row i of A in the place of F_i and of t, that of a cut of candidate i is
+// Cuts (cut.hpp) are rows with a slack after all of these. They are not kept: with row i of A in
+// the place of F_i and of t, that of a cut of candidate i is
 //
-//   C_i = -displacement A_i - reaction e_i0' + gamma_i 1',     1'x = sum_k x_k0.
+//   C_i = -displacement A_i - reaction e_i0' + gamma_i 1',     1'x = sum_k x_k0,
 //
+// and its free columns are those of row i times -displacement.
 //
 // A candidate may have several cones, whose reactions add up to its own and which share its row: so
 // polyhedral friction cones are solved, as sums of plane ones (nodes/wedged/facets.hpp).
@@ -58,7 +59,8 @@ struct CutRow {
 };
 
 /// The data of the node programs of one contact problem, and the standard form of the node that
-/// was selected last. Owns all its storage: select() does not allocate.
+/// was selected last. Owns all its storage: select() does not allocate but for cuts of a loose
+/// body.
 template <int D>
 class NodeProgram {
  public:
@@ -100,7 +102,8 @@ class NodeProgram {
   int most_rows() const { return first_cut() + most_cuts_; }
   int most_cuts() const { return most_cuts_; }
   const Motions<double>& motions() const { return motions_; }
-  /// H of the node: rows padded with zeros, a column for each motion that lifts.
+  /// H of the node, and what cuts have of it: rows() numbers padded with zeros, a column for each
+  /// motion that lifts.
   const Eigen::MatrixXd& free_columns() const { return free_columns_; }
   /// Those of all candidates: m unless a candidate has several.
   int most_cones() const { return static_cast<int>(friction_.size()); }
@@ -182,7 +185,7 @@ class NodeProgram {
   Motions<double> motions_;            // G
   Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, then G': both padded with zeros
   Eigen::MatrixXd normal_motions_;     // H, padded
-  Eigen::MatrixXd free_columns_;       // H without the ignored candidates
+  Eigen::MatrixXd free_columns_;       // H without the ignored candidates, with the cuts
   std::vector<double> friction_;       // by cone, like the next
   std::vector<int> owners_;
   std::vector<int> cones_, gap_rows_, contact_rows_;  // contact: U, the rows without a slack

@@ -138,6 +138,7 @@ void NodeSolver<D>::prove_upper_loose(Answer& answer) {
     Eigen::VectorXd forces = y;
     for (Eigen::Index i = 0; i < m; ++i)
       if (std::abs(y[i]) < least) forces[i] = 0;
+    if (least == infinity) forces.tail(forces.size() - program_.first_cut()).setZero();
     const double upper =
         bounds_.above(program_.sets(), program_.friction(), forces, program_.pull(forces));
     if (upper < answer.upper) {
@@ -151,9 +152,10 @@ void NodeSolver<D>::prove_upper_loose(Answer& answer) {
 template <int D>
 double NodeSolver<D>::most_of(std::size_t cut) {
   const double force = best_[program_.first_cut() + static_cast<Eigen::Index>(cut)];
-  if (!(force > 0)) return infinity;
-  const double most =
-      bounds_.reach(program_.sets(), program_.friction(), best_, program_.pull(best_)) / force;
+  const double reach =
+      bounds_.reach(program_.sets(), program_.friction(), best_, program_.pull(best_));
+  if (!(force > 0)) return reach < 0 ? -infinity : infinity;
+  const double most = reach / force;
   return most + 0x1p-51 * std::abs(most);
 }
 

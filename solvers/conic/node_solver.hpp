@@ -33,7 +33,7 @@ class NodeSolver {
 
   /// The same with several cones for a candidate (NodeProgram): reactions and displacements are
   /// then those of the cones.
-  /// @param motions of a loose body, which takes no cuts
+  /// @param motions of a loose body
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
              std::vector<int> owners, Tolerances tolerances = {}, double error = 0,
              const Motions<double>& motions = {});
@@ -74,7 +74,8 @@ class NodeSolver {
   /// w of the last node: what multipliers() pull at each cone, and what those of cuts add.
   const Eigen::VectorXd& pull() { return program_.pull(best_); }
   /// What the left side of a cut of the last node can be at most, for sum_k r_nk = 1 and wherever
-  /// t >= 0 is possible: proved by the same multipliers. Infinity if these say nothing.
+  /// t >= 0 is possible: proved by the same multipliers. Infinity if these say nothing, minus
+  /// infinity if they leave nothing whatever the cut.
   double most_of(std::size_t cut);
 
  private:

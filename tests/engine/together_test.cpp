@@ -1,6 +1,7 @@
 // What ranks do together, as far as one rank can show it; mpi_tests/together_mpi_test.cpp has more.
 #include "engine/together.hpp"
 
+#include <chrono>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -122,6 +123,23 @@ TEST(Campaign, SaysNothingUnlessSomebodyListens) {
   supervision.say = [&](const std::string& line) { heard = line; };
   Campaign(alone, supervision).say("round 1");
   EXPECT_EQ(heard, "round 1");
+}
+
+TEST(Campaign, SaysWhatChangesAllTheTimeNowAndThen) {
+  SingleProcess alone;
+  int heard = 0;
+  Supervision supervision;
+  supervision.say = [&](const std::string&) { ++heard; };
+  const auto say_twice = [&] {
+    Campaign campaign(alone, supervision);
+    for (int k = 0; k < 2; ++k) campaign.say_now_and_then([] { return "on the way"; });
+  };
+  supervision.say_every = std::chrono::hours(1);
+  say_twice();
+  EXPECT_EQ(heard, 0);
+  supervision.say_every = {};
+  say_twice();
+  EXPECT_EQ(heard, 2);
 }
 
 }  // namespace

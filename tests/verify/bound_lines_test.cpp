@@ -97,7 +97,7 @@ TEST(BoundLines, SaysWhatIsWrongAndWhatWasExpected) {
   }
 }
 
-// Bodies that nothing holds have no bounds, and what is not of the block neither.
+// Of a body that nothing holds they have the parts of its motions, too.
 TEST(BoundLines, AreOfTheirOwnBlock) {
   const std::vector<std::string> header = {"kusabi certificate 4\n",
                                            "dimension 2\n",
@@ -123,12 +123,16 @@ TEST(BoundLines, AreOfTheirOwnBlock) {
   };
   const auto good = "bound 2 1 contact" + numbers({2, 0, 0, 1});
   EXPECT_EQ(with(good, "cut 2 0 0" + numbers({0, 0})), "");
+  EXPECT_EQ(with("bound 1 0 contact" + numbers({2, 0, 0, 0, 1}), "cut 1 0 0" + numbers({0, 0, 0})),
+            "");
   EXPECT_THAT(with("bound 1 0 contact" + numbers({2, 0, 0, 1}), "marginal 1 0 0\n"),
-              HasSubstr("expected a bound of a block without motions"));
+              HasSubstr("expected 4 multipliers and parts of motions"));
+  EXPECT_THAT(with("bound 1 0 contact" + numbers({2, 0, 0, -1, 1}), "marginal 1 0 0\n"),
+              HasSubstr("expected multipliers of cuts that are not negative"));
   EXPECT_THAT(with("bound 2 0 contact" + numbers({2, 0, 0, 1}), "marginal 1 0 0\n"),
               HasSubstr("expected a contact candidate of the block"));
   EXPECT_THAT(with(good, "cut 1 0 0" + numbers({0, 0})),
-              HasSubstr("expected a node with cuts of a block without motions"));
+              HasSubstr("expected 3 multipliers and parts of motions"));
 }
 
 TEST(BoundLines, DeadIsDeadWithCutsOrWithout) {

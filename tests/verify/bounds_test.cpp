@@ -163,6 +163,94 @@ TEST(Bounds, RestOnThoseBeforeThem) {
   EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(2));
 }
 
+// A bar in a groove, as in loose_bodies_test.cpp: the walls' normals are (0.6, 0.8) and (-0.6,
+// 0.8), and it is wedged from mu = 4/3 on, by two equal reactions. Motions alone prove all there
+// is.
+BoundsDraft loose_bar(double mu) {
+  BoundsDraft draft;
+  draft.header = {
+      "kusabi certificate 4\n",       "dimension 2\n", "candidates 2\n", "name a\n",   "name b\n",
+      "friction" + numbers({mu, mu}), "blocks 1\n",    "block 3\n",      "stiffness\n"};
+  const std::vector<double> stretch{-0.6, -0.8, -0.6, 0.8};
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::vector<double> row;
+    for (std::size_t j = 0; j <= i; ++j) row.push_back(stretch[i] * stretch[j]);
+    draft.header.push_back(numbers(row).substr(1));
+  }
+  draft.header.emplace_back("motions 3\n");
+  for (const auto& row : std::vector<std::vector<double>>{
+           {0.6, 0.8, -0.8}, {0.8, -0.6, 0.6}, {-0.6, 0.8, 0.8}, {0.8, 0.6, 0.6}})
+    draft.header.push_back(numbers(row).substr(1));
+  // Of w the normal parts are -1/2 at one end and 1/2 at the other, and there are no others.
+  draft.bounds = {"bound 1 0 contact" + numbers({0.6, 0, 0, -0.3, 0, 0.4, 0, 0, 1}),
+                  "bound 1 1 contact" + numbers({0.6, 0, 0, 0.3, 0, -0.4, 0, 0, 1}),
+                  "never 1 1 separated" + numbers({0, 0, -0.6, -0.8, 0, 0, 0})};
+  draft.nodes = {"alive 1 3 0" + numbers({0.8, -0.8, 0, 0, 0}),
+                 "dead 1 0 1" + numbers({0, 0, 0.6, -0.8, 0}),
+                 "cut 1 1 2" + numbers({0, 0, 0, 0, 0, 0, 0})};
+  return draft;
+}
+
+TEST(BoundsOfALooseBar, ProveItsList) {
+  const auto said = verdict(loose_bar(2).text());
+  EXPECT_THAT(said.refusals, IsEmpty());
+  EXPECT_EQ(said.bounds, 3U);
+  EXPECT_EQ(said.alive.size(), 1U);
+  EXPECT_EQ(said.dead, 2U);
+  EXPECT_EQ(said.but_for_far_motion, 0U);
+  auto without = loose_bar(2);
+  without.bounds.clear();
+  EXPECT_THAT(verdict(without.text()).refusals, testing::SizeIs(1));
+}
+
+TEST(BoundsOfALooseBar, AreRefusedBelowHalfOfTheReactions) {
+  const auto refused = [](const std::string& bound) {
+    auto draft = loose_bar(2);
+    draft.bounds = {bound};
+    draft.nodes = {"marginal 1 0 0\n"};
+    return !verdict(draft.text()).refusals.empty();
+  };
+  const auto bound = [](double most, double x, double turn, double y = 0) {
+    return "bound 1 0 contact" + numbers({most, y, y, x, 0, turn, 0, 0, 1});
+  };
+  EXPECT_FALSE(refused(bound(0.51, -0.3, 0.4)));
+  for (const double most : {0.4999, 0.3})
+    for (int k = -10; k <= 10; ++k)
+      for (const double y : {-1.0, 0.0, 1.0})
+        EXPECT_TRUE(refused(bound(most, -0.06 * k, 0.08 * k, y))) << k;
+  EXPECT_TRUE(refused(bound(0.6, 0.3, -0.4)));
+  EXPECT_TRUE(refused("never 1 0 contact" + numbers({0, 0, -0.3, 0, 0.4, 0, 0})));
+}
+
+// No end is ever separated, so all that is said of that is true.
+TEST(BoundsOfALooseBar, NoChangeProvesWhatIsNotTrue) {
+  const auto text = loose_bar(2).text();
+  const auto begin = text.find("bounds 3\n");
+  const auto size = text.rfind("digest ") - begin;
+  std::mt19937_64 generator(8);
+  const std::string likely = "0123456789abcdef-+xp \n";
+  int taken_up = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    auto altered = text;
+    for (auto changes = 1 + generator() % 3; changes > 0; --changes)
+      altered[begin + generator() % size] = likely[generator() % likely.size()];
+    altered = sealed(altered);
+    try {
+      const auto certificate = read_certificate(altered, "cert");
+      Proof proof(certificate);
+      for (const auto& bound : certificate.bounds) {
+        if (proof.take_up(bound)) continue;
+        ++taken_up;
+        EXPECT_TRUE(bound.side == Side::separated || (bound.most && *bound.most >= 0.5));
+      }
+      const auto said = verdict(altered);
+      EXPECT_TRUE(!said.proved() || said.alive.size() + said.marginal >= 1) << altered;
+    } catch (const CertificateError&) {
+    }
+  }
+  EXPECT_GT(taken_up, 100);
+}
+
 // The search may ask without a file; what the reader would refuse is refused.
 TEST(Bounds, AreCheckedWithoutAReaderToo) {
   const auto certificate = read_certificate(two_candidates(2).text(), "cert");

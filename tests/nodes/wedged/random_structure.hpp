@@ -90,4 +90,38 @@ inline problems::Structure random_structure(int dimension, std::uint64_t seed) {
   return builder.structure();
 }
 
+/// A body that nothing holds, or that a hinge holds in part: up to six nodes at whole coordinates,
+/// a bar between every two, and a wall at most of them whose normal, along an axis or a diagonal,
+/// points inwards. May be a mechanism.
+inline problems::Structure random_loose_structure(int dimension, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  const auto pick = [&](int count) { return static_cast<int>(generator() % std::uint64_t(count)); };
+  std::vector<Eigen::VectorXd> places;
+  const int nodes = dimension + 1 + pick(3);
+  while (static_cast<int>(places.size()) < nodes) {
+    Eigen::VectorXd at(dimension);
+    for (double& x : at) x = pick(3);
+    bool is_free = true;
+    for (const auto& other : places) is_free = is_free && (at - other).norm() > 0.5;
+    if (is_free) places.push_back(at);
+  }
+  StructureBuilder builder(dimension);
+  Eigen::VectorXd centre = Eigen::VectorXd::Zero(dimension);
+  for (const auto& at : places) centre += at / nodes;
+  const int hinge = pick(4) == 0 ? 0 : -1;
+  for (int i = 0; i < nodes; ++i) builder.node(places[static_cast<std::size_t>(i)], i == hinge);
+  for (int i = 0; i < nodes; ++i)
+    for (int j = 0; j < i; ++j) builder.bar(j, i, 1 + pick(3));
+  for (int i = 0; i < nodes; ++i) {
+    if (i == hinge || pick(6) == 0) continue;
+    Eigen::VectorXd normal(dimension);
+    do {
+      for (double& x : normal) x = pick(3) - 1;
+    } while (normal.norm() < 0.5);
+    if (normal.dot(centre - places[static_cast<std::size_t>(i)]) < 0) normal = -normal;
+    builder.candidate(i, normal);
+  }
+  return builder.structure();
+}
+
 }  // namespace kusabi::wedged

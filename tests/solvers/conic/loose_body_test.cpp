@@ -161,6 +161,85 @@ TEST(LooseBody, HasAPointAndMultipliersWhoseValuesMeetInSpace) {
   expect_both_sides_to_meet<3>(24, 20);
 }
 
+// A separated candidate has a gap row, u_n = F_n r + H alpha >= t, and no more. So a cut, divided
+// by its level, is that row of one more such candidate.
+template <int D>
+LooseProblem with_candidates_for(const LooseProblem& problem, const std::vector<Cut>& cuts) {
+  LooseProblem larger = problem;
+  const Eigen::Index cones = problem.compliance.rows();
+  for (const Cut& cut : cuts) {
+    const Eigen::Index size = larger.compliance.rows();
+    const Eigen::Index own = Eigen::Index{D} * cut.candidate;
+    Eigen::VectorXd row = -cut.displacement * larger.compliance.col(own);
+    for (Eigen::Index k = 0; k < cones; k += D) row[k] += cut.share;
+    row[own] -= cut.reaction;
+    row /= cut.level;
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Identity(size + D, size + D);
+    whole.topLeftCorner(size, size) = larger.compliance;
+    whole.col(size).head(size) = row;
+    whole.row(size).head(size) = row.transpose();
+    whole(size, size) = 1 + 2 * row.dot(larger.compliance.ldlt().solve(row));
+    larger.compliance = whole;
+    larger.motions.conservativeResize(size + D, Eigen::NoChange);
+    larger.motions.bottomRows(D).setZero();
+    larger.motions.row(size) = -cut.displacement / cut.level * larger.motions.row(own);
+    larger.friction.push_back(1);
+  }
+  return larger;
+}
+
+template <int D>
+void expect_cuts_to_be_rows_of_further_candidates(int m, int nodes) {
+  std::mt19937_64 generator(static_cast<unsigned>(10 * D + m));
+  std::uniform_real_distribution<double> number(0.2, 1.5);
+  int compared = 0, binding = 0;
+  for (int trial = 0; trial < nodes; ++trial) {
+    const auto problem = random_loose<D>(m, generator);
+    const auto [contact, separated] = random_masks(m, generator);
+    std::vector<Cut> cuts;
+    for (int i = 0; i < m; ++i) {
+      if (contact.contains(i) || separated.contains(i)) continue;
+      cuts.push_back({.candidate = i,
+                      .share = 0.5 * number(generator),
+                      .displacement = trial % 3 == 0 ? 0 : number(generator),
+                      .reaction = number(generator),
+                      .level = number(generator)});
+    }
+    if (cuts.empty()) continue;
+    constexpr StopEarly to_the_end{.when_dead = false, .when_alive = false};
+    auto solver = solver_of<D>(problem);
+    const auto without = solver.solve(contact, separated, to_the_end);
+    solver.make_room(static_cast<int>(cuts.size()));
+    const auto answer = solver.solve(contact, separated, to_the_end, {}, cuts);
+    const auto larger = with_candidates_for<D>(problem, cuts);
+    IndexSet all = separated;
+    for (int i = m; i < static_cast<int>(larger.friction.size()); ++i) all.insert(i);
+    auto judge = solver_of<D>(larger);
+    const auto expected = judge.solve(contact, all, to_the_end);
+    ASSERT_LE(answer.lower, answer.upper);
+    // Both are brackets of one number.
+    EXPECT_LE(answer.lower, expected.upper + 1e-9) << trial;
+    EXPECT_GE(answer.upper, expected.lower - 1e-9) << trial;
+    const double size = std::max(1e-3, std::abs(answer.upper));
+    if (!(answer.upper - answer.lower < 1e-4 * size)) continue;
+    if (!(expected.upper - expected.lower < 1e-4 * size)) continue;
+    ++compared;
+    binding += answer.upper < without.lower - 1e-3 ? 1 : 0;
+  }
+  EXPECT_GT(compared, nodes / 3);
+  EXPECT_GT(binding, nodes / 10);
+}
+
+TEST(LooseBody, TakesCutsAsRowsOfFurtherCandidatesInThePlane) {
+  expect_cuts_to_be_rows_of_further_candidates<2>(5, 60);
+  expect_cuts_to_be_rows_of_further_candidates<2>(9, 40);
+}
+
+TEST(LooseBody, TakesCutsAsRowsOfFurtherCandidatesInSpace) {
+  expect_cuts_to_be_rows_of_further_candidates<3>(7, 40);
+  expect_cuts_to_be_rows_of_further_candidates<3>(12, 20);
+}
+
 // Two candidates on the walls of a groove of half angle theta, at one height: their reactions are
 // opposite, at theta from the normals.
 TEST(LooseBody, WedgesInAGrooveFromTheTangentOfItsHalfAngle) {

@@ -1,0 +1,27 @@
+// What the option --cuts takes, and results say of it.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "nodes/wedged/sign_pattern.hpp"
+
+namespace kusabi::run {
+
+inline const std::vector<std::pair<std::string, wedged::Tightening>>& cuts_words() {
+  static const std::vector<std::pair<std::string, wedged::Tightening>> words{
+      {"auto", wedged::Tightening::automatic},
+      {"none", wedged::Tightening::never},
+      {"always", wedged::Tightening::always}};
+  return words;
+}
+
+inline const std::string& name_of(wedged::Tightening tightening) {
+  return std::ranges::find(cuts_words(), tightening,
+                           &std::pair<std::string, wedged::Tightening>::second)
+      ->first;
+}
+
+}  // namespace kusabi::run
