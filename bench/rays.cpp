@@ -1,6 +1,6 @@
-// How long the rays of plane trusses take: by double description and pattern by pattern on one
-// rank, and, where they are installed, by lrs and cddexec, which enumerate all rays of C_r,
-// complementary or not.
+// How long the rays of plane trusses take: by double description, whole and divided, and pattern by
+// pattern on one rank, and, where they are installed, by lrs and cddexec, which enumerate all rays
+// of C_r, complementary or not.
 //
 //   bench_rays [MU [FIRST_ROWS [LAST_ROWS [SECONDS]]]]
 //
@@ -22,6 +22,7 @@
 #include <unistd.h>
 
 #include "engine/search.hpp"
+#include "nodes/wedged/divided_rays.hpp"
 #include "nodes/wedged/ray_tree.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
@@ -56,15 +57,15 @@ Measured double_description(const rays::ReactionCone& cone) {
   return {time, found.rays.size(), found.effort, found.health};
 }
 
-Measured tree(const problems::Structure& truss, const std::vector<double>& friction,
-              const rays::ReactionCone& cone) {
+// By a tree of either kind, which `plant` makes.
+Measured search(const auto& plant) {
   Measured result;
   result.seconds = cpu_seconds_of([&] {
-    wedged::RayTree rays({problems::wedged_problem(truss), friction}, cone);
-    const auto outcome = engine::search(rays);
+    auto tree = plant();
+    const auto outcome = engine::search(tree);
     for (const auto& leaf : outcome.solutions) result.rays += leaf.solution.rays.size();
-    result.effort = rays.tally().effort;
-    result.health = rays.tally().health;
+    result.effort = tree.tally().effort;
+    result.health = tree.tally().health;
   });
   return result;
 }
@@ -107,8 +108,8 @@ std::string other(const std::string& program, const std::string& file, double li
 }
 
 std::string cells(const std::optional<Measured>& measured) {
-  if (!measured) return fmt::format("{:>9} {:>9} {:>11}", "-", "-", "-");
-  return fmt::format("{:>9.4f} {:>9} {:>11}", measured->seconds, measured->effort.peak_rays,
+  if (!measured) return fmt::format("{:>10} {:>9} {:>13}", "-", "-", "-");
+  return fmt::format("{:>10.4f} {:>9} {:>13}", measured->seconds, measured->effort.peak_rays,
                      measured->effort.pairs);
 }
 
@@ -124,32 +125,43 @@ int main(int argc, char** argv) {
   const std::string file =
       (std::filesystem::temp_directory_path() / fmt::format("bench_rays.{}.ine", getpid()))
           .string();
-  fmt::print("mu = {}\n{:>4} {:>8}  {:<31}  {:<31}  {:>8} {:>8}  {}\n", mu, "N", "rays",
-             "double description: s, peak, pairs", "tree: s, peak, pairs", "lrs", "cddexec",
-             "largest zero, least other");
+  fmt::print("mu = {}\n{:>4} {:>8}  {:<34}  {:<34}  {:<34}  {:>8} {:>8}  {}\n", mu, "N", "rays",
+             "double description: s, peak, pairs", "divided: s, peak, pairs",
+             "tree: s, peak, pairs", "lrs", "cddexec", "largest zero, least other");
   std::string lrs;
   std::string cddexec;
   bool first_ends = false;
   bool second_ends = false;
-  for (int rows = static_cast<int>(number(2, 5)); rows <= last && !(first_ends && second_ends);
-       ++rows) {
+  bool third_ends = false;
+  for (int rows = static_cast<int>(number(2, 5));
+       rows <= last && !(first_ends && second_ends && third_ends); ++rows) {
     const auto truss = problems::plane_truss({.rows = rows});
     const std::vector<double> friction(static_cast<std::size_t>(rows), mu);
     const rays::ReactionCone cone(problems::precise_compliance(truss), friction);
     std::optional<Measured> whole;
+    std::optional<Measured> by_parts;
     std::optional<Measured> by_pattern;
+    const auto patterns = [&] {
+      return wedged::SignPatternTree(problems::wedged_problem(truss), friction);
+    };
     if (!first_ends) whole = double_description(cone);
-    if (!second_ends) by_pattern = tree(truss, friction, cone);
+    if (!second_ends) {
+      by_parts =
+          search([&] { return wedged::DividedRays(patterns(), cone, rays::first_list(cone)); });
+    }
+    if (!third_ends) by_pattern = search([&] { return wedged::RayTree(patterns(), cone); });
     first_ends = first_ends || whole->seconds > limit / 4;
-    second_ends = second_ends || by_pattern->seconds > limit / 4;
+    second_ends = second_ends || by_parts->seconds > limit / 4;
+    third_ends = third_ends || by_pattern->seconds > limit / 4;
     write_inequalities(cone, file);
     if (!lrs.starts_with('>')) lrs = other("lrs", file, limit);
     if (!cddexec.starts_with('>')) cddexec = other("cddexec --rep <", file, limit);
-    const auto& known = whole ? *whole : *by_pattern;
-    fmt::print("{:>4} {:>8}  {}  {}  {:>8} {:>8}  {:.0e} {:.0e}{}\n", rows, known.rays,
-               cells(whole), cells(by_pattern), lrs, cddexec, known.health.largest_zero,
-               known.health.smallest_nonzero,
-               whole && by_pattern && whole->rays != by_pattern->rays ? "  DIFFERENT" : "");
+    const auto& known = by_parts ? *by_parts : whole ? *whole : *by_pattern;
+    const auto differs = [&](const auto& other) { return other && other->rays != known.rays; };
+    fmt::print("{:>4} {:>8}  {}  {}  {}  {:>8} {:>8}  {:.0e} {:.0e}{}\n", rows, known.rays,
+               cells(whole), cells(by_parts), cells(by_pattern), lrs, cddexec,
+               known.health.largest_zero, known.health.smallest_nonzero,
+               differs(whole) || differs(by_pattern) ? "  DIFFERENT" : "");
     std::fflush(stdout);
   }
   std::filesystem::remove(file);

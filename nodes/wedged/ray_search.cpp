@@ -1,4 +1,5 @@
-// All ranks have all rays and share large steps, or they share the tree.
+// All ranks make the first steps together, and share the list when it is long; or they share the
+// tree.
 #include "nodes/wedged/ray_search.hpp"
 
 #include <algorithm>
@@ -13,26 +14,20 @@
 
 #include "engine/shared_work.hpp"
 #include "engine/together.hpp"
+#include "nodes/wedged/divided_rays.hpp"
 #include "nodes/wedged/ray_trial.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 
 namespace kusabi::wedged {
 namespace {
 
-/// Memory that `automatic` lets double description take on each rank, about what a core has. Where
-/// it fits into this it has been as fast as the tree on one rank, and up to twelve times as fast;
-/// where it does not, its rays grow threefold with each candidate, and the tree's twofold from a
-/// tenth of them (bench/README.md). By the number of rays met, so that the method does not depend
-/// on ranks or clocks.
-constexpr std::uint64_t memory_for_double_description = std::uint64_t{2} << 30U;
+/// What comes after the steps that all ranks make together.
+enum class Way { done, stopped, divided };
 
-/// What comes after double description.
-enum class Way { done, stopped, by_tree };
-
-// What rank 0 makes of the outcome of the tree.
-RayFindings gathered(engine::Outcome<RayTree>& outcome) {
+// What rank 0 makes of the outcome of either tree.
+template <class Tree>
+RayFindings gathered(engine::Outcome<Tree>& outcome) {
   RayFindings found;
-  found.method = RayMethod::tree;
   found.status = outcome.status;
   for (auto& leaf : outcome.solutions) {
     auto& own = leaf.solution.rays;
@@ -45,7 +40,9 @@ RayFindings gathered(engine::Outcome<RayTree>& outcome) {
                              .opened = outcome.opened(),
                              .open = outcome.open,
                              .fingerprint = outcome.fingerprint(),
-                             .ranks = std::move(outcome.ranks)};
+                             .ranks = {}};
+  for (const auto& [statistics, tally] : outcome.ranks)
+    found.tree->ranks.push_back({.statistics = statistics, .tally = tally});
   return found;
 }
 
@@ -57,21 +54,19 @@ SignPatternTree whole_tree(const problems::WedgedProblem& problem,
   return {whole, friction};
 }
 
-RayFindings by_tree(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                    std::span<const double> friction, const rays::ReactionCone& cone) {
-  RayTree tree(whole_tree(problem, friction), cone);
+template <class Tree>
+RayFindings searched(engine::Campaign& campaign, Tree tree) {
   auto outcome = campaign.search(tree, {});
   if (campaign.is_first()) return gathered(outcome);
   return {};
 }
 
-// Nothing if it was stopped, which is for rank 0 to say, or there are too many rays at one time.
-std::optional<RayFindings> by_double_description(engine::Campaign& campaign,
-                                                 const rays::ReactionCone& cone,
-                                                 std::uint64_t most_rays, RayTrial* trial) {
-  const auto start = std::chrono::steady_clock::now();
+// Steps of all ranks, until all are done, or somebody ends them, or the list is longer than `most`.
+// Whether they were stopped is for rank 0 to say.
+rays::Steps steps_of_all(engine::Campaign& campaign, const rays::ReactionCone& cone,
+                         rays::RayList& list, std::uint64_t most, RayTrial* trial) {
   auto& transport = campaign.transport();
-  rays::Conduct conduct{.most_rays = most_rays};
+  rays::Conduct conduct{.most_rays = most};
   if (campaign.is_first()) conduct.stop = campaign.budget().stop();
   if (trial != nullptr) {
     conduct.give_up = [&transport, trial](const rays::Effort& effort) {
@@ -86,13 +81,49 @@ std::optional<RayFindings> by_double_description(engine::Campaign& campaign,
       return engine::from_first_rank(transport, [&] { return told; });
     };
   }
-  auto enumeration = rays::complementary_rays(cone, conduct);
-  if (!enumeration) return std::nullopt;
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return rays::go_on(list, cone, conduct);
+}
+
+// The parts of a list that has come to be long, with what the steps before have cost.
+RayFindings by_parts(engine::Campaign& campaign, SignPatternTree tree,
+                     const rays::ReactionCone& cone, rays::RayList list,
+                     const rays::Steps& before) {
+  campaign.say(fmt::format("{} rays at one time: the list is divided", list.zeros.size()));
+  auto found = searched(campaign, DividedRays(std::move(tree), cone, std::move(list)));
+  if (!campaign.is_first()) return found;
+  found.health += before.health;
+  found.tree->ranks.front().tally.effort += before.effort;
+  return found;
+}
+
+RayFindings by_double_description(engine::Campaign& campaign,
+                                  const problems::WedgedProblem& problem,
+                                  std::span<const double> friction, const rays::ReactionCone& cone,
+                                  RayMethod method) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool either = method == RayMethod::automatic;
+  const auto most = either ? longest_list : std::numeric_limits<std::uint64_t>::max();
+  RayTrial trial([&] { return whole_tree(problem, friction); }, cone, campaign.budget().stop());
+  auto list = rays::first_list(cone);
+  const auto steps = steps_of_all(campaign, cone, list, most, either ? &trial : nullptr);
+  const Way way = engine::from_first_rank(campaign.transport(), [&] {
+    return trial.has_succeeded() || (!steps.stopped && rays::has_ended(list, cone)) ? Way::done
+           : steps.stopped                                                          ? Way::stopped
+                                                                                    : Way::divided;
+  });
+  if (way == Way::divided)
+    return by_parts(campaign, whole_tree(problem, friction), cone, std::move(list), steps);
   RayFindings found;
-  found.rays = std::move(enumeration->rays);
-  found.health = enumeration->health;
-  found.effort = enumeration->effort;
+  if (!campaign.is_first()) return found;
+  if (trial.has_succeeded()) return std::move(trial).found();
+  if (way == Way::stopped) {
+    found.status = campaign.budget().why();
+    return found;
+  }
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  found.rays = std::move(list.zeros);
+  found.health = steps.health;
+  found.effort = steps.effort;
   found.seconds = time.count();
   return found;
 }
@@ -124,11 +155,6 @@ bool limited(const engine::Limits& limits) {
   return limits.seconds != none.seconds || limits.nodes != none.nodes;
 }
 
-RayMethod first_method(RayMethod asked, const engine::Limits& limits) {
-  if (asked != RayMethod::automatic) return asked;
-  return limited(limits) ? RayMethod::tree : RayMethod::double_description;
-}
-
 rays::ReactionCone reaction_cone(const problems::Structure& structure,
                                  const problems::WedgedProblem& problem,
                                  std::span<const double> friction) {
@@ -141,29 +167,11 @@ RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem&
                       RayMethod method) {
   if (cone.equations() != problem.motions.cols())
     throw std::invalid_argument("the cone of reactions is not that of the loose bodies");
-  RayFindings found;
-  const auto& budget = campaign.budget();
-  bool by_all = first_method(method, budget.left()) == RayMethod::tree;
-  if (!by_all) {
-    const bool either = method == RayMethod::automatic;
-    const auto most = either ? rays::rays_that_fit(memory_for_double_description, cone.candidates())
-                             : std::numeric_limits<std::uint64_t>::max();
-    RayTrial trial([&] { return whole_tree(problem, friction); }, cone, budget.stop());
-    auto all = by_double_description(campaign, cone, most, either ? &trial : nullptr);
-    if (!all && trial.has_succeeded()) all = std::move(trial).found();
-    const Way way = engine::from_first_rank(campaign.transport(), [&] {
-      return all ? Way::done : budget.spent() ? Way::stopped : Way::by_tree;
-    });
-    by_all = way == Way::by_tree;
-    if (all) found = *std::move(all);
-    if (way == Way::stopped) found.status = budget.why();
-    if (by_all) {
-      campaign.say(
-          fmt::format("more than {} rays at one time: by the tree of sign patterns", most));
-    }
-  }
-  if (by_all) found = by_tree(campaign, problem, friction, cone);
+  const bool by_pattern = method == RayMethod::tree;
+  auto found = by_pattern ? searched(campaign, RayTree(whole_tree(problem, friction), cone))
+                          : by_double_description(campaign, problem, friction, cone, method);
   if (!campaign.is_first()) return found;
+  if (by_pattern) found.method = RayMethod::tree;
   find_motions(found, cone);
   std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
   if (found.status == engine::Status::solved) find_cones(found, cone);

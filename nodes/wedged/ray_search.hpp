@@ -18,20 +18,16 @@ namespace kusabi::wedged {
 
 /// How rays are found. Both ways find the same.
 enum class RayMethod {
-  automatic,  ///< double description, until a trial shows the tree to be faster, or it takes too
-              ///< much memory
+  automatic,  ///< Algorithm 4.2, its list divided when it is long, unless a trial shows the tree to
+              ///< be faster
   double_description,  ///< Algorithm 4.2: every rank has all rays, large steps are shared
   tree,                ///< pattern by pattern, on all ranks
 };
 
-/// The method that is taken first: double description, unless there are limits, since only the tree
-/// can stop early with something to show for it.
-RayMethod first_method(RayMethod asked, const engine::Limits& limits);
-
 /// Whether a search by these limits may stop early.
 bool limited(const engine::Limits& limits);
 
-/// What the tree was like.
+/// What the tree was like, of sign patterns or of lists.
 struct RayTreeReport {
   SignPatternTally patterns;
   std::uint64_t opened = 0;
@@ -50,9 +46,9 @@ struct RayFindings {
   std::vector<rays::Cone> cones;                     ///< maximal; none if the search stopped early
   rays::Health health;                               ///< of the search
   RayMethod method = RayMethod::double_description;  ///< which was taken
-  std::optional<RayTreeReport> tree;                 ///< of RayMethod::tree
-  rays::Effort effort;                               ///< of the other, and
-  double seconds = 0;                                ///< its time
+  std::optional<RayTreeReport> tree;                 ///< if there was one, of either kind
+  rays::Effort effort;                               ///< otherwise, and
+  double seconds = 0;                                ///< the time
 };
 
 /// The cone of reactions of a structure in the plane, loose bodies included.

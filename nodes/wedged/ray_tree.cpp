@@ -17,16 +17,14 @@ RayLeaf RayLeaf::of(const PatternNode& node, const SignPatternTree::Fate& fate) 
   return {node.pattern, (flat ? fate.leaf->pattern.contact : node.pattern.contact).word(0)};
 }
 
-std::vector<rays::ZeroSet> RayLeaf::own(const std::vector<rays::ZeroSet>& rays,
-                                        rays::Candidates all) const {
-  const rays::Candidates in_contact_here = pattern.contact.word(0);
-  const rays::Candidates apart = pattern.separated.word(0);
+std::vector<rays::ZeroSet> own_rays(const std::vector<rays::ZeroSet>& rays,
+                                    rays::Candidates contact, rays::Candidates separated,
+                                    rays::Candidates all) {
   std::vector<rays::ZeroSet> own;
   for (const rays::ZeroSet& zero : rays) {
-    // Those with a reaction just at the candidates in contact of a sign pattern below the node.
     const auto loaded = rays::Supports(zero, all).reaction();
     if (loaded == 0) continue;  // a motion alone
-    if ((in_contact_here & ~loaded) == 0 && (apart & loaded) == 0) own.push_back(zero);
+    if ((contact & ~loaded) == 0 && (separated & loaded) == 0) own.push_back(zero);
   }
   return own;
 }

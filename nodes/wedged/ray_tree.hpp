@@ -35,7 +35,7 @@ struct PatternRays {
 /// What a rank did.
 struct RayTally {
   SignPatternTally patterns;
-  rays::Effort effort;  ///< over all small cones; the peak is that of the largest
+  rays::Effort effort;  ///< over all cones; the peak is that of the largest
   rays::Health health;
 
   RayTally& operator+=(const RayTally& other);
@@ -45,6 +45,12 @@ struct RayTally {
     archive& patterns& effort& health;
   }
 };
+
+/// Those rays with a reaction at each of `contact`, at none of `separated`, and somewhere: of the
+/// parts of a tree that share rays one alone has a ray among these.
+std::vector<rays::ZeroSet> own_rays(const std::vector<rays::ZeroSet>& rays,
+                                    rays::Candidates contact, rays::Candidates separated,
+                                    rays::Candidates all);
 
 /// A leaf that may report rays.
 struct RayLeaf {
@@ -56,7 +62,9 @@ struct RayLeaf {
 
   /// Those rays of D(Y) that this leaf reports, and no other.
   [[nodiscard]] std::vector<rays::ZeroSet> own(const std::vector<rays::ZeroSet>& rays,
-                                               rays::Candidates all) const;
+                                               rays::Candidates all) const {
+    return own_rays(rays, pattern.contact.word(0), pattern.separated.word(0), all);
+  }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {

@@ -2,6 +2,7 @@
 #include "run/rays/rays.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "nodes/wedged/divided_rays.hpp"
 #include "nodes/wedged/ray_search.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
@@ -77,7 +79,6 @@ class Rays final : public Subcommand {
   problems::WedgedProblem problem_;
   std::vector<double> friction_;
   std::optional<rays::ReactionCone> cone_;
-  RayMethod method_ = RayMethod::automatic;
   wedged::RayFindings found_;  // on rank 0
 
   [[nodiscard]] bool whole() const { return found_.status == engine::Status::solved; }
@@ -91,7 +92,8 @@ void Rays::describe(OptionTable& table) {
                 {"double-description", RayMethod::double_description},
                 {"tree", RayMethod::tree}},
                "Algorithm 4.2, for which every rank holds all rays, pattern by pattern, or the "
-               "first until a trial of the second ends sooner, or memory does: the same rays");
+               "first on parts of its list, unless a trial of the second ends sooner: the same "
+               "rays");
   table.output();
   table
       .file("--vtu", vtu_, Role::folder,
@@ -110,7 +112,7 @@ void Rays::describe(OptionTable& table) {
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint,
-               "; double description, which is short, begins anew, the tree goes on");
+               "; the steps that all ranks make together, which are short, begin anew");
   table.quiet();
   table.serial();
 }
@@ -119,7 +121,7 @@ void Rays::check() const {
   if (options_.method == RayMethod::double_description && wedged::limited(options_.limits)) {
     throw WrongInput(
         "--method double-description has nothing to show before its end; expected no "
-        "limit, or --method tree");
+        "limit, or another method");
   }
 }
 
@@ -137,12 +139,6 @@ void Rays::prepare(CommandRun& run) {
   check_problem();
   friction_ = friction_at(problem_, options_.friction, options_.file);
   cone_ = wedged::reaction_cone(structure_, problem_, friction_);
-  // A tree that was begun is gone on with, and what is finished is done the same way.
-  if (options_.method == RayMethod::automatic && run.has_begun_to_search()) {
-    options_.method = RayMethod::tree;
-  }
-  method_ =
-      wedged::first_method(options_.method, run.is_finished() ? engine::Limits{} : options_.limits);
 }
 
 void Rays::check_problem() const {
@@ -162,11 +158,16 @@ void Rays::check_problem() const {
 }
 
 std::string Rays::announcement(const std::string& ranks) const {
-  return fmt::format(
-      "{}; friction coefficient {}{}; {}{}", problem_line(problem_), options_.friction,
-      uniform_friction(problem_) ? "" : " times that of each candidate",
-      method_ == RayMethod::tree ? "the tree of sign patterns on " : "double description on ",
-      ranks);
+  const bool by_pattern = options_.method == RayMethod::tree;
+  const auto megabytes =
+      std::max<std::uint64_t>(wedged::memory_of_lists(cone_->candidates()) >> 20U, 1);
+  return fmt::format("{}; friction coefficient {}{}; {} on {}{}", problem_line(problem_),
+                     options_.friction,
+                     uniform_friction(problem_) ? "" : " times that of each candidate",
+                     by_pattern ? "the tree of sign patterns" : "double description", ranks,
+                     options_.method == RayMethod::automatic
+                         ? fmt::format(", lists of rays in {} MB each", megabytes)
+                         : "");
 }
 
 void Rays::search(CommandRun& run) {

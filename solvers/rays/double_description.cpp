@@ -2,7 +2,9 @@
 #include "solvers/rays/double_description.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -33,6 +35,45 @@ constexpr std::uint64_t pairs_worth_sharing = 1'000'000;
 /// Pieces of a step that is shared, about: so many that none of them holds up the others for long.
 constexpr std::uint64_t pieces_of_cut = 512;
 
+/// At which candidate to divide a list: what follows costs a part about the cube of its length.
+std::optional<int> division(const RayList& list) {
+  std::optional<int> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (Candidates rest = list.done.gaps & ~(list.contact | list.separated); rest != 0;
+       rest &= rest - 1) {
+    const Candidates here = rest & (~rest + 1);
+    double contact = 0;
+    double separated = 0;
+    for (const ZeroSet& zero : list.zeros) {
+      if ((zero.u & here) != 0) ++contact;
+      if ((zero.p & zero.q & here) != 0) ++separated;
+    }
+    const double longer = std::max(contact, separated);
+    const double cubes = contact * contact * contact + separated * separated * separated;
+    if (longer < static_cast<double>(list.zeros.size()) && cubes < least) {
+      best = std::countr_zero(here);
+      least = cubes;
+    }
+  }
+  return best;
+}
+
+/// The part of a list whose zero sets `within` says yes to.
+template <class Within>
+RayList part_of(const RayList& list, const Within& within) {
+  RayList part{list.done, list.contact, list.separated, {}, {}};
+  const auto width = static_cast<std::ptrdiff_t>(list.coordinates.size() / list.zeros.size());
+  auto ray = list.coordinates.begin();
+  for (const ZeroSet& zero : list.zeros) {
+    if (within(zero)) {
+      part.zeros.push_back(zero);
+      part.coordinates.insert(part.coordinates.end(), ray, ray + width);
+    }
+    ray += width;
+  }
+  return part;
+}
+
 class DoubleDescription {
  public:
   /// Starts with the cone x >= 0 of the candidates `active`; all others have no reaction. Motions
@@ -41,12 +82,17 @@ class DoubleDescription {
   DoubleDescription(const ReactionCone& cone, Candidates active, Candidates touching,
                     Conduct conduct = {});
 
+  /// Goes on with a list of rays that may have a reaction anywhere.
+  DoubleDescription(const ReactionCone& cone, RayList list, Conduct conduct);
+
   /// Cuts by all rows of `rows`, and by the equations of equilibrium, in the order that makes the
   /// fewest pairs. @return false if it was stopped, or there came to be too many rays; `give_up`
-  /// leaves it such that it can go on
+  /// and these leave it such that it can go on
   bool cut_by(Candidates rows, Keep keep);
   const Effort& effort() const { return effort_; }
+  Steps steps() const { return {effort_, health_, stopped_}; }
 
+  RayList list() && { return std::move(list_); }
   Enumeration result() &&;
 
  private:
@@ -55,14 +101,16 @@ class DoubleDescription {
     std::uint64_t minus = 0;
   };
 
-  Eigen::Index count() const { return static_cast<Eigen::Index>(zeros_.size()); }
+  DoubleDescription(const ReactionCone& cone, std::vector<int> columns, Conduct conduct);
+
+  Eigen::Index count() const { return static_cast<Eigen::Index>(list_.zeros.size()); }
   /// Adds the motion that lifts candidate `row`, and leaves those before it alone, to every ray
   /// such that u_n = 0 there.
   void hold(int row, Eigen::Index motion, bool touches);
   bool is_gap(int row) const { return row < cone_.candidates(); }
   /// The stage after a cut by this row.
   ReactionCone::Stage after(int row) const {
-    auto stage = stage_;
+    auto stage = list_.done;
     if (is_gap(row)) {
       stage.gaps |= bit(row);
     } else {
@@ -72,7 +120,7 @@ class DoubleDescription {
   }
   /// Equalities that two adjacent rays share at least.
   int enough() const {
-    return static_cast<int>(cone_.unknowns()) - std::popcount(stage_.balanced) - 2;
+    return static_cast<int>(cone_.unknowns()) - std::popcount(list_.done.balanced) - 2;
   }
   int cheapest(const std::vector<int>& rows);
   /// u of every ray at one row; relative ones go to `relative_`.
@@ -88,36 +136,57 @@ class DoubleDescription {
   Eigen::Index reactions_ = 0;  // of the columns
   Eigen::MatrixXd gaps_;        // (A H) over (E 0), these columns of it
   Eigen::MatrixXd magnitudes_;  // their sizes
-  ReactionCone::Stage stage_;   // what has been cut by
-  std::vector<ZeroSet> zeros_;  // of the rays, and their coordinates, one ray after another
-  std::vector<double> coordinates_;
+  RayList list_;
   Eigen::VectorXd values_;    // of the row looked at, a ray
   Eigen::VectorXd relative_;  // the same without unit
   NewRays next_;              // the list after the cut
   Effort effort_;
   Health health_;
+  bool stopped_ = false;
   Conduct conduct_;
 };
 
-DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active,
-                                     Candidates touching, Conduct conduct)
-    : cone_(cone), conduct_(std::move(conduct)) {
+/// The unknowns of these candidates, and of motions.
+std::vector<int> columns_of(const ReactionCone& cone, Candidates active) {
+  std::vector<int> columns;
   for (Candidates rest = active; rest != 0; rest &= rest - 1) {
     const int k = std::countr_zero(rest);
-    columns_.push_back(2 * k);
-    zeros_.push_back({cone.all() & ~bit(k), cone.all(), 0});
-    if (cone.slips(k)) continue;
-    columns_.push_back(2 * k + 1);
-    zeros_.push_back({cone.all(), cone.all() & ~bit(k), 0});
+    columns.push_back(2 * k);
+    if (!cone.slips(k)) columns.push_back(2 * k + 1);
   }
-  reactions_ = static_cast<Eigen::Index>(columns_.size());
   for (int column = 2 * cone.candidates(); column < cone.unknowns(); ++column)
-    columns_.push_back(column);
-  gaps_ = cone.gaps()(Eigen::all, columns_).cast<double>();
-  magnitudes_ = gaps_.cwiseAbs();
+    columns.push_back(column);
+  return columns;
+}
+
+DoubleDescription::DoubleDescription(const ReactionCone& cone, std::vector<int> columns,
+                                     Conduct conduct)
+    : cone_(cone),
+      columns_(std::move(columns)),
+      reactions_(std::count_if(columns_.begin(), columns_.end(),
+                               [&](int column) { return column < 2 * cone.candidates(); })),
+      gaps_(cone.gaps()(Eigen::all, columns_).cast<double>()),
+      magnitudes_(gaps_.cwiseAbs()),
+      conduct_(std::move(conduct)) {}
+
+DoubleDescription::DoubleDescription(const ReactionCone& cone, RayList list, Conduct conduct)
+    : DoubleDescription(cone, columns_of(cone, cone.all()), std::move(conduct)) {
+  list_ = std::move(list);
+}
+
+DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active,
+                                     Candidates touching, Conduct conduct)
+    : DoubleDescription(cone, columns_of(cone, active), std::move(conduct)) {
   const auto size = static_cast<std::size_t>(gaps_.cols());
-  coordinates_.assign(size * zeros_.size(), 0);
-  for (std::size_t ray = 0; ray < zeros_.size(); ++ray) coordinates_[ray * size + ray] = 1;
+  const auto count = static_cast<std::size_t>(reactions_);
+  list_.coordinates.assign(size * count, 0);
+  for (std::size_t ray = 0; ray < count; ++ray) {
+    const int column = columns_[ray];
+    ZeroSet zero{cone.all(), cone.all(), 0};
+    (column % 2 == 0 ? zero.p : zero.q) &= ~bit(column / 2);
+    list_.zeros.push_back(zero);
+    list_.coordinates[ray * size + ray] = 1;
+  }
   Eigen::Index motion = 0;
   for (const int row : cone.pivots()) hold(row, motion++, (touching & bit(row)) != 0);
 }
@@ -125,33 +194,37 @@ DoubleDescription::DoubleDescription(const ReactionCone& cone, Candidates active
 void DoubleDescription::hold(int row, Eigen::Index motion, bool touches) {
   const Eigen::Index column = reactions_ + motion;
   const double lift = gaps_(row, column);
-  Eigen::Map<Eigen::MatrixXd> rays(coordinates_.data(), gaps_.cols(), count());
+  Eigen::Map<Eigen::MatrixXd> rays(list_.coordinates.data(), gaps_.cols(), count());
   rays.row(column) = -gaps_.row(row) * rays / lift;
-  for (auto& zero : zeros_) zero.u |= bit(row);
+  for (auto& zero : list_.zeros) zero.u |= bit(row);
   if (!touches) {
-    zeros_.push_back({cone_.all(), cone_.all(), stage_.gaps});
-    coordinates_.resize(coordinates_.size() + static_cast<std::size_t>(gaps_.cols()), 0);
-    coordinates_[coordinates_.size() - static_cast<std::size_t>(gaps_.cols() - column)] =
+    list_.zeros.push_back({cone_.all(), cone_.all(), list_.done.gaps});
+    list_.coordinates.resize(list_.coordinates.size() + static_cast<std::size_t>(gaps_.cols()), 0);
+    list_.coordinates[list_.coordinates.size() - static_cast<std::size_t>(gaps_.cols() - column)] =
         lift > 0 ? 1 : -1;
   }
-  stage_.gaps |= bit(row);
+  list_.done.gaps |= bit(row);
 }
 
 bool DoubleDescription::cut_by(Candidates rows, Keep keep) {
   std::vector<int> left;
-  for (rows &= ~stage_.gaps; rows != 0; rows &= rows - 1) left.push_back(std::countr_zero(rows));
+  for (rows &= ~list_.done.gaps; rows != 0; rows &= rows - 1)
+    left.push_back(std::countr_zero(rows));
   for (int k = 0; k < cone_.equations(); ++k) {
-    if ((stage_.balanced & bit(k)) == 0) left.push_back(cone_.candidates() + k);
+    if ((list_.done.balanced & bit(k)) == 0) left.push_back(cone_.candidates() + k);
   }
   while (!left.empty()) {
     const int row = cheapest(left);
     left.erase(std::find(left.begin(), left.end(), row));
     cut(row, is_gap(row) ? keep : Keep::zero);
     const bool told = next_.stopped || (conduct_.stop && conduct_.stop());
-    if (conduct_.agree ? conduct_.agree(told) : told) return false;
+    stopped_ = conduct_.agree ? conduct_.agree(told) : told;
+    if (stopped_) return false;
     effort_ += std::exchange(next_.effort, {});
-    if (zeros_.size() > conduct_.most_rays) return false;
-    if (!left.empty() && conduct_.give_up && conduct_.give_up(effort_)) return false;
+    if (list_.zeros.size() > conduct_.most_rays && division(list_)) return false;
+    if (left.empty() || !conduct_.give_up) continue;
+    stopped_ = conduct_.give_up(effort_);
+    if (stopped_) return false;
   }
   return true;
 }
@@ -161,7 +234,7 @@ int DoubleDescription::cheapest(const std::vector<int>& rows) {
   std::vector<Sides> sides(rows.size());
   const Eigen::MatrixXd gaps = gaps_(rows, Eigen::all);
   const Eigen::MatrixXd magnitudes = magnitudes_(rows, Eigen::all);
-  const Eigen::Map<const Eigen::MatrixXd> rays(coordinates_.data(), gaps_.cols(), count());
+  const Eigen::Map<const Eigen::MatrixXd> rays(list_.coordinates.data(), gaps_.cols(), count());
   Eigen::MatrixXd value;
   Eigen::MatrixXd scale;
   for (Eigen::Index first = 0; first < count(); first += block_size) {
@@ -185,7 +258,7 @@ int DoubleDescription::cheapest(const std::vector<int>& rows) {
 }
 
 void DoubleDescription::displacements(int row) {
-  const Eigen::Map<const Eigen::MatrixXd> rays(coordinates_.data(), gaps_.cols(), count());
+  const Eigen::Map<const Eigen::MatrixXd> rays(list_.coordinates.data(), gaps_.cols(), count());
   values_ = (gaps_.row(row) * rays).transpose();
   relative_ = (magnitudes_.row(row) * rays.cwiseAbs()).transpose();
   relative_ = (relative_.array() > 0).select(values_.array() / relative_.array(), 0.0);
@@ -200,11 +273,11 @@ void DoubleDescription::cut(int row, Keep keep) {
   const auto width = static_cast<std::ptrdiff_t>(gaps_.cols());
   const auto retain = [&](int ray, const ZeroSet& zero) {
     next_.zeros.push_back(zero);
-    const auto from = coordinates_.begin() + width * ray;
+    const auto from = list_.coordinates.begin() + width * ray;
     next_.coordinates.insert(next_.coordinates.end(), from, from + width);
   };
   for (int ray = 0; ray < static_cast<int>(count()); ++ray) {
-    ZeroSet zero = zeros_[static_cast<std::size_t>(ray)];
+    ZeroSet zero = list_.zeros[static_cast<std::size_t>(ray)];
     const int sign = health_.sign(relative_(ray));
     if (sign > 0) {
       plus.push_back(ray);
@@ -219,15 +292,15 @@ void DoubleDescription::cut(int row, Keep keep) {
     }
   }
   if (!plus.empty() && !minus.empty()) add_between(row, plus, minus);
-  stage_ = after(row);
-  std::swap(zeros_, next_.zeros);
-  std::swap(coordinates_, next_.coordinates);
-  effort_.peak_rays = std::max(effort_.peak_rays, static_cast<std::uint64_t>(zeros_.size()));
+  list_.done = after(row);
+  std::swap(list_.zeros, next_.zeros);
+  std::swap(list_.coordinates, next_.coordinates);
+  effort_.peak_rays = std::max(effort_.peak_rays, static_cast<std::uint64_t>(list_.zeros.size()));
 }
 
 void DoubleDescription::add_between(int row, const std::vector<int>& plus,
                                     const std::vector<int>& minus) {
-  const AdjacentPairs pairs(zeros_, plus, minus, stage_.gaps, enough());
+  const AdjacentPairs pairs(list_.zeros, plus, minus, list_.done.gaps, enough());
   const auto stage = after(row);
   const auto add = [&](const AdjacentPairs::Part& part, NewRays& into) {
     const auto found = [&](const AdjacentPair& pair) {
@@ -272,8 +345,8 @@ void DoubleDescription::combine(const AdjacentPair& pair, const ZeroSet& zero,
   if (std::min(relative_(plus), -relative_(minus)) < exact_enough) {
     between = cone_.rounded_coordinates(zero, stage)(columns_);
   } else {
-    const Eigen::Map<const Eigen::VectorXd> above(coordinates_.data() + width * plus, width);
-    const Eigen::Map<const Eigen::VectorXd> below(coordinates_.data() + width * minus, width);
+    const Eigen::Map<const Eigen::VectorXd> above(list_.coordinates.data() + width * plus, width);
+    const Eigen::Map<const Eigen::VectorXd> below(list_.coordinates.data() + width * minus, width);
     between = -values_(minus) * above + values_(plus) * below;
     const double load = between.head(reactions_).sum();
     between /= load > 0 ? load : between.cwiseAbs().maxCoeff();  // that of two motions is a motion
@@ -282,7 +355,7 @@ void DoubleDescription::combine(const AdjacentPair& pair, const ZeroSet& zero,
 }
 
 Enumeration DoubleDescription::result() && {
-  return {std::move(zeros_), effort_, health_};
+  return {std::move(list_.zeros), effort_, health_};
 }
 
 }  // namespace
@@ -294,21 +367,50 @@ Effort& Effort::operator+=(const Effort& other) {
   return *this;
 }
 
+RayList first_list(const ReactionCone& cone) {
+  return DoubleDescription(cone, cone.all(), 0).list();
+}
+
+Steps go_on(RayList& list, const ReactionCone& cone, const Conduct& conduct) {
+  DoubleDescription description(cone, std::move(list), conduct);
+  description.cut_by(cone.all(), Keep::complementary);
+  const Steps steps = description.steps();
+  list = std::move(description).list();
+  return steps;
+}
+
+bool has_ended(const RayList& list, const ReactionCone& cone) {
+  return list.done.gaps == cone.all() && list.done.balanced == first_candidates(cone.equations());
+}
+
+std::optional<std::array<RayList, 2>> divided(const RayList& list) {
+  const auto candidate = division(list);
+  if (!candidate) return std::nullopt;
+  const Candidates here = bit(*candidate);
+  auto contact = part_of(list, [&](const ZeroSet& zero) { return (zero.u & here) != 0; });
+  auto separated =
+      part_of(list, [&](const ZeroSet& zero) { return (zero.p & zero.q & here) != 0; });
+  contact.contact |= here;
+  separated.separated |= here;
+  return std::array{std::move(contact), std::move(separated)};
+}
+
 std::optional<Enumeration> complementary_rays(const ReactionCone& cone, const Conduct& conduct) {
-  DoubleDescription description(cone, cone.all(), 0, conduct);
-  if (!description.cut_by(cone.all(), Keep::complementary)) return std::nullopt;
-  return std::move(description).result();
+  auto list = first_list(cone);
+  const auto steps = go_on(list, cone, conduct);
+  if (steps.stopped || !has_ended(list, cone)) return std::nullopt;
+  return Enumeration{std::move(list.zeros), steps.effort, steps.health};
 }
 
 Enumeration complementary_rays(const ReactionCone& cone) {
   return *complementary_rays(cone, Conduct{});
 }
 
-std::uint64_t rays_that_fit(std::uint64_t bytes, int candidates) {
+std::uint64_t bytes_for(std::uint64_t rays, int candidates) {
   // Those of before a cut and those of after it, in vectors that grow by doubling, and the trees
   // that they are matched with: ten times the ray itself, measured on a million.
   const auto ray = sizeof(ZeroSet) + 2 * sizeof(double) * static_cast<std::uint64_t>(candidates);
-  return bytes / (10 * ray);
+  return 10 * ray * rays;
 }
 
 struct PatternRaysByTurns::State {

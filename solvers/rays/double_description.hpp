@@ -7,6 +7,7 @@
 // test of Remark 4.6 is replaced by a comparison of bits; docs/theory/rays.md proves both.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -56,10 +57,10 @@ struct NewRays {
 
 /// How an enumeration is supervised, and by how many it is done.
 struct Conduct {
-  /// Rays at one time: with more, nothing is returned.
+  /// Rays at one time: with more it ends, if they can be divided.
   std::uint64_t most_rays = std::numeric_limits<std::uint64_t>::max();
 
-  /// Asked now and then whether to end: then nothing is returned, too. Empty: never.
+  /// Asked now and then whether to end. Empty: never.
   std::function<bool()> stop = {};
 
   /// Does pieces of work 0, ..., count - 1 by one function and returns all results in order; empty:
@@ -76,13 +77,50 @@ struct Conduct {
   std::function<bool(const Effort& effort)> give_up = {};
 };
 
+/// Where Algorithm 4.2 is: what the cone has been cut by, and its rays that are complementary
+/// there; or those of them that lie on the face {u_n = 0 on `contact`, r = 0 on `separated`}, a
+/// part of the list, with which it can be gone on by itself (docs/theory/rays.md).
+struct RayList {
+  ReactionCone::Stage done;
+  Candidates contact = 0;  ///< of the candidates done, as `separated`
+  Candidates separated = 0;
+  std::vector<ZeroSet> zeros;
+  std::vector<double> coordinates;  ///< one ray after another
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& done.gaps& done.balanced& contact& separated& zeros& coordinates;
+  }
+};
+
+/// Before the first step: the cone x >= 0.
+RayList first_list(const ReactionCone& cone);
+
+/// What some steps cost, and saw.
+struct Steps {
+  Effort effort;
+  Health health;
+  bool stopped = false;  ///< by `stop` or `give_up`; the list is of no more use
+};
+
+/// Goes on with a list until all steps are done, or as `conduct` says.
+Steps go_on(RayList& list, const ReactionCone& cone, const Conduct& conduct);
+
+/// Whether all steps are done: the list is that of its face.
+bool has_ended(const RayList& list, const ReactionCone& cone);
+
+/// The parts of a list on the two faces u_ni = 0 and r_i = 0 of a candidate i that has been cut by,
+/// in this order, such that both are short; the rays idle at i are in both. Nothing if at no
+/// candidate some rays have a reaction and others a gap.
+std::optional<std::array<RayList, 2>> divided(const RayList& list);
+
 /// All extremal rays of C_r that satisfy u_n^T r_n = 0 (Algorithm 4.2), those of motions alone
-/// (r = 0) among them.
+/// (r = 0) among them; nothing if `conduct` has ended it.
 std::optional<Enumeration> complementary_rays(const ReactionCone& cone, const Conduct& conduct);
 Enumeration complementary_rays(const ReactionCone& cone);
 
-/// How many rays at one time fit into so many bytes.
-std::uint64_t rays_that_fit(std::uint64_t bytes, int candidates);
+/// About how many bytes it takes to have so many rays at one time.
+std::uint64_t bytes_for(std::uint64_t rays, int candidates);
 
 /// All extremal rays of D(Y) = {r in C_r: u_n = 0 on `contact`, r = 0 elsewhere}. They are extremal
 /// rays of C_r, since D(Y) is one of its faces.

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
+#include "nodes/wedged/divided_rays.hpp"
 #include "nodes/wedged/ray_trial.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
@@ -96,6 +97,54 @@ TEST(RayTrial, IsTakenWhereTheTreeIsSmallAndRefusedWhereItIsNot) {
   EXPECT_FALSE(
       outlasts(problems::plane_truss({.rows = 14, .verticals = problems::Verticals::all})));
   EXPECT_TRUE(outlasts(problems::paper_plane_truss(16)));
+}
+
+/// What is found with lists of at most so many rays, and what it took.
+struct Divided {
+  Divided(const RayProblem& given, std::uint64_t longest) {
+    DividedRays tree(SignPatternTree(given.problem, given.friction), given.cone,
+                     rays::first_list(given.cone), longest);
+    const auto outcome = engine::search(tree);
+    for (const auto& leaf : outcome.solutions) {
+      const auto& own = leaf.solution.rays;
+      rays.insert(rays.end(), own.begin(), own.end());
+    }
+    rays = sorted(std::move(rays));
+    opened = outcome.opened();
+    tally = outcome.tally();
+  }
+
+  std::vector<rays::ZeroSet> rays;
+  std::uint64_t opened = 0;
+  RayTally tally;
+};
+
+// Down to lists that are divided wherever they can be.
+TEST(DividedRays, AreTheSameHoweverOftenTheListIsDivided) {
+  std::uint64_t opened = 0;  // by 24 searches, most of which divide the list
+  for (const auto& truss :
+       {problems::plane_truss({.rows = 9}), problems::plane_truss({.rows = 8, .bays = 1}),
+        problems::plane_truss({.rows = 9, .verticals = problems::Verticals::all}),
+        problems::paper_plane_truss(11)}) {
+    for (const double mu : {0.65, 1.0}) {
+      const RayProblem given(truss, mu);
+      const auto whole = rays::complementary_rays(given.cone);
+      for (const std::uint64_t longest : {0, 30, 150}) {
+        const Divided parts(given, longest);
+        EXPECT_EQ(parts.rays, sorted(whole.rays)) << longest << ' ' << mu;
+        opened += parts.opened;
+        EXPECT_LE(parts.tally.effort.peak_rays, whole.effort.peak_rays);
+        EXPECT_TRUE(parts.tally.health.sound());
+      }
+    }
+  }
+  EXPECT_GE(opened, 60U);
+}
+
+TEST(DividedRays, TakeMemoryThatIsKnownBeforehand) {
+  EXPECT_LT(memory_of_lists(3), 1'000'000U);
+  EXPECT_LT(memory_of_lists(5), memory_of_lists(10));
+  EXPECT_LT(memory_of_lists(64), std::uint64_t{2} << 30U);
 }
 
 TEST(PatternRaysByTurns, AreThoseOfOneTurn) {

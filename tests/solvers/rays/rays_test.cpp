@@ -91,7 +91,34 @@ TEST(DoubleDescription, EndsWhenItHasTooManyRaysOrIsTold) {
   // What those who share the work agree on counts, whatever one was told.
   EXPECT_TRUE(ends({.agree = [](bool) { return true; }}));
   EXPECT_FALSE(ends({.stop = [] { return true; }, .agree = [](bool) { return false; }}));
-  EXPECT_GT(rays_that_fit(1U << 30U, 10), rays_that_fit(1U << 30U, 20));
+  EXPECT_LT(bytes_for(1000, 10), bytes_for(1000, 20));
+}
+
+// A part of a list that goes on by itself has in the end just those rays that lie on its face.
+TEST(DoubleDescription, GoesOnWithAPartAsOnItsFace) {
+  const auto cone = cone_of(plane_truss({.rows = 8}), 0.8);
+  const auto whole = complementary_rays(cone);
+  auto list = first_list(cone);
+  EXPECT_FALSE(divided(list).has_value());  // nothing has been cut by
+  go_on(list, cone, {.most_rays = 100});
+  ASSERT_FALSE(has_ended(list, cone));
+  auto parts = divided(list);
+  ASSERT_TRUE(parts.has_value());
+  for (RayList& part : *parts) {
+    EXPECT_LT(part.zeros.size(), list.zeros.size());
+    ASSERT_EQ(std::popcount(part.contact | part.separated), 1);
+    go_on(part, cone, {});
+    EXPECT_TRUE(has_ended(part, cone));
+    std::vector<ZeroSet> on_face;
+    for (const ZeroSet& zero : whole.rays) {
+      const Supports supports(zero, cone.all());
+      if ((supports.separated() & part.contact) == 0 && (supports.reaction() & part.separated) == 0)
+        on_face.push_back(zero);
+    }
+    EXPECT_GT(on_face.size(), 0U);
+    EXPECT_LT(on_face.size(), whole.rays.size());
+    EXPECT_EQ(sorted(part.zeros), sorted(on_face));
+  }
 }
 
 // Pieces done in any order and by themselves give the list that comes of the whole, in its order.
