@@ -31,10 +31,11 @@ constexpr double dissipation_share = 2;
 
 /// The loosest columns are priced first, one of so many, in whole blocks: the relaxation costs
 /// little beside them, and with their cuts most of the others are loose no longer.
-constexpr std::size_t batches = 12;
+constexpr int batches = 12;
 
-/// A cut that has not mattered in so many rounds is dropped; it is made again should it ever.
-constexpr int idle_rounds = 4;
+/// A cut that has not mattered in so many rounds, in which all columns could have been priced
+/// twice, is dropped; it is made again should it ever.
+constexpr int idle_rounds = 2 * batches;
 
 /// A cut does not matter where it leaves so much, motions being of the order of one.
 constexpr double idle = 1e-7;
@@ -119,7 +120,7 @@ bool Rounds::cut_off(const Relaxed& point) {
     if (loose(j) > violated) columns.push_back(j);
   }
   std::ranges::stable_sort(columns, std::greater<>(), [&](int j) { return loose(j); });
-  const auto blocks = model_.uncertain.size() / (batches * pricing_block);
+  const auto blocks = model_.uncertain.size() / (static_cast<std::size_t>(batches) * pricing_block);
   const auto batch = std::max<std::size_t>(1, blocks) * pricing_block;
   while (!columns.empty()) {
     for (std::size_t first = 0; first < columns.size(); first += batch) {
