@@ -171,9 +171,16 @@ void Master::add(const StaticCut& cut) {
   ++cuts_;
 }
 
-void Master::drop_cuts(std::size_t first) {
-  simplex_.drop_rows(first_cut_row() + static_cast<int>(first));
+void Master::drop_cuts_from(std::size_t first) {
+  simplex_.drop_rows_from(first_cut_row() + static_cast<int>(first));
   cuts_ = first;
+}
+
+void Master::drop_cuts(std::span<const std::size_t> cuts) {
+  std::vector<int> rows;
+  for (const auto cut : cuts) rows.push_back(first_cut_row() + static_cast<int>(cut));
+  simplex_.drop_rows(rows);
+  cuts_ -= cuts.size();
 }
 
 void Master::decide(const Signs& signs) {

@@ -89,7 +89,9 @@ class Master {
   void set_basis(const linear::Basis& basis) { simplex_.set_basis(basis); }
 
   /// Drops the cuts from `first` on.
-  void drop_cuts(std::size_t first);
+  void drop_cuts_from(std::size_t first);
+  /// Drops these; those behind them move up. @param cuts ascending
+  void drop_cuts(std::span<const std::size_t> cuts);
 
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }

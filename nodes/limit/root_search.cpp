@@ -19,6 +19,9 @@ namespace {
 /// searched for again, in that one.
 constexpr int most_balances = 3;
 
+/// What takes less is over before it is read.
+constexpr auto patience = std::chrono::seconds(2);
+
 }  // namespace
 
 // Every rank must make this call, and all get the same answer.
@@ -34,6 +37,15 @@ support::Stop RootSearch::lockstep_stop() {
 // What a long root is doing, every other second.
 void RootSearch::say(const std::string& what) {
   campaign_.say_now_and_then([&] { return "at the root: " + what; });
+}
+
+// Each round of a long root. No lower end is known while the dissipation is limited.
+void RootSearch::say_ends(std::uint64_t round, double lower, double upper) {
+  if (std::chrono::steady_clock::now() - began_ < patience) return;
+  const double unit = model().factor_unit;
+  const auto low = std::isfinite(lower) ? fmt::format("{:.6g}", lower * unit) : "unknown";
+  campaign_.say(
+      fmt::format("at the root: round {}, load factor {} ... {:.6g}", round, low, upper * unit));
 }
 
 LoadStatus RootSearch::set_up(problems::LimitModel model) {
@@ -93,13 +105,11 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
 
 RootResult RootSearch::solve(double alpha) {
   load_factor().restart();
-  const double unit = model().factor_unit;
   return solve_root(
       model(), alpha, nominal(), load_factor(),
       [this](const Eigen::VectorXd& z, std::span<const int> columns) { return price(z, columns); },
-      {.stop = lockstep_stop(), .watcher = [&](std::uint64_t round, double lower, double upper) {
-         say(fmt::format("round {}, load factor {:.6g} ... {:.6g}", round, lower * unit,
-                         upper * unit));
+      {.stop = lockstep_stop(), .watcher = [this](std::uint64_t round, double lower, double upper) {
+         say_ends(round, lower, upper);
        }});
 }
 

@@ -2,6 +2,8 @@
 // but for the pricing of cuts, which is shared.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -66,12 +68,14 @@ class RootSearch {
   support::Stop lockstep_stop();
   std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
   void say(const std::string& what);
+  void say_ends(std::uint64_t round, double lower, double upper);
 
   engine::Campaign& campaign_;
   const problems::LimitProblem& problem_;
   bool ended_ = false;    // all ranks have agreed to end
   bool sharing_ = false;  // each rank does something else just now
   std::unique_ptr<Solvers> solvers_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace kusabi::limit

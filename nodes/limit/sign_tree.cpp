@@ -59,7 +59,7 @@ SignTree::Tally SignTree::tally() const {
 
 // Nothing if the simplex method fails, or was asked to end.
 std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
-  master_.drop_cuts(root_.cuts.size());
+  master_.drop_cuts_from(root_.cuts.size());
   own_cuts_.clear();
   master_.set_basis(root_.basis);
   master_.decide(node.signs);

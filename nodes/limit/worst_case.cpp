@@ -5,6 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include "nodes/limit/pricing_order.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -24,8 +29,19 @@ constexpr double violated = 1e-9;
 /// The dissipation may be so many times that of the best collapse so far while cuts are few.
 constexpr double dissipation_share = 2;
 
+/// The loosest columns are priced first, one of so many, in whole blocks: the relaxation costs
+/// little beside them, and with their cuts most of the others are loose no longer.
+constexpr int batches = 12;
+
+/// A cut that has not mattered in so many rounds, in which all columns could have been priced
+/// twice, is dropped; it is made again should it ever.
+constexpr int idle_rounds = 2 * batches;
+
+/// A cut does not matter where it leaves so much, motions being of the order of one.
+constexpr double idle = 1e-7;
+
 /// Rounds that no instance we know comes near.
-constexpr int most_rounds = 200;
+constexpr int most_rounds = 1000;
 
 /// One run of the rounds.
 class Rounds {
@@ -37,13 +53,16 @@ class Rounds {
         load_factor_(load_factor),
         pricer_(pricer),
         control_(control),
+        order_(model),
         master_(model, alpha, control.stop) {}
 
   RootResult run(const Collapse& nominal);
 
  private:
   bool improve(const Eigen::VectorXd& motion);
-  bool price(const Eigen::VectorXd& z, const std::vector<int>& columns, const Relaxed* point);
+  bool price(const Eigen::VectorXd& z, std::span<const int> columns, const Relaxed* point);
+  bool cut_off(const Relaxed& point);
+  void drop_idle_cuts(const Relaxed& point);
   bool lift_dissipation();
   void bound_at_the_end();
   [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
@@ -54,9 +73,11 @@ class Rounds {
   LoadFactor& load_factor_;
   const Pricer& pricer_;
   const RootControl& control_;
+  PricingOrder order_;
   Master master_;
   double share_ = first_share;
   bool limited_ = true;
+  std::vector<int> idle_;  // by cut, in how many rounds at a stretch it has not mattered
   RootResult result_;
 };
 
@@ -77,17 +98,69 @@ bool Rounds::improve(const Eigen::VectorXd& motion) {
 }
 
 // Adds the cuts that the point violates, or all if there is no point yet. @return whether any
-bool Rounds::price(const Eigen::VectorXd& z, const std::vector<int>& columns,
-                   const Relaxed* point) {
+bool Rounds::price(const Eigen::VectorXd& z, std::span<const int> columns, const Relaxed* point) {
   bool any = false;
   result_.counts.pricings += columns.size();
-  for (auto& cut : pricer_(pricing_aim(z, share_), columns)) {
+  for (auto& cut : pricer_(pricing_aim(z, share_), order_.walk(columns))) {
     if (point != nullptr && point->gamma(cut.column) - cut.bound(point->z) < violated) continue;
     master_.add(cut);
     result_.cuts.push_back(std::move(cut));
+    idle_.push_back(0);
     any = true;
   }
   return any;
+}
+
+// Prices loose columns, the loosest first, until some cut is violated; if none is, with less and
+// less cost of members that do not move. @return whether any
+bool Rounds::cut_off(const Relaxed& point) {
+  const Eigen::VectorXd loose = looseness(model_, point);
+  std::vector<int> columns;
+  for (int j = 0; j < model_.uncertain_count(); ++j) {
+    if (loose(j) > violated) columns.push_back(j);
+  }
+  std::ranges::stable_sort(columns, std::greater<>(), [&](int j) { return loose(j); });
+  const auto blocks = model_.uncertain.size() / (static_cast<std::size_t>(batches) * pricing_block);
+  const auto batch = std::max<std::size_t>(1, blocks) * pricing_block;
+  while (!columns.empty()) {
+    for (std::size_t first = 0; first < columns.size(); first += batch) {
+      const auto count = std::min(batch, columns.size() - first);
+      std::vector<int> some(columns.begin() + static_cast<std::ptrdiff_t>(first),
+                            columns.begin() + static_cast<std::ptrdiff_t>(first + count));
+      std::ranges::sort(some);
+      if (price(point.z, some, &point)) return true;
+      if (stopped()) return false;
+    }
+    if (share_ == 0) return false;
+    share_ = share_ > least_share ? share_ * share_fall : 0;
+  }
+  return false;
+}
+
+// The tightest cut of a column always stays.
+void Rounds::drop_idle_cuts(const Relaxed& point) {
+  auto& cuts = result_.cuts;
+  std::vector<double> bounds;
+  Eigen::VectorXd tightest = Eigen::VectorXd::Constant(model_.uncertain_count(), linear::infinity);
+  for (const auto& cut : cuts) {
+    bounds.push_back(cut.bound(point.z));
+    tightest(cut.column) = std::min(tightest(cut.column), bounds.back());
+  }
+  std::vector<std::size_t> dropped;
+  for (std::size_t c = 0; c < cuts.size(); ++c) {
+    idle_[c] = bounds[c] - tightest(cuts[c].column) > idle ? idle_[c] + 1 : 0;
+    if (idle_[c] >= idle_rounds) {
+      dropped.push_back(c);
+      continue;
+    }
+    const auto place = c - dropped.size();
+    if (place == c) continue;
+    cuts[place] = std::move(cuts[c]);
+    idle_[place] = idle_[c];
+  }
+  cuts.resize(cuts.size() - dropped.size());
+  idle_.resize(cuts.size());
+  master_.drop_cuts(dropped);
 }
 
 // @return whether the limit pressed and is gone now
@@ -118,6 +191,7 @@ RootStatus Rounds::rounds() {
   std::vector<int> columns(model_.uncertain.size());
   for (std::size_t j = 0; j < columns.size(); ++j) columns[j] = static_cast<int>(j);
   price(z, columns, nullptr);
+  double before = -linear::infinity;
   while (result_.counts.rounds < most_rounds) {
     if (stopped()) return RootStatus::stopped;
     ++result_.counts.rounds;
@@ -132,19 +206,12 @@ RootStatus Rounds::rounds() {
     if (control_.watcher) {
       control_.watcher(result_.counts.rounds, result_.lower, result_.worst->collapse.factor);
     }
-    const Eigen::VectorXd loose = looseness(model_, point);
     const bool meet = result_.worst->collapse.factor - bound <= closed_gap;
-    columns.clear();
-    for (int j = 0; j < model_.uncertain_count(); ++j) {
-      if (loose(j) > violated) columns.push_back(j);
-    }
-    bool cut = false;
-    while (!meet && !cut && !columns.empty()) {
-      cut = price(point.z, columns, &point);
-      if (stopped()) return RootStatus::stopped;
-      if (cut || share_ == 0) break;
-      share_ = share_ > least_share ? share_ * share_fall : 0;
-    }
+    // Only where the bound has risen, so that no cut goes and comes for ever.
+    if (!meet && bound > before + closed_gap) drop_idle_cuts(point);
+    before = bound;
+    const bool cut = !meet && cut_off(point);
+    if (stopped()) return RootStatus::stopped;
     if (cut || lift_dissipation()) continue;
     return meet ? RootStatus::closed : RootStatus::open;
   }

@@ -80,7 +80,7 @@ void Relaxation::drop_last_row() {
   const int last = static_cast<int>(rows.size()) - 1;
   while (!entries.empty() && entries.back().row == last) entries.pop_back();
   rows.pop_back();
-  simplex_.drop_rows(last);
+  simplex_.drop_rows_from(last);
 }
 
 void Relaxation::matters_below(double cutoff) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -221,13 +222,21 @@ int Simplex::add_column(const LinearColumn& column, std::span<const LinearEntry>
   return index;
 }
 
-void Simplex::drop_rows(int first) {
+void Simplex::drop_rows_from(int first) {
+  std::vector<int> dropped(static_cast<std::size_t>(std::max(0, rows() - first)));
+  std::iota(dropped.begin(), dropped.end(), first);
+  drop_rows(dropped);
+}
+
+void Simplex::drop_rows(std::span<const int> dropped) {
+  if (dropped.empty()) return;
   std::vector<int> numbers{0};
-  for (int i = first; i < rows(); ++i) numbers.push_back(i + 1);
-  if (numbers.size() == 1) return;
+  for (const int row : dropped) numbers.push_back(problem_->row(row));
   problem_->call(
-      [&] { glp_del_rows(problem_->lp, static_cast<int>(numbers.size()) - 1, numbers.data()); });
-  row_empty_.resize(static_cast<std::size_t>(first));
+      [&] { glp_del_rows(problem_->lp, static_cast<int>(dropped.size()), numbers.data()); });
+  for (auto row = dropped.rbegin(); row != dropped.rend(); ++row) {
+    row_empty_.erase(row_empty_.begin() + *row);
+  }
   int basic = 0;
   for (int i = 1; i <= rows(); ++i) basic += glp_get_row_stat(problem_->lp, i) == GLP_BS ? 1 : 0;
   for (int j = 1; j <= columns(); ++j) basic += glp_get_col_stat(problem_->lp, j) == GLP_BS ? 1 : 0;

@@ -64,9 +64,12 @@ class Simplex {
   int add_row(double lower, double upper, std::span<const LinearTerm> terms);
   /// The new column lies at a bound. @return its index
   int add_column(const LinearColumn& column, std::span<const LinearEntry> entries);
-  /// Removes the rows from `first` on. If they are not all basic the basis may be lost; then the
-  /// next solve begins with the slack basis.
-  void drop_rows(int first);
+  /// Removes these rows; those behind them move up. If they are not all basic the basis may be
+  /// lost; then the next solve begins with the slack basis.
+  /// @param rows ascending
+  void drop_rows(std::span<const int> rows);
+  /// Removes the rows from `first` on.
+  void drop_rows_from(int first);
   /// Scales anew, after rows or columns were added.
   void scale();
 

@@ -384,7 +384,7 @@ TEST_F(LimitCommand, TheNominalFactorDoesNotDependOnAlpha) {
 }
 
 TEST_F(LimitCommand, AStoppedSearchSaysWhatIsNotProved) {
-  shell(command + " example grid --bays 10 --output " + argument("grid.toml"));
+  shell(command + " example grid --bays 14 --output " + argument("grid.toml"));
   const auto run = shell(command + " limit " + argument("grid.toml") +
                          " --alpha 40 --time-limit 0.2 --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 3) << run.output;

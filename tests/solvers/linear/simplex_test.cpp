@@ -4,6 +4,7 @@
 #include "solvers/linear/simplex.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -142,10 +143,29 @@ TEST(Simplex, GoesOnFromItsBasisAfterRowsAndColumnsWereAdded) {
   simplex.add_column({.cost = -10, .upper = 1}, {{{2, 0, 1}}});
   ASSERT_EQ(simplex.solve_primal(), LinearStatus::optimal);
   EXPECT_NEAR(simplex.objective(), -43, 1e-9);
-  simplex.drop_rows(3);
+  simplex.drop_rows_from(3);
   ASSERT_EQ(simplex.solve_robustly(), LinearStatus::optimal);
   // Of the 18 hours 17 are left: 3x + 2y <= 17, so x = 5/3.
   EXPECT_NEAR(simplex.objective(), -45, 1e-9);
+}
+
+TEST(Simplex, StaysAtItsOptimumWhenRowsThatDoNotPressAreDropped) {
+  Simplex simplex(window_factory());
+  simplex.add_row(-infinity, 100, {{{0, 1}, {1, 1}}});  // row 3: far away
+  simplex.add_row(-infinity, 7, {{{0, 1}, {1, 1}}});    // row 4: presses, at x = 1, y = 6
+  simplex.add_row(-infinity, 200, {{{1, 1}}});          // row 5: far away
+  ASSERT_EQ(simplex.solve_dual(), LinearStatus::optimal);
+  const auto steps = simplex.iterations();
+  simplex.drop_rows(std::array{3, 5});
+  EXPECT_EQ(simplex.rows(), 4);
+  ASSERT_EQ(simplex.solve_dual(), LinearStatus::optimal);
+  EXPECT_EQ(simplex.iterations(), steps);
+  EXPECT_NEAR(simplex.objective(), -33, 1e-9);
+  // What was row 4 is row 3 now.
+  simplex.set_row_bounds(3, -infinity, 6);
+  ASSERT_EQ(simplex.solve_dual(), LinearStatus::optimal);
+  EXPECT_NEAR(simplex.objective(), -30, 1e-9);  // x = 0, y = 6
+  EXPECT_THROW(simplex.drop_rows(std::array{4}), std::out_of_range);
 }
 
 TEST(Simplex, StopsAtACutoffOnlyWhenTheOptimumIsAboveIt) {
