@@ -1,7 +1,7 @@
 """Compares what a page shows of a command with what comes out, and writes it anew.
 
 Lines may be wrapped as the page likes. A lone … stands for any number of words. Numbers may differ by two in their last
-digit, as compilers round differently; whole numbers may not. The rows of a table of ranks, and the version, are not compared:
+digit, those of more digits by 1e-12 of their size, as compilers round differently; whole numbers may not. The rows of a table of ranks, and the version, are not compared:
 they change from run to run.
 """
 import re
@@ -38,7 +38,8 @@ def alike(one, two):
         return False
     for old, new in zip(NUMBER.findall(one), NUMBER.findall(two)):
         whole = "." not in old + new and "e" not in old + new
-        if abs(float(old) - float(new)) > (0 if whole else 2.01 * max(last_digit(old), last_digit(new))):
+        rounding = max(2.01 * last_digit(old), 2.01 * last_digit(new), 1e-12 * abs(float(old)))
+        if abs(float(old) - float(new)) > (0 if whole else rounding):
             return False
     return True
 

@@ -50,7 +50,10 @@ TEST(Help, HasAllOptionsAndTheirChoices) {
   for (const auto& entry : list.entries()) {
     auto text = help(entry);
     EXPECT_THAT(text, HasSubstr("Example: kusabi " + std::string(entry.name()) + " "));
-    for (const auto& row : entry.table.rows()) EXPECT_THAT(text, HasSubstr("\n  " + row.name));
+    for (const auto& row : entry.table.rows()) {
+      const auto letter = row.letter.empty() ? row.letter : row.letter + ", ";
+      EXPECT_THAT(text, HasSubstr("\n  " + letter + row.name));
+    }
     // Choices may be on several lines.
     std::ranges::replace(text, '\n', ' ');
     text.erase(
