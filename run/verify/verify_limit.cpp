@@ -89,6 +89,7 @@ std::string half_widths_text(const std::vector<double>& alpha) {
   std::map<double, std::size_t> loads;
   for (const double half_width : alpha) ++loads[half_width];
   std::vector<std::string> parts;
+  parts.reserve(loads.size());
   for (const auto& [half_width, count] : loads)
     parts.push_back(fmt::format("{} within +- {}", count, half_width));
   return fmt::format("uncertain loads: {}\n", fmt::join(parts, ", "));
