@@ -14,9 +14,9 @@
 namespace kusabi::rays {
 
 /// A relative displacement up to this is zero. On trusses of up to 16 rows what rounding leaves of
-/// zeros is below 1e-13 (1e-10 would be too little without extended precision), and the least of
+/// zeros is below 1e-12 (1e-9 would be too little without extended precision), and the least of
 /// the others, which falls tenfold with every row or two, above 1e-10.
-inline constexpr double zero_tolerance = 1e-12;
+inline constexpr double zero_tolerance = 1e-11;
 
 /// A relative displacement within this factor of the tolerance, to either side, is too close to
 /// say.
