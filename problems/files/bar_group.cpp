@@ -65,12 +65,7 @@ void BarKeys::refuse_both_and_half() const {
 
 double BarKeys::positive(const toml::node& node, std::string_view called,
                          std::string_view what) const {
-  const double value = reader_.number(node, called);
-  if (value < smallest_magnitude || value > largest_magnitude) {
-    reader_.fail(node, fmt::format("{} is {:g}; expected a positive {} between {:g} and {:g}",
-                                   called, value, what, smallest_magnitude, largest_magnitude));
-  }
-  return value;
+  return reader_.positive(node, called, what, smallest_magnitude, largest_magnitude);
 }
 
 // Nothing that is given is zero: that would mean that none is.

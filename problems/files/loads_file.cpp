@@ -111,13 +111,7 @@ std::vector<UncertainParameter>& uncertain_in(Structure& structure) {
 std::optional<double> half_width_in(const TomlReader& reader, const TomlTable& group) {
   const toml::node* entry = group.table->get("alpha");
   if (entry == nullptr) return {};
-  const double alpha = reader.number(*entry, "alpha");
-  if (alpha < smallest_magnitude || alpha > largest_magnitude) {
-    reader.fail(*entry, fmt::format("alpha is {:g}; expected a positive half-width between {:g} "
-                                    "and {:g}",
-                                    alpha, smallest_magnitude, largest_magnitude));
-  }
-  return alpha;
+  return reader.positive(*entry, "alpha", "half-width", smallest_magnitude, largest_magnitude);
 }
 
 // What the group is called by `key`; empty if it is not.

@@ -147,6 +147,16 @@ double TomlReader::number(const toml::node& node, std::string_view called) const
   return value;
 }
 
+double TomlReader::positive(const toml::node& node, std::string_view called, std::string_view what,
+                            double least, double most) const {
+  const double value = number(node, called);
+  if (value < least || value > most) {
+    fail(node, fmt::format("{} is {:g}; expected a positive {} between {:g} and {:g}", called,
+                           value, what, least, most));
+  }
+  return value;
+}
+
 int TomlReader::one_of(const toml::node& node, std::string_view called,
                        std::initializer_list<int> allowed) const {
   const auto value = node.is_integer() ? node.value<int>() : std::nullopt;

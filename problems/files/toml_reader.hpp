@@ -61,6 +61,9 @@ class TomlReader {
 
   /// A finite number; an integer counts as one.
   double number(const toml::node& node, std::string_view called) const;
+  /// One from `least`, above zero, to `most`. @param what it is: "area"
+  double positive(const toml::node& node, std::string_view called, std::string_view what,
+                  double least, double most) const;
   /// An integer that is one of `allowed`.
   int one_of(const toml::node& node, std::string_view called,
              std::initializer_list<int> allowed) const;

@@ -116,10 +116,9 @@ void check_uncertainty(const Structure& structure) {
       ++index;
     }
   }
-  for (const auto& load_case : load_cases(structure)) {
-    check_uncertainty(in_load_case(structure, load_case));
-  }
-  if (!load_cases(structure).empty()) return;
+  const auto cases = load_cases(structure);
+  for (const auto& load_case : cases) check_uncertainty(in_load_case(structure, load_case));
+  if (!cases.empty()) return;
   UncertaintyCheck check(structure);
   for (const auto& parameter : *structure.uncertain) {
     check.half_width(parameter);

@@ -2,12 +2,10 @@
 #include "run/limit/group_half_widths.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <system_error>
 
 #include <fmt/format.h>
 
+#include "run/output/number_in.hpp"
 #include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
@@ -18,16 +16,12 @@ std::vector<std::pair<std::string, double>> group_half_widths(const std::string&
     const auto to = std::min(text.find(',', from), text.size());
     const auto part = text.substr(from, to - from);
     const auto equals = std::min(part.rfind('='), part.size());
-    const auto digits = part.substr(std::min(equals + 1, part.size()));
-    double value = 0;
-    const auto* const end = digits.data() + digits.size();
-    const auto [stop, error] = std::from_chars(digits.data(), end, value);
-    const bool number = error == std::errc() && stop == end && std::isfinite(value) && value > 0;
-    if (equals == 0 || !number) {
+    const auto value = number_in(part.substr(std::min(equals + 1, part.size())));
+    if (equals == 0 || !value || *value <= 0) {
       throw WrongInput(fmt::format(
           "--group-alpha '{}': expected NAME=NUMBER, above 0, with commas between them", text));
     }
-    groups.emplace_back(part.substr(0, equals), value);
+    groups.emplace_back(part.substr(0, equals), *value);
     from = to + 1;
   }
   return groups;

@@ -2,27 +2,17 @@
 #include "run/sweep/sweep_points.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <functional>
-#include <optional>
 
 #include <fmt/format.h>
 
+#include "run/output/number_in.hpp"
 #include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
 namespace {
 
 constexpr std::size_t most_points = 10000;
-
-std::optional<double> number_in(const std::string& text) {
-  double value = 0;
-  const auto* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return {};
-  return value;
-}
 
 class PointsReader {
  public:
