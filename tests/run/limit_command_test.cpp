@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shell.hpp"
+#include "tests/nodes/limit/two_bars.hpp"
 
 namespace kusabi::test {
 namespace {
@@ -132,32 +133,12 @@ TEST_F(LimitCommand, RefusesWhatAWorstCaseHasWithoutOne) {
   }
 }
 
-// A level bar, which carries from -2 to 3, and an upright one, from -5 to 5, that share the
-// reference load (1, 1).
+// Two bars under loads of two cases.
 class LoadCases : public LimitCommand {
  protected:
   void SetUp() override {
     LimitCommand::SetUp();
-    std::ofstream(in_folder("cases.toml")) << R"(name = "two bars"
-dimension = 2
-units = { length = "m", force = "kN" }
-[nodes]
-left = [0, 0]
-top = [1, 1]
-tip = [1, 0]
-[[members]]
-yield = { tension = 3, compression = 2 }
-between = [["left", "tip"]]
-[[members]]
-yield = 5
-between = [["top", "tip"]]
-[[supports]]
-nodes = ["left", "top"]
-[[loads]]
-kind = "reference"
-nodes = ["tip"]
-force = [1, 1]
-[[loads]]
+    std::ofstream(in_folder("cases.toml")) << limit::two_bars(R"([[loads]]
 kind = "dead"
 case = "pull"
 nodes = ["tip"]
@@ -172,7 +153,7 @@ case = "push"
 nodes = ["tip"]
 axes = ["x"]
 alpha = 0.25
-)";
+)");
   }
   [[nodiscard]] std::string file() const { return argument("cases.toml"); }
 };

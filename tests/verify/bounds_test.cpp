@@ -228,23 +228,19 @@ TEST(BoundsOfALooseBar, NoChangeProvesWhatIsNotTrue) {
   const auto begin = text.find("bounds 3\n");
   const auto size = text.rfind("digest ") - begin;
   std::mt19937_64 generator(8);
-  const std::string likely = "0123456789abcdef-+xp \n";
   int taken_up = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    auto altered = text;
-    for (auto changes = 1 + generator() % 3; changes > 0; --changes)
-      altered[begin + generator() % size] = likely[generator() % likely.size()];
-    altered = sealed(altered);
+    const auto wrong = misspelt(text, begin, size, generator);
     try {
-      const auto certificate = read_certificate(altered, "cert");
+      const auto certificate = read_certificate(wrong, "cert");
       Proof proof(certificate);
       for (const auto& bound : certificate.bounds) {
         if (proof.take_up(bound)) continue;
         ++taken_up;
         EXPECT_TRUE(bound.side == Side::separated || (bound.most && *bound.most >= 0.5));
       }
-      const auto said = verdict(altered);
-      EXPECT_TRUE(!said.proved() || said.alive.size() + said.marginal >= 1) << altered;
+      const auto said = verdict(wrong);
+      EXPECT_TRUE(!said.proved() || said.alive.size() + said.marginal >= 1) << wrong;
     } catch (const CertificateError&) {
     }
   }
@@ -302,27 +298,23 @@ TEST(Bounds, NoChangeProvesWhatIsNotTrue) {
   const auto begin = text.find("bounds 3\n");
   const auto size = text.rfind("digest ") - begin;
   std::mt19937_64 generator(6);
-  const std::string likely = "0123456789abcdef-+xp \n";
   int taken_up = 0;
   int proved = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    auto altered = text;
-    for (auto changes = 1 + generator() % 3; changes > 0; --changes)
-      altered[begin + generator() % size] = likely[generator() % likely.size()];
-    altered = sealed(altered);
+    const auto wrong = misspelt(text, begin, size, generator);
     try {
-      const auto certificate = read_certificate(altered, "cert");
+      const auto certificate = read_certificate(wrong, "cert");
       Proof proof(certificate);
       for (const auto& bound : certificate.bounds) {
         if (proof.take_up(bound)) continue;
         ++taken_up;
-        EXPECT_TRUE(is_true(bound)) << altered;
+        EXPECT_TRUE(is_true(bound)) << wrong;
       }
-      const auto said = verdict(altered);
+      const auto said = verdict(wrong);
       if (!said.proved()) continue;
       ++proved;
       EXPECT_TRUE(said.alive.empty() || said.alive == std::set<support::IndexSet>{0b10});
-      EXPECT_GE(said.alive.size() + said.marginal, 1U) << altered;
+      EXPECT_GE(said.alive.size() + said.marginal, 1U) << wrong;
     } catch (const CertificateError& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     }

@@ -1,6 +1,7 @@
 #include "searched.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <variant>
 
 #include <fmt/format.h>
@@ -22,6 +23,16 @@ using support::IndexSet;
 std::string sealed(const std::string& text) {
   const auto body = text.substr(0, text.rfind("digest "));
   return fmt::format("{}digest {}\n", body, support::hexadecimal(support::sha1(body)));
+}
+
+std::string misspelt(std::string text, std::size_t begin, std::size_t size,
+                     std::mt19937_64& generator) {
+  constexpr std::string_view likely = "0123456789abcdef-+xp \n";
+  for (auto changes = 1 + generator() % 3; changes > 0; --changes) {
+    const char letter = likely[generator() % likely.size()];
+    text[begin + generator() % size] = letter;
+  }
+  return sealed(text);
 }
 
 std::string Draft::text() const {

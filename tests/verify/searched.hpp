@@ -1,7 +1,9 @@
 // Certificates to try: as a search writes them, and taken apart to be spoilt.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +26,11 @@ struct Draft {
 
 /// `text` up to its digest, with the right one: whatever was done to it.
 std::string sealed(const std::string& text);
+
+/// The same with one to three letters of its part from `begin`, of `size`, changed for others that
+/// may stand there, and sealed.
+std::string misspelt(std::string text, std::size_t begin, std::size_t size,
+                     std::mt19937_64& generator);
 
 /// A file of examples/.
 problems::WedgedProblem example(const std::string& name);

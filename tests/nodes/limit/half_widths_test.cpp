@@ -11,6 +11,7 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/files/structure_writer.hpp"
 #include "tests/nodes/limit/load_model.hpp"
+#include "tests/nodes/limit/two_bars.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -77,30 +78,11 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
 // and as of weights.
 TEST(HalfWidths, OfGroupsAreWhatWeightsWouldSay) {
   const auto read = [](const std::string& weight, const std::string& group) {
-    return problems::read_structure(R"(name = "two bars"
-dimension = 2
-units = { length = "m", force = "kN" }
-[nodes]
-left = [0, 0]
-top = [1, 1]
-tip = [1, 0]
-[[members]]
-yield = { tension = 3, compression = 2 }
-between = [["left", "tip"]]
-[[members]]
-yield = 5
-between = [["top", "tip"]]
-[[supports]]
-nodes = ["left", "top"]
-[[loads]]
-kind = "reference"
-nodes = ["tip"]
-force = [1, 1]
-[[uncertainty]]
+    return problems::read_structure(two_bars(R"([[uncertainty]]
 name = "across"
 forces = [{ nodes = ["tip"], force = [1, -1] }]
 )" + weight + "[[uncertainty]]\nnodes = [\"tip\"]\naxes = [\"y\"]\n" +
-                                        group,
+                                             group),
                                     "two-bars.toml");
   };
   const auto upper = [](const Structure& truss, const AskedHalfWidths& asked) {

@@ -9,6 +9,7 @@
 #include "nodes/limit/master.hpp"
 #include "problems/files/structure_file.hpp"
 #include "tests/nodes/limit/load_model.hpp"
+#include "tests/nodes/limit/two_bars.hpp"
 #include "verify/limit_proof.hpp"
 
 namespace kusabi::limit {
@@ -150,31 +151,7 @@ TEST(LoadModel, ParametersThatAreOneAddUp) {
   }
 }
 
-// A tip on a level bar, which carries from -2 to 3, and an upright one, from -5 to 5: with the
-// reference load (1, 1) and zeta (1, -1) the factor is min(3 - zeta, 5 + zeta).
-std::string two_bars(const std::string& uncertainty) {
-  return R"(name = "two bars"
-dimension = 2
-units = { length = "m", force = "kN" }
-[nodes]
-left = [0, 0]
-top = [1, 1]
-tip = [1, 0]
-[[members]]
-yield = { tension = 3, compression = 2 }
-between = [["left", "tip"]]
-[[members]]
-yield = 5
-between = [["top", "tip"]]
-[[supports]]
-nodes = ["left", "top"]
-[[loads]]
-kind = "reference"
-nodes = ["tip"]
-force = [1, 1]
-)" + uncertainty;
-}
-
+// With zeta (1, -1) the factor is min(3 - zeta, 5 + zeta).
 TEST(LoadModel, OfTwoBarsIsThatOfTheHandCalculation) {
   const auto least = [](const std::string& uncertainty, double alpha) {
     const auto truss = problems::read_structure(two_bars(uncertainty), "two-bars.toml");

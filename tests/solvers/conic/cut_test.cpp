@@ -12,6 +12,7 @@
 
 #include "solvers/conic/node_solver.hpp"
 #include "tests/solvers/conic/contact_problem.hpp"
+#include "tests/solvers/conic/cut_candidate.hpp"
 
 namespace kusabi::conic {
 namespace {
@@ -83,25 +84,12 @@ std::vector<Cut> random_cuts(const Masks& node, int m, std::mt19937_64& generato
   return cuts;
 }
 
-// A separated candidate has a gap row and no more: u_n = F_n r >= t. So a cut, divided by its
-// level, is the gap row of one more such candidate, with the cut's numbers in its row of F, and
-// enough in the diagonal that F stays definite.
 template <int D>
 ContactProblem with_candidates_for(const ContactProblem& problem, const std::vector<Cut>& cuts) {
   ContactProblem larger = problem;
   for (const Cut& cut : cuts) {
-    const Eigen::Index size = larger.compliance.rows();
-    const Eigen::Index own = Eigen::Index{D} * cut.candidate;
-    Eigen::VectorXd row = -cut.displacement * larger.compliance.col(own);
-    for (Eigen::Index k = 0; k < D * problem.candidates(); k += D) row[k] += cut.share;
-    row[own] -= cut.reaction;
-    row /= cut.level;
-    Eigen::MatrixXd whole = Eigen::MatrixXd::Identity(size + D, size + D);
-    whole.topLeftCorner(size, size) = larger.compliance;
-    whole.col(size).head(size) = row;
-    whole.row(size).head(size) = row.transpose();
-    whole(size, size) = 1 + 2 * row.dot(larger.compliance.ldlt().solve(row));
-    larger.compliance = whole;
+    larger.compliance =
+        testing::with_candidate_for<D>(cut, larger.compliance, problem.compliance.rows());
     larger.friction.push_back(1);
   }
   return larger;

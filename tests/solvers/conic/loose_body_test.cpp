@@ -9,6 +9,7 @@
 #include "solvers/conic/node_solver.hpp"
 #include "solvers/conic/plain_solver.hpp"
 #include "tests/solvers/conic/contact_problem.hpp"
+#include "tests/solvers/conic/cut_candidate.hpp"
 
 namespace kusabi::conic {
 namespace {
@@ -161,28 +162,18 @@ TEST(LooseBody, HasAPointAndMultipliersWhoseValuesMeetInSpace) {
   expect_both_sides_to_meet<3>(24, 20);
 }
 
-// A separated candidate has a gap row, u_n = F_n r + H alpha >= t, and no more. So a cut, divided
-// by its level, is that row of one more such candidate.
+// Of u_n = F_n r + H alpha a cut has both parts.
 template <int D>
 LooseProblem with_candidates_for(const LooseProblem& problem, const std::vector<Cut>& cuts) {
   LooseProblem larger = problem;
-  const Eigen::Index cones = problem.compliance.rows();
   for (const Cut& cut : cuts) {
     const Eigen::Index size = larger.compliance.rows();
-    const Eigen::Index own = Eigen::Index{D} * cut.candidate;
-    Eigen::VectorXd row = -cut.displacement * larger.compliance.col(own);
-    for (Eigen::Index k = 0; k < cones; k += D) row[k] += cut.share;
-    row[own] -= cut.reaction;
-    row /= cut.level;
-    Eigen::MatrixXd whole = Eigen::MatrixXd::Identity(size + D, size + D);
-    whole.topLeftCorner(size, size) = larger.compliance;
-    whole.col(size).head(size) = row;
-    whole.row(size).head(size) = row.transpose();
-    whole(size, size) = 1 + 2 * row.dot(larger.compliance.ldlt().solve(row));
-    larger.compliance = whole;
+    larger.compliance =
+        testing::with_candidate_for<D>(cut, larger.compliance, problem.compliance.rows());
     larger.motions.conservativeResize(size + D, Eigen::NoChange);
     larger.motions.bottomRows(D).setZero();
-    larger.motions.row(size) = -cut.displacement / cut.level * larger.motions.row(own);
+    larger.motions.row(size) =
+        -cut.displacement / cut.level * larger.motions.row(Eigen::Index{D} * cut.candidate);
     larger.friction.push_back(1);
   }
   return larger;

@@ -1,0 +1,33 @@
+// A cut as a candidate: what judges cuts by programs that have none.
+//
+// A separated candidate has a gap row, u_n >= t, and no more. So a cut, divided by its level, is
+// the gap row of one more such candidate, with the cut's numbers in its row of F, and enough in the
+// diagonal that F stays definite.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "solvers/conic/cut.hpp"
+
+namespace kusabi::conic::testing {
+
+/// F with that candidate after all others.
+/// @param cones how many rows of F are of candidates that were there before any cut, D each
+template <int D>
+Eigen::MatrixXd with_candidate_for(const Cut& cut, const Eigen::MatrixXd& compliance,
+                                   Eigen::Index cones) {
+  const Eigen::Index size = compliance.rows();
+  const Eigen::Index own = Eigen::Index{D} * cut.candidate;
+  Eigen::VectorXd row = -cut.displacement * compliance.col(own);
+  for (Eigen::Index k = 0; k < cones; k += D) row[k] += cut.share;
+  row[own] -= cut.reaction;
+  row /= cut.level;
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Identity(size + D, size + D);
+  whole.topLeftCorner(size, size) = compliance;
+  whole.col(size).head(size) = row;
+  whole.row(size).head(size) = row.transpose();
+  whole(size, size) = 1 + 2 * row.dot(compliance.ldlt().solve(row));
+  return whole;
+}
+
+}  // namespace kusabi::conic::testing
