@@ -78,6 +78,7 @@ class Bounds {
     if (motions.count() == 0) return;
     std::vector<Eigen::Index> rows;
     for (const int cone : first_cones_) rows.push_back(D * static_cast<Eigen::Index>(cone));
+    normal_motions_ = motions.at_cones(rows, Eigen::seqN(0, motions.lifting));
     motions_ = MotionBounds(motions.at_cones.template cast<double>(), motions.lifting,
                             motions.error, roots_, std::move(rows));
   }
@@ -338,8 +339,7 @@ class Bounds {
   [[nodiscard]] double balance(const NodeSets& sets, const Multipliers& y) const {
     std::vector<int> rows(sets.gap_rows.begin(), sets.gap_rows.end());
     rows.insert(rows.end(), sets.contact_rows.begin(), sets.contact_rows.end());
-    std::vector<double> forces;
-    forces.reserve(rows.size());
+    Vector load = Vector::Zero(normal_motions_.cols());
     bool all = true;
     double total = 0;
     std::vector<Real> of_cuts(sets.cuts.empty() ? 0 : first_cones_.size(), Real(0));
@@ -353,11 +353,11 @@ class Bounds {
       total += std::abs(numbers::rounded(Real(y[i])));
       const Real own =
           of_cuts.empty() ? Real(y[i]) : Real(y[i] - of_cuts[static_cast<std::size_t>(i)]);
-      forces.push_back(numbers::rounded(own));
+      load += own * normal_motions_.row(i).transpose();
     }
     for (const int j : sets.gap_rows) all = all && y[j] != Real(0);
-    return motions_.balance(rows, force_sizes(sets, y), forces, total, 2 * rounding_ + 0x1p-53,
-                            all);
+    return motions_.balance(rows, force_sizes(sets, y), load.template cast<double>(),
+                            total * motions_.noise(2 * rounding_), all);
   }
 
   /// sum_j R_j |y_j| with the sizes of `balance`.
@@ -436,6 +436,7 @@ class Bounds {
 
   double error_, rounding_;
   MotionBounds motions_;
+  Matrix normal_motions_;         // H, m rows
   Eigen::VectorXd roots_;         // R of all rows of F, rounded up
   std::vector<int> owners_;       // of each cone
   std::vector<int> first_cones_;  // of each candidate

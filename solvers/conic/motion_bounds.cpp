@@ -74,16 +74,13 @@ double MotionBounds::lift(int candidate) const {
 }
 
 double MotionBounds::balance(std::span<const int> rows, const std::vector<double>& sizes,
-                             std::span<const double> y, double total, double rounding,
-                             bool whole) const {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(lifting_);
+                             const Eigen::VectorXd& load, double noise, bool whole) const {
   Eigen::MatrixXd part(static_cast<Eigen::Index>(rows.size()), lifting_);
   for (std::size_t place = 0; place < rows.size(); ++place) {
     const auto at = first_rows_[static_cast<std::size_t>(rows[place])];
     part.row(static_cast<Eigen::Index>(place)) = sizes[place] * motions_.row(at).head(lifting_);
-    load += y[place] * motions_.row(at).head(lifting_).transpose();
   }
-  const double size = load.norm() + total * noise(rounding) * std::sqrt(double(lifting_));
+  const double size = load.norm() + noise * std::sqrt(static_cast<double>(lifting_));
   if (size == 0) return 0;
   return size * inverse_of_least(part, whole ? 0 : negligible);
 }

@@ -51,11 +51,10 @@ class MotionBounds {
   /// The share of each y_j that brings normal forces into equilibrium, if all change by at most
   /// this share; more than 1 if they cannot.
   /// @param rows candidates with a force  @param sizes by how much each may change
-  /// @param y what is to be balanced  @param total the sizes of all that y was summed of
+  /// @param load H'y, what is to be balanced  @param noise what a component may be wrong by
   /// @param whole whether no force may be left out of what can be balanced
   [[nodiscard]] double balance(std::span<const int> rows, const std::vector<double>& sizes,
-                               std::span<const double> y, double total, double rounding,
-                               bool whole) const;
+                               const Eigen::VectorXd& load, double noise, bool whole) const;
 
  private:
   Eigen::MatrixXd motions_;

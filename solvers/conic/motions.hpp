@@ -43,7 +43,45 @@ struct Motions {
   }
 };
 
-/// Combines motions by elimination with complete pivoting in the normal rows.
+/// What an elimination did.
+struct Elimination {
+  Eigen::Index pivots = 0;
+  double growth = 1;  ///< the largest sum of sizes in a column of `combination` on the way
+};
+
+/// Combines columns with complete pivoting in every stride-th row, until what is left of these rows
+/// is negligible beside the largest pivot.
+/// @param columns E, changed to E T  @param combination T, identity at first
+template <class Matrix>
+Elimination eliminate(Matrix& columns, Matrix& combination, Eigen::Index stride,
+                      double negligible) {
+  Elimination result;
+  const auto size = [&](Eigen::Index row, Eigen::Index column) {
+    return std::abs(numbers::rounded(columns(row, column)));
+  };
+  double largest = 0;
+  for (Eigen::Index& done = result.pivots; done < columns.cols(); ++done) {
+    Eigen::Index row = 0, column = done;
+    for (Eigen::Index j = done; j < columns.cols(); ++j)
+      for (Eigen::Index i = 0; i < columns.rows(); i += stride)
+        if (size(i, j) > size(row, column)) row = i, column = j;
+    if (columns.rows() == 0 || size(row, column) <= negligible * largest) break;
+    largest = std::max(largest, size(row, column));
+    columns.col(done).swap(columns.col(column));
+    combination.col(done).swap(combination.col(column));
+    for (Eigen::Index j = done + 1; j < columns.cols(); ++j) {
+      const typename Matrix::Scalar share = columns(row, j) / columns(row, done);
+      columns.col(j) -= share * columns.col(done);
+      combination.col(j) -= share * combination.col(done);
+      result.growth = std::max(
+          result.growth, combination.col(j).template cast<double>().template lpNorm<1>());
+      columns(row, j) = typename Matrix::Scalar(0);
+    }
+  }
+  return result;
+}
+
+/// Combines motions such that those without a normal part come last.
 /// @param motions G, D rows a cone; entries of at most about 1
 /// @param error what an entry may be wrong by
 template <int D, class Real>
@@ -51,30 +89,8 @@ Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double err
   const Eigen::Index p = motions.cols();
   Motions<Real> result;
   result.combination = Motions<Real>::Matrix::Identity(p, p);
-  const auto size = [&](Eigen::Index row, Eigen::Index column) {
-    return std::abs(numbers::rounded(Real(motions(row, column))));
-  };
-  double largest = 0;
-  double growth = 1;
-  for (Eigen::Index done = 0; done < p; ++done) {
-    Eigen::Index row = 0, column = done;
-    for (Eigen::Index j = done; j < p; ++j)
-      for (Eigen::Index i = 0; i < motions.rows(); i += D)
-        if (size(i, j) > size(row, column)) row = i, column = j;
-    if (motions.rows() == 0 || size(row, column) <= sliding * largest) break;
-    largest = std::max(largest, size(row, column));
-    motions.col(done).swap(motions.col(column));
-    result.combination.col(done).swap(result.combination.col(column));
-    for (Eigen::Index j = done + 1; j < p; ++j) {
-      const Real share = motions(row, j) / motions(row, done);
-      motions.col(j) -= share * motions.col(done);
-      result.combination.col(j) -= share * result.combination.col(done);
-      growth =
-          std::max(growth, result.combination.col(j).template cast<double>().template lpNorm<1>());
-      motions(row, j) = Real(0);
-    }
-    ++result.lifting;
-  }
+  const auto [lifting, growth] = eliminate(motions, result.combination, D, sliding);
+  result.lifting = static_cast<int>(lifting);
   for (Eigen::Index j = result.lifting; j < p; ++j)
     for (Eigen::Index i = 0; i < motions.rows(); i += D) motions(i, j) = Real(0);
   result.at_cones = std::move(motions);

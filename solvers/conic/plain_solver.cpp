@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 #include "solvers/conic/iteration_rules.hpp"
 
@@ -25,6 +26,15 @@ constexpr int most_iterations = 150;
 
 // See node_solver.cpp.
 constexpr double least_force = 1e-6;
+
+// The part of the largest motion that the cones of a node do not feel, up to the rounding of places
+// and directions in the file.
+constexpr double not_felt = 1e-10;
+
+// A motion that lifts this much, where displacements are of the order of one, grows without end;
+// and what it lifts by this part of its largest lift it lifts for certain.
+constexpr double runs_away = 1e4;
+constexpr double clear_lift = 1e-3;
 
 IndexSet set_of(const std::vector<int>& candidates) {
   IndexSet set;
@@ -74,46 +84,91 @@ void PlainSolver<D, Real>::select(const IndexSet& contact, const IndexSet& separ
     if (ignored.contains(candidate)) continue;
     const bool touches = contact.contains(candidate);
     (touches ? contact_rows_ : gap_rows_).push_back(candidate);
-    rows_.push_back(candidate);
-    slack_.push_back(!touches);
+    if (!lifted_.contains(candidate)) {
+      rows_.push_back(candidate);
+      slack_.push_back(!touches);
+    }
     if (separated.contains(candidate)) continue;
     cones_.push_back(candidate);
     omega_ += friction_[i] == 0 ? Real(1) : Real(1) / Real(friction_[i]);
   }
   motion_cost_ = bounds_.motion_cost(sets());
-  const auto own_rows = static_cast<Eigen::Index>(rows_.size());
-  for (int l = 0; l < motions_.count(); ++l) {
-    rows_.push_back(static_cast<int>(friction_.size()) + l);
-    slack_.push_back(false);
-  }
-  const auto rows = static_cast<Eigen::Index>(rows_.size());
-  free_columns_ = Matrix::Zero(rows, motions_.lifting);
-  for (Eigen::Index i = 0; motions_.lifting > 0 && i < own_rows; ++i)
-    free_columns_.row(i) =
-        motions_.at_cones.row(D * rows_[static_cast<std::size_t>(i)]).head(motions_.lifting);
+  choose_motions();
+  choose_equations();
+  slack_.insert(slack_.end(), static_cast<std::size_t>(equations_.cols()), false);
+  const auto rows = static_cast<Eigen::Index>(slack_.size());
+  free_columns_ = Matrix::Zero(rows, free_motions_.cols());
+  free_columns_.topRows(static_cast<Eigen::Index>(rows_.size())) =
+      normal_motions(rows_) * free_motions_;
   right_side_ = Vector::Zero(rows);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const int row = rows_[static_cast<std::size_t>(i)];
-    for (const int k : cones_) {
-      const double mu = friction_[static_cast<std::size_t>(k)];
-      const Real entry = normal_compliance_(row, D * k);
-      right_side_[i] += mu == 0 ? entry : Real(entry / Real(mu));
-    }
-    if (slack_[static_cast<std::size_t>(i)]) right_side_[i] -= Real(1);
-    right_side_[i] /= -omega_;
-  }
   columns_.resize(cones_.size());
   for (std::size_t c = 0; c < cones_.size(); ++c) {
     const int k = cones_[c];
+    const double mu = friction_[static_cast<std::size_t>(k)];
     columns_[c].resize(rows, D);
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      const int row = rows_[static_cast<std::size_t>(i)];
-      columns_[c](i, 0) = normal_compliance_(row, D * k) + right_side_[i];
-      for (int d = 1; d < D; ++d)
-        columns_[c](i, d) =
-            Real(friction_[static_cast<std::size_t>(k)]) * normal_compliance_(row, D * k + d);
+    for (int d = 0; d < D; ++d) {
+      columns_[c].col(d) = by_rows(normal_compliance_.col(D * k + d));
+      if (d > 0) columns_[c].col(d) *= Real(mu);
     }
+    right_side_ += mu == 0 ? Vector(columns_[c].col(0)) : Vector(columns_[c].col(0) / Real(mu));
   }
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    if (slack_[static_cast<std::size_t>(i)]) right_side_[i] -= Real(1);
+    right_side_[i] /= -omega_;
+  }
+  for (Matrix& column : columns_) column.col(0) += right_side_;
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::normal_motions(const std::vector<int>& candidates) const -> Matrix {
+  Matrix normal(static_cast<Eigen::Index>(candidates.size()), motions_.lifting);
+  // Of a held body there are no rows of motions.
+  for (Eigen::Index i = 0; motions_.lifting > 0 && i < normal.rows(); ++i)
+    normal.row(i) =
+        motions_.at_cones.row(D * candidates[static_cast<std::size_t>(i)]).head(motions_.lifting);
+  return normal;
+}
+
+// What is left of a motion that the rows do not see would be a column of zeros.
+template <int D, class Real>
+void PlainSolver<D, Real>::choose_motions() {
+  Matrix seen = normal_motions(rows_);
+  Matrix combination = Matrix::Identity(seen.cols(), seen.cols());
+  const Eigen::Index independent = eliminate(seen, combination, 1, not_felt).pivots;
+  free_motions_ = combination.leftCols(independent);
+}
+
+// Few cones feel few motions: the others would be equations 0 = 0, whose multipliers drift.
+template <int D, class Real>
+void PlainSolver<D, Real>::choose_equations() {
+  const Eigen::Index p = motions_.count();
+  Matrix felt(D * static_cast<Eigen::Index>(cones_.size()), p);
+  for (std::size_t c = 0; p > 0 && c < cones_.size(); ++c) {
+    const auto row = D * static_cast<Eigen::Index>(c);
+    felt.template middleRows<D>(row) = motions_.at_cones.template middleRows<D>(D * cones_[c]);
+    felt.template middleRows<D - 1>(row + 1) *=
+        Real(friction_[static_cast<std::size_t>(cones_[c])]);
+  }
+  Matrix combination = Matrix::Identity(p, p);
+  const Eigen::Index independent = eliminate(felt, combination, 1, not_felt).pivots;
+  equations_ = combination.leftCols(independent);
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::by_rows(const Vector& all) const -> Vector {
+  const auto own = static_cast<Eigen::Index>(rows_.size());
+  Vector rows(own + equations_.cols());
+  for (Eigen::Index i = 0; i < own; ++i) rows[i] = all[rows_[static_cast<std::size_t>(i)]];
+  rows.tail(equations_.cols()) = equations_.transpose() * all.tail(equations_.rows());
+  return rows;
+}
+
+template <int D, class Real>
+auto PlainSolver<D, Real>::multipliers_of_all() const -> Vector {
+  Vector all = Vector::Zero(normal_compliance_.rows());
+  for (std::size_t i = 0; i < rows_.size(); ++i) all[rows_[i]] = y_[static_cast<Eigen::Index>(i)];
+  all.tail(equations_.rows()) = equations_ * y_.tail(equations_.cols());
+  return all;
 }
 
 template <int D, class Real>
@@ -155,14 +210,14 @@ bool PlainSolver<D, Real>::refresh_dual(const Vector& y) {
     for (std::size_t d = 1; d < D; ++d) z_[c][d] = -product[d];
     inside = inside && margin(z_[c]) > Real(0);
   }
-  for (std::size_t i = 0; i < rows_.size(); ++i)
+  for (std::size_t i = 0; i < slack_.size(); ++i)
     inside = inside && (!slack_[i] || y[static_cast<Eigen::Index>(i)] > Real(0));
   return inside;
 }
 
 template <int D, class Real>
-Answer PlainSolver<D, Real>::start() {
-  const auto rows = static_cast<Eigen::Index>(rows_.size());
+void PlainSolver<D, Real>::start() {
+  const auto rows = static_cast<Eigen::Index>(slack_.size());
   const auto count = static_cast<double>(cones_.size());
   y_ = Vector::Zero(rows);
   v_ = Vector::Zero(rows);
@@ -184,12 +239,17 @@ Answer PlainSolver<D, Real>::start() {
   x_.assign(cones_.size(), centre);
   z_.assign(cones_.size(), centre);
   scaling_.resize(cones_.size());
-  best_ = y_;
   best_value_ = Real(infinity);
+  projected_motion_ = Vector::Zero(free_motions_.cols());
   refresh_dual(y_);
+}
+
+template <int D, class Real>
+Answer PlainSolver<D, Real>::nothing_known() {
   reaction_.setZero();
   motion_.setZero();
   multipliers_.setZero();
+  lifted_ = {};
   Answer answer;
   answer.lower = -infinity;
   answer.upper = infinity;
@@ -198,7 +258,7 @@ Answer PlainSolver<D, Real>::start() {
 
 template <int D, class Real>
 bool PlainSolver<D, Real>::factorise() {
-  const auto rows = static_cast<Eigen::Index>(rows_.size());
+  const auto rows = static_cast<Eigen::Index>(slack_.size());
   Matrix scaled(rows, D * static_cast<Eigen::Index>(cones_.size()));
   Real widest = 0;
   complementarity_ = Real(0);
@@ -218,7 +278,8 @@ bool PlainSolver<D, Real>::factorise() {
   Matrix normal = scaled * scaled.transpose();
   w_ = Vector::Zero(rows);
   lambda_ = Vector::Ones(rows);
-  const Real shift = Real(4 * numbers::unit_roundoff<Real>);
+  // What rounding may take from a row that depends on the others (Higham, theorem 10.3).
+  const Real shift = Real(4 * static_cast<double>(rows) * numbers::unit_roundoff<Real>);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const Real b = right_side_[i];
     normal(i, i) += shift * (normal(i, i) + widest * widest * b * b);
@@ -229,7 +290,7 @@ bool PlainSolver<D, Real>::factorise() {
     normal(i, i) += v_[i] / y_[i];
   }
   Real weight = 0;  // see InteriorPoint::hold_motions
-  if (motions_.lifting > 0) {
+  if (free_motions_.cols() > 0) {
     for (Eigen::Index i = 0; i < rows; ++i) weight += normal(i, i) - w_[i] * w_[i];
     weight /= free_columns_.squaredNorm();
     normal += weight * (free_columns_ * free_columns_.transpose());
@@ -239,16 +300,16 @@ bool PlainSolver<D, Real>::factorise() {
   factor_ = factor.matrixL();
   primal_residual_ = right_side_ + v_ - products(x_);
   Vector target = right_side_;
-  if (motions_.lifting > 0) target -= weight * (free_columns_ * (free_columns_.transpose() * y_));
+  if (free_motions_.cols() > 0) target -= weight * (free_columns_ * (free_columns_.transpose() * y_));
   predictor_ = solved(target);
   correction_ = solved(primal_residual_);
-  if (motions_.lifting > 0 && !free_motions()) return false;
+  if (free_motions_.cols() > 0 && !solve_for_motions()) return false;
   const Real check = predictor_.dot(right_side_) + correction_.dot(primal_residual_);
   return std::isfinite(numbers::rounded(check));
 }
 
 template <int D, class Real>
-bool PlainSolver<D, Real>::free_motions() {
+bool PlainSolver<D, Real>::solve_for_motions() {
   moved_ = free_columns_;
   for (Eigen::Index l = 0; l < moved_.cols(); ++l) moved_.col(l) = solved(moved_.col(l));
   schur_.compute(free_columns_.transpose() * moved_);
@@ -332,7 +393,7 @@ auto PlainSolver<D, Real>::direction(const Vector& dy, const std::vector<Cone>& 
 
 template <int D, class Real>
 bool PlainSolver<D, Real>::advance() {
-  const auto rows = static_cast<Eigen::Index>(rows_.size());
+  const auto rows = static_cast<Eigen::Index>(slack_.size());
   Cone nothing;
   nothing.fill(Real(0));
   const Step predicted =
@@ -343,7 +404,8 @@ bool PlainSolver<D, Real>::advance() {
   const Real affine_length = Real(1) / most;
   const Real rest = Real(1) - affine_length;
   const Real sigma = rest * rest * rest;
-  const auto degree = static_cast<double>(cones_.size() + gap_rows_.size());
+  const auto slacks = std::count(slack_.begin(), slack_.end(), true);
+  const auto degree = static_cast<double>(cones_.size()) + static_cast<double>(slacks);
   const Real sigma_mu = sigma * complementarity_ / Real(degree);
 
   std::vector<Cone> q(cones_.size());
@@ -363,7 +425,7 @@ bool PlainSolver<D, Real>::advance() {
     right[i] -= w_[i] * q_rows[i];
   }
   Vector rest_of_centring = solved(right);
-  if (motions_.lifting > 0) balance(rest_of_centring);
+  if (free_motions_.cols() > 0) balance(rest_of_centring);
   const Vector dy = predictor_ - rest_of_centring - sigma * correction_;
   const Step corrected = direction(dy, q, q_rows);
   const Real share(boundary_fraction);
@@ -401,8 +463,7 @@ void PlainSolver<D, Real>::prove_upper(Answer& answer) {
   const Real value = level(right_side_.dot(y_));
   if (!(value < best_value_)) return;
   best_value_ = value;
-  Vector y = Vector::Zero(normal_compliance_.rows());
-  for (std::size_t i = 0; i < rows_.size(); ++i) y[rows_[i]] = y_[static_cast<Eigen::Index>(i)];
+  const Vector y = multipliers_of_all();
   const Vector pull = normal_compliance_.transpose() * y;
   const double upper = bounds_.above(sets(), friction_, y, pull);
   if (upper < answer.upper) {
@@ -415,8 +476,7 @@ void PlainSolver<D, Real>::prove_upper(Answer& answer) {
 template <int D, class Real>
 void PlainSolver<D, Real>::prove_upper_loose(Answer& answer) {
   const auto m = static_cast<Eigen::Index>(friction_.size());
-  Vector y = Vector::Zero(normal_compliance_.rows());
-  for (std::size_t i = 0; i < rows_.size(); ++i) y[rows_[i]] = y_[static_cast<Eigen::Index>(i)];
+  const Vector y = multipliers_of_all();
   const double largest = numbers::rounded(Real(y.head(m).cwiseAbs().maxCoeff()));
   for (const double least : {0.0, least_force * largest, infinity}) {
     Vector forces = y;
@@ -432,12 +492,86 @@ void PlainSolver<D, Real>::prove_upper_loose(Answer& answer) {
   }
 }
 
+// Where the equations alone exclude sum r_n = 1, M is singular, and the motions cannot be solved
+// for. Then some multipliers of the equations have w = -e_n.
+template <int D, class Real>
+void PlainSolver<D, Real>::prove_contradiction(Answer& answer) {
+  const auto width = D * static_cast<Eigen::Index>(cones_.size());
+  std::vector<Eigen::Index> equations;
+  for (std::size_t i = 0; i < slack_.size(); ++i)
+    if (!slack_[i]) equations.push_back(static_cast<Eigen::Index>(i));
+  Eigen::MatrixXd pulls(width + free_columns_.cols(), static_cast<Eigen::Index>(equations.size()));
+  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(pulls.rows());
+  for (std::size_t c = 0; c < cones_.size(); ++c) {
+    const auto at = D * static_cast<Eigen::Index>(c);
+    wanted[at] = -1;
+    for (int d = 0; d < D; ++d)
+      pulls.row(at + d) =
+          by_rows(normal_compliance_.col(D * cones_[c] + d))(equations).template cast<double>();
+  }
+  pulls.bottomRows(free_columns_.cols()) =
+      free_columns_(equations, Eigen::all).transpose().template cast<double>();
+  y_.setZero();
+  y_(equations) = pulls.completeOrthogonalDecomposition().solve(wanted).template cast<Real>();
+  best_value_ = Real(infinity);
+  prove_upper(answer);
+}
+
+// Candidates without a row are lifted as far as t can be at most.
+template <int D, class Real>
+auto PlainSolver<D, Real>::lifting_motion(const Vector& r, Vector motion) const -> Vector {
+  if (lifted_.empty()) return motion;
+  const Vector normal = normal_displacements(r, motion);
+  const Vector lifts = normal_displacements(Vector::Zero(r.size()), lift_);
+  Real times = 0;
+  for (const int j : lifted_) {
+    const Real wanted = (Real(1) / omega_ - normal[j]) / lifts[j];
+    if (wanted > times) times = wanted;
+  }
+  return motion + times * lift_;
+}
+
+template <int D, class Real>
+bool PlainSolver<D, Real>::lift_off() {
+  if (free_motions_.cols() == 0) return false;
+  const Vector motion = free_motions_ * projected_motion_;
+  const Vector lifts = normal_displacements(Vector::Zero(compliance_.rows()), motion);
+  double largest = 0;
+  for (const int i : rows_) largest = std::max(largest, std::abs(numbers::rounded(Real(lifts[i]))));
+  if (!(largest > runs_away)) return false;
+  std::vector<int> held;
+  IndexSet lifted;
+  for (const int i : rows_) {
+    const bool leaves =
+        !contact_.contains(i) && numbers::rounded(Real(lifts[i])) > clear_lift * largest;
+    if (leaves)
+      lifted.insert(i);
+    else
+      held.push_back(i);
+  }
+  Matrix seen = normal_motions(held);
+  Matrix combination = Matrix::Identity(seen.cols(), seen.cols());
+  const Eigen::Index fixed = eliminate(seen, combination, 1, not_felt).pivots;
+  const Matrix unseen = combination.rightCols(combination.cols() - fixed);
+  if (lifted.empty() || unseen.cols() == 0) return false;
+  const Matrix squares = unseen.transpose() * unseen;
+  Vector lift = unseen * squares.llt().solve(unseen.transpose() * motion);
+  lift /= Real(largest);
+  const Vector of_lift = normal_displacements(Vector::Zero(compliance_.rows()), lift);
+  for (const int j : lifted)
+    if (!(numbers::rounded(Real(of_lift[j])) > clear_lift / 2)) return false;
+  lift_ = lifted_.empty() ? lift : Vector(lift_ + lift);
+  lifted_ |= lifted;
+  return true;
+}
+
 template <int D, class Real>
 void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
   std::vector<Cone> x = shifted(x_, correction_);
-  Vector motion = motions_.lifting > 0 ? projected_motion_ : Vector();
+  Vector share = projected_motion_;
   for (int projection = 1;; ++projection) {
     const Vector r = reaction_of(x);
+    const Vector motion = lifting_motion(r, free_motions_ * share);
     const Vector normal = normal_displacements(r, motion);
     const auto proof = bounds_.below(sets(), friction_, r, normal, motion, motion_cost_);
     if (keep == Keep::latest || proof.level > answer.lower || !answer.has_point) {
@@ -450,11 +584,11 @@ void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
       answer.has_point = true;
     }
     if (projection == most_projections || proof.residual <= 4 * proof.noise) return;
-    Vector right = Vector::Zero(right_side_.size());
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-      if (!slack_[i]) right[static_cast<Eigen::Index>(i)] = -normal[rows_[i]];
+    Vector right = -by_rows(normal);
+    for (std::size_t i = 0; i < slack_.size(); ++i)
+      if (slack_[i]) right[static_cast<Eigen::Index>(i)] = Real(0);
     Vector weights = solved(right);
-    if (motions_.lifting > 0) motion += balance(weights);
+    if (free_motions_.cols() > 0) share += balance(weights);
     x = shifted(x, weights);
   }
 }
@@ -462,16 +596,22 @@ void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
 template <int D, class Real>
 Answer PlainSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& separated,
                                    StopEarly stop, const IndexSet& ignored) {
-  select(contact, separated, ignored);
-  Answer answer = start();
-  for (;;) {
-    prove_upper(answer);
-    if (is_settled(answer, stop, tolerances_) || answer.iterations == most_iterations) break;
-    ++answer.iterations;
-    if (!factorise()) break;
-    prove_lower(answer, Keep::best);
-    if (is_settled(answer, stop, tolerances_) || !advance()) break;
-  }
+  Answer answer = nothing_known();
+  do {
+    select(contact, separated, ignored);
+    start();
+    for (int iteration = 0;; ++iteration) {
+      prove_upper(answer);
+      if (is_settled(answer, stop, tolerances_) || iteration == most_iterations) break;
+      ++answer.iterations;
+      if (!factorise()) {
+        prove_contradiction(answer);
+        break;
+      }
+      prove_lower(answer, Keep::best);
+      if (is_settled(answer, stop, tolerances_) || !advance()) break;
+    }
+  } while (!is_settled(answer, stop, tolerances_) && lift_off());
   answer.sign = sign_of(answer, tolerances_);
   answer.gap = answer.upper - answer.lower;
   return answer;
@@ -536,21 +676,25 @@ template <int D, class Real>
 std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(const IndexSet& contact,
                                                                         const IndexSet& separated,
                                                                         const IndexSet& ignored) {
-  select(contact, separated, ignored);
-  if (cones_.empty()) return std::nullopt;
-  Answer answer = start();
+  Answer answer = nothing_known();
   std::vector<Snapshot> path;
-  for (;;) {
-    prove_upper(answer);
-    if (answer.iterations == most_iterations) break;
-    ++answer.iterations;
-    if (!factorise()) break;
-    prove_lower(answer, Keep::latest);
-    // The bracket of the iteration itself, without what rounding adds to the bounds.
-    path.push_back({numbers::rounded(Real(complementarity_ / omega_)), {}, reaction_});
-    take_sizes(path.back().sizes);
-    if (path.back().width <= deep.closes || !advance()) break;
-  }
+  do {
+    select(contact, separated, ignored);
+    if (cones_.empty()) return std::nullopt;
+    start();
+    path.clear();
+    for (int iteration = 0;; ++iteration) {
+      prove_upper(answer);
+      if (iteration == most_iterations) break;
+      ++answer.iterations;
+      if (!factorise()) break;
+      prove_lower(answer, Keep::latest);
+      // The bracket of the iteration itself, without what rounding adds to the bounds.
+      path.push_back({numbers::rounded(Real(complementarity_ / omega_)), {}, reaction_, motion_});
+      take_sizes(path.back().sizes);
+      if (path.back().width <= deep.closes || !advance()) break;
+    }
+  } while (lift_off());
   if (!is_tie(answer, tolerances_)) return std::nullopt;
   // Proved dead, and by more than the rounding of what the file says: X is empty.
   if (answer.upper < 0 && violation() > 10 * file_rounding) return RelativeInterior{};
@@ -589,6 +733,7 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(const In
     }
     if (!clear) continue;
     reaction_ = closed->reaction;
+    motion_ = closed->motion;
     return result;
   }
   return std::nullopt;

@@ -76,7 +76,13 @@ class PlainSolver {
 
   void select(const support::IndexSet& contact, const support::IndexSet& separated,
               const support::IndexSet& ignored);
-  Answer start();
+  Matrix normal_motions(const std::vector<int>& candidates) const;  // H of these
+  void choose_motions();
+  void choose_equations();
+  Vector by_rows(const Vector& all) const;  // of m + p numbers, those of the rows of A
+  Vector multipliers_of_all() const;        // y, m + p numbers
+  void start();
+  Answer nothing_known();
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_}; }
   Real level(const Real& value) const { return (Real(1) - value) / omega_; }
   Vector reaction_of(const std::vector<Cone>& x) const;
@@ -84,7 +90,7 @@ class PlainSolver {
   bool refresh_dual(const Vector& y);
   bool factorise();
   Vector solved(Vector right_side) const;  // M^-1 right_side
-  bool free_motions();
+  bool solve_for_motions();
   Vector balance(Vector& solution) const;  // see InteriorPoint
   Vector normal_displacements(const Vector& r, const Vector& motion) const;
   Vector products(const std::vector<Cone>& points) const;    // A x
@@ -101,14 +107,19 @@ class PlainSolver {
   /// iteration.
   enum class Keep { best, latest };
   void prove_lower(Answer& answer, Keep keep);
+  /// Whether the motion of the last iterate runs away because it lifts candidates that nothing
+  /// presses back. These have no row from the next select() on: u_nj >= t says nothing of them.
+  bool lift_off();
+  Vector lifting_motion(const Vector& r, Vector motion) const;
   void prove_upper(Answer& answer);
   void prove_upper_loose(Answer& answer);
+  void prove_contradiction(Answer& answer);
   void take_sizes(std::vector<double>& sizes) const;
   /// An iterate on the way to a tie.
   struct Snapshot {
     double width;               // of the bracket
     std::vector<double> sizes;  // see take_sizes
-    Vector reaction;
+    Vector reaction, motion;
   };
   double violation() const;
   double reaction_size() const;  // Q of docs/theory/wedged.md
@@ -124,24 +135,27 @@ class PlainSolver {
   // The node.
   support::IndexSet contact_;
   std::vector<int> cones_, gap_rows_, contact_rows_;
-  std::vector<int> rows_;        // the candidates with a row, then m, ..., m + p - 1
-  std::vector<bool> slack_;      // of rows_: whether it has one
+  support::IndexSet lifted_;     // gap rows that A is without
+  Vector lift_;                  // a motion that lifts these and moves no row of A
+  std::vector<int> rows_;        // the candidates with a row: the first rows of A
+  Matrix equations_;             // T, p x p': the others are T'G'r = 0
+  std::vector<bool> slack_;      // of all rows: whether it has one
   std::vector<Matrix> columns_;  // of A: rows x D for each cone
-  Matrix free_columns_;          // H, by rows_
+  Matrix free_motions_;          // a basis of those that these rows see, by columns
+  Matrix free_columns_;          // H times this basis, by rows
   typename Bounds<D, Real>::MotionCost motion_cost_;
   Vector right_side_;  // b
   Real omega_ = 0;     // sigma
 
   // The iterate.
   std::vector<Cone> x_, z_;
-  Vector v_, y_;  // by rows_
-  Vector best_;   // of y
+  Vector v_, y_;  // by rows
   Real best_value_ = 0;
   std::vector<Scaling<D, Real>> scaling_;
   Vector w_, lambda_;              // of the rows: sqrt(v / y) and sqrt(v y)
   Vector primal_residual_;         // b - A x + v
   Vector predictor_, correction_;  // M^-1 of b and of the residual
-  Vector projected_motion_;        // alpha that goes with correction_
+  Vector projected_motion_;        // in this basis, what goes with correction_
   Matrix factor_;                  // of M, lower triangle
   Matrix moved_;                   // M^-1 H
   Eigen::LLT<Matrix> schur_;       // of H'M^-1 H
