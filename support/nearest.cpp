@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numeric>
 
+#include "support/input_error.hpp"
+
 namespace kusabi::support {
 namespace {
 
@@ -46,6 +48,11 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
     found = candidate;
   }
   return found;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& words) {
+  const std::string_view meant = nearest(word, words);
+  return meant.empty() ? "" : "; did you mean " + in_quotes(meant) + "?";
 }
 
 }  // namespace kusabi::support

@@ -1,6 +1,7 @@
 // What somebody probably meant who has written a name that does not exist.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,5 +11,8 @@ namespace kusabi::support {
 /// letters inserted, left out, replaced or swapped with the next, and fewer than half of the word;
 /// empty if none is near.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& words);
+
+/// The end of a message about `word`: "; did you mean ...?", empty if none is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& words);
 
 }  // namespace kusabi::support

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "problems/files/bar_group.hpp"
+#include "support/nearest.hpp"
 
 namespace kusabi::problems {
 namespace {
@@ -82,15 +83,23 @@ std::vector<GroupMaterial> read_materials(const ProblemDraft& draft) {
   return materials;
 }
 
-void require_all_found(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials) {
+void require_all_found(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials,
+                       const std::vector<std::string>& element_groups) {
+  const auto instead = [&](const std::string& name) -> std::string {
+    auto meant = support::did_you_mean(name, {element_groups.begin(), element_groups.end()});
+    if (!meant.empty()) return meant;
+    if (element_groups.empty()) return "; no mesh has any";
+    return fmt::format("; there are {}", names_of_groups(element_groups, ", "));
+  };
   for (const GroupMaterial& material : materials) {
     for (std::size_t i = 0; i < material.groups.size(); ++i) {
       if (material.found[i]) continue;
       draft.reader().fail(
           material.groups[i].position,
           fmt::format("no mesh has a group {} with elements; expected MESH.GROUP, the names of a "
-                      "mesh from a file and of a group in it",
-                      support::in_quotes(material.groups[i].text)));
+                      "mesh from a file and of a group in it{}",
+                      support::in_quotes(material.groups[i].text),
+                      instead(material.groups[i].text)));
     }
   }
 }

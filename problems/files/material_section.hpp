@@ -30,7 +30,9 @@ GroupMaterial body_material(const ProblemDraft& draft, const TomlTable& table);
 /// All of [[material]].
 std::vector<GroupMaterial> read_materials(const ProblemDraft& draft);
 
+/// @param element_groups those that meshes have
 /// @throws InputError at the first group that no mesh has
-void require_all_found(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials);
+void require_all_found(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials,
+                       const std::vector<std::string>& element_groups);
 
 }  // namespace kusabi::problems

@@ -99,6 +99,8 @@ void MeshFileSection::head(const TomlTable& group) {
 
 void MeshFileSection::read() {
   uses_ = mesh_uses(draft_, mesh_, name_.text, plan_.materials);
+  for (const MeshGroup& group : mesh_.groups)
+    if (!group.elements.empty()) plan_.element_groups.push_back(name_.text + "." + group.name);
   first_element_ = static_cast<int>(structure().elements.size());
   add_nodes();
   add_elements();

@@ -12,6 +12,7 @@ namespace kusabi::problems {
 /// What all meshes of a problem file have in common.
 struct MeshPlan {
   std::vector<GroupMaterial> materials;
+  std::vector<std::string> element_groups{};  ///< of the meshes so far, as the file calls them
   std::set<int> apart;       ///< nodes of meshes with join = false: no other mesh is joined to them
   std::vector<bool> joined;  ///< one an element: whether its mesh is joined to others
 };

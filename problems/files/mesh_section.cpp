@@ -147,7 +147,7 @@ void read_meshes(ProblemDraft& draft) {
   const toml::node* section = draft.section("mesh");
   if (section == nullptr) return;
   Edges edges;
-  MeshPlan plan{read_materials(draft), {}, {}};
+  MeshPlan plan{.materials = read_materials(draft), .apart = {}, .joined = {}};
   for (const TomlTable& group : draft.reader().groups(*section, "mesh")) {
     if (group.table->contains("file")) {
       read_mesh_of_file(draft, group, plan);
@@ -155,7 +155,7 @@ void read_meshes(ProblemDraft& draft) {
       structured_mesh(draft, group, edges, plan);
     }
   }
-  require_all_found(draft, plan.materials);
+  require_all_found(draft, plan.materials, plan.element_groups);
 }
 
 }  // namespace kusabi::problems

@@ -20,6 +20,14 @@ constexpr std::size_t most_groups_told = 12;
 
 }  // namespace
 
+std::string names_of_groups(std::vector<std::string> groups, std::string_view between) {
+  for (std::string& group : groups) group = support::in_quotes(group);
+  const std::size_t left_out = groups.size() - std::min(groups.size(), most_groups_told);
+  groups.resize(groups.size() - left_out);
+  const std::string more = left_out == 0 ? "" : fmt::format(" and {} more", left_out);
+  return fmt::format("{}{}", fmt::join(groups, between), more);
+}
+
 ProblemDraft::ProblemDraft(std::string_view text, const std::string& file, MeshTexts meshes)
     : reader_(text, file), meshes_(std::move(meshes)) {
   structure_.sources.file = file;
@@ -79,8 +87,7 @@ int ProblemDraft::node(const TomlText& name) const {
 std::string ProblemDraft::names_instead(const std::string& name) const {
   std::vector<std::string_view> names(structure_.node_names.begin(), structure_.node_names.end());
   for (const auto& [group, nodes] : groups_) names.emplace_back(group);
-  const std::string_view meant = support::nearest(name, names);
-  if (!meant.empty()) return fmt::format("; did you mean {}?", support::in_quotes(meant));
+  if (auto meant = support::did_you_mean(name, names); !meant.empty()) return meant;
   // A group called as in its mesh file, without the name of the mesh; or an unknown one of a mesh.
   const auto dot = name.find('.');
   const bool bare = dot == std::string::npos;
@@ -88,14 +95,11 @@ std::string ProblemDraft::names_instead(const std::string& name) const {
   for (const auto& [group, nodes] : groups_) {
     const bool likely =
         bare ? group.ends_with("." + name) : group.starts_with(name.substr(0, dot + 1));
-    if (likely) groups.push_back(support::in_quotes(group));
+    if (likely) groups.push_back(group);
   }
   if (groups.empty()) return "";
-  const std::size_t left_out = groups.size() - std::min(groups.size(), most_groups_told);
-  groups.resize(groups.size() - left_out);
-  const std::string more = left_out == 0 ? "" : fmt::format(" and {} more", left_out);
-  return bare ? fmt::format("; did you mean {}{}?", fmt::join(groups, " or "), more)
-              : fmt::format("; its mesh has {}{}", fmt::join(groups, ", "), more);
+  return bare ? fmt::format("; did you mean {}?", names_of_groups(groups, " or "))
+              : fmt::format("; its mesh has {}", names_of_groups(groups, ", "));
 }
 
 std::vector<int> ProblemDraft::nodes_named(const TomlText& name) const {

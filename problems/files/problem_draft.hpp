@@ -102,4 +102,7 @@ class ProblemDraft {
   std::map<int, support::SourcePosition> supported_;
 };
 
+/// For messages: the first dozen of them in quotes, and how many more there are.
+std::string names_of_groups(std::vector<std::string> groups, std::string_view between);
+
 }  // namespace kusabi::problems

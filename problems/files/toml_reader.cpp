@@ -73,8 +73,7 @@ void TomlReader::allow_only(const TomlTable& table,
     std::string message =
         fmt::format("unknown key {} in {}; expected one of {}", support::in_quotes(entry.key),
                     table.called, fmt::join(allowed, ", "));
-    const std::string_view meant = support::nearest(entry.key, allowed);
-    if (!meant.empty()) message += fmt::format("; did you mean \"{}\"?", meant);
+    message += support::did_you_mean(entry.key, allowed);
     fail(entry.key_position, message);
   }
 }

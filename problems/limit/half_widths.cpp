@@ -36,8 +36,7 @@ std::string names_instead(const std::vector<Settled>& columns, const std::string
       if (!known->empty()) names.emplace_back(*known);
     }
   }
-  const auto meant = support::nearest(name, names);
-  return meant.empty() ? "" : fmt::format("; did you mean {}?", support::in_quotes(meant));
+  return support::did_you_mean(name, names);
 }
 
 void settle_group(std::vector<Settled>& columns, const std::string& name, double half_width) {

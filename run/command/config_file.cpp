@@ -61,8 +61,7 @@ support::SourcePosition position_of(const toml::key& key) {
                           const std::vector<std::string_view>& names) {
   auto message = fmt::format("unknown {} {}; expected one of {}", what,
                              support::in_quotes(key.str()), fmt::join(names, ", "));
-  if (const auto meant = support::nearest(key.str(), names); !meant.empty())
-    message += fmt::format("; did you mean \"{}\"?", meant);
+  message += support::did_you_mean(key.str(), names);
   reader.fail(position_of(key), message);
 }
 

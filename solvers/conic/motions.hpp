@@ -73,8 +73,8 @@ Elimination eliminate(Matrix& columns, Matrix& combination, Eigen::Index stride,
       const typename Matrix::Scalar share = columns(row, j) / columns(row, done);
       columns.col(j) -= share * columns.col(done);
       combination.col(j) -= share * combination.col(done);
-      result.growth = std::max(
-          result.growth, combination.col(j).template cast<double>().template lpNorm<1>());
+      result.growth =
+          std::max(result.growth, combination.col(j).template cast<double>().template lpNorm<1>());
       columns(row, j) = typename Matrix::Scalar(0);
     }
   }

@@ -300,7 +300,8 @@ bool PlainSolver<D, Real>::factorise() {
   factor_ = factor.matrixL();
   primal_residual_ = right_side_ + v_ - products(x_);
   Vector target = right_side_;
-  if (free_motions_.cols() > 0) target -= weight * (free_columns_ * (free_columns_.transpose() * y_));
+  if (free_motions_.cols() > 0)
+    target -= weight * (free_columns_ * (free_columns_.transpose() * y_));
   predictor_ = solved(target);
   correction_ = solved(primal_residual_);
   if (free_motions_.cols() > 0 && !solve_for_motions()) return false;

@@ -5,6 +5,7 @@
 
 namespace {
 
+using kusabi::support::did_you_mean;
 using kusabi::support::nearest;
 
 TEST(Nearest, IsTheOneWithTheFewestSlips) {
@@ -23,6 +24,11 @@ TEST(Nearest, IsNoneIfHalfOfTheWordIsWrong) {
   EXPECT_EQ(nearest("mu", {"mv", "u"}), "");
   EXPECT_EQ(nearest("", {"", "mu"}), "");
   EXPECT_EQ(nearest("nothing", {"patterns", "limit"}), "");
+}
+
+TEST(Nearest, EndsAMessage) {
+  EXPECT_EQ(did_you_mean("patern", {"rays", "patterns"}), "; did you mean \"patterns\"?");
+  EXPECT_EQ(did_you_mean("x", {"y"}), "");
 }
 
 }  // namespace

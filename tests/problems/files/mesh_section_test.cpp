@@ -13,6 +13,7 @@ namespace kusabi::problems {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -105,6 +106,21 @@ TEST(MeshSection, RefusesTrianglesOnAQuadrilateral) {
       test::head(3) + "[[mesh]]\nname = \"a\"\nfile = \"a.inp\"\nE = 1.0\nnu = 0.2\n",
       {{"a.inp", text}}};
   EXPECT_THAT(test::error_of(problem), StartsWith("a.inp:14:1: a face of this element lies on"));
+}
+
+TEST(MeshSection, SaysWhichGroupsTakeMaterials) {
+  const auto error_with = [](const std::string& group, const std::string& sets) {
+    return test::error_of(
+        problem("[[mesh]]\nname = \"a\"\nfile = \"a.inp\"\nE = 1.0\nnu = 0.25\nthickness = 0.1\n"
+                "[[material]]\ngroups = [\"" +
+                    group + "\"]\nE = 70.0\nnu = 0.3\n[[supports]]\nnodes = [\"a.1\"]\n",
+                {{"a.inp", row(3, 0, 1, sets)}}));
+  };
+  const std::string sets = "*ELSET, ELSET=HARD\n2, 3\n*ELSET, ELSET=SOFT\n1\n";
+  EXPECT_THAT(error_with("a.HRAD", sets), EndsWith("in it; did you mean \"a.HARD\"?"));
+  EXPECT_THAT(error_with("stone", sets),
+              EndsWith("in it; there are \"a.BODY\", \"a.HARD\", \"a.SOFT\""));
+  EXPECT_THAT(error_with("stone", ""), EndsWith("in it; there are \"a.BODY\""));
 }
 
 TEST(MeshSection, TakesMaterialsByGroup) {
