@@ -187,12 +187,13 @@ std::vector<TriedTree> tried_trees(engine::Campaign& campaign,
   const std::array asked{options.branching};
   const bool automatic = options.branching == Branching::automatic;
   if (!automatic) std::ranges::fill(result, TriedTree{.branching = options.branching});
-  // Loose bodies and polyhedral cones have no centre, by which the rules differ.
-  if (options.facets != 0 || problem.motions.cols() > 0) return result;
+  if (options.facets != 0) return result;
+  // Loose bodies have no centre, by which the rules differ.
+  const bool has_centre = problem.motions.cols() == 0;
   std::optional<Trial> small, large;
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
     const int candidates = blocks[block].size();
-    const bool is_large = automatic && candidates >= fewest_candidates;
+    const bool is_large = automatic && has_centre && candidates >= fewest_candidates;
     if (candidates < fewest && !is_large) continue;
     auto& trial = is_large ? large : small;
     if (!trial) {

@@ -43,9 +43,7 @@ BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem&
   const auto blocks = problems::blocks_of(problem);
   BlockBounds result;
   result.blocks.resize(blocks.size());
-  const bool is_loose = problem.motions.cols() > 0;
-  if (tightening == Tightening::never || (is_loose && tightening == Tightening::automatic))
-    return result;
+  if (tightening == Tightening::never) return result;
   const int fewest = tightening == Tightening::always ? 1 : fewest_to_bound;
   const auto friction = candidate_friction(problem, factor);
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {

@@ -16,7 +16,7 @@ constexpr double nodes_a_candidate = 15;
 bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
   if (tightening == Tightening::never) return false;
   if (tightening == Tightening::always) return true;
-  return candidates >= fewest_to_bound && tree.nodes > nodes_a_candidate * candidates;
+  return tree.nodes > nodes_a_candidate * candidates;
 }
 
 }  // namespace
@@ -24,9 +24,11 @@ bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
 std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                                  std::span<const double> friction,
                                  const SignPatternOptions& options) {
+  const bool is_loose = problem.motions.cols() > 0;
   // Nobody asks how large trees are if it is said already whether candidates are bounded.
-  const int fewest = options.tightening == Tightening::automatic ? fewest_to_bound
-                                                                 : std::numeric_limits<int>::max();
+  const int fewest = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
+                     : is_loose                                  ? fewest_of_loose_to_bound
+                                                                 : fewest_to_bound;
   const auto trees = tried_trees(campaign, problem, friction, options, fewest);
   const auto blocks = problems::blocks_of(problem);
   std::vector<Preparation> result(blocks.size());
@@ -38,7 +40,7 @@ std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::Wed
     own.root = bound_candidates(campaign, problem, friction, block, options.tolerances);
     // With cuts the centre says more than the first point that proves a node alive.
     if (options.branching == Branching::automatic && own.branching == Branching::relative &&
-        problem.motions.cols() == 0)
+        !is_loose)
       own.branching = Branching::weighed;
   }
   return result;

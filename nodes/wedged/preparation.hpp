@@ -14,6 +14,9 @@ namespace kusabi::wedged {
 
 /// Smaller blocks have trees that are searched sooner than their candidates are bounded.
 inline constexpr int fewest_to_bound = 24;
+/// The same of loose bodies, whose bounds cost more: where a motion opens a candidate there is none
+/// of its gap.
+inline constexpr int fewest_of_loose_to_bound = 56;
 
 /// Of one block.
 struct Preparation {

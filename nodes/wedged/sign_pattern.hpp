@@ -183,7 +183,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
 
 /// Whether the candidates are bounded before the tree is searched (candidate_bounds.hpp).
 enum class Tightening {
-  automatic,  ///< of held bodies, where the tree is large: find_patterns looks at it
+  automatic,  ///< where the tree is large: find_patterns looks at it
   never,
   always,  ///< by the cones themselves, that is
 };

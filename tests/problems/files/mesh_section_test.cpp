@@ -110,11 +110,11 @@ TEST(MeshSection, RefusesTrianglesOnAQuadrilateral) {
 
 TEST(MeshSection, SaysWhichGroupsTakeMaterials) {
   const auto error_with = [](const std::string& group, const std::string& sets) {
-    return test::error_of(
-        problem("[[mesh]]\nname = \"a\"\nfile = \"a.inp\"\nE = 1.0\nnu = 0.25\nthickness = 0.1\n"
-                "[[material]]\ngroups = [\"" +
-                    group + "\"]\nE = 70.0\nnu = 0.3\n[[supports]]\nnodes = [\"a.1\"]\n",
-                {{"a.inp", row(3, 0, 1, sets)}}));
+    return test::error_of(problem(
+        "[[mesh]]\nname = \"a\"\nfile = \"a.inp\"\nE = 1.0\nnu = 0.25\nthickness = 0.1\n"
+        "[[material]]\ngroups = [\"" +
+            group + "\"]\nE = 70.0\nnu = 0.3\nthickness = 1\n[[supports]]\nnodes = [\"a.1\"]\n",
+        {{"a.inp", row(3, 0, 1, sets)}}));
   };
   const std::string sets = "*ELSET, ELSET=HARD\n2, 3\n*ELSET, ELSET=SOFT\n1\n";
   EXPECT_THAT(error_with("a.HRAD", sets), EndsWith("in it; did you mean \"a.HARD\"?"));
