@@ -60,14 +60,18 @@ function(kusabi_test name)
 endfunction()
 
 # Open MPI is told by environment variables, which other launchers ignore, to run as root (CI does),
-# to put more ranks than cores on a machine, not to pin ranks to cores that others use as well, and
-# not to hand its core over at every empty poll (which makes crowded runs several times slower).
+# to put more ranks than cores on a machine, not to pin ranks to cores that others use as well (both
+# PRTE_... from version 5 on), and not to hand its core over at every empty poll (which makes crowded
+# runs several times slower).
 set(KUSABI_MPI_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1
   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   OMPI_MCA_rmaps_base_oversubscribe=1
   OMPI_MCA_hwloc_base_binding_policy=none
+  PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
+  PRTE_MCA_hwloc_default_binding_policy=none
   OMPI_MCA_mpi_yield_when_idle=0
   OMPI_MCA_btl_vader_single_copy_mechanism=none
+  KUSABI_MPIRUN=${MPIEXEC_EXECUTABLE}
   # Open MPI itself never returns some of what it allocates; our own leaks show without it.
   ASAN_OPTIONS=detect_leaks=0)

@@ -10,6 +10,7 @@
 //   node      is killed when it opens its COUNT-th node
 //   disk      is killed at its COUNT-th call of fsync or rename
 //   term, int, usr1    sends itself the signal when it opens its COUNT-th node
+//   wait      opens its COUNT-th node only when a signal has asked for a checkpoint
 //
 // Exit codes: 0 done, 2 the checkpoint is refused, 3 stopped by a signal.
 #include <csignal>
@@ -61,6 +62,24 @@ void die_at_disk_call() {
   }
 }
 
+// What signals have asked for that the search has not yet been told, and whether any ever did.
+engine::Interrupt pending = engine::Interrupt::none;
+bool heard = false;
+
+void listen() {
+  if (pending == engine::Interrupt::none) pending = engine::asked_by_signal();
+  heard |= pending != engine::Interrupt::none;
+}
+
+engine::Interrupt asked() {
+  listen();
+  return std::exchange(pending, engine::Interrupt::none);
+}
+
+void wait_for_a_signal() {
+  for (listen(); !heard; listen()) usleep(1000);
+}
+
 void happen_at_node(std::uint64_t opened) {
   for (const auto& event : planned) {
     if (event.count != opened) continue;
@@ -68,6 +87,7 @@ void happen_at_node(std::uint64_t opened) {
     if (event.kind == "term") std::raise(SIGTERM);
     if (event.kind == "int") std::raise(SIGINT);
     if (event.kind == "usr1") std::raise(SIGUSR1);
+    if (event.kind == "wait") wait_for_a_signal();
   }
 }
 
@@ -153,8 +173,9 @@ int main(int argc, char** argv) {
 
   engine::Options options;
   options.survey_interval = 2e-3;
-  options.interrupt = kusabi::engine::asked_by_signal;
+  options.interrupt = asked;
   options.warn = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  engine::heed_signals();
   if (state != "-") {
     options.checkpoint.file = state;
     options.checkpoint.interval = std::atof(argv[3]);
@@ -170,14 +191,13 @@ int main(int argc, char** argv) {
         return 2;
       }
     }
-    // Whom a killer from outside may choose.
+    // Whom a killer from outside may choose, and who heeds signals by now.
     std::ofstream(state + ".pid." + std::to_string(transport->rank())) << getpid();
   }
   for (int i = 4; i < argc; ++i) {
     auto event = parsed(argv[i]);
     if (event.rank == -1 || event.rank == transport->rank()) planned.push_back(std::move(event));
   }
-  kusabi::engine::heed_signals();
 
   Tree tree;
   const auto outcome = engine::search(tree, *transport, options);

@@ -68,10 +68,13 @@ build() {
 # Open MPI refuses to run as root, or more ranks than cores, unless told; and what pays on a cluster
 # (ranks pinned to cores, which hand their core over when they poll in vain) does not on a machine
 # that others use as well. In a container one process may not read the memory of another, which the
-# last setting does without. Other launchers ignore these.
+# last setting does without. From version 5 on what places and pins ranks is called PRTE_... Other
+# launchers ignore these.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1
 export OMPI_MCA_hwloc_base_binding_policy=none
+export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
+export PRTE_MCA_hwloc_default_binding_policy=none
 export OMPI_MCA_mpi_yield_when_idle=0
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
 # Defaults that somebody keeps for calls of his own are none of ours.

@@ -20,7 +20,7 @@ rm -f "$result"
 mpirun kusabi "${call[@]}" --resume "$LSB_JOBNAME.state" --time-limit 3h55m --output "$result"
 code=$?
 
-if [ "$code" -eq 3 ] && grep -Eq '"status": *"(time-limit|interrupted)"' "$result"; then
+if grep -Eqs '"status": *"(time-limit|interrupted)"' "$result"; then
   exit "$again"
 fi
 exit "$code"

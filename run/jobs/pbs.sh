@@ -21,7 +21,7 @@ rm -f "$result"
 mpirun kusabi $CALL --resume "$PBS_JOBNAME.state" --time-limit "${TIME:-3h55m}" --output "$result"
 code=$?
 
-if [ "$code" -eq 3 ] && grep -Eq '"status": *"(time-limit|interrupted)"' "$result" && [ "$turn" -lt "$most_turns" ]; then
+if grep -Eqs '"status": *"(time-limit|interrupted)"' "$result" && [ "$turn" -lt "$most_turns" ]; then
   qsub -N "$PBS_JOBNAME" -v "CALL=$CALL,TIME=${TIME:-3h55m},SCRIPT=$script,TURN=$((turn + 1))" "$script"
   exit
 fi

@@ -29,7 +29,7 @@ ${KUSABI_LAUNCHER:-mpirun} kusabi "${words[@]}" --resume "$SLURM_JOB_NAME.$numbe
   --output "$result"
 code=$?
 
-if [ "$code" -eq 3 ] && grep -Eq '"status": *"(time-limit|interrupted)"' "$result" &&
+if grep -Eqs '"status": *"(time-limit|interrupted)"' "$result" &&
   [ "${SLURM_RESTART_COUNT:-0}" -lt "$most_turns" ]; then
   scontrol requeue "$SLURM_JOB_ID"
   exit

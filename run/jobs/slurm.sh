@@ -21,8 +21,9 @@ rm -f "$result"
 ${KUSABI_LAUNCHER:-mpirun} kusabi "$@" --resume "$SLURM_JOB_NAME.state" --time-limit slurm --output "$result"
 code=$?
 
-# Exit code 3 alone does not say whether more time helps: something may have been left open for good.
-if [ "$code" -eq 3 ] && grep -Eq '"status": *"(time-limit|interrupted)"' "$result" &&
+# The result says whether more time helps. Exit code 3 does not: something may have been left open for good; and
+# MPICH's mpirun may lose the code when it passed a signal on.
+if grep -Eqs '"status": *"(time-limit|interrupted)"' "$result" &&
   [ "${SLURM_RESTART_COUNT:-0}" -lt "$most_turns" ]; then
   scontrol requeue "$SLURM_JOB_ID"
   exit

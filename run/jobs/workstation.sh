@@ -14,14 +14,15 @@ name=$1
 shift
 ranks=${KUSABI_RANKS:-$(nproc)}
 most_turns=${KUSABI_MOST_TURNS:-100}
-killed=128
+# To end, Open MPI's mpirun gives its ranks time to keep their state: see docs/long-runs.md.
+export OMPI_MCA_odls_base_sigkill_timeout=${OMPI_MCA_odls_base_sigkill_timeout:-60}
 
 for ((turn = 1; turn <= most_turns; ++turn)); do
-  # To end, mpirun gives its ranks time to keep their state: see docs/long-runs.md.
-  mpirun --mca odls_base_sigkill_timeout 60 -np "$ranks" \
+  mpirun -np "$ranks" \
     kusabi "$@" --resume "$name.state" --output "$name.json"
   code=$?
-  # A rank that was killed; anything else is an answer, or an error that would come again.
-  [ "$code" -gt "$killed" ] || exit "$code"
+  # A rank that was killed, as Open MPI and as MPICH tell it; anything else is an answer, or an error that would come
+  # again.
+  [ "$code" -gt 128 ] || [ "$code" -eq 9 ] || exit "$code"
 done
 exit "$code"

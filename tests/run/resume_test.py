@@ -22,7 +22,7 @@ from kusabi_case import EXAMPLES, KUSABI, SOURCES, KusabiCase, main  # noqa: E40
 
 MORTAL = sys.argv.pop()
 MPIEXEC = sys.argv.pop().split()
-KILLED = (-signal.SIGKILL, 128 + signal.SIGKILL)
+KILLED = (-signal.SIGKILL, 128 + signal.SIGKILL, signal.SIGKILL)  # of a shell, Open MPI and MPICH
 # As often as the surveys of a search come.
 OFTEN = ("--checkpoint-interval", "1e-6")
 

@@ -46,6 +46,8 @@ inline Run shell(const std::string& line) {
 inline const std::string any_machine =
     "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
     "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
+    "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe "
+    "PRTE_MCA_hwloc_default_binding_policy=none "
     "OMPI_MCA_mpi_yield_when_idle=0 OMPI_MCA_btl_vader_single_copy_mechanism=none "
     "ASAN_OPTIONS=detect_leaks=0 ";
 
@@ -53,10 +55,13 @@ inline std::string ranks(int count) {
   return fmt::format("{}{} {} ", any_machine, KUSABI_MPIEXEC, count);
 }
 
-// The line for a shell in which `kusabi` is installed.
+// The line for a shell in which `kusabi` is installed, and mpirun that of its MPI: without its -np,
+// which is said already.
 inline std::string as_typed(const std::string& line) {
   const auto folder = fs::path(KUSABI_COMMAND).parent_path().string();
-  return fmt::format("{}PATH={}:\"$PATH\" sh -c {}", any_machine, quoted(folder), quoted(line));
+  const std::string launcher = "mpirun() { shift; " KUSABI_MPIEXEC " \"$@\"; }; ";
+  return fmt::format("{}PATH={}:\"$PATH\" sh -c {}", any_machine, quoted(folder),
+                     quoted(launcher + line));
 }
 
 // The call that goes on with a search, as a person copies it from what it printed when it stopped.
