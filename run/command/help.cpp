@@ -28,15 +28,14 @@ std::string entry_of(const std::string& head, const std::string& meaning) {
   return text + '\n';
 }
 
-std::string head_of(const OptionRow& row) {
-  return row.named() && !row.value.empty() ? fmt::format("{} {}", row.name, value_name(row))
-                                           : row.name;
+std::string head_of(const OptionRow& row, const std::string& name) {
+  return row.named() && !row.value.empty() ? fmt::format("{} {}", name, value_name(row)) : name;
 }
 
 std::string entry_of(const OptionRow& row) {
   const auto rules = option_rules(row);
-  const auto letter = row.letter.empty() ? row.letter : row.letter + ", ";
-  return entry_of(letter + head_of(row), rules.empty() ? row.help : row.help + ". " + rules);
+  const auto names = fmt::format("{}", fmt::join(row.names(), ", "));
+  return entry_of(head_of(row, names), rules.empty() ? row.help : row.help + ". " + rules);
 }
 
 std::string line_of(std::string_view name, std::string_view purpose) {
@@ -108,7 +107,7 @@ std::string usage(const OptionTable& table) {
     if (!row.named()) text += ' ' + row.name;
   }
   for (const auto& row : table.rows()) {
-    if (row.named() && row.required) text += ' ' + head_of(row);
+    if (row.named() && row.required) text += ' ' + head_of(row, row.name);
   }
   return text + " [options]";
 }

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "run/command/help.hpp"
 
@@ -57,9 +58,9 @@ std::string roff(std::string_view text) {
 }
 
 std::string paragraph(const OptionRow& row) {
-  auto text = std::string(".TP\n");
-  if (!row.letter.empty()) text += fmt::format("\\fB{}\\fR, ", roff(row.letter));
-  text += fmt::format("\\fB{}\\fR", roff(row.name));
+  auto names = row.names();
+  for (auto& name : names) name = fmt::format("\\fB{}\\fR", roff(name));
+  auto text = fmt::format(".TP\n{}", fmt::join(names, ", "));
   if (row.named() && !row.value.empty()) text += fmt::format(" \\fI{}\\fR", roff(value_name(row)));
   text += fmt::format("\n{}.\n", roff(row.help));
   if (const auto rules = option_rules(row); !rules.empty()) text += roff(rules) + '\n';

@@ -35,10 +35,11 @@ class LoadSweep final : public Swept {
 
   void prepare(CommandRun& run) override {
     problem_ = problems::limit_problem(truss_);
-    if (std::ranges::any_of(problem_.uncertain, &problems::UncertainColumn::in_file)) {
+    const auto& uncertain = problem_.uncertain;
+    if (!uncertain.empty() && std::ranges::all_of(uncertain, &problems::UncertainColumn::in_file)) {
       throw WrongInput(
-          "--alpha: uncertain loads of the file have half-widths of their own, which no range of "
-          "alpha goes for; expected none that has");
+          "--alpha: every uncertain load of the file has a half-width of its own; expected some "
+          "that it leaves open");
     }
     engine::agree(run.session().transport(), problem_.fingerprint);
     run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});

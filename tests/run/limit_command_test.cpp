@@ -214,7 +214,7 @@ TEST_F(LoadCases, CanBeAskedForByName) {
   EXPECT_THAT(refusal(" limit " + file() + " --alpha 1"), HasSubstr("expected no --alpha"));
   EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1"), HasSubstr("to be chosen (--case)"));
   EXPECT_THAT(refusal(" sweep " + file() + " --alpha 1 --case pull"),
-              HasSubstr("half-widths of their own"));
+              HasSubstr("has a half-width of its own"));
   EXPECT_THAT(refusal(" export mps " + file()), HasSubstr("to be chosen (--case)"));
 }
 

@@ -2,12 +2,14 @@
 // and as files that others read.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "shell.hpp"
+#include "tests/nodes/limit/two_bars.hpp"
 
 namespace kusabi::test {
 namespace {
@@ -80,6 +82,30 @@ TEST_F(SweepCommand, CountsTheSameOnTwoRanks) {
 
 TEST_F(SweepCommand, FindsTheSameWorstCasesOnTwoRanks) {
   expect_same_on_two_ranks("sweep " + file_of("static-gap.toml") + " --alpha 0.2,0.45");
+}
+
+// By hand: the bar holds 3, of which the wind may take a quarter of 1.
+TEST_F(SweepCommand, RangesOverTheLoadsThatTheFileLeavesOpen) {
+  const std::string wind = "[[uncertainty]]\nnodes = [\"tip\"]\naxes = [\"x\"]\nalpha = 0.25\n";
+  const auto file = argument("open.toml");
+  std::ofstream(in_folder("open.toml")) << limit::two_bars(wind) +
+                                               "[[uncertainty]]\nname = \"crane\"\n" +
+                                               "forces = [{ nodes = [\"tip\"], force = [1, 0] }]\n";
+  const auto result = document_of("sweep " + file + " --alpha 0:1:0.5")["result"];
+  ASSERT_EQ(result["points"].size(), 3U);
+  for (const auto& point : result["points"]) {
+    EXPECT_EQ(point["proved"], true);
+    for (const auto* end : {"lower", "upper"})
+      EXPECT_NEAR(point[end].get<double>(), 2.75 - point["alpha"].get<double>(), 1e-8);
+  }
+  EXPECT_TRUE(result["curve"].empty());
+  const auto drawn =
+      shell(command + " draw " + argument("out.json") + " --svg " + argument("o.svg"));
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
+
+  std::ofstream(in_folder("closed.toml")) << limit::two_bars(wind);
+  EXPECT_THAT(refusal(argument("closed.toml") + " --alpha 1"),
+              HasSubstr("expected some that it leaves open"));
 }
 
 TEST_F(SweepCommand, FindsTheWorstCaseThatLimitFindsAtEachPoint) {
