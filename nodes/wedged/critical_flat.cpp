@@ -31,8 +31,13 @@ bool CriticalFriction::lives_alone(const support::IndexSet& contact,
 bool CriticalFriction::is_flat(const SignPattern& pattern, double factor) {
   set_friction(factor);
   const auto inside = solver_.relative_interior(pattern.contact, pattern.separated);
-  return inside && lives_at_rest(pattern, *inside) &&
-         is_tie(pattern, factor * (1 + beside), tolerances);
+  return inside && lives_at_rest(pattern, *inside) && lasts(pattern, factor, tolerances);
+}
+
+// A flat cone that is about to become solid is a tie below.
+bool CriticalFriction::lasts(const SignPattern& leaf, double factor, const conic::Tolerances& tie) {
+  return is_tie(leaf, factor * (1 + beside), tie) ||
+         is_tie(leaf, std::max(range_.least, factor * (1 - beside)), tie);
 }
 
 // Whether some candidates of the leaf are at rest, and the others live without them.
@@ -50,7 +55,6 @@ bool CriticalFriction::is_tie(const SignPattern& leaf, double factor,
   return conic::is_tie(solver_.solve(leaf.contact, leaf.separated, {}), tie);
 }
 
-// A flat cone that is about to become solid is a tie below.
 LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   using Kind = LeafStage::Kind;
   constexpr conic::Tolerances of_ties;  // those of the tree of sign patterns
@@ -66,10 +70,9 @@ LeafStage CriticalFriction::stage(const SignPattern& leaf, std::int64_t point) {
   const auto inside = solver_.relative_interior(leaf.contact, leaf.separated);
   if (!inside) return open;
   if (inside->loaded.empty()) return {Kind::dead, {}, {}};  // by less than the tolerance
-  const bool lasts = lives_at_rest(leaf, *inside) &&
-                     (is_tie(leaf, factor * (1 + beside), of_ties) ||
-                      is_tie(leaf, std::max(range_.least, factor * (1 - beside)), of_ties));
-  return lasts ? LeafStage{Kind::flat, inside->loaded, inside->moved} : open;
+  return lives_at_rest(leaf, *inside) && lasts(leaf, factor, of_ties)
+             ? LeafStage{Kind::flat, inside->loaded, inside->moved}
+             : open;
 }
 
 }  // namespace kusabi::wedged

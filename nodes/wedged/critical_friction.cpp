@@ -2,67 +2,34 @@
 #include "nodes/wedged/critical_friction.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+
+#include "nodes/wedged/level_curve.hpp"
 
 namespace kusabi::wedged {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A proof for another coefficient is taken to hold only this far from its very end, relatively:
-// several times the rounding of the products in it.
+// What rounding leaves of a displacement of the multipliers that is zero, relative to the products
+// that it is the sum of; several times as much as it can be. The quotient of two such displacements
+// is any number.
 constexpr double rounding = 1e-13;
 
 // Where the bound of a node begins if nothing is known: for less the cones are needles.
 constexpr double first_probe = 1e-3;
 
-// A step of Newton's method is wrong by a few times its square. When that is less than the width,
-// the two points of the grid beside its end are asked: for steps of this times the root of the
-// width.
-constexpr double settled = 0.1;
-
 // Newton's method has 4 to 5 steps; if it takes more, it alternates with bisection, and after
 // `most_steps` bisection goes on alone.
-constexpr int trusted_steps = 6;
+constexpr int trusted_steps = 8;
 constexpr int most_steps = 30;
 
 // For a bound two or three digits do: the children have bounds of their own.
 constexpr int bound_steps = 4;
 constexpr double bound_digits = 1e-3;
-
-// The last point on either side of the root, for the method of the secant in the variant of
-// Illinois: a side that stays twice counts half.
-class Sides {
- public:
-  void take(double factor, double level) {
-    const bool alive = level > 0;
-    Side& own = alive ? alive_ : dead_;
-    Side& other = alive ? dead_ : alive_;
-    if (own.last) other.level /= 2;
-    own = {factor, level, true};
-    other.last = false;
-  }
-
-  [[nodiscard]] double dead() const { return dead_.level < 0 ? dead_.factor : 0; }
-
-  // Not a number before there are two sides.
-  [[nodiscard]] double secant() const {
-    return (dead_.factor * alive_.level - alive_.factor * dead_.level) /
-           (alive_.level - dead_.level);
-  }
-
- private:
-  struct Side {
-    double factor = std::numeric_limits<double>::quiet_NaN();
-    double level = 0;
-    bool last = false;
-  };
-  Side dead_, alive_;
-};
 
 }  // namespace
 
@@ -92,6 +59,7 @@ CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, doubl
     normal_compliance_.bottomRows(problem.motions.cols()) = problem.motions.transpose();
     loose_ = problem;
   }
+  largest_ = normal_compliance_.cwiseAbs().maxCoeff();
 }
 
 void CriticalFriction::set_friction(double factor) {
@@ -100,13 +68,14 @@ void CriticalFriction::set_friction(double factor) {
 }
 
 double CriticalFriction::reach_of(const Eigen::VectorXd& pull, const SignPattern& node) const {
+  const double noise = rounding * largest_ * solver_.multipliers().lpNorm<1>();
   double least = infinity;
   for (std::size_t i = 0; i < own_.size(); ++i) {
     if (node.separated.contains(static_cast<int>(i))) continue;
     const auto at = solver_.normal(static_cast<int>(i));
-    const double slip = own_[i] * pull.segment(at + 1, solver_.dimension() - 1).norm();
-    const double down = -pull[at];
-    least = std::min(least, down <= 0 ? 0 : (slip > 0 ? down / slip : infinity));
+    const double slip = own_[i] * (pull.segment(at + 1, solver_.dimension() - 1).norm() + noise);
+    const double down = -pull[at] - noise;
+    least = std::min(least, down > 0 ? down / slip : 0);
   }
   return std::max(0.0, least * (1 - rounding));
 }
@@ -236,44 +205,59 @@ CriticalCell CriticalFriction::bisect(const SignPattern& pattern, CriticalCell c
 
 CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell cell,
                                         std::int64_t most) {
-  Sides sides;
-  double factor =
-      cell.alive == CriticalCell::nowhere ? std::max(at(cell.dead), range_.least) : at(cell.alive);
-  for (int step = 1; cell.alive - cell.dead > 1 && step <= most_steps; ++step) {
+  LevelCurve curve(width());
+  const auto ask = [&](double factor) {
     const auto said = probe(pattern, factor);
     narrow(cell, said, most);
-    const bool flat = said.tie && is_flat(pattern, factor);
-    if (flat) {
-      const auto living = static_cast<std::int64_t>(std::ceil(factor / width()));
-      cell.alive = std::max(cell.dead + 1, std::min(cell.alive, living));
-    } else {
-      sides.take(factor, said.level);
-    }
+    if (said.tie)
+      curve.take_tie(factor);
+    else
+      curve.take(factor, said.level, said.newton);
+    return said;
+  };
+  // Whether a point of the grid within the cell is found dead, or alive be it as a flat cone.
+  const auto decided = [&](std::int64_t point) {
+    if (point <= cell.dead || point >= cell.alive) return true;
+    const auto said = ask(at(point));
+    if (said.sign != conic::Sign::marginal) return true;
+    if (!said.tie || !is_flat(pattern, at(point))) return false;
+    cell.alive = point;
+    return true;
+  };
+
+  double factor =
+      cell.alive == CriticalCell::nowhere ? std::max(at(cell.dead), range_.least) : at(cell.alive);
+  for (int step = 1; step <= most_steps; ++step) {
+    const auto said = ask(factor);
     const bool open = cell.alive == CriticalCell::nowhere;
-    if (open && (cell.dead >= most || factor >= at(most))) return cell;  // nothing up to there
-    const double floor = std::max(at(cell.dead), range_.least);
-    const auto inside = [&](double point) { return point >= floor && point < at(cell.alive); };
-    double next = flat ? infinity : said.newton;
-    // On the side of the living t* is often flat and the tangent leads too far; where the dead end
-    // was proved from afar, t* is steep and the tangent is better.
-    if (next <= floor && floor > sides.dead())
-      next = floor;
-    else if (!inside(next))
-      next = sides.secant();
-    if (!inside(next) || (step > trusted_steps && step % 3 == 0))
-      next = open ? 2 * factor : std::midpoint(floor, at(cell.alive));
-    next = std::min(next, at(most));
-    if (std::abs(next - factor) < settled * std::sqrt(width())) {
-      // Newton's method has arrived: the points of the grid on both sides of it.
-      const auto below = static_cast<std::int64_t>(std::floor(next / width()));
-      for (const auto point : {below + 1, below}) {
-        if (point > cell.dead && point < cell.alive)
-          narrow(cell, probe(pattern, at(point), sign_only), most);
-      }
-      if (!open && below > cell.dead && below < cell.alive) surround(pattern, cell, below);
-      break;
+    const bool to_the_end = cell.dead >= most || (factor >= at(most) && !said.tie);
+    if (cell.alive - cell.dead <= 1 || (open && to_the_end)) return cell;
+
+    // Of a tie it is asked only here whether it is a flat cone: the others above it are, too.
+    const double tie = std::min(curve.least_tie(), at(std::min(cell.alive, most)));
+    const auto tip = std::min(cell.alive, static_cast<std::int64_t>(std::ceil(tie / width())));
+    if (tip - cell.dead <= 2) {
+      if (!decided(tip) || !decided(cell.dead + 1)) break;
+      if (cell.alive - cell.dead <= 1) return cell;
     }
-    factor = next;
+    const double floor = std::max(at(cell.dead), range_.least);
+    const double top = open ? curve.least_tie() : std::min(curve.least_tie(), at(cell.alive));
+    auto guess = curve.next(floor, top);
+    if (guess.settled) {
+      const auto below = static_cast<std::int64_t>(std::floor(guess.factor / width()));
+      const auto before = programs_;
+      if (!decided(below + 1) || !decided(below)) {
+        if (cell.alive != CriticalCell::nowhere && below > cell.dead && below < cell.alive)
+          surround(pattern, cell, below);
+        break;
+      }
+      if (cell.alive - cell.dead <= 1) return cell;
+      // The guess was wrong; what was solved beside it leads on.
+      if (programs_ != before) guess = curve.next(at(cell.dead), at(cell.alive));
+    }
+    if (step > trusted_steps && step % 3 == 0 && std::isfinite(top))
+      guess.factor = std::midpoint(floor, top);
+    factor = std::min(guess.factor, at(most));
   }
   return locate(pattern, cell, CriticalMethod::bisection, most);
 }

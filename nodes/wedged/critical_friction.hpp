@@ -148,6 +148,8 @@ class CriticalFriction {
   // Whether a leaf is a flat cone at this coefficient, where it is a tie.
   bool is_flat(const SignPattern& pattern, double factor);
   bool lives_at_rest(const SignPattern& leaf, const conic::RelativeInterior& inside);
+  // Whether it is a tie beside this coefficient as well, where it is one.
+  bool lasts(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
   bool is_tie(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
   // Whether these are alive as the only candidates. Of a loose body they may not see all motions.
   bool lives_alone(const support::IndexSet& contact, const support::IndexSet& separated);
@@ -165,6 +167,7 @@ class CriticalFriction {
   Range range_;
   std::vector<double> own_, friction_;  // phi_i; mu_i of the last probe
   Eigen::MatrixXd normal_compliance_;   // rows (n, i) of the scaled F, then G': (m + p) x dm
+  double largest_ = 0;                  // of its entries
   ContactSolver solver_;
   std::vector<CandidateBounds> bounds_;           // empty: no cuts
   std::optional<problems::WedgedProblem> loose_;  // of a body that nothing holds

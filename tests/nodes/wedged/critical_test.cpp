@@ -25,6 +25,7 @@
 #include "nodes/wedged/critical_search.hpp"
 #include "nodes/wedged/critical_tree.hpp"
 #include "nodes/wedged/friction_grid.hpp"
+#include "problems/families/plane_truss.hpp"
 #include "problems/families/space_truss.hpp"
 #include "problems/files/structure_file.hpp"
 #include "random_problem.hpp"
@@ -414,6 +415,51 @@ TEST(CriticalFriction, IsTheSameOnAnyNumberOfSimulatedRanks) {
         engine::simulate(CriticalTree(problem, width, multiple(10)), ranks, 3, weather, options);
     ASSERT_EQ(many.outcome.solutions.size(), 1U);
     EXPECT_EQ(many.outcome.solutions[0].solution.cell, alone);
+  }
+}
+
+// A flat cone above its critical coefficient: what the multipliers pull at its loaded candidates is
+// zero, of which rounding leaves any quotient. These lived below coefficients up to which such
+// quotients said that they were dead.
+TEST(CriticalFriction, RoundingProvesNoFlatConeDead) {
+  const auto problem = problems::wedged_problem(problems::paper_plane_truss(19));
+  const SignPattern leaf{.contact = set_of({4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 15, 16, 17, 18}),
+                         .separated = set_of({0, 1, 2, 3, 13}),
+                         .at_rest = {}};
+  CriticalFriction critical(problem, width);
+  const double most = 0.65;
+  const auto cell =
+      critical.locate(leaf, {0, multiple(most)}, CriticalMethod::newton, multiple(most));
+  EXPECT_EQ(cell.alive - cell.dead, 1);
+  const double lives = critical.at(cell.alive);
+  EXPECT_NEAR(lives, 0.62661802, 1e-7);
+  int ties = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const auto said = critical.probe(leaf, lives + (most - lives) * k / 1000);
+    EXPECT_LE(said.dead_below, lives) << k;
+    if (said.tie) ++ties;
+  }
+  EXPECT_GT(ties, 100);
+}
+
+// Six programs and some a pattern, also where a flat cone comes first, and where nothing is known
+// to be alive: bisection takes 27.
+TEST(CriticalFriction, TakesFewProgramsAPattern) {
+  for (const auto& [rows, most] : {std::pair{13, 6.5}, {15, 7.7}}) {
+    const auto problem = problems::wedged_problem(problems::paper_plane_truss(rows));
+    const auto patterns = living(problem, 0.65);
+    for (const auto start : {multiple(0.65), CriticalCell::nowhere}) {
+      CriticalFriction critical(problem, width);
+      for (const auto& pattern : patterns) {
+        const auto cell = critical.locate(pattern.leaf.pattern, {0, start}, CriticalMethod::newton,
+                                          multiple(0.65));
+        EXPECT_TRUE(narrow(cell));
+      }
+      EXPECT_LE(
+          static_cast<double>(critical.programs()),
+          (most + (start == CriticalCell::nowhere ? 1 : 0)) * static_cast<double>(patterns.size()))
+          << rows;
+    }
   }
 }
 

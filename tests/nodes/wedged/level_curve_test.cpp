@@ -1,0 +1,89 @@
+// Where a curve of values and slopes passes zero: on curves whose zeros are known.
+#include "nodes/wedged/level_curve.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace kusabi::wedged {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Concave, as t* is below its zero, which is at 0.6.
+double level(double factor) {
+  return 1 / 0.6 - 1 / factor;
+}
+double tangent(double factor) {
+  return factor - level(factor) * factor * factor;
+}
+
+void take(LevelCurve& curve, double factor) {
+  curve.take(factor, level(factor), tangent(factor));
+}
+
+TEST(LevelCurve, FindsTheZeroFromBelowInAFewPoints) {
+  LevelCurve curve(1e-8);
+  take(curve, 0.5);
+  double error = 0.1;
+  for (int points = 1; points < 4; ++points) {
+    const auto guess = curve.next(0, infinity);
+    const double now = std::abs(guess.factor - 0.6);
+    if (guess.settled) {
+      EXPECT_LT(now, 1e-8);
+      return;
+    }
+    EXPECT_LT(now, error / 3);
+    error = now;
+    take(curve, guess.factor);
+  }
+  ADD_FAILURE() << "four points do not settle it";
+}
+
+TEST(LevelCurve, TakesTheTangentFromAboveAsLongAsThereIsNothingBelow) {
+  LevelCurve curve(1e-8);
+  curve.take(0.8, 0.1, 0.7);
+  const auto guess = curve.next(0.5, 0.8);
+  EXPECT_EQ(guess.factor, 0.7);
+  EXPECT_FALSE(guess.settled);
+  // Not where it leads out of what is open.
+  EXPECT_GE(curve.next(0.75, 0.8).factor, 0.75);
+  EXPECT_LT(curve.next(0.75, 0.8).factor, 0.8);
+}
+
+TEST(LevelCurve, SettlesAfterAStepAsShortAsTheRootOfTheWidth) {
+  for (const double step : {1e-4, 1e-6}) {
+    LevelCurve curve(1e-8);
+    curve.take(0.6, step, 0.6 - step);
+    EXPECT_EQ(curve.next(0.5, 0.6).settled, step < 1e-5) << step;
+  }
+}
+
+TEST(LevelCurve, GoesDownFromATie) {
+  LevelCurve curve(1e-8);
+  curve.take(0.8, 0.1, 0.7);
+  curve.take_tie(0.7);
+  EXPECT_EQ(curve.least_tie(), 0.7);
+  const auto guess = curve.next(0.1, 0.7);
+  EXPECT_LT(guess.factor, 0.7);
+  EXPECT_GE(guess.factor, 0.1);
+}
+
+// Whatever it was told, it leads to where the zero can be.
+TEST(LevelCurve, StaysWithinWhatIsOpen) {
+  LevelCurve curve(1e-8);
+  for (const double newton : {-5.0, 0.2, 0.9, infinity, std::nan("")}) {
+    for (const double level : {-1.0, -1e-12, 0.0, 1.0}) {
+      for (const double factor : {0.3, 0.5}) {
+        curve.take(factor, level, newton);
+        const auto guess = curve.next(0.4, 0.45);
+        EXPECT_GE(guess.factor, 0.4);
+        EXPECT_LT(guess.factor, 0.45);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::wedged
