@@ -128,8 +128,8 @@ class BlockProof {
                                                     const NearList& shift,
                                                     const Dyadic& pressures) const;
   [[nodiscard]] std::optional<std::string> check_alive(const HeldStiffness& held, const Leaf& leaf,
-                                                       const DyadicList& u,
-                                                       const DyadicList& r) const;
+                                                       const DyadicList& u, const DyadicList& r,
+                                                       const Dyadic& unknown) const;
 
   // The opposite of a bound: r_ni, or u_ni, is no less than beta sum_k r_nk.
   struct Opposite {
@@ -155,8 +155,8 @@ class BlockProof {
   [[nodiscard]] DyadicList reaction_shares(const Combination& combination) const;
   [[nodiscard]] std::optional<std::string> refusal_of_held(const Combination& combination) const;
   [[nodiscard]] std::optional<std::string> check_held(const Combination& combination,
-                                                      const DyadicList& w,
-                                                      const DyadicList& nu) const;
+                                                      const DyadicList& w, const DyadicList& nu,
+                                                      const Dyadic& off) const;
 
   // Multipliers as they were recorded, over the lengths of normals, with the rows of their normals,
   // what they must not be below, and by how much each may change.
@@ -187,8 +187,8 @@ class BlockProof {
   [[nodiscard]] std::optional<std::string> check_loose(const Combination& combination,
                                                        const Multipliers& y,
                                                        const std::vector<double>& mean,
-                                                       const DyadicList& w,
-                                                       const DyadicList& nu) const;
+                                                       const DyadicList& w, const DyadicList& nu,
+                                                       const Dyadic& off) const;
   [[nodiscard]] std::optional<std::string> check_margins(const support::IndexSet& separated,
                                                          const DyadicList& w, const Dyadic& error,
                                                          const Dyadic& epsilon) const;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "verify/wide.hpp"
+
 namespace kusabi::verify {
 namespace {
-
-__extension__ using Wide = __int128;
 
 // Numbers of a grid, each a word, so that products of two add up exactly in two words.
 struct WordList {
@@ -33,17 +33,6 @@ WordList on_a_grid(std::span<const double> values, std::size_t terms) {
         static_cast<std::int64_t>(std::trunc(std::ldexp(value, static_cast<int>(-list.exponent)))));
   }
   return list;
-}
-
-mpz_class integer(Wide value) {
-  constexpr unsigned half = 64;
-  const bool negative = value < 0;
-  __extension__ using Unsigned = unsigned __int128;
-  const auto size = negative ? -static_cast<Unsigned>(value) : static_cast<Unsigned>(value);
-  mpz_class result(static_cast<unsigned long>(size >> half));
-  result <<= half;
-  result += static_cast<unsigned long>(size);
-  return negative ? mpz_class(-result) : result;
 }
 
 std::size_t longest_row(const Profile& profile) {

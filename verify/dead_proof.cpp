@@ -52,9 +52,10 @@ Judgement BlockProof::judge_loose(const Combination& combination) const {
   const auto refusal = [&](const std::optional<Multipliers>& y) -> std::optional<std::string> {
     if (!y) return not_in_equilibrium;
     const auto all = first_numbers(block_.dimension * candidates());
-    return held_.front().guess(all, y->near.values, [&](const auto& w, const auto& nu) {
-      return check_loose(combination, *y, mean, w, nu);
-    });
+    return held_.front().guess(all, y->near.values,
+                               [&](const auto& w, const auto& nu, const auto& off) {
+                                 return check_loose(combination, *y, mean, w, nu, off);
+                               });
   };
   std::optional<std::string> first;
   // All of them; without those that a solver had to keep above zero; the motion alone; with some
@@ -83,9 +84,10 @@ std::optional<std::string> BlockProof::refusal_of_held(const Combination& combin
     }
     if (!std::isfinite(own)) return "its numbers are too large to compute with";
   }
-  return held_.front().guess(all, DyadicList(y), [&](const auto& w, const auto& nu) {
-    return check_held(combination, w, nu);
-  });
+  return held_.front().guess(all, DyadicList(y),
+                             [&](const auto& w, const auto& nu, const auto& off) {
+                               return check_held(combination, w, nu, off);
+                             });
 }
 
 // y_k is the force times a length that is known up to a share, and no less than what the
@@ -186,8 +188,8 @@ NearList BlockProof::along_normals(const Rationals& forces) const {
 std::optional<std::string> BlockProof::check_loose(const Combination& combination,
                                                    const Multipliers& y,
                                                    const std::vector<double>& mean,
-                                                   const DyadicList& w,
-                                                   const DyadicList& nu) const {
+                                                   const DyadicList& w, const DyadicList& nu,
+                                                   const Dyadic& off) const {
   std::vector<Rationals> motions_of_block = Elimination(motions()).left();
   const auto shift = seen_of(block_.motions, missing(mean, w, motions_of_block));
   auto moved = w;
@@ -197,14 +199,15 @@ std::optional<std::string> BlockProof::check_loose(const Combination& combinatio
   Dyadic square_sum;
   for (std::size_t k = 0; k < w.size(); ++k)
     square_sum = square_sum + square(nu[k] - y.near.values[k]);
-  const auto epsilon = sqrt_above(square_sum) + count * y.near.error + held_.front().spread(w) +
-                       Dyadic(farthest_motion) * y.carried;
+  const auto epsilon =
+      sqrt_above(square_sum) + count * y.near.error + off + Dyadic(farthest_motion) * y.carried;
   return check_margins(combination.separated, moved, shift.error, epsilon);
 }
 
 // sum_k w~_k'r_k >= sum_k (nu_nk + eta_k A_k - theta [k = i, separated]) u_nk + nu_t'u_t.
 std::optional<std::string> BlockProof::check_held(const Combination& combination,
-                                                  const DyadicList& w, const DyadicList& nu) const {
+                                                  const DyadicList& w, const DyadicList& nu,
+                                                  const Dyadic& off) const {
   Dyadic epsilon_squared;
   for (std::size_t k = 0; k < candidates(); ++k) {
     epsilon_squared = epsilon_squared + tangential_square(nu, k);
@@ -215,8 +218,7 @@ std::optional<std::string> BlockProof::check_held(const Combination& combination
   }
   auto lifted = w;
   lifted += reaction_shares(combination);
-  return check_margins(combination.separated, lifted, {},
-                       sqrt_above(epsilon_squared) + held_.front().spread(w));
+  return check_margins(combination.separated, lifted, {}, sqrt_above(epsilon_squared) + off);
 }
 
 Dyadic BlockProof::slip_above(const DyadicList& w, std::size_t candidate,

@@ -9,9 +9,11 @@
 namespace kusabi::verify {
 namespace {
 
-// A step of a guess loses nothing by being cut off so far below its largest number, and what is not
-// there need not be multiplied.
+// A step of a guess loses nothing by being cut off so far below the last digit of its largest
+// number, and what is not there need not be multiplied. The first one is as long as CoarseMatrix
+// takes.
 constexpr int guessed_bits = 64;
+constexpr int first_guessed_bits = 9;
 
 bool all_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
@@ -30,8 +32,9 @@ DyadicList lower_triangle(const DyadicMatrix& matrix) {
 }
 
 // Powers of two on the diagonal: as large as the largest entry there, and never zero.
-void add_springs(DyadicMatrix& matrix, const std::vector<std::size_t>& springs) {
-  if (springs.empty()) return;
+EnclosedMatrix with_springs(EnclosedMatrix stiffness, const std::vector<std::size_t>& springs) {
+  if (springs.empty()) return stiffness;
+  auto& matrix = stiffness.middle;
   Dyadic largest;
   for (std::size_t i = 0; i < matrix.size; ++i)
     largest = larger(largest, matrix.entries[matrix.size * i + i]);
@@ -40,6 +43,7 @@ void add_springs(DyadicMatrix& matrix, const std::vector<std::size_t>& springs) 
   added.exponent = power;
   for (const auto k : springs) added.mantissas[matrix.size * k + k] = 1;
   matrix.entries += std::move(added);
+  return stiffness;
 }
 
 }  // namespace
@@ -59,10 +63,11 @@ std::vector<std::size_t> first_numbers(std::size_t count) {
 }
 
 HeldStiffness::HeldStiffness(EnclosedMatrix stiffness, std::vector<std::size_t> springs)
-    : stiffness_(std::move(stiffness)), springs_(std::move(springs)) {
-  auto& [middle, radius] = stiffness_;
+    : stiffness_(with_springs(std::move(stiffness), springs)),
+      coarse_(stiffness_.middle),
+      springs_(std::move(springs)) {
+  const auto& [middle, radius] = stiffness_;
   std::sort(springs_.begin(), springs_.end());
-  add_springs(middle, springs_);
   for (std::size_t i = 0; i < middle.entries.size(); ++i) {
     rounded_.push_back(middle.entries[i].nearest());
   }
@@ -72,9 +77,8 @@ HeldStiffness::HeldStiffness(EnclosedMatrix stiffness, std::vector<std::size_t> 
   if (whole_ && least && *least > radius) least_ = *least - radius;
 }
 
-Dyadic HeldStiffness::spread(const DyadicList& x) const {
-  if (stiffness_.radius.sign() == 0) return {};
-  return stiffness_.radius * norm_above(x);
+Dyadic HeldStiffness::spread(const Dyadic& radius, const DyadicList& x) {
+  return radius.sign() == 0 ? Dyadic() : radius * norm_above(x);
 }
 
 std::optional<Cholesky> HeldStiffness::factor(std::span<const std::size_t> unknowns) const {
@@ -95,7 +99,7 @@ std::optional<std::string> HeldStiffness::guess(std::span<const std::size_t> unk
   const auto own = all ? std::optional<Cholesky>{} : factor(unknowns);
   const auto& solver = all ? whole_ : own;
   if (!solver) return "K is too badly conditioned to compute its displacements";
-  DyadicList x(middle.size);
+  DyadicList x;
   DyadicList kx(middle.size);
   std::optional<std::string> refusal;
   std::vector<double> step(unknowns.size());
@@ -107,9 +111,15 @@ std::optional<std::string> HeldStiffness::guess(std::span<const std::size_t> unk
     solver->solve(step);
     if (!all_finite(step)) return "its numbers are too large to compute with";
     for (std::size_t k = 0; k < unknowns.size(); ++k) everywhere[unknowns[k]] = step[k];
-    x += DyadicList(everywhere, guessed_bits);
+    if (round > 0) {
+      x += DyadicList(everywhere, guessed_bits);
+    } else {
+      x = DyadicList(everywhere, first_guessed_bits);
+      const auto coarse = coarse_ * x;
+      if (coarse && !check(x, *coarse, spread(stiffness_.radius + coarse_.cut_off(), x))) return {};
+    }
     kx = middle * x;
-    refusal = check(x, kx);
+    refusal = check(x, kx, spread(stiffness_.radius, x));
     if (!refusal) break;
   }
   return refusal;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "verify/cholesky.hpp"
+#include "verify/coarse_matrix.hpp"
 #include "verify/exact.hpp"
 
 namespace kusabi::verify {
@@ -29,24 +30,25 @@ class HeldStiffness {
   /// Above the Frobenius norm of every K with the springs.
   [[nodiscard]] const Dyadic& size() const { return size_; }
 
-  /// What K x may be off by, K being anywhere within its enclosure.
-  [[nodiscard]] Dyadic spread(const DyadicList& x) const;
+  /// What is wrong with a guess x, given a product K x and not less than what it may be off by, K
+  /// being anywhere within its enclosure; nothing if it proves what it is to prove.
+  using Check = std::function<std::optional<std::string>(const DyadicList& x, const DyadicList& kx,
+                                                         const Dyadic& off)>;
 
-  /// What is wrong with a guess x, given the product of the middle with it; nothing if it proves
-  /// what it is to prove.
-  using Check =
-      std::function<std::optional<std::string>(const DyadicList& x, const DyadicList& kx)>;
-
-  /// Solves for the unknowns, the others being zero: K x = right in their rows. Solved again for
-  /// what is left, x has more digits than a double, as many as a badly scaled K needs.
+  /// Solves for the unknowns, the others being zero: K x = right in their rows. The first guess is
+  /// checked with a coarse K. Solved again for what is left, x has more digits than a double, as
+  /// many as a badly scaled K needs.
   /// @return what the last check said, or why there is no guess
   [[nodiscard]] std::optional<std::string> guess(std::span<const std::size_t> unknowns,
                                                  const DyadicList& right, const Check& check) const;
 
  private:
+  // What K x may be off by if K is so far away.
+  [[nodiscard]] static Dyadic spread(const Dyadic& radius, const DyadicList& x);
   [[nodiscard]] std::optional<Cholesky> factor(std::span<const std::size_t> unknowns) const;
 
   EnclosedMatrix stiffness_;
+  CoarseMatrix coarse_;
   std::vector<std::size_t> springs_;
   std::vector<double> rounded_;  // the middle, to guess with
   std::optional<Dyadic> least_;

@@ -23,9 +23,10 @@ std::optional<std::string> BlockProof::refusal_of_alive(const IndexSet& contact,
   if (auto why = read_leaf(numbers, leaf)) return why;
   if (!stiffness->least_eigenvalue())
     return "K was not shown to be definite with its contacts held";
-  return stiffness->guess(leaf.unknowns, leaf.right, [&](const auto& u, const auto& r) {
-    return check_alive(*stiffness, leaf, u, r);
-  });
+  return stiffness->guess(leaf.unknowns, leaf.right,
+                          [&](const auto& u, const auto& r, const auto& off) {
+                            return check_alive(*stiffness, leaf, u, r, off);
+                          });
 }
 
 std::optional<std::string> BlockProof::read_leaf(std::span<const double> numbers,
@@ -125,14 +126,14 @@ std::optional<Dyadic> BlockProof::error_of_lift(const HeldStiffness& held, const
 }
 
 std::optional<std::string> BlockProof::check_alive(const HeldStiffness& held, const Leaf& leaf,
-                                                   const DyadicList& u, const DyadicList& r) const {
+                                                   const DyadicList& u, const DyadicList& r,
+                                                   const Dyadic& unknown) const {
   const auto d = block_.dimension;
   const auto& s = *held.least_eigenvalue();
   Dyadic rest_squared;
   for (const auto row : leaf.unknowns) {
     rest_squared = rest_squared + square(r[row] - leaf.right[row]);
   }
-  const auto unknown = held.spread(u);
   auto right_error = leaf.right_error;
   auto rest = sqrt_above(rest_squared) + unknown + right_error;  // s times error of u
   auto error = held.size() * rest + s * unknown;                 // s times that of r_n
