@@ -218,6 +218,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
   // Whether a point of the grid within the cell is found dead, or alive be it as a flat cone.
   const auto decided = [&](std::int64_t point) {
     if (point <= cell.dead || point >= cell.alive) return true;
+    if (at(point) < range_.least) return false;
     const auto said = ask(at(point));
     if (said.sign != conic::Sign::marginal) return true;
     if (!said.tie || !is_flat(pattern, at(point))) return false;
@@ -253,7 +254,8 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       }
       if (cell.alive - cell.dead <= 1) return cell;
       // The guess was wrong; what was solved beside it leads on.
-      if (programs_ != before) guess = curve.next(at(cell.dead), at(cell.alive));
+      if (programs_ != before)
+        guess = curve.next(std::max(at(cell.dead), range_.least), at(cell.alive));
     }
     if (step > trusted_steps && step % 3 == 0 && std::isfinite(top))
       guess.factor = std::midpoint(floor, top);

@@ -463,6 +463,22 @@ TEST(CriticalFriction, TakesFewProgramsAPattern) {
   }
 }
 
+// The grid has points below the least friction that programs take.
+TEST(CriticalFriction, IsLookedForDownToTheLeastFriction) {
+  for (const double own : {1.0, 1e3, 2e5}) {
+    auto problem = example("two-bars.toml");
+    problem.friction.assign(problem.contact_names.size(), 2 * own);
+    const SignPattern leaf{.contact = set_of({0}), .separated = {}, .at_rest = {}};
+    for (const auto start : {multiple(1.5 / own), CriticalCell::nowhere}) {
+      CriticalFriction critical(problem, width);
+      const auto cell = critical.locate(leaf, {0, start}, CriticalMethod::newton, multiple(1.5));
+      EXPECT_LE(critical.at(cell.dead), 1 / own) << own;
+      EXPECT_GE(critical.at(cell.alive), 1 / own) << own;
+      EXPECT_LE(cell.alive - cell.dead, 200) << own;
+    }
+  }
+}
+
 TEST(CriticalFriction, NothingBelowABoundIsAnAnswer) {
   EXPECT_EQ(least(example("space-truss.toml"), 0.47), CriticalCell{});
 }
