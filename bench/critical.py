@@ -14,11 +14,10 @@ import subprocess
 import sys
 import tempfile
 
+from faces import ENVIRONMENT
+
 TRUSSES = [((5, 2, 3), 1.0), ((10, 2, 3), 0.7), ((5, 4, 3), 0.6), ((15, 2, 3), 0.55)]
 SCALED = ((5, 4, 3), 0.6)  # 408 patterns
-ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-               "OMPI_MCA_hwloc_base_binding_policy": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-               "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe", "PRTE_MCA_hwloc_default_binding_policy": "none"}
 
 
 def main():

@@ -15,16 +15,16 @@ bool has_fixed(const problems::LimitProblem& problem) {
   return std::ranges::any_of(problem.uncertain, &problems::UncertainColumn::in_file);
 }
 
-// With those that the file leaves open up to alpha, beside those that it does not: to be searched
-// with 1.
-problems::LimitProblem settled(problems::LimitProblem problem, double alpha) {
-  if (alpha == 0) {
+// Lets those that the file leaves open go up to alpha, beside those that it does not.
+// @return the alpha to search with
+double settle(problems::LimitProblem& problem, double alpha) {
+  problems::AskedHalfWidths asked{.alpha = alpha};
+  if (alpha == 0 && has_fixed(problem)) {
     std::erase_if(problem.uncertain, [](const auto& column) { return !column.in_file; });
-  } else {
-    const std::array cases{&problem};
-    problems::settle_half_widths(cases, {.alpha = alpha});
+    asked.alpha.reset();  // of none that is left
   }
-  return problem;
+  const std::array cases{&problem};
+  return problems::settle_half_widths(cases, asked).value();
 }
 
 }  // namespace
@@ -33,13 +33,12 @@ LimitSweep sweep_limit_loads(engine::Campaign& campaign, const problems::Structu
                              const problems::LimitProblem& problem,
                              std::span<const double> alphas) {
   LimitSweep sweep;
-  const bool fixed = has_fixed(problem);
   for (const double alpha : alphas) {
+    auto own = problem;
+    LimitQuestion question{.alpha = settle(own, alpha)};
     // The worst curve is that of all uncertain loads in proportion.
-    const bool curve = !fixed && alpha == alphas.back() && alpha > 0;
-    const LimitQuestion question{.alpha = fixed ? 1 : alpha, .curve = curve};
-    sweep.last = fixed ? limit_loads(campaign, truss, settled(problem, alpha), question).answer
-                       : limit_loads(campaign, truss, problem, question).answer;
+    question.curve = !has_fixed(problem) && alpha == alphas.back() && alpha > 0;
+    sweep.last = limit_loads(campaign, truss, own, question).answer;
     const auto& worst = sweep.last.worst;
     sweep.status =
         worst && worst->search != engine::Status::solved ? worst->search : sweep.last.rest;

@@ -226,8 +226,14 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     return true;
   };
 
-  double factor =
-      cell.alive == CriticalCell::nowhere ? std::max(at(cell.dead), range_.least) : at(cell.alive);
+  // Between these it may be that t* becomes zero.
+  const auto floor = [&] { return std::max(at(cell.dead), range_.least); };
+  const auto top = [&] {
+    return cell.alive == CriticalCell::nowhere ? curve.least_tie()
+                                               : std::min(curve.least_tie(), at(cell.alive));
+  };
+
+  double factor = cell.alive == CriticalCell::nowhere ? floor() : at(cell.alive);
   for (int step = 1; step <= most_steps; ++step) {
     const auto said = ask(factor);
     const bool open = cell.alive == CriticalCell::nowhere;
@@ -235,15 +241,13 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
     if (cell.alive - cell.dead <= 1 || (open && to_the_end)) return cell;
 
     // Of a tie it is asked only here whether it is a flat cone: the others above it are, too.
-    const double tie = std::min(curve.least_tie(), at(std::min(cell.alive, most)));
-    const auto tip = std::min(cell.alive, static_cast<std::int64_t>(std::ceil(tie / width())));
+    const double end = std::min(top(), at(most));
+    const auto tip = std::min(cell.alive, static_cast<std::int64_t>(std::ceil(end / width())));
     if (tip - cell.dead <= 2) {
       if (!decided(tip) || !decided(cell.dead + 1)) break;
       if (cell.alive - cell.dead <= 1) return cell;
     }
-    const double floor = std::max(at(cell.dead), range_.least);
-    const double top = open ? curve.least_tie() : std::min(curve.least_tie(), at(cell.alive));
-    auto guess = curve.next(floor, top);
+    auto guess = curve.next(floor(), top());
     if (guess.settled) {
       const auto below = static_cast<std::int64_t>(std::floor(guess.factor / width()));
       const auto before = programs_;
@@ -254,11 +258,10 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       }
       if (cell.alive - cell.dead <= 1) return cell;
       // The guess was wrong; what was solved beside it leads on.
-      if (programs_ != before)
-        guess = curve.next(std::max(at(cell.dead), range_.least), at(cell.alive));
+      if (programs_ != before) guess = curve.next(floor(), top());
     }
-    if (step > trusted_steps && step % 3 == 0 && std::isfinite(top))
-      guess.factor = std::midpoint(floor, top);
+    if (step > trusted_steps && step % 3 == 0 && std::isfinite(top()))
+      guess.factor = std::midpoint(floor(), top());
     factor = std::min(guess.factor, at(most));
   }
   return locate(pattern, cell, CriticalMethod::bisection, most);

@@ -2,10 +2,10 @@
 // one have it.
 #include "verify/coarse_matrix.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
