@@ -26,7 +26,8 @@ BranchingRule::BranchingRule(const problems::WedgedProblem& problem,
                              std::span<const double> friction, Branching branching)
     : branching_(branching), weight_(weights(problem, friction)) {}
 
-int BranchingRule::candidate(const support::IndexSet& open, ContactSolver& solver) const {
+std::vector<int> BranchingRule::best(const support::IndexSet& open, ContactSolver& solver,
+                                     int count) const {
   const auto relative = [&](int i) { return solver.violation(i) * weight(i); };
   if (branching_ == Branching::deepest || branching_ == Branching::weighed) {
     const auto distances = solver.face_distances();
@@ -35,12 +36,14 @@ int BranchingRule::candidate(const support::IndexSet& open, ContactSolver& solve
       return own.separation * own.contact;
     };
     if (!distances.empty()) {
-      if (branching_ == Branching::deepest) return largest(open, product);
-      return largest(open,
-                     [&](int i) { return product(i) * std::sqrt(std::max(0.0, relative(i))); });
+      if (branching_ == Branching::deepest) return largest(open, product, count);
+      const auto weighed = [&](int i) {
+        return product(i) * std::sqrt(std::max(0.0, relative(i)));
+      };
+      return largest(open, weighed, count);
     }
   }
-  return largest(open, relative);
+  return largest(open, relative, count);
 }
 
 }  // namespace kusabi::wedged

@@ -2,8 +2,11 @@
 // (docs/theory/wedged.md, "Which candidate is branched on").
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "nodes/wedged/contact_solver.hpp"
@@ -44,13 +47,21 @@ class BranchingRule {
   /// The candidate to split a node by. Of equal ones the first, so that the tree is the same
   /// everywhere.
   /// @param open undecided candidates, not empty  @param solver which has just solved the node
-  [[nodiscard]] int candidate(const support::IndexSet& open, ContactSolver& solver) const;
+  [[nodiscard]] int candidate(const support::IndexSet& open, ContactSolver& solver) const {
+    return best(open, solver, 1).front();
+  }
+
+  /// The same and those that come next, the best first: `count` of them, or all there are.
+  [[nodiscard]] std::vector<int> best(const support::IndexSet& open, ContactSolver& solver,
+                                      int count) const;
 
   /// The one that violates complementarity most, in the rule's units.
   /// @param violation gives u_n r_n of a candidate
   template <class Violation>
   [[nodiscard]] int most_violated(const support::IndexSet& open, Violation violation) const {
-    return largest(open, [&](int i) { return violation(i) * weight(i); });
+    return largest(
+               open, [&](int i) { return violation(i) * weight(i); }, 1)
+        .front();
   }
 
  private:
@@ -59,16 +70,13 @@ class BranchingRule {
   }
 
   template <class Score>
-  static int largest(const support::IndexSet& open, Score score) {
-    int best = open.lowest();
-    double most = -1;
-    for (const int i : open) {
-      const double own = score(i);
-      if (own > most) {
-        most = own;
-        best = i;
-      }
-    }
+  static std::vector<int> largest(const support::IndexSet& open, Score score, int count) {
+    std::vector<std::pair<double, int>> ranked;  // the score's opposite, the candidate
+    for (const int i : open) ranked.emplace_back(-score(i), i);
+    const auto end = ranked.begin() + std::min<std::ptrdiff_t>(count, std::ssize(ranked));
+    std::partial_sort(ranked.begin(), end, ranked.end());
+    std::vector<int> best;
+    for (auto one = ranked.begin(); one != end; ++one) best.push_back(one->second);
     return best;
   }
 

@@ -86,6 +86,7 @@ class Trial {
     for (const Branching rule : rules) {
       SignPatternOptions own = options;
       own.branching = rule;
+      own.probes = 0;
       trees_.emplace_back(problem, friction, own);
     }
   }

@@ -2,7 +2,9 @@
 #include "nodes/wedged/sign_pattern.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +25,14 @@ SignPattern in_whole(const SignPattern& own, const IndexSet& block) {
   return {.contact = problems::in_whole(own.contact, block),
           .separated = problems::in_whole(own.separated, block),
           .at_rest = problems::in_whole(own.at_rest, block)};
+}
+
+// In contact first.
+std::array<PatternNode, 2> children(const PatternNode& node, int candidate) {
+  const auto own = IndexSet::single(candidate);
+  const auto& [contact, separated, at_rest] = node.pattern;
+  return {
+      {{node.block, {contact | own, separated, {}}}, {node.block, {contact, separated | own, {}}}}};
 }
 
 }  // namespace
@@ -48,7 +58,7 @@ SignPatternTree::Block::Block(const problems::WedgedProblem& problem, IndexSet w
 
 SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
                                  std::span<const double> friction, SignPatternOptions options)
-    : tolerances_(options.tolerances), thorough_(options.thorough) {
+    : tolerances_(options.tolerances), probes_(options.probes), thorough_(options.thorough) {
   if (friction.size() != problem.contact_names.size())
     throw std::invalid_argument("every candidate needs a friction coefficient");
   for (const auto& candidates : problems::blocks_of(problem)) {
@@ -115,7 +125,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
     case conic::Sign::marginal:
       return decide_doubt(node, answer);
   }
-  return branch(node, block.free(node.pattern));
+  return branch_living(node);
 }
 
 // A candidate that has no configuration on one side is branched on before anything is solved, and
@@ -136,7 +146,7 @@ std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Nod
     case conic::Sign::dead:
       return prune_with(cuts, node);
     case conic::Sign::alive:
-      return branch(node, free);
+      return branch_living(node);
     case conic::Sign::marginal:
       break;
   }
@@ -208,13 +218,53 @@ SignPatternTree::Fate SignPatternTree::branch(const Node& node, const IndexSet& 
   return split(node, block.rule.candidate(open, block.solver));
 }
 
+// A node that is known to be alive, by what was solved last.
+SignPatternTree::Fate SignPatternTree::branch_living(const Node& node) {
+  Block& block = blocks_[node.block];
+  const auto free = block.free(node.pattern);
+  if (probes_ == 0 || block.outer) return branch(node, free);
+  return split(node, probed(node, block.rule.best(free, block.solver, probes_)));
+}
+
+// Where a child is dead the node has one child fewer. Otherwise t* of both says how much is left of
+// them; their product is smallest where both have lost much.
+int SignPatternTree::probed(const Node& node, std::span<const int> tried) {
+  int best = tried.front();
+  double least = std::numeric_limits<double>::infinity();
+  for (const int candidate : tried) {
+    double left = 1;
+    for (const Node& child : children(node, candidate)) {
+      const auto answer = probe(child);
+      if (answer.sign == conic::Sign::dead) return candidate;
+      left *= std::max(answer.lower, tolerances_.sign);
+    }
+    if (left < least) {
+      least = left;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+// What the child's own program says of it; what is marginal is not asked any further.
+conic::Answer SignPatternTree::probe(const Node& child) {
+  Block& block = blocks_[child.block];
+  const auto& [contact, separated, at_rest] = child.pattern;
+  const auto free = block.free(child.pattern);
+  const conic::StopEarly stop{.when_dead = true, .when_alive = false};
+  const bool has_cuts = !block.bounds.empty() && !free.empty();
+  const auto answer =
+      has_cuts ? block.solver.solve_with(cuts_of(free, block.bounds), contact, separated, stop)
+               : block.solver.solve(contact, separated, stop);
+  ++tally_.probed;
+  tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
+  return answer;
+}
+
 SignPatternTree::Fate SignPatternTree::split(const Node& node, int candidate) {
   ++tally_.branched;
-  const auto own = IndexSet::single(candidate);
-  const auto& [contact, separated, at_rest] = node.pattern;
-  return {.children = {{node.block, {contact | own, separated, {}}},
-                       {node.block, {contact, separated | own, {}}}},
-          .leaf = {}};
+  const auto both = children(node, candidate);
+  return {.children = {both.begin(), both.end()}, .leaf = {}};
 }
 
 SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {

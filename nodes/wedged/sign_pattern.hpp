@@ -150,6 +150,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
   std::uint64_t climbed = 0;     ///< nodes that took more digits than a double has
+  std::uint64_t probed = 0;      ///< children that were solved to choose which to split into
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
   std::uint64_t candidates = 0;  ///< leaves to test of Algorithm 5.8
   std::vector<PolyhedralCandidate> tested;  ///< these; no count, and so not among the fields
@@ -176,6 +177,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
                       field("undecided_leaves", &SignPatternTally::undecided),
                       field("doubtful_branched", &SignPatternTally::doubtful),
                       field("climbed", &SignPatternTally::climbed),
+                      field("probed", &SignPatternTally::probed),
                       field("iterations", &SignPatternTally::iterations),
                       field("candidates", &SignPatternTally::candidates)};
   }
@@ -193,6 +195,10 @@ struct SignPatternOptions {
   conic::Tolerances tolerances;
   Branching branching = Branching::automatic;     ///< without a trial: find_patterns makes one
   Tightening tightening = Tightening::automatic;  ///< likewise
+  /// Of how many candidates, the best by the rule of branching, both children are solved before a
+  /// node is split: by one of which a child is dead, or else by the one whose children have least
+  /// left. 0: none, the rule decides. Of polyhedral cones none are.
+  int probes = 0;
   /// 0: a node is bounded with the friction cones themselves (Algorithm 5.1). Otherwise, in space,
   /// with polyhedral cones of so many facets around them, and each leaf that these let live is put
   /// to the test of the cones (Algorithm 5.8).
@@ -271,6 +277,9 @@ class SignPatternTree {
   Fate decide_doubt(const Node& node, const conic::Answer& answer);
   void note_tested(const Node& leaf, double polyhedral, const conic::Answer& answer);
   Fate branch(const Node& node, const support::IndexSet& open);
+  Fate branch_living(const Node& node);
+  int probed(const Node& node, std::span<const int> tried);
+  conic::Answer probe(const Node& child);
   Fate split(const Node& node, int candidate);
   Fate prune(const Node& node, const Eigen::VectorXd& multipliers);
   Fate prune_with(std::span<const conic::Cut> cuts, const Node& node);
@@ -283,6 +292,7 @@ class SignPatternTree {
   void report_open(const Node& node) const;
 
   conic::Tolerances tolerances_;
+  int probes_;
   bool thorough_;
   std::vector<Block> blocks_;
   Tally tally_;

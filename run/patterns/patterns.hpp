@@ -28,8 +28,9 @@ struct PatternsOptions {
   double tolerance = conic::Tolerances{}.sign;                    ///< |t*| up to this is marginal
   wedged::Tightening tightening = wedged::Tightening::automatic;  ///< whether there are cuts
   wedged::Branching branching = wedged::Branching::automatic;     ///< how nodes are split
-  bool polyhedral = false;                                        ///< Algorithm 5.8, otherwise 5.1
-  int facets = 16;               ///< of the polyhedral friction cones of Algorithm 5.8
+  int probes = 0;           ///< of how many candidates children are tried before a node is split
+  bool polyhedral = false;  ///< Algorithm 5.8, otherwise 5.1
+  int facets = 16;          ///< of the polyhedral friction cones of Algorithm 5.8
   bool list_candidates = false;  ///< of Algorithm 5.8, in the table
   PatternSort sort = PatternSort::number;
   /// Patterns that differ in so many candidates are one line; 0: no groups; negative: the table

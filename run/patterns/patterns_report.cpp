@@ -234,6 +234,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
       {"branching", name_of(options_.branching)},
       {"cuts", name_of(options_.tightening)},
       {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}};
+  if (options_.probes > 0) chosen["probe"] = options_.probes;
   if (options_.group > 0) chosen["group"] = options_.group;
   return {{"command", "patterns"},
           {"version", KUSABI_VERSION},

@@ -332,6 +332,7 @@ TEST_F(Command, RefusesWrongCalls) {
       {good + " --candidates --method cones", "expected --method polyhedral"},
       {good + " --order sideways", "expected one of depth-first, breadth-first"},
       {good + " --facets 8 --method cones", "expected --method polyhedral"},
+      {good + " --probe 4 --method polyhedral", "expected --method cones"},
       {good + " --method polyhedral --facets 7",
        "--facets: '7', expected an even number from 4 to 64"},
       {"patterns " + plane + " --mu 0.5 --method polyhedral", "expected --method cones"},

@@ -27,13 +27,14 @@ namespace kusabi::wedged {
 namespace {
 
 PatternFindings searched(const problems::WedgedProblem& problem, double mu, Tightening tightening,
-                         const Witness& witness = {}, bool thorough = false) {
+                         const Witness& witness = {}, bool thorough = false, int probes = 0) {
   const std::vector<double> friction(problem.contact_names.size(), mu);
   engine::SingleProcess alone;
   engine::Campaign campaign(alone);
   PatternQuestion question;
   question.tree.tightening = tightening;
   question.tree.thorough = thorough;
+  question.tree.probes = probes;
   question.witness = witness;
   return find_patterns(campaign, problem, friction, question);
 }
@@ -71,6 +72,10 @@ struct Leaves {
     const auto with = searched(problem, mu, Tightening::always);
     EXPECT_TRUE(problem.motions.cols() > 0 || !with.bounds.empty()) << where;
     expect_same(with, without, where);
+    const auto probed = searched(problem, mu, Tightening::always, {}, false, 3);
+    expect_same(probed, without, where + ", probed");
+    expect_same(searched(problem, mu, Tightening::never, {}, false, 3), without,
+                where + ", probed without cuts");
     bounds += with.bounds.size();
     EXPECT_TRUE(without.bounds.empty()) << where;
     all += without.leaves.size();
@@ -221,6 +226,16 @@ TEST(CutTrees, HaveFarFewerNodes) {
   EXPECT_EQ(automatic.outcome.opened(), with.outcome.opened());
 }
 
+TEST(CutTrees, HaveFewerNodesWhereChildrenAreTriedFirst) {
+  const auto problem = problems::wedged_problem(problems::space_truss({.rows = 6, .depth = 5}));
+  const auto plain = searched(problem, 0.5, Tightening::always);
+  const auto probed = searched(problem, 0.5, Tightening::always, {}, false, 8);
+  expect_same(probed, plain, "6 x 5");
+  EXPECT_LE(3 * probed.outcome.opened(), 2 * plain.outcome.opened());
+  EXPECT_EQ(plain.outcome.tally().probed, 0U);
+  EXPECT_GT(probed.outcome.tally().probed, probed.outcome.tally().branched);
+}
+
 /// Evidence that outlives its node.
 struct KeptEvidence {
   Evidence evidence;
@@ -242,7 +257,7 @@ struct Searched {
   PatternFindings findings{};
   mutable verify::Certificate certificate{};  // what a proof is about
 
-  Searched(const problems::Structure& structure, double mu)
+  Searched(const problems::Structure& structure, double mu, int probes = 0)
       : problem(problems::wedged_problem(structure)),
         friction(problem.contact_names.size(), mu),
         enclosed(std::get<verify::EnclosedProblem>(enclosed_stiffness(structure))) {
@@ -251,7 +266,7 @@ struct Searched {
         [this](const Evidence& one) {
           evidence.push_back({one, {one.numbers.begin(), one.numbers.end()}});
         },
-        true);
+        true, probes);
   }
 
   /// Without bounds yet.
@@ -279,17 +294,18 @@ std::vector<std::pair<problems::Structure, double>> structures() {
 }
 
 TEST(CutTrees, HaveEvidenceThatStandsTheTestOfTheVerifier) {
-  for (const auto& [structure, mu] : structures()) {
-    const Searched own(structure, mu);
-    const EvidenceCheck check(own.problem, own.enclosed, own.friction, own.findings.bounds);
-    for (const auto& one : own.evidence) {
-      if (one.evidence.kind == Evidence::Kind::marginal) continue;
-      EXPECT_TRUE(one.holds(check));
+  for (const auto& [structure, mu] : structures())
+    for (const int probes : {0, 4}) {
+      const Searched own(structure, mu, probes);
+      const EvidenceCheck check(own.problem, own.enclosed, own.friction, own.findings.bounds);
+      for (const auto& one : own.evidence) {
+        if (one.evidence.kind == Evidence::Kind::marginal) continue;
+        EXPECT_TRUE(one.holds(check));
+      }
+      EXPECT_GT(own.of_kind(Evidence::Kind::cut), 5U);
+      EXPECT_GT(own.of_kind(Evidence::Kind::alive), 5U) << structure.name;
+      EXPECT_EQ(own.of_kind(Evidence::Kind::marginal), 0U) << structure.name;
     }
-    EXPECT_GT(own.of_kind(Evidence::Kind::cut), 10U);
-    EXPECT_GT(own.of_kind(Evidence::Kind::alive), 5U) << structure.name;
-    EXPECT_EQ(own.of_kind(Evidence::Kind::marginal), 0U) << structure.name;
-  }
 }
 
 /// Of all configurations that were found on its side, the largest reaction or gap of a candidate.
