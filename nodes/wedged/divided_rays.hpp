@@ -16,9 +16,9 @@
 
 namespace kusabi::wedged {
 
-/// A list that is longer is divided. With 60,000 rays in the end that makes a tenth more pairs than
-/// the whole list; lists of 16,000 would make half as many again (bench/README.md).
-inline constexpr std::uint64_t longest_list = 65'536;
+/// A list that is longer is divided. Shorter ones make more pairs, since idle rays are in both
+/// parts; longer ones leave fewer parts to share (bench/README.md).
+inline constexpr std::uint64_t longest_list = 98'304;
 
 /// About how many bytes lists take on each rank, however many rays there are in the end: a step
 /// makes a list longer, on trusses up to twice as long.
