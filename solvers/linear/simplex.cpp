@@ -25,10 +25,11 @@ constexpr double dual_tolerance = 1e-9;
 constexpr int steps_a_row = 50;
 constexpr int least_steps = 2000;
 
-// A piece of a solve that may be stopped: so many steps that it takes a fraction of a second. A
-// step costs about as much as reading the program once.
-constexpr double reading_a_piece = 2e7;
-constexpr double least_piece = 50;
+// A piece of a solve that may be stopped: so many steps that it takes about a second at most. A
+// step costs no more than reading the program once or twice; but before the first of a piece GLPK
+// copies the program, entry by entry, and forgets its steepest edges.
+constexpr double reading_a_piece = 2e8;
+constexpr double least_piece = 500;
 
 int bound_type(double lower, double upper) {
   if (lower == upper) return GLP_FX;
