@@ -237,7 +237,7 @@ TEST(SafeBound, RoundsDownWhereNearestWouldRoundUp) {
 
 // A program that takes many steps: to cover rows by dense columns.
 LinearProgram long_one() {
-  constexpr int size = 400;
+  constexpr int size = 800;
   std::mt19937 draw(5);
   std::uniform_real_distribution<double> between(0.1, 1);
   LinearProgram program;
