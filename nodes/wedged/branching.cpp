@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace kusabi::wedged {
 
@@ -28,6 +29,14 @@ BranchingRule::BranchingRule(const problems::WedgedProblem& problem,
 
 std::vector<int> BranchingRule::best(const support::IndexSet& open, ContactSolver& solver,
                                      int count) const {
+  const auto ranked = [&](const auto& score) {
+    std::vector<int> first;
+    for (auto left = open; !left.empty() && std::ssize(first) < count;) {
+      first.push_back(largest(left, score));
+      left = left - support::IndexSet::single(first.back());
+    }
+    return first;
+  };
   const auto relative = [&](int i) { return solver.violation(i) * weight(i); };
   if (branching_ == Branching::deepest || branching_ == Branching::weighed) {
     const auto distances = solver.face_distances();
@@ -35,15 +44,11 @@ std::vector<int> BranchingRule::best(const support::IndexSet& open, ContactSolve
       const auto& own = distances[static_cast<std::size_t>(i)];
       return own.separation * own.contact;
     };
-    if (!distances.empty()) {
-      if (branching_ == Branching::deepest) return largest(open, product, count);
-      const auto weighed = [&](int i) {
-        return product(i) * std::sqrt(std::max(0.0, relative(i)));
-      };
-      return largest(open, weighed, count);
-    }
+    const auto weighed = [&](int i) { return product(i) * std::sqrt(std::max(0.0, relative(i))); };
+    if (!distances.empty())
+      return branching_ == Branching::deepest ? ranked(product) : ranked(weighed);
   }
-  return largest(open, relative, count);
+  return ranked(relative);
 }
 
 }  // namespace kusabi::wedged

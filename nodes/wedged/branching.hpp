@@ -2,11 +2,8 @@
 // (docs/theory/wedged.md, "Which candidate is branched on").
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "nodes/wedged/contact_solver.hpp"
@@ -59,9 +56,7 @@ class BranchingRule {
   /// @param violation gives u_n r_n of a candidate
   template <class Violation>
   [[nodiscard]] int most_violated(const support::IndexSet& open, Violation violation) const {
-    return largest(
-               open, [&](int i) { return violation(i) * weight(i); }, 1)
-        .front();
+    return largest(open, [&](int i) { return violation(i) * weight(i); });
   }
 
  private:
@@ -70,13 +65,16 @@ class BranchingRule {
   }
 
   template <class Score>
-  static std::vector<int> largest(const support::IndexSet& open, Score score, int count) {
-    std::vector<std::pair<double, int>> ranked;  // the score's opposite, the candidate
-    for (const int i : open) ranked.emplace_back(-score(i), i);
-    const auto end = ranked.begin() + std::min<std::ptrdiff_t>(count, std::ssize(ranked));
-    std::partial_sort(ranked.begin(), end, ranked.end());
-    std::vector<int> best;
-    for (auto one = ranked.begin(); one != end; ++one) best.push_back(one->second);
+  static int largest(const support::IndexSet& open, Score score) {
+    int best = open.lowest();
+    double most = -1;
+    for (const int i : open) {
+      const double own = score(i);
+      if (own > most) {
+        most = own;
+        best = i;
+      }
+    }
     return best;
   }
 
