@@ -126,6 +126,9 @@ class Schema(KusabiCase):
         self.check_wedged("patterns", 0)
         result = self.check("patterns", "../tests/cases/plane_truss_and_post.toml", ("--mu", 0.5))
         self.assertTrue(result["result"]["patterns"][0]["at_rest"])
+        result = self.check("patterns", "plane-truss.toml", ("--mu", 0.8, "--probe", 2))
+        self.assertEqual(result["options"]["probe"], 2)
+        self.assertGreater(result["result"]["tree"]["probed"], 0)
 
     def test_defaults_from_a_file(self):
         config = self.folder / "config.toml"

@@ -302,7 +302,7 @@ TEST(CutTrees, HaveEvidenceThatStandsTheTestOfTheVerifier) {
         if (one.evidence.kind == Evidence::Kind::marginal) continue;
         EXPECT_TRUE(one.holds(check));
       }
-      EXPECT_GT(own.of_kind(Evidence::Kind::cut), 5U);
+      EXPECT_GT(own.of_kind(Evidence::Kind::cut), 10U);
       EXPECT_GT(own.of_kind(Evidence::Kind::alive), 5U) << structure.name;
       EXPECT_EQ(own.of_kind(Evidence::Kind::marginal), 0U) << structure.name;
     }
