@@ -89,7 +89,7 @@ void heap_push_pop(benchmark::State& state) {
     random = branch_hash(random, 0);
     return static_cast<double>(random % 1000);
   };
-  const auto bundle = [] { return Bundle<Depth>{{Step{0, 1, 1, 1}}, {{Depth{}, 1, 0}}}; };
+  const auto bundle = [] { return Bundle<Depth>{{TrailStep{0, 1, 1, 1}}, {{Depth{}, 1, 0}}}; };
   Heap<Depth> heap;
   for (std::int64_t i = 0; i < state.range(0); ++i) heap.put(bundle(), bound);
   for (auto _ : state) {
@@ -119,23 +119,23 @@ void steal(benchmark::State& state) {
     auto giver = full;
     Frontier<Signs> taker;
     state.ResumeTiming();
-    const auto body = pack(Gift<Signs>{giver.give(std::size_t{1} << 30U)});
-    auto gift = unpack<Gift<Signs>>(body);
-    taker.take(std::move(gift.front()));
+    const auto body = pack(Transfer<Signs>{giver.give(std::size_t{1} << 30U)});
+    auto transfer = unpack<Transfer<Signs>>(body);
+    taker.take(std::move(transfer.front()));
     benchmark::DoNotOptimize(taker);
   }
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
 void serialise(benchmark::State& state) {
-  const Gift<Signs> gift{frontier_of(state.range(0)).all()};
-  for (auto _ : state) benchmark::DoNotOptimize(pack(gift));
+  const Transfer<Signs> transfer{frontier_of(state.range(0)).all()};
+  for (auto _ : state) benchmark::DoNotOptimize(pack(transfer));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
 void deserialise(benchmark::State& state) {
-  const auto body = pack(Gift<Signs>{frontier_of(state.range(0)).all()});
-  for (auto _ : state) benchmark::DoNotOptimize(unpack<Gift<Signs>>(body));
+  const auto body = pack(Transfer<Signs>{frontier_of(state.range(0)).all()});
+  for (auto _ : state) benchmark::DoNotOptimize(unpack<Transfer<Signs>>(body));
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 

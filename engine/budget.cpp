@@ -1,4 +1,4 @@
-// One clock, and one note of what was asked for.
+// Budget: remaining time, and stop or checkpoint requests that arrive between searches.
 #include "engine/budget.hpp"
 
 #include <algorithm>

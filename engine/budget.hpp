@@ -1,5 +1,4 @@
-// The time limit and the signals of a question that takes several searches, one after another with
-// work between them.
+// Budget: time limit and stop requests of an analysis that runs several searches in sequence.
 #pragma once
 
 #include <chrono>
@@ -12,27 +11,28 @@ namespace kusabi::engine {
 
 class Budget {
  public:
-  /// The clock starts here.
-  /// @param interrupt as Options::interrupt, say asked_by_signal; empty: nobody asks. That a
-  ///   checkpoint is wanted it may tell once; that an end is, as often as it is asked.
+  /// Starts the clock.
+  /// @param interrupt as Options::interrupt, for example asked_by_signal; empty: never interrupted.
+  ///     It
+  ///   may report a checkpoint request once; it must report a stop request on every call.
   explicit Budget(const Limits& limits, std::function<Interrupt()> interrupt = {});
 
-  /// For the next search: with the seconds that are left.
+  /// Limits of the next search: the time limit is reduced to the seconds that remain.
   [[nodiscard]] Limits left() const;
 
-  /// Whether the time is up, or an end has been asked for: of this rank alone.
+  /// True if the time is up or a stop was requested. The value is local to this rank.
   [[nodiscard]] bool spent() const;
 
-  /// `spent`, for work that knows nothing of clocks and signals. This must outlive it.
+  /// `spent` as a function, for long computations without a clock. This object must outlive it.
   [[nodiscard]] std::function<bool()> stop() const {
     return [this] { return spent(); };
   }
 
-  /// Why, after `spent`.
+  /// Reason for stopping. @pre spent()
   [[nodiscard]] Status why() const;
 
-  /// Options::interrupt of the next search: what was asked for before it is not lost. This must
-  /// outlive it; empty if nobody asks.
+  /// Options::interrupt of the next search, which also delivers earlier requests. Empty if there is
+  /// no source of requests. This object must outlive it.
   [[nodiscard]] std::function<Interrupt()> interrupt() const;
 
  private:
@@ -41,7 +41,7 @@ class Budget {
 
   Limits limits_;
   std::function<Interrupt()> interrupt_;
-  mutable bool checkpoint_asked_ = false;  // and no search has been told
+  mutable bool checkpoint_asked_ = false;  // requested, and not yet passed to a search
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

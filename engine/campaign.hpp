@@ -1,5 +1,5 @@
-// A question that takes several searches, and how whoever asks it takes part: where to stop, what
-// is shown meanwhile. Without a word the question runs to its end, in silence.
+// Campaign: an analysis that runs several searches in sequence, with its limits, progress output
+// and journal. By default it has no limits and no output.
 #pragma once
 
 #include <chrono>
@@ -24,42 +24,41 @@
 
 namespace kusabi::engine {
 
-/// What a caller wants of a question, and wants to see of it.
+/// Limits, output and journal of an analysis.
 struct Supervision {
-  /// Over all that the question takes. The time counts from its beginning; the rest is for each
-  /// search by itself.
+  /// The time limit counts from the beginning of the analysis; all other limits apply to each
+  /// search.
   Limits limits = {};
 
-  /// As Options::interrupt, but asked outside of searches, too: see Budget.
+  /// As Options::interrupt. It is also called between searches; see Budget.
   std::function<Interrupt()> interrupt = {};
 
-  /// Called on rank 0 when a search begins. What it returns is told of the search's progress, and
-  /// destroyed when the search has ended.
+  /// Called on rank 0 when a search begins. The returned function receives the progress of that
+  /// search and is destroyed when the search ends.
   std::function<std::function<void(const Progress&)>(Goal, const ShownObjective&)> watch = {};
 
-  /// Told, on rank 0, what long work outside of searches is doing: one line, now and then.
+  /// Called on rank 0, now and then, with a line about long work outside searches.
   std::function<void(const std::string&)> say = {};
 
-  /// Of what changes all the time, so often.
+  /// Minimum interval of lines about quantities that change continuously.
   std::chrono::steady_clock::duration say_every = std::chrono::seconds(2);
 
-  /// Told, on rank 0, of what went wrong without ending the question: one line.
+  /// Called on rank 0 with a line about a fault that does not end the analysis.
   std::function<void(const std::string&)> warn = {};
 
-  /// Where what is finished of the question is kept, so that another run can go on with it; unless
-  /// given, nowhere.
+  /// Journal of finished parts, from which another run resumes; by default there is none.
   std::optional<Keeping> keeping = {};
 };
 
-/// One question on all ranks of a transport, under way. Its parts are searches, works that are
-/// shared and works of rank 0; each is done once, however many runs the question takes, if it is
-/// kept: what was finished in an earlier run is not done again (engine/recording.hpp).
+/// An analysis in progress, on all ranks of a transport. Its parts are searches, shared work and
+/// work of rank 0. With a journal, a part that an earlier run finished is not repeated
+/// (engine/recording.hpp).
 ///
-/// Requires then: what the parts are and come to depends on the question alone, not on the number
-/// of ranks nor on timing, unless the budget is spent.
+/// @pre with a journal: the parts and their results depend on the analysis alone, not on the number
+///     of ranks and not on timing, unless the budget is spent
 class Campaign {
  public:
-  /// The time begins to count. The transport must outlive it.
+  /// Starts the clock. The transport must outlive this object.
   explicit Campaign(Transport& transport, Supervision supervision = {})
       : transport_(transport),
         supervision_(std::move(supervision)),
@@ -75,17 +74,18 @@ class Campaign {
   [[nodiscard]] bool is_first() const { return transport_.rank() == 0; }
   [[nodiscard]] const Budget& budget() const { return budget_; }
 
-  /// Whether what is finished is kept.
+  /// True if finished parts are written to a journal.
   [[nodiscard]] bool is_kept() const { return recording_.has_value(); }
 
-  /// engine::search within what is left of the budget, watched. A part of the question.
-  /// @param options is completed by limits, interrupt and progress; if the question is kept, by
-  ///   where its checkpoint is as well
+  /// A part of the analysis: engine::search within the remaining budget, with progress output.
+  /// @param options the campaign sets limits, interrupt and progress and, with a journal, the
+  ///   checkpoint
   template <class P>
   OutcomeOf<P> search(P& problem, Options options, const ShownObjective& shown = {}) {
     if (!recording_) return search_anew(problem, std::move(options), shown);
     const auto kind = kind_of_search(typeid(P).name());
-    if (const auto known = recording_->known(kind, budget_.spent(), false)) return told<P>(*known);
+    if (const auto known = recording_->known(kind, budget_.spent(), false))
+      return recorded_outcome<P>(*known);
     const bool sound = recording_->sound(budget_.spent());
     if (sound) options.checkpoint = recording_->checkpoint();
     auto outcome = search_anew(problem, std::move(options), shown);
@@ -94,7 +94,7 @@ class Campaign {
     return outcome;
   }
 
-  /// The same, but no part of the question: every run does it again.
+  /// As `search`, but not a part of the analysis: every run repeats it.
   template <class P>
   OutcomeOf<P> search_anew(P& problem, Options options, const ShownObjective& shown = {}) {
     options.limits = budget_.left();
@@ -105,14 +105,14 @@ class Campaign {
     return engine::search(problem, transport_, options);
   }
 
-  /// engine::share_work, as a part of the question.
+  /// A part of the analysis: engine::share_work.
   template <class Result>
   std::vector<Result> share(std::uint64_t pieces, std::function<Result(std::uint64_t)> piece) {
     return part<std::vector<Result>>(
         [&] { return share_work<Result>(transport_, pieces, std::move(piece)); });
   }
 
-  /// engine::from_first_rank, as a part of the question: for work that takes long.
+  /// A part of the analysis: engine::from_first_rank, for long computations.
   template <class Make>
   std::invoke_result_t<Make> by_first_rank(Make make) {
     return part<std::invoke_result_t<Make>>([&] { return from_first_rank(transport_, make); });
@@ -122,7 +122,8 @@ class Campaign {
     if (is_first() && supervision_.say) supervision_.say(line);
   }
 
-  /// The same of what changes all the time, now and then. @param line makes a line
+  /// Reports quantities that change continuously, at most every `say_every`. @param line makes a
+  /// line
   template <class Line>
   void say_now_and_then(Line line) {
     const auto now = std::chrono::steady_clock::now();
@@ -132,7 +133,7 @@ class Campaign {
   }
 
  private:
-  // What every rank gets alike.
+  // A part whose result every rank needs.
   template <class Value, class Make>
   Value part(Make make) {
     if (!recording_) return make();
@@ -145,9 +146,9 @@ class Campaign {
     return value;
   }
 
-  // The outcome of a search that was done before: whole on rank 0, as it is after any.
+  // Outcome of a search that an earlier run finished: complete on rank 0, as after any search.
   template <class P>
-  OutcomeOf<P> told(const Bytes& known) {
+  OutcomeOf<P> recorded_outcome(const Bytes& known) {
     if (is_first()) return unpack<OutcomeOf<P>>(std::span<const char>(known.data(), known.size()));
     OutcomeOf<P> outcome;
     outcome.ranks.resize(1);

@@ -1,4 +1,5 @@
-// Writing beside, syncing, renaming; and reading with suspicion.
+// Checkpoint files: each is written under a temporary name, synced and renamed; all are verified
+// when read.
 #include "engine/checkpoint.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 constexpr const char* manifest_magic = "kusabi-checkpoint";
 constexpr const char* part_magic = "kusabi-checkpoint-part";
 constexpr int format_version = 4;
-constexpr int oldest_version = 3;  // its manifest says nothing of byte order, goal and types
+constexpr int oldest_version = 3;  // its manifest lacks byte order, goal and types
 constexpr const char* byte_order =
     std::endian::native == std::endian::little ? "little-endian" : "big-endian";
 constexpr const char* other_problem = "is the checkpoint of another problem";
@@ -39,7 +40,7 @@ std::string previous(const std::string& file) {
   return file + previous_suffix;
 }
 
-// Parts carry the name of the checkpoint, whichever of the two manifests lists them.
+// Part files carry the name of the checkpoint, for FILE and FILE.previous alike.
 std::string part_name(std::string manifest_file, std::uint64_t epoch, int rank) {
   const std::string suffix = previous_suffix;
   if (manifest_file.ends_with(suffix)) manifest_file.resize(manifest_file.size() - suffix.size());
@@ -57,7 +58,7 @@ std::string checksum(const std::string& header, const std::string& body) {
   throw CheckpointError(file + ": " + what);
 }
 
-// A word of a file as a message repeats it.
+// A word of a file, shortened for a message.
 std::string shown(std::string word) {
   constexpr std::size_t longest = 200;
   for (char& character : word) {
@@ -68,8 +69,8 @@ std::string shown(std::string word) {
   return word;
 }
 
-// What the compiler calls a type, as the source does. With what stands for earlier parts of it, a
-// name doubles in length every six bytes; so a long one from a file stays as it is.
+// Demangled type name. Demangling can double the length of a name for every six bytes, because of
+// back references; a long name from a file therefore stays mangled.
 std::string type_name(const std::string& mangled) {
   constexpr std::size_t longest = 80;
   return shown(mangled.size() > longest ? mangled : boost::core::demangle(mangled.c_str()));
@@ -102,8 +103,8 @@ void write_beside(const std::string& name, const std::string& content) {
   sync(other, O_RDONLY);
 }
 
-// The file that lies beside takes its place. The folder is synced, so that after a crash of the
-// machine the file is either the old one or the new one.
+// Renames the temporary file to its final name. The folder is synced too, so that after a crash of
+// the machine the file is either the old one or the new one.
 void put_in_place(const std::string& name) {
   std::error_code error;
   fs::rename(beside(name), name, error);
@@ -116,7 +117,7 @@ std::string content_of(const std::string& name) {
   if (!file) fail(name, std::string("cannot be read: ") + std::strerror(errno));
   try {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  } catch (const std::ios_base::failure&) {  // what opens and cannot be read: a folder, a bad disk
+  } catch (const std::ios_base::failure&) {  // a folder, or a disk error: opened, but not readable
     fail(name, std::string("cannot be read: ") + std::strerror(errno));
   }
 }
@@ -127,8 +128,8 @@ struct Content {
   std::string body;
 };
 
-// Both kinds of file are a header line of words, the last of which is the checksum of all else, and
-// a body.
+// Both kinds of file consist of a header line, whose last word is the checksum of everything else,
+// and a body.
 Content checked(const std::string& name, const char* magic) {
   const auto content = content_of(name);
   const auto line_end = content.find('\n');
@@ -156,7 +157,7 @@ std::string with_checksum(const std::string& header, const std::string& body) {
   return header + " " + checksum(header, body) + "\n" + body;
 }
 
-// The manifest, if there is one that can be read.
+// The manifest; nothing if there is none or it cannot be read.
 std::optional<Manifest> readable_manifest(const std::string& manifest_file) {
   try {
     return read_manifest(manifest_file);
@@ -165,7 +166,7 @@ std::optional<Manifest> readable_manifest(const std::string& manifest_file) {
   }
 }
 
-// A number and what follows it.
+// A leading number and the text after it.
 template <class Number>
 std::optional<std::pair<Number, std::string_view>> leading(std::string_view text) {
   Number number{};
@@ -174,7 +175,7 @@ std::optional<std::pair<Number, std::string_view>> leading(std::string_view text
   return std::pair(number, text.substr(static_cast<std::size_t>(end - text.data())));
 }
 
-// The epoch and the rank of a part whose name is that of its checkpoint and `rest`.
+// Epoch and rank of a part file, from its name. @param rest the name after that of the checkpoint
 std::optional<std::pair<std::uint64_t, int>> part_of(std::string_view rest) {
   if (!rest.starts_with('.')) return std::nullopt;
   const auto epoch = leading<std::uint64_t>(rest.substr(1));
@@ -184,8 +185,7 @@ std::optional<std::pair<std::uint64_t, int>> part_of(std::string_view rest) {
   return std::pair(epoch->first, rank->first);
 }
 
-// Whether a file holds a part or, since its rank may have been killed while it wrote, the
-// beginning of one.
+// True for a part and for the beginning of one, which a rank killed while writing leaves behind.
 bool begins_like_a_part(const fs::path& name) {
   std::string expected = part_magic;
   std::string found(expected.size(), '\0');
@@ -195,7 +195,7 @@ bool begins_like_a_part(const fs::path& name) {
   return file.is_open() && expected.starts_with(found);
 }
 
-// Reads all of a checkpoint and lets nothing wrong pass.
+// Reads the whole checkpoint. @throws CheckpointError at the first fault
 void verify(const std::string& manifest_file, std::uint64_t problem) {
   const auto manifest = read_manifest(manifest_file);
   if (manifest.problem != problem) fail(manifest_file, other_problem);
@@ -235,8 +235,8 @@ void commit(const std::string& file, const Manifest& manifest, std::uint64_t bef
          << manifest.fingerprint << ' ' << manifest.open << ' ' << byte_order << ' '
          << manifest.goal << ' ' << manifest.node << ' ' << manifest.solution;
   write_beside(file, with_checksum(header.str(), ""));
-  // Until here nothing has changed. Only a checkpoint known to be good may take the place of the
-  // previous one: a damaged FILE was passed over for it, and may not be there at all.
+  // No file has changed so far. Only a checkpoint known to be good may replace the previous one: if
+  // FILE was damaged and skipped, FILE.previous may be the only good one.
   const auto there = readable_manifest(file);
   if (there && there->epoch == before) {
     std::error_code error;
@@ -248,7 +248,7 @@ void commit(const std::string& file, const Manifest& manifest, std::uint64_t bef
 }
 
 void remove_leftovers(const std::string& file) {
-  // A failed clean-up must not end a long run: it leaves files behind, nothing worse.
+  // A failed clean-up leaves files behind; it must not end a long run.
   std::vector<Manifest> kept;
   for (const auto& name : {file, previous(file)}) {
     std::error_code ignored;
@@ -256,7 +256,7 @@ void remove_leftovers(const std::string& file) {
     if (manifest) {
       kept.push_back(*manifest);
     } else if (fs::exists(name, ignored)) {
-      return;  // which parts are its own cannot be told
+      return;  // it is unknown which parts belong to it
     }
   }
   const auto listed = [&](std::uint64_t epoch, int rank) {
@@ -307,7 +307,7 @@ Manifest read_manifest(const std::string& manifest_file) {
 void expect_same_search(const std::string& manifest_file, const Manifest& found,
                         const Manifest& own) {
   if (found.problem != own.problem) fail(manifest_file, other_problem);
-  if (found.goal.empty()) return;  // of version 3
+  if (found.goal.empty()) return;  // format version 3
   const auto expect = [&](const char* what, const std::string& there, const std::string& here,
                           const auto& name) {
     if (there == here) return;
@@ -345,7 +345,7 @@ std::string usable_checkpoint(const std::string& file, std::uint64_t problem,
 void remove_checkpoint(const std::string& file) {
   std::error_code error;
   if (!fs::exists(file, error) && !fs::exists(previous(file), error)) return;
-  // The older one first: as long as there is any, it is the newest.
+  // The older one is removed first: as long as both exist, the newer one is used.
   fs::remove(previous(file), error);
   fs::remove(file, error);
   remove_leftovers(file);

@@ -1,12 +1,12 @@
-// What a tree counts on the way (its Tally), each count named in one list: the sum over the ranks,
-// the way to the other ranks, and what a report calls it come from there.
+// Counts<T>: base of a problem's Tally. One list names each count; summation over ranks,
+// serialisation and the names in reports follow from it.
 //
 //   struct Tally : engine::Counts<Tally> {
 //     std::uint64_t opened = 0;
 //     engine::Least least_bound;
 //     static constexpr auto fields() {
-//       return std::tuple{field("opened", &Tally::opened), field("least_bound",
-//       &Tally::least_bound)};
+//       return std::tuple{field("opened", &Tally::opened),
+//                         field("least_bound", &Tally::least_bound)};
 //     }
 //   };
 #pragma once
@@ -17,7 +17,7 @@
 
 namespace kusabi::engine {
 
-/// The least of some numbers; infinite if there are none. To add one takes the smaller.
+/// A minimum; infinite if empty. Addition takes the smaller value.
 struct Least {
   double value = std::numeric_limits<double>::infinity();
 

@@ -1,4 +1,4 @@
-// What `expand` writes to: the children and the solutions of one node.
+// Expansion: receives the children and the solutions of one node from `expand`.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 namespace kusabi::engine {
 
-/// The work below the first child of a node of `P`, relative to that below each other child, for
-/// the progress estimate (Uneven in engine/problem.hpp).
+/// Work below the first child of a node of `P`, relative to that below each other child, for the
+/// progress estimate (Uneven in engine/problem.hpp).
 template <class P>
 struct WorkOf {
   static constexpr double of_first_child = [] {
@@ -25,9 +25,9 @@ struct WorkOf {
   }();
 };
 
-/// A solution and the path of the node that yielded it.
+/// A solution and the path of the node that reported it.
 template <class P>
-struct Found {
+struct FoundSolution {
   Path path;
   typename P::Solution solution;
 
@@ -37,39 +37,40 @@ struct Found {
   }
 };
 
-/// The out-parameter of `expand`; of no use after it has returned.
+/// The out-parameter of `expand`. It must not be used after `expand` has returned.
 template <class P>
 class Expansion {
  public:
   using Node = typename P::Node;
   using Solution = typename P::Solution;
 
-  /// @param open where children go @param report what solutions go to @param serve see `poll`
+  /// @param open receives children @param report receives solutions @param serve see `poll`
   Expansion(Frontier<Node, WorkOf<P>>& open, const Incumbent& incumbent,
             std::function<void(Solution&&)> report, std::function<void()> serve)
       : open_(open), incumbent_(incumbent), report_(std::move(report)), serve_(std::move(serve)) {}
 
-  /// Adds a subproblem. The first one added is searched first.
+  /// Adds a child. The first child added is searched first.
   void branch(Node child) { open_.branch(std::move(child)); }
 
-  /// Reports a solution. A node may yield several, and have children as well.
+  /// Reports a solution. A node may report several solutions and have children as well.
   void solution(Solution solution) { report_(std::move(solution)); }
 
-  /// The objective of the best solution known on this rank, infinity if there is none. A child all
-  /// of whose solutions are worse (greater, not equal) need not be branched.
+  /// Objective of the incumbent on this rank; infinity if there is none. A child all of whose
+  /// solutions are worse (greater, not equal) need not be branched.
   [[nodiscard]] double cutoff() const { return incumbent_.objective; }
 
-  /// Whether nothing that this node may still yield, with objectives of `bound` or more, can be the
-  /// best: then it need not be branched. (Of equal ones the first in depth-first order is.)
+  /// True if no further solution of this node can be the best; it need then not be branched. (Among
+  /// equal objectives the first in depth-first order is best.)
+  /// @param bound lower bound of the objectives of these solutions
   [[nodiscard]] bool ruled_out(double bound) const {
     return incumbent_.rules_out_more(bound, open_.place());
   }
 
-  /// Lets the rank answer its messages. An `expand` that takes longer than about a millisecond
-  /// should call it now and then, so that other ranks need not wait for work.
+  /// Answers messages. An `expand` that takes longer than about a millisecond should call it now
+  /// and then, so that other ranks do not wait for work.
   void poll() { serve_(); }
 
-  /// The path of the node being expanded.
+  /// Path of the node being expanded.
   [[nodiscard]] Path path() const { return open_.path(); }
 
  private:

@@ -1,5 +1,5 @@
-// A range of numbers as a node of a tree: its children are its halves, its leaves ranges of one
-// number.
+// IndexRange: a range of indices as a node of a binary tree. Its children are its halves; its
+// leaves have one index.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace kusabi::engine {
 
-/// `first` to `last` - 1.
+/// Indices `first` to `last` - 1.
 struct IndexRange {
   std::uint64_t first = 0;
   std::uint64_t last = 0;

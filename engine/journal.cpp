@@ -1,4 +1,4 @@
-// Plain reads and writes of one descriptor, which also holds the lock.
+// Journal file: reads and writes through one descriptor, which also holds the lock.
 #include "engine/journal.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ constexpr int journal_version = 1;
 constexpr const char* journal_order =
     std::endian::native == std::endian::little ? "little-endian" : "big-endian";
 
-/// Before each record: how long the kind and the content are, and the checksum of all.
+/// Header of a record: lengths of kind and content, and the checksum.
 struct RecordHead {
   std::uint64_t kind_size = 0;
   std::uint64_t content_size = 0;
@@ -35,7 +35,7 @@ struct RecordHead {
 
 constexpr std::uint64_t longest_kind = 1U << 16U;
 
-/// The kind of the record that says that nothing is left to do. It has no content, and is the last.
+/// Kind of the last record of a finished analysis; it has no content.
 constexpr std::string_view mark_of_the_end = "finished";
 
 [[noreturn]] void refuse(const std::string& file, const std::string& why) {
@@ -46,7 +46,8 @@ std::string system_error() {
   return std::strerror(errno);
 }
 
-// Of a record: its number is in it, so that none counts in another's place.
+// Checksum of a record. It includes the number of the record, so that a record is valid in its
+// place only.
 std::uint64_t sum_of(std::uint64_t number, const RecordHead& head, std::string_view kind,
                      std::string_view content) {
   boost::crc_optimal<64, 0x42F0E1EBA9EA3693, ~0ULL, ~0ULL, true, true> crc;
@@ -58,7 +59,7 @@ std::uint64_t sum_of(std::uint64_t number, const RecordHead& head, std::string_v
   return crc.checksum();
 }
 
-// One line a fact, so that a person can read them.
+// Replaces line breaks, so that each fact takes one line and people can read the file.
 std::string in_one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
@@ -83,7 +84,7 @@ Facts facts_in(const std::string& text) {
   return facts;
 }
 
-// The first line and the facts. The line ends with the checksum of all else.
+// The header line and the facts. The header line ends with the checksum of the rest.
 std::string beginning_of(const Facts& facts) {
   const auto text = text_of(facts);
   const auto line = std::string(journal_magic) + ' ' + std::to_string(journal_version) + ' ' +
@@ -106,7 +107,7 @@ std::string said(const std::string& name, const std::optional<std::string>& valu
   return value->empty() ? name : name + ' ' + *value;
 }
 
-// The first fact in which they differ, in words; empty: they are the same.
+// Message about the first fact that differs; empty if none does.
 std::string difference(const Facts& there, const Facts& here) {
   auto names = here;
   names.insert(names.end(), there.begin(), there.end());
@@ -158,7 +159,7 @@ Journal::Journal(std::string file, const Facts& facts) : file_(std::move(file)) 
   try {
     lock();
     const auto beginning = beginning_of(facts);
-    // A process that was killed while it began may have left a part of this.
+    // A process killed while it created the file may have left a part of this.
     const auto first = read_at(descriptor_, 0, beginning.size() + 1);
     if (first.size() < beginning.size() && beginning.starts_with(first)) {
       begin(beginning);
@@ -272,7 +273,7 @@ std::uint64_t Journal::write_record(const std::string& kind, const Bytes& conten
   if (ftruncate(descriptor_, end) != 0 || !write_at(descriptor_, end_, record) ||
       fdatasync(descriptor_) != 0) {
     const auto why = system_error();
-    // What was written of it would only be told of as damage.
+    // Without truncation, the incomplete record would be reported as damage.
     if (ftruncate(descriptor_, end) != 0) errno = 0;
     refuse(file_, "cannot be written: " + why);
   }

@@ -1,5 +1,5 @@
-// The search that was under way in a question that is kept (engine/recording.hpp), looked at before
-// the question is asked again: a checkpoint that cannot be used should be told of at once.
+// Check of the checkpoint of an interrupted search before the analysis resumes
+// (engine/recording.hpp), so that an unusable checkpoint is reported at once.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 namespace kusabi::engine {
 
 /// @param question fingerprint of the facts, as in Keeping
-/// @throws CheckpointError if there is a checkpoint of the search that comes next, and neither it
-///   nor the one before it is good
+/// @throws CheckpointError if the next search has a checkpoint, and neither it nor the one before
+///     it is valid
 void expect_usable_search(const Journal& journal, std::uint64_t question);
 
 }  // namespace kusabi::engine

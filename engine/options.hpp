@@ -1,4 +1,4 @@
-// What a caller can choose about a search, and what it can watch.
+// Options of a search, and the progress it reports.
 #pragma once
 
 #include <cstddef>
@@ -10,108 +10,109 @@
 
 namespace kusabi::engine {
 
-/// What is looked for.
+/// Goal of a search.
 enum class Goal {
-  all,    ///< every solution
-  best,   ///< the one with the least objective; of equals the first in depth-first order
-  first,  ///< the first in depth-first order, whichever rank meets one first
+  all,    ///< all solutions
+  best,   ///< the solution of least objective; among equals the first in depth-first order
+  first,  ///< the first solution in depth-first order, whichever rank finds one first
 };
 
-/// As it is written into checkpoints.
+/// Name in checkpoints.
 constexpr const char* name_of(Goal goal) {
   return goal == Goal::all ? "all" : goal == Goal::best ? "best" : "first";
 }
 
-/// Which of the nodes that wait on a rank is opened next. The outcome does not depend on it.
+/// Order in which a rank opens its nodes. The outcome does not depend on it.
 enum class Order {
-  depth_first,  ///< a child of the last one; needs the least memory
-  best_first,   ///< the one with the least bound; opens the fewest nodes
-  /// From the one with the least bound down, always a first child, to a leaf; then again. Finds
-  /// solutions sooner than best_first, at the price of some nodes.
+  depth_first,  ///< last in, first out; needs the least memory
+  best_first,   ///< least bound first; opens the fewest nodes
+  /// Dives from the node of least bound along first children to a leaf, repeatedly. Finds solutions
+  /// sooner than best_first and opens somewhat more nodes.
   hybrid,
 };
 
-/// Where to stop although the tree is not done. Each counts over all ranks (and over the runs that
-/// a restarted search continues, but for the time), and is looked at at every survey, so it may be
-/// overrun by what is done between two of them.
+/// Limits at which a search stops early. They count over all ranks and, except for the time, over
+/// the resumed runs. They are checked at every reduction, so a search may exceed them slightly.
 struct Limits {
   double seconds = std::numeric_limits<double>::infinity();
   std::uint64_t nodes = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t solutions = std::numeric_limits<std::uint64_t>::max();
-  /// Stop when objective - bound <= gap * |objective|; for Goal::best with a bounded problem.
+  /// Relative gap: stops when objective - bound <= gap * |objective|. For Goal::best with a bounded
+  /// problem.
   double gap = 0;
 };
 
-/// What somebody outside (a signal, a batch system) wants of a running search.
+/// Request from outside (a signal, a batch system) to a running search.
 enum class Interrupt { none, checkpoint, stop };
 
-/// Where the state of the search is kept for a restart. A new search never takes the place of a
-/// checkpoint that is there: it must go on from it, or have another `file`.
+/// Files in which the state of a search is saved. A new search never overwrites a checkpoint: it
+/// must resume from it, or use another `file`.
 struct CheckpointOptions {
-  std::string file;       ///< the manifest; parts lie beside it. Empty: no checkpoints
-  double interval = 600;  ///< seconds between two
-  /// Another one whenever the incumbent is better than in the last: for Goal::best.
+  std::string file;       ///< manifest; parts lie beside it. Empty: no checkpoints
+  double interval = 600;  ///< seconds between two checkpoints
+  /// Writes a checkpoint, in addition, when the incumbent has improved since the last: for
+  /// Goal::best.
   bool on_improvement = false;
-  std::string resume_from;  ///< a manifest found good by usable_checkpoint(); empty: start anew
-  /// Fingerprint of the problem: a number that another problem is unlikely to have. It must be
-  /// given with either file, since another problem's checkpoint would lead to a wrong answer.
+  std::string resume_from;  ///< a manifest verified by usable_checkpoint(); empty: a new search
+  /// Fingerprint of the problem: a number that differs between problems with high probability.
+  /// Required with either file, since the checkpoint of another problem would give a wrong answer.
   std::optional<std::uint64_t> problem;
 };
 
-/// The state of a running search, as of the last survey.
+/// State of a running search, as of the last reduction.
 struct Progress {
-  double seconds = 0;        ///< since the search began
-  std::uint64_t opened = 0;  ///< nodes opened, on all ranks
-  std::uint64_t open = 0;    ///< nodes waiting
-  std::uint64_t found = 0;   ///< solutions
-  double closed = 0;         ///< share of the tree that is done, 0 to 1
-  std::uint64_t idle = 0;    ///< ranks without work
-  std::uint64_t ranks = 1;   ///< all ranks
-  double objective = std::numeric_limits<double>::infinity();  ///< of the best solution so far
-  double bound = -std::numeric_limits<double>::infinity();     ///< least of the nodes that wait
-                                                               ///< (but for nodes on their way)
+  double seconds = 0;                                          ///< since the search began
+  std::uint64_t opened = 0;                                    ///< nodes opened, on all ranks
+  std::uint64_t open = 0;                                      ///< open nodes
+  std::uint64_t found = 0;                                     ///< solutions found
+  double closed = 0;                                           ///< closed share of the tree, 0 to 1
+  std::uint64_t idle = 0;                                      ///< ranks without an open node
+  std::uint64_t ranks = 1;                                     ///< number of ranks
+  double objective = std::numeric_limits<double>::infinity();  ///< of the incumbent
+  /// least of the open nodes (nodes in flight excluded)
+  double bound = -std::numeric_limits<double>::infinity();
 };
 
 struct Options {
-  Goal goal = Goal::all;             ///< Goal::best: of a minimising problem
-  Order order = Order::depth_first;  ///< any other: of a bounded problem
+  Goal goal = Goal::all;             ///< Goal::best requires a minimising problem
+  Order order = Order::depth_first;  ///< other orders require a bounded problem
   Limits limits;
   CheckpointOptions checkpoint;
 
-  /// Seconds between two surveys while all ranks are busy (idle ranks join at once).
-  double survey_interval = 0.05;
+  /// Seconds between two reductions while all ranks are busy (idle ranks join at once).
+  double reduction_interval = 0.05;
 
-  /// Seed of the random choice of victims. The outcome does not depend on it.
+  /// Random seed of the choice of victims. The outcome does not depend on it.
   std::uint64_t seed = 1;
 
-  /// Nodes opened between two looks at the messages; 0: as many as take 10 to 20 microseconds.
+  /// Nodes opened between two polls of the messages; 0: as many as take 10 to 20 microseconds.
   unsigned nodes_per_step = 0;
 
-  /// How many nodes a rank keeps in the order of their bounds, roughly. When it has more, it
-  /// dives: it searches depth first below the best of them, which adds no more than depth x
-  /// branching nodes at any time.
+  /// Approximate number of nodes that a rank keeps in its heap. Above it, the rank searches depth
+  /// first below its best node, which adds at most depth x branching nodes.
   std::size_t heap_nodes = 100'000;
 
-  /// The size, in bytes, above which the engine splits what it sends. A single node, solution or
-  /// tally is sent whole.
+  /// Message size, in bytes, above which the engine splits its messages. A single node, solution or
+  /// tally is not split.
   std::size_t message_bytes = std::size_t{64} * 1024;
 
-  /// Share of the nodes, 0 to 1, that are opened twice to see whether `expand` depends on the node
-  /// alone: children, solutions and bounds must be the same both times, byte for byte. If they are
-  /// not, the search ends with an error that names the node. For trying a problem out: what
-  /// `expand` counts or writes for itself, it counts or writes twice.
+  /// Share of the nodes, 0 to 1, that are expanded twice, to test that `expand` depends on the node
+  /// alone: children, solutions and bounds must be equal byte for byte. A difference ends the
+  /// search with an error that names the node. For tests of a problem: side effects of `expand`,
+  /// such as counts, happen twice.
   double check_expand = 0;
 
-  /// Events that each rank keeps for a trace (Outcome::traces); 0: no trace. The same on all ranks.
+  /// Number of events that each rank keeps for a trace (Outcome::traces); 0: no trace. The same on
+  /// all ranks.
   std::size_t trace_events = 0;
 
-  /// Called on rank 0 after each survey.
+  /// Called on rank 0 after each reduction.
   std::function<void(const Progress&)> progress;
 
-  /// Asked on every rank before each survey; what one rank is told, all do.
+  /// Called on every rank before each reduction; a request on one rank applies to all.
   std::function<Interrupt()> interrupt;
 
-  /// Told, on rank 0, of what went wrong without ending the search: one line.
+  /// Called on rank 0 with a line about a fault that does not end the search.
   std::function<void(const std::string&)> warn;
 };
 

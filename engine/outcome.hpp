@@ -1,4 +1,4 @@
-// What a search hands back.
+// Outcome: the result of a search.
 #pragma once
 
 #include <cstdint>
@@ -25,47 +25,48 @@ struct RankReport {
   }
 };
 
-/// The outcome of a search. On rank 0 it is whole; elsewhere it holds that rank's report only.
+/// Outcome of a search. It is complete on rank 0; on other ranks it holds only their own report.
 template <class P>
 struct Outcome {
   Status status = Status::solved;
 
-  /// Nodes that were left open, on all ranks; 0 if solved.
+  /// Number of open nodes left, on all ranks; 0 if solved.
   std::uint64_t open = 0;
 
-  /// Whether all that is needed to go on is in the checkpoint of Options::checkpoint; on rank 0.
+  /// True on rank 0 if the checkpoint of Options::checkpoint suffices to resume.
   bool saved = false;
 
-  /// For Goal::best: no solution is below this. The objective of the best one if solved, the least
-  /// bound of what was left open (or the objective, if smaller) otherwise.
+  /// For Goal::best: lower bound of the objective of all solutions. The objective of the best one
+  /// if solved; otherwise the least bound of the open nodes left, or the objective if that is
+  /// smaller.
   double bound = -std::numeric_limits<double>::infinity();
 
-  /// All solutions in the order in which a depth-first search on one rank meets them, whatever the
-  /// number of ranks was. For Goal::best and Goal::first, the one or none.
-  std::vector<Found<P>> solutions;
+  /// All solutions in depth-first order, for any number of ranks. For Goal::best and Goal::first,
+  /// at most one.
+  std::vector<FoundSolution<P>> solutions;
 
-  /// In the order of the ranks.
+  /// Reports in the order of the ranks.
   std::vector<RankReport<P>> ranks;
 
-  /// Those of the runs that this one continued from a checkpoint.
+  /// Reports of the runs from which this one resumed.
   std::vector<RankReport<P>> earlier;
 
-  /// What happened when, in the order of the ranks and on one time axis; on rank 0, and empty
-  /// unless `Options::trace_events` asks for it.
+  /// Traces in the order of the ranks and on one time axis; on rank 0, and empty unless
+  /// `Options::trace_events` is set.
   std::vector<RankTrace> traces;
 
-  /// All but the traces, which are of one run.
+  /// Serialises everything but the traces, which belong to one run.
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& status& open& saved& bound& solutions& ranks& earlier;
   }
 
-  /// Nodes opened on all ranks, earlier runs included.
+  /// Number of nodes opened on all ranks, earlier runs included.
   [[nodiscard]] std::uint64_t opened() const {
     return sum([](const RankStatistics& rank) { return rank.opened; });
   }
 
-  /// What the problems of all ranks have counted, earlier runs included: the sum of their tallies.
+  /// Sum of the tallies of all ranks, earlier runs included.
   [[nodiscard]] TallyOf<P> tally() const {
     constexpr bool addable = requires(TallyOf<P> & sum, const TallyOf<P>& tally) {
       sum += tally;
@@ -79,8 +80,9 @@ struct Outcome {
     return total;
   }
 
-  /// The mark sum: the sum of the path marks of all opened nodes. Two searches of one tree have
-  /// the same one if and only if (but for a chance of 2^-64) both opened the same nodes, each once.
+  /// Mark sum: the sum of the path marks of all opened nodes. Two searches of one tree have the
+  /// same mark sum if and only if (but for a probability of 2^-64) both opened the same nodes, each
+  /// once.
   [[nodiscard]] std::uint64_t fingerprint() const {
     return sum([](const RankStatistics& rank) { return rank.fingerprint; });
   }

@@ -1,4 +1,4 @@
-// How a path is written for a person.
+// Text form of a path.
 #include "engine/path.hpp"
 
 #include <span>

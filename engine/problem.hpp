@@ -1,5 +1,5 @@
-// What a problem type must offer to be searched. (Something offered under one of these names but in
-// another shape is an error: engine/detail/problem_check.hpp.)
+// Concepts of a problem type. (A function of one of these names with another signature is an error:
+// engine/detail/problem_check.hpp.)
 #pragma once
 
 #include <concepts>
@@ -10,12 +10,12 @@
 
 namespace kusabi::engine {
 
-/// A tree to search: its root, and a way to open a node.
+/// A tree to search: its root, and the expansion of a node.
 ///
-/// `Node` and `Solution` are values that can be copied, assigned and made without arguments, and
-/// that Boost.Serialization can write and read. A node is a subproblem and nothing else: whatever
-/// is large or expensive to set up (a factorisation, a solver's workspace) belongs into the problem
-/// object, of which every rank has its own. What `expand` does must depend on the node alone.
+/// `Node` and `Solution` are default constructible, copyable, assignable and Boost-serialisable. A
+/// node describes a subproblem only: large or expensive data (a factorisation, a solver's
+/// workspace) belong in the problem object, of which every rank has its own. The effect of `expand`
+/// must depend on the node alone.
 template <class P>
 concept Problem = requires(P& problem, const P& looked_at, typename P::Node node,
                            Expansion<P>& out) {
@@ -24,35 +24,36 @@ concept Problem = requires(P& problem, const P& looked_at, typename P::Node node
   problem.expand(std::move(node), out);
 };
 
-/// A problem with an objective to be made small: what Goal::best asks for.
+/// A problem with an objective to be minimised, required by Goal::best.
 template <class P>
 concept Minimising = Problem<P> &&
     requires(const P& problem, const typename P::Solution& solution) {
   { problem.objective(solution) } -> std::convertible_to<double>;
 };
 
-/// A minimising problem that can tell, without opening a node, a lower bound of the objective of
-/// every solution below it. Nodes whose bound is above the best known objective are not opened.
+/// A minimising problem with a lower bound of the objectives of all solutions below a node,
+/// computed without opening the node. Nodes whose bound exceeds the incumbent's objective are
+/// pruned.
 template <class P>
 concept Bounded = Minimising<P> && requires(const P& problem, const typename P::Node& node) {
   { problem.bound(node) } -> std::convertible_to<double>;
 };
 
-/// A problem that counts things of its own while it expands nodes. Each rank's `tally()` (a
-/// Boost-serialisable value of type `Tally`) comes with the outcome, in the order of the ranks.
+/// A problem with counts of its own. The `tally()` of each rank (a Boost-serialisable value of type
+/// `Tally`) is part of the outcome, in the order of the ranks.
 template <class P>
 concept Tallying = Problem<P> && requires(const P& problem) {
   { problem.tally() } -> std::convertible_to<typename P::Tally>;
 };
 
-/// The tally of a problem that keeps none.
+/// Tally of a problem without counts.
 struct NoTally {
   template <class Archive>
   void serialize(Archive& /*archive*/, unsigned /*version*/) {}
 };
 
-/// A problem that says how much work is usually below a node's first child, in units of the work
-/// below each other child. Used only for the progress estimate.
+/// A problem with an estimate of the work below a node's first child, relative to that below each
+/// other child. Used only for the progress estimate.
 template <class P>
 concept Uneven = Problem<P> && requires {
   { P::work_of_first_child } -> std::convertible_to<double>;
@@ -70,7 +71,7 @@ struct TallyOf<P> {
 };
 }  // namespace detail
 
-/// What a rank hands in as its tally.
+/// Tally type of a problem.
 template <class P>
 using TallyOf = typename detail::TallyOf<P>::type;
 

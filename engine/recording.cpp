@@ -1,4 +1,4 @@
-// Rank 0 has the journal, and tells the others.
+// Recording: rank 0 reads and writes the journal and broadcasts its records.
 #include "engine/recording.hpp"
 
 #include <filesystem>
@@ -23,14 +23,14 @@ std::string checkpoint_of_part(const std::string& file, const std::string& numbe
   return file + ".search" + number;
 }
 
-// Of two parts far from one another.
+// Hash of a part; parts with successive numbers get unrelated fingerprints.
 std::uint64_t fingerprint_of_part(std::uint64_t question, std::uint64_t number) {
   constexpr std::uint64_t odd = 0x9E3779B97F4A7C15U;  // 2^64 / golden ratio
   return question + odd * (number + 1);
 }
 
-// What rank 0 says of a part.
-struct ToldPart {
+// Record of a part, as broadcast by rank 0.
+struct RecordedPart {
   bool known = false;
   Bytes content;
 
@@ -75,11 +75,11 @@ void expect_usable_search(const Journal& journal, std::uint64_t question) {
   const auto file = checkpoint_of_part(journal.file(), journal.size());
   if (!checkpoint_exists(file)) return;
   try {
-    std::string warning;  // is told when the search goes on
+    std::string warning;  // reported when the search resumes
     usable_checkpoint(file, fingerprint_of_part(question, journal.size()), warning);
   } catch (const CheckpointError& error) {
     throw CheckpointError(std::string(error.what()) + "; without " + file +
-                          "* this search would begin anew");
+                          "* this search would start again");
   }
 }
 
@@ -90,30 +90,30 @@ Recording::Recording(Transport& transport, Keeping keeping,
 std::optional<Bytes> Recording::known(const std::string& kind, bool spent, bool for_all) {
   if (!replaying_ || !sound(spent)) return std::nullopt;
   Bytes own;
-  auto told = from_first_rank(transport_, [&] {
+  auto recorded = from_first_rank(transport_, [&] {
     auto& journal = *keeping_.journal;
-    if (next_ >= journal.size()) return ToldPart{};
+    if (next_ >= journal.size()) return RecordedPart{};
     if (journal.kind(next_) != kind) {
       throw CheckpointError(journal.file() + ": its part " + std::to_string(next_ + 1) +
                             " is of something else; expected the same build of kusabi, or another "
                             "file");
     }
-    // A run may have been killed before it could clear up.
+    // A killed run may have left a checkpoint of this part.
     remove_checkpoint(checkpoint_of_part(keeping_.file, next_));
     own = journal.content(next_);
-    return ToldPart{true, for_all ? own : Bytes()};
+    return RecordedPart{true, for_all ? own : Bytes()};
   });
-  replaying_ = told.known;
-  if (!told.known) return std::nullopt;
+  replaying_ = recorded.known;
+  if (!recorded.known) return std::nullopt;
   ++next_;
   if (is_first()) return own;
-  return std::move(told.content);
+  return std::move(recorded.content);
 }
 
 bool Recording::sound(bool spent) {
   if (!sound_) return false;
-  // A survey counts, and here it counts the ranks that were asked to end.
-  sound_ = meet(transport_, {.ranks = 1, .found = spent ? 1U : 0U}).found == 0;
+  // The reduction counts the ranks that were asked to stop.
+  sound_ = all_reduce(transport_, {.ranks = 1, .found = spent ? 1U : 0U}).found == 0;
   return sound_;
 }
 
@@ -140,7 +140,7 @@ void Recording::keep(const std::string& kind, const Bytes& content) {
   try {
     keeping_.journal->append(kind, content);
   } catch (const CheckpointError& error) {
-    writable_ = false;  // a part that is not there cannot be followed by one that is
+    writable_ = false;  // a missing part must not be followed by a present one
     if (warn_) warn_(std::string(error.what()) + "; from here on nothing more is kept");
     return;
   }

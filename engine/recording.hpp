@@ -1,11 +1,11 @@
-// The finished parts of a question, kept by all ranks together: what a run that goes on with it
-// need not do again.
+// Recording: finished parts of an analysis, in a journal shared by all ranks, that a resumed run
+// does not repeat.
 //
-// A question is deterministic: asked again, it takes the same searches and shared works in the same
-// order, and the results decide what comes next. So a run that goes on asks it from the beginning,
-// and each part whose number is in the journal (engine/journal.hpp) returns at once what it came
-// to. The part that was under way, if it is a search, goes on from its own checkpoint beside the
-// journal.
+// An analysis is deterministic: repeated, it runs the same searches and shared work in the same
+// order, and their results determine the next part. A resumed run therefore starts from the
+// beginning, and each part whose number is in the journal (engine/journal.hpp) returns its recorded
+// result at once. The interrupted part, if it is a search, resumes from its own checkpoint beside
+// the journal.
 #pragma once
 
 #include <cstdint>
@@ -19,49 +19,49 @@
 
 namespace kusabi::engine {
 
-/// Where a question is kept.
+/// Journal and checkpoints of an analysis.
 struct Keeping {
-  Journal* journal = nullptr;   ///< on rank 0, null elsewhere; must outlive the question
-  std::string file;             ///< its name, on every rank
+  Journal* journal = nullptr;   ///< on rank 0, null elsewhere; must outlive the analysis
+  std::string file;             ///< name of the journal, on every rank
   double interval = 600;        ///< seconds between two checkpoints of a search
-  bool on_improvement = false;  ///< and one whenever its incumbent is improved
+  bool on_improvement = false;  ///< adds a checkpoint whenever the incumbent improves
   std::uint64_t question = 0;   ///< fingerprint of the facts
 };
 
-/// The checkpoint of the search that is part `number` of the question kept in `file`.
+/// Checkpoint of the search that is part `number` of the analysis with journal `file`.
 std::string checkpoint_of_part(const std::string& file, std::uint64_t number);
 
-/// What a journal calls the outcome of a search. @param problem what the compiler calls its type
+/// Kind of a search's record. @param problem mangled name of the problem type
 std::string kind_of_search(const std::string& problem);
 
-/// Whether a search is finished of the question that a journal is of.
+/// True if the journal has a finished search.
 bool has_searched(const Journal& journal);
 
-/// Whether there is a checkpoint of one.
+/// True if a search of the analysis has a checkpoint.
 bool is_searching(const Journal& journal);
 
-/// Every rank makes the same calls in the same order.
+/// Records of all ranks. Every rank makes the same calls in the same order.
 class Recording {
  public:
-  /// @param warn told on rank 0 of what goes wrong without ending the run; may be empty
+  /// @param warn called on rank 0 with faults that do not end the run; may be empty
   Recording(Transport& transport, Keeping keeping, std::function<void(const std::string&)> warn);
 
-  /// What the next part came to in an earlier run; nothing if it has to be done.
-  /// @param kind what it yields @param spent as of sound()
-  /// @param for_all whether every rank needs it; otherwise rank 0 alone gets more than no bytes
-  /// @throws CheckpointError if the record is of something else
+  /// Recorded result of the next part; nothing if the part has to be computed.
+  /// @param kind type of the result @param spent as of sound()
+  /// @param for_all true if every rank needs the result; otherwise ranks other than 0 get no bytes
+  /// @throws CheckpointError if the record is of another kind
   std::optional<Bytes> known(const std::string& kind, bool spent, bool for_all);
 
-  /// Whether all that was done so far is whole, on all ranks. Where an end has been asked for, work
-  /// is cut short, and what comes of it is not what an unbroken run would have; from then on
-  /// nothing is kept.
-  /// @param spent whether the budget of this rank is
+  /// True if all parts so far are complete on all ranks. After a stop request a part may be
+  /// incomplete, and its result would differ from that of an uninterrupted run; nothing is recorded
+  /// from then on.
+  /// @param spent true if the budget of this rank is spent
   bool sound(bool spent);
 
-  /// What the engine is to keep and to go on from in the search that is the next part.
+  /// Checkpoint options of the search that is the next part.
   CheckpointOptions checkpoint();
 
-  /// The next part is done. Call only if sound. @param content counts on rank 0
+  /// Records the next part as finished. @pre sound() @param content used on rank 0
   void keep(const std::string& kind, const Bytes& content);
 
  private:
@@ -71,9 +71,9 @@ class Recording {
   Keeping keeping_;
   std::function<void(const std::string&)> warn_;
   std::uint64_t next_ = 0;  // number of the next part
-  bool replaying_ = true;   // it may be in the journal
+  bool replaying_ = true;   // the next part may be in the journal
   bool sound_ = true;
-  bool writable_ = true;  // on rank 0
+  bool writable_ = true;  // used on rank 0
 };
 
 }  // namespace kusabi::engine

@@ -1,8 +1,8 @@
-// The front door of the engine: a parallel tree search for any branching problem.
+// Parallel tree search for any branching problem: the header that users of the engine include.
 //
 //   struct Queens {
 //     struct Node { ... };                  // a subproblem; Boost-serialisable
-//     struct Solution { ... };              // what a leaf yields; Boost-serialisable
+//     struct Solution { ... };              // the result of a leaf; Boost-serialisable
 //     Node root() const;
 //     void expand(Node&& node, engine::Expansion<Queens>& out);   // out.branch, out.solution
 //   };
@@ -14,8 +14,8 @@
 //   engine::MpiTransport transport;
 //   auto outcome = engine::search(queens, transport);    // the same outcome, on rank 0
 //
-// tests/engine/queens.hpp is this example in full, tests/install/colouring a project of its own.
-// How the ranks share the tree is told in engine/detail/rank.hpp and docs/engine.md.
+// tests/engine/queens.hpp is the complete example, tests/install/colouring an external project.
+// engine/detail/rank.hpp and docs/engine.md describe the protocol.
 #pragma once
 
 #include <chrono>
@@ -34,16 +34,15 @@
 
 namespace kusabi::engine {
 
-/// Searches the whole tree of `problem`, together with all other ranks of `transport`, each of
-/// which makes the same call with its own copy of the problem.
+/// Searches the tree of `problem` on all ranks of `transport`. Every rank makes the same call with
+/// its own copy of the problem.
 ///
-/// Guarantees: every node is opened exactly once, on one of the ranks; the outcome on rank 0
-/// depends neither on the number of ranks nor on timing, but for the statistics.
-/// Requires: `P` is a Problem (engine/problem.hpp); the compiler says in a sentence what is not as
-/// it should be.
+/// @pre `P` is a Problem (engine/problem.hpp); otherwise compilation fails with a sentence
+/// @post every node is opened exactly once, on one rank; apart from the statistics, the outcome on
+///     rank 0 depends neither on the number of ranks nor on timing
 /// @return an Outcome<P>
 /// @throws ExpansionFailed if `expand` throws and the search runs in this process alone; over MPI
-///   one line is printed and all ranks end.
+///   one line is printed and all ranks end
 template <class P>
 OutcomeOf<P> search(P& problem, Transport& transport, const Options& options = {}) {
   if constexpr (CheckedProblem<P>::sound) {
@@ -61,7 +60,7 @@ OutcomeOf<P> search(P& problem, Transport& transport, const Options& options = {
   }
 }
 
-/// The same in this process alone, without MPI.
+/// As above, in this process alone, without MPI.
 template <class P>
 OutcomeOf<P> search(P& problem, const Options& options = {}) {
   SingleProcess transport;

@@ -1,5 +1,5 @@
-// A list of independent pieces of work, done by all ranks: a tree whose leaves are the pieces, so
-// that the engine shares them. Every rank gets all results, in the order of the pieces.
+// share_work: independent pieces of work, distributed over all ranks as the leaves of a tree. Every
+// rank gets all results, in the order of the pieces.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,15 @@
 
 namespace kusabi::engine {
 
-/// The problem type that engine::search searches.
+/// The pieces as a problem type.
 /// @tparam Result Boost-serialisable
 template <class Result>
 class SharedWork {
  public:
-  using Node = IndexRange;  ///< of pieces
+  using Node = IndexRange;  ///< indices of pieces
   using Solution = Result;
 
-  /// @param piece must depend on its number alone, whatever rank it is done on and in what order
+  /// @param piece its result must depend on the index alone, not on the rank or the order
   SharedWork(std::uint64_t pieces, std::function<Result(std::uint64_t)> piece)
       : pieces_(pieces), piece_(std::move(piece)) {}
 
@@ -45,7 +45,7 @@ class SharedWork {
   std::function<Result(std::uint64_t)> piece_;
 };
 
-/// Does all pieces; every rank makes the same call. @pre pieces > 0
+/// Computes all pieces; every rank makes the same call. @pre pieces > 0
 template <class Result>
 std::vector<Result> share_work(Transport& transport, std::uint64_t pieces,
                                std::function<Result(std::uint64_t)> piece) {

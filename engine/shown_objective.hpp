@@ -1,14 +1,14 @@
-// How the objective of a search is shown to a person who knows it in other units.
+// ShownObjective: conversion of the objective of a search to the user's units, for display.
 #pragma once
 
 #include <limits>
 
 namespace kusabi::engine {
 
-/// Objective and bound as the user knows them, for a search that has its own.
+/// Objective and bound in the user's units, for a search with internal units.
 struct ShownObjective {
-  double unit = 1;  ///< one of the search's is so much; negative: the user maximises
-  /// What is known of the optimum besides the search, in its own units.
+  double unit = 1;  ///< user's units per internal unit; negative: the user maximises
+  /// Bounds of the optimum known apart from the search, in internal units.
   double above = std::numeric_limits<double>::infinity();
   double below = -std::numeric_limits<double>::infinity();
 };

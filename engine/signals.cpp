@@ -1,4 +1,4 @@
-// The handlers do nothing but note the signal; the search looks at the note at its next survey.
+// Signal handlers, which only set a flag; the search reads it at its next reduction.
 #include "engine/signals.hpp"
 
 #include <csignal>
@@ -23,7 +23,7 @@ extern "C" void note_checkpoint(int /*signal*/) {
 void heed_signals() {
   std::signal(SIGINT, &note_stop);
   std::signal(SIGTERM, &note_stop);
-  // The terminal is closed; nohup has it ignored, and then it stays so.
+  // SIGHUP means that the terminal is closed. Under nohup it is ignored and stays so.
   if (std::signal(SIGHUP, &note_stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGUSR1, &note_checkpoint);
 }

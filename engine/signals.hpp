@@ -1,19 +1,19 @@
-// What a signal asks of a running search: an end with everything kept, or a checkpoint.
+// Signals as requests to a running search: a stop with everything saved, or a checkpoint.
 #pragma once
 
 #include "engine/options.hpp"
 
 namespace kusabi::engine {
 
-/// From now on SIGINT, SIGTERM and SIGHUP (unless nohup has it ignored) ask for an end (a second
-/// SIGINT ends the process at once), and
-/// SIGUSR1, which batch systems send before the time is up, asks for a checkpoint.
+/// Installs the handlers. SIGINT, SIGTERM and SIGHUP (unless ignored, as under nohup) request a
+/// stop; a second SIGINT ends the process at once. SIGUSR1, which batch systems send before the
+/// time is up, requests a checkpoint.
 void heed_signals();
 
-/// Whether an end has been asked for.
+/// True if a stop was requested.
 bool end_asked_by_signal();
 
-/// What has been asked for; a checkpoint is told once. Fits Options::interrupt.
+/// The pending request; a checkpoint is reported once. Suitable as Options::interrupt.
 Interrupt asked_by_signal();
 
 }  // namespace kusabi::engine

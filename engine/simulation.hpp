@@ -1,10 +1,10 @@
-// A whole parallel search inside one process, in virtual time: the workers are the real ones, only
-// the wires are simulated.
+// Simulation of a parallel search inside one process, in virtual time: real workers on a simulated
+// transport.
 //
-// A rank that has nodes to open concerns nobody until a message reaches it, it has none left, or a
-// survey is due. So it is left alone until the first moment at which one of these can be, and then
-// catches up, node by node, each at its own time. This changes nothing but the number of times that
-// the simulation turns from one rank to another: thousands of ranks and 10^8 nodes take a minute.
+// A rank with open nodes affects no other rank until a message reaches it, it runs out of nodes, or
+// a reduction is due. It is not simulated before the first moment at which one of these can happen;
+// then it catches up node by node, each at its own time. This changes only the number of switches
+// between ranks: thousands of ranks and 10^8 nodes take a minute.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@
 
 namespace kusabi::engine {
 
-/// A problem whose nodes take different times: `seconds()` is the virtual time that all that this
-/// object has expanded took, `least_seconds()` what a node takes at least.
+/// A problem with virtual expansion times: `seconds()` is the virtual time of all expansions by
+/// this object, `least_seconds()` a lower bound of the time of one node.
 template <class P>
 concept Timed = requires(const P& problem) {
   { problem.seconds() } -> std::convertible_to<double>;
@@ -37,16 +37,17 @@ concept Timed = requires(const P& problem) {
 template <class P>
 struct Simulated;
 
-/// Stops the compiler with a sentence unless `P` can be simulated.
+/// Fails to compile, with a sentence, unless `P` can be simulated.
 template <class P>
 struct CheckedSimulation {
   static constexpr bool copies = std::copy_constructible<P>;
-  static constexpr bool tells_its_time = Timed<P> || !(NamesSeconds<P> || NamesLeastSeconds<P>);
+  static constexpr bool has_expansion_times =
+      Timed<P> || !(NamesSeconds<P> || NamesLeastSeconds<P>);
   static_assert(copies, "a problem must be copyable to be simulated: each rank has its own");
   static_assert(
-      tells_its_time,
+      has_expansion_times,
       "a timed problem needs `double seconds() const` and `double least_seconds() const`");
-  static constexpr bool sound = CheckedProblem<P>::sound && copies && tells_its_time;
+  static constexpr bool sound = CheckedProblem<P>::sound && copies && has_expansion_times;
   using SimulatedOrNothing = std::conditional_t<sound, Simulated<P>, void>;
 };
 
@@ -56,12 +57,12 @@ using SimulatedOf = typename CheckedSimulation<P>::SimulatedOrNothing;
 template <class P>
 struct Simulated {
   Outcome<P> outcome;
-  double seconds = 0;               ///< virtual time at which the last rank was done
-  std::size_t largest_message = 0;  ///< in bytes
+  double seconds = 0;               ///< virtual time of the end of the last rank
+  std::size_t largest_message = 0;  ///< bytes
   std::size_t left_behind = 0;      ///< messages never received; 0 unless the protocol is wrong
 };
 
-/// The loop behind `simulate`: which rank takes its next step when.
+/// Event loop of `simulate`.
 template <Problem P>
 class Simulation {
  public:
@@ -94,15 +95,16 @@ class Simulation {
   struct Rank {
     std::unique_ptr<P> problem;
     std::unique_ptr<Worker<P>> worker;
-    double clock = 0;                                           // of the next step
-    double looks_from = 0;                                      // end of the last one
-    double expected = std::numeric_limits<double>::infinity();  // its next visit, if no notice
+    double clock = 0;       // of the next step
+    double looks_from = 0;  // end of the last step
+    // time of the next visit if no notice arrives
+    double expected = std::numeric_limits<double>::infinity();
     Pace pace = {};
   };
-  using Event = std::tuple<double, std::uint64_t, int>;  // when, a number that breaks ties, who
+  using Event = std::tuple<double, std::uint64_t, int>;  // time, a number that breaks ties, rank
 
-  // A rank at work takes all its steps up to `time`. One that sleeps takes its step when it wakes
-  // up, whatever has arrived; one that looks all the time finds at once what has.
+  // Runs the steps of a busy rank up to `time`. A sleeping rank steps when it wakes up, whatever
+  // has arrived; a polling rank receives at once.
   void visit(int number, double time) {
     auto& rank = ranks_[static_cast<std::size_t>(number)];
     if (rank.expected <= time) rank.expected = std::numeric_limits<double>::infinity();
@@ -144,7 +146,7 @@ class Simulation {
     return node_ * static_cast<double>(opened);
   }
 
-  // Until when it neither runs out of nodes nor has anything to tell.
+  // Time until which the rank neither runs out of nodes nor sends a message.
   double undisturbed_until(const Rank& rank) const {
     double node = node_;
     if constexpr (Timed<P>) node = rank.problem->least_seconds();
@@ -172,7 +174,7 @@ SimulatedOf<P> simulate(const P& problem, int ranks, std::uint64_t seed,
                         std::uint64_t most_steps = 100'000'000) {
   if constexpr (CheckedSimulation<P>::sound) {
     options.seed = seed;
-    // Virtual clocks do not move within a step, so the stride cannot be measured.
+    // Virtual clocks do not advance within a step, so the stride cannot be measured.
     if (options.nodes_per_step == 0) options.nodes_per_step = 1;
     return Simulation<P>(problem, ranks, weather, options).run(most_steps);
   }

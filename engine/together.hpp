@@ -1,6 +1,5 @@
-// What all ranks do together before, between and after their searches: what one of them knows is
-// told to all, and all wait for each other. Every rank makes the same calls in the same order; none
-// of them is for use during a search.
+// Collective operations between searches: broadcast, reduction and agreement. Every rank makes the
+// same calls in the same order; none of them may be used during a search.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +10,22 @@
 #include <type_traits>
 #include <utility>
 
-#include "engine/survey.hpp"
+#include "engine/reduction.hpp"
 #include "engine/transport/transport.hpp"
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {
 
-/// The ranks have not come to the same; thrown on every rank.
+/// Ranks with different results where equal ones are required; thrown on every rank.
 class Disagreement : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What `make` returns on rank 0, on every rank; nobody else calls it.
+/// Broadcast of the result of `make`, which only rank 0 calls.
 ///
-/// If it throws, the exception goes to the caller in a process that is alone; over MPI one line is
-/// printed and all ranks end, since the others wait.
+/// If `make` throws in a process without other ranks, the exception goes to the caller; over MPI
+/// one line is printed and all ranks end, since the others wait.
 /// @tparam Make its result is Boost-serialisable
 template <class Make>
 std::invoke_result_t<Make> from_first_rank(Transport& transport, Make make) {
@@ -48,12 +47,12 @@ std::invoke_result_t<Make> from_first_rank(Transport& transport, Make make) {
   return unpack<Value>(std::span<const char>(bytes.data(), bytes.size()));
 }
 
-/// Returns when all ranks have come here, with what they brought, merged.
-Survey meet(Transport& transport, const Survey& own = {});
+/// Merges the contributions of all ranks. Blocks until every rank has called it.
+Reduction all_reduce(Transport& transport, const Reduction& own = {});
 
-/// Throws a Disagreement on every rank unless all bring the same number, say the fingerprint of
-/// the problem that each has worked out by itself: machines of different kinds, or another build
-/// on one of them, would search different trees.
+/// Requires the same fingerprint on all ranks, for example of a problem that each rank has
+/// computed: machines of different kinds, or different builds, could search different trees.
+/// @throws Disagreement on every rank if the fingerprints differ
 void agree(Transport& transport, std::uint64_t fingerprint);
 
 }  // namespace kusabi::engine

@@ -1,8 +1,8 @@
-// What happened when on each rank, for a person who wants to see it: a recorder of events.
+// Trace: recorded events of each rank, for display.
 //
-// It sees changes of what the rank does, messages and surveys, never single nodes; a search that
-// keeps no trace pays one test at each of these. It keeps a bounded number of events, the first
-// ones, and counts the others.
+// A trace records changes of activity, messages and reductions, never single nodes; a search
+// without a trace pays one test at each of these. It keeps the first events up to a given number,
+// and counts the others.
 #pragma once
 
 #include <algorithm>
@@ -16,32 +16,33 @@
 
 namespace kusabi::engine {
 
-/// Something that happened on one rank.
+/// An event on one rank.
 struct TraceEvent {
   enum class Kind : std::uint8_t {
-    busy,             ///< from here on the rank opens nodes
-    idle,             ///< … has no node
-    pausing,          ///< … opens none, so that all can come to rest
-    writing,          ///< … has written its part of a checkpoint and waits for the others
-    closing,          ///< … knows that the search is over
-    request_sent,     ///< asked `peer` for nodes
-    refusal_arrived,  ///< `peer` has none to spare
-    gift_sent,        ///< gave `peer` a number of nodes: `value`
-    gift_arrived,     ///< got as many from `peer`
-    parcel_sent,      ///< gave, unasked, to a rank that had left its name (lifelines.hpp)
-    parcel_arrived,
-    improved,  ///< found a solution better than the best known here
-    survey_joined,
-    survey_arrived,  ///< complete; `value` ranks were idle
+    busy,              ///< begins to open nodes
+    idle,              ///< has no open node
+    pausing,           ///< opens no nodes, so that all ranks come to rest
+    writing,           ///< has written its part of a checkpoint and waits for the others
+    closing,           ///< the search is over
+    request_sent,      ///< requested nodes from `peer`
+    refusal_arrived,   ///< `peer` has no nodes to spare
+    transfer_sent,     ///< sent `value` nodes to `peer`
+    transfer_arrived,  ///< received `value` nodes from `peer`
+    /// sent `value` nodes, unasked, to a rank registered with this lifeline (lifelines.hpp)
+    lifeline_transfer_sent,
+    lifeline_transfer_arrived,
+    improved,  ///< found a solution better than the incumbent of this rank
+    reduction_joined,
+    reduction_arrived,  ///< complete; `value` ranks were idle
   };
 
   double time = 0;          ///< seconds by the rank's own clock
   std::uint64_t value = 0;  ///< see `Kind`
-  std::uint64_t open = 0;   ///< nodes waiting on this rank at that time
+  std::uint64_t open = 0;   ///< open nodes on this rank at that time
   std::int32_t peer = -1;   ///< the other rank
   Kind kind = Kind::busy;
 
-  /// Whether this is one of the kinds that last until the next such event.
+  /// True for the kinds that begin an activity, which lasts until the next such event.
   [[nodiscard]] bool starts_activity() const { return kind <= Kind::closing; }
 
   template <class Archive>
@@ -50,15 +51,16 @@ struct TraceEvent {
   }
 };
 
-/// The events of one rank.
+/// Events of one rank.
 struct RankTrace {
-  double joined = 0;          ///< when the rank joined the survey that precedes the search, and
-  double began = 0;           ///< when it saw that survey complete; the search begins here
-  double ended = 0;           ///< the search is over
-  std::uint64_t dropped = 0;  ///< events after the last one here, for which there was no room
+  double joined = 0;  ///< time at which the rank joined the reduction before the search
+  /// time at which that reduction was complete on this rank; the search begins here
+  double began = 0;
+  double ended = 0;                ///< end of the search
+  std::uint64_t dropped = 0;       ///< number of later events, for which there was no room
   std::vector<TraceEvent> events;  ///< in order of time
 
-  /// The same in pieces of at most `most` events, to be put together again by `append`.
+  /// The trace in pieces of at most `most` events, to be joined again by `append`.
   [[nodiscard]] std::vector<RankTrace> pieces(std::size_t most) const {
     std::vector<RankTrace> list;
     for (auto first = events.begin(); first != events.end();) {
@@ -83,7 +85,7 @@ struct RankTrace {
   }
 };
 
-/// Keeps the events of one rank, while they last.
+/// Recorder of the events of one rank, up to a given number.
 class TraceRecorder {
  public:
   explicit TraceRecorder(std::size_t capacity) : capacity_(capacity) {}
@@ -115,13 +117,13 @@ class TraceRecorder {
   TraceEvent::Kind activity_ = TraceEvent::Kind::busy;
 };
 
-/// Puts the traces of all ranks on one time axis, 0 when the search begins.
+/// Shifts the traces of all ranks to one time axis, 0 at the beginning of the search.
 ///
-/// Clocks of different machines have nothing in common. But one survey precedes the search, and
-/// there was a moment at which it became complete: after every rank had joined it, before any rank
-/// saw its result. If one moment by all clocks lies between these for every rank, then the clocks
-/// are taken as one, as they are on a single machine; otherwise each rank's time counts from when
-/// it saw the result, which is right to within the time that a survey takes to reach all.
+/// Clocks of different machines are unrelated. The reduction before the search became complete at
+/// one moment: after every rank had joined it, and before any rank received its result. If a common
+/// moment satisfies this by all clocks, the clocks are taken as synchronous, as on a single
+/// machine. Otherwise the time of each rank counts from the receipt of the result, which is
+/// accurate to the latency of a reduction.
 inline void align_clocks(std::vector<RankTrace>& traces) {
   double last_joined = -std::numeric_limits<double>::infinity();
   double first_began = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-// Do all ranks search the same problem? With the argument `different` the last rank brings another
-// fingerprint, and all ranks must end with the line that rank 0 prints.
+// Test program for the agreement of ranks on the problem. With the argument `different` the last
+// rank has another fingerprint, and all ranks must end with the line that rank 0 prints.
 #include <cstdio>
 #include <cstring>
 #include <exception>

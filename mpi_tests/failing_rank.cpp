@@ -1,5 +1,5 @@
-// A search that throws on the last rank, at the thousandth node that it opens; the others are left
-// with an endless tree. Unless the failure ends all ranks, this hangs.
+// Test program whose search throws on the last rank, at its thousandth node; the other ranks have
+// an endless tree. It hangs unless the exception ends all ranks.
 #include <stdexcept>
 
 #include "engine/search.hpp"
@@ -15,7 +15,7 @@ class Endless {
   Node root() const { return 0; }
   void expand(Node&& node, kusabi::engine::Expansion<Endless>& out) {
     if (++opened_ == 1000 && fails_) throw std::runtime_error("the thousandth node");
-    // The children of a long path would fill the memory.
+    // Wide trees on a long path would exceed the memory.
     for (int child = 0; child < (node < 1000 ? 2 : 1); ++child) out.branch(node + 1);
   }
 

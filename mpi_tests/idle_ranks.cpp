@@ -1,8 +1,7 @@
-// What an idle rank costs, and how soon it is awake: rank 0 works alone, two seconds of CPU time on
-// a chain that cannot be shared, and then has plenty to give. Until then the other ranks, which ask
-// in vain, must leave their cores to others: their CPU time is a small part of that of rank 0. (And
-// not of the wall time: where others crowd the machine, a rank that spins gets little of that as
-// well.)
+// Cost and latency of idle ranks. Rank 0 works alone, two seconds of CPU time on a chain that
+// cannot be shared, and then has many nodes to give. Until then the CPU time of the other ranks,
+// whose requests fail, must be a small part of that of rank 0. (The comparison is not with wall
+// time: on a loaded machine a spinning rank gets little CPU time as well.)
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -19,7 +18,7 @@ namespace {
 
 using kusabi::engine::Expansion;
 
-// A core's own time, which a busy machine cannot stretch.
+// CPU time, which does not depend on the load of the machine.
 double cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -39,7 +38,8 @@ void work(double seconds) {
   }
 }
 
-// A chain of 2000 nodes of a millisecond; its last node has 400 children of a tenth of one.
+// A chain of 2000 nodes of a millisecond; its last node has 400 children of a tenth of a
+// millisecond.
 class ChainThenBush {
  public:
   using Node = int;
@@ -48,8 +48,8 @@ class ChainThenBush {
   static constexpr int length = 2000;
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  // The wall and CPU time of this rank when the chain ended (rank 0) or when it opened its first
-  // node (the others). Ranks of one machine have one clock.
+  // Wall and CPU time of this rank at the end of the chain (rank 0) or at its first node (the
+  // others). Ranks of one machine share one clock.
   double first_seen = never;
   double first_seen_cpu = never;
 
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
   const double start = wall_seconds();
   const double start_cpu = cpu_seconds();
   const auto outcome = kusabi::engine::search(tree, transport);
-  // A rank that got nothing was idle to the end.
+  // A rank that got no node was idle to the end.
   const double idle_until = std::min(tree.first_seen, wall_seconds());
   const double idle_until_cpu = std::min(tree.first_seen_cpu, cpu_seconds());
 
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
              0, MPI_COMM_WORLD);
   if (transport.rank() != 0) return 0;
 
-  // Some 2 to 5 % is usual, and a rank that spins takes as much as one that works.
+  // About 2 to 5 % is usual; a spinning rank uses as much as a working one.
   constexpr double most = 0.20;
   bool good = true;
   for (std::size_t rank = 1; rank < ranks; ++rank) {

@@ -1,5 +1,5 @@
-// A search that is killed again and again, at any moment and on any number of ranks, and goes on
-// from its checkpoint each time, ends with what an undisturbed run ends with. So does one that a
+// Restart tests: a search that is killed repeatedly, at any moment and on any number of ranks, and
+// resumes from its checkpoint each time, has the outcome of an undisturbed run. So has one that a
 // signal stops.
 #include <cerrno>
 #include <chrono>
@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 namespace engine = kusabi::engine;
 using namespace std::chrono_literals;
 
-constexpr int killed = 128 + SIGKILL;  // the exit code, also of mpirun when a rank was
+constexpr int killed = 128 + SIGKILL;  // exit code, also of mpirun if a rank was killed
 
 std::string content(const fs::path& name) {
   std::ifstream file(name);
@@ -47,17 +47,17 @@ class KillRestart : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  // One run of the search, to its end. Meanwhile `watch` is called, again and again, with the
-  // process that was started (mpirun, or the search itself if ranks is 1).
-  // @return the exit code as a shell tells it
+  // Runs the search once, to its end. Meanwhile `watch` is called repeatedly with the process that
+  // was started (mpirun, or the search itself if ranks is 1).
+  // @return exit code as in a shell
   int run(
       int ranks, const std::string& arguments,
       const std::function<void(pid_t)>& watch = [](pid_t) {}) {
     for (int rank = 0; rank < 4; ++rank) fs::remove(pid_file(rank));
     std::string line = KUSABI_MORTAL_SEARCH;
     if (ranks > 1) line = std::string(KUSABI_MPIEXEC) + " " + std::to_string(ranks) + " " + line;
-    // What Open MPI leaves behind when it is killed goes with the folder. When a rank has died it
-    // need not give the others time, unless told.
+    // Files that a killed Open MPI leaves behind are removed with the folder. When a rank has died,
+    // Open MPI kills the others at once, unless configured.
     line = "TMPDIR=" + folder_.string() +
            " OMPI_MCA_btl_vader_backing_directory=" + folder_.string() +
            " OMPI_MCA_odls_base_sigkill_timeout=0 exec " + line + " " + arguments + " > " + log() +
@@ -76,7 +76,7 @@ class KillRestart : public testing::Test {
       std::this_thread::sleep_for(1ms);
     }
     if (WIFSIGNALED(status)) return 128 + WTERMSIG(status);
-    // MPICH's launcher ends with the number of the signal itself.
+    // MPICH's launcher returns the number of the signal itself.
     return WEXITSTATUS(status) == SIGKILL ? killed : WEXITSTATUS(status);
   }
 
@@ -84,7 +84,7 @@ class KillRestart : public testing::Test {
     return state_ + " " + result_ + " " + interval + " " + event;
   }
 
-  // The outcome of a run that nothing disturbs.
+  // Outcome of an undisturbed run.
   std::string undisturbed() {
     const auto name = (folder_ / "undisturbed").string();
     EXPECT_EQ(run(1, "- " + name + " 0"), 0) << content(log());
@@ -97,14 +97,14 @@ class KillRestart : public testing::Test {
   [[nodiscard]] std::string pid_file(int rank) const {
     return state_ + ".pid." + std::to_string(rank);
   }
-  // The process of a rank, 0 if it has not started.
+  // Process of a rank, 0 if it has not started.
   [[nodiscard]] pid_t pid(int rank) const {
     std::ifstream file(pid_file(rank));
     pid_t number = 0;
     file >> number;
     return number;
   }
-  // The epoch of the checkpoint, 0 if there is none at this moment.
+  // Epoch of the checkpoint, 0 if there is none at this moment.
   [[nodiscard]] std::uint64_t epoch() const {
     try {
       return engine::read_manifest(state_).epoch;
@@ -125,13 +125,14 @@ TEST_F(KillRestart, TwentyKillsChangeNothing) {
   const auto between = [&](std::uint64_t low, std::uint64_t high) {
     return std::uniform_int_distribution<std::uint64_t>(low, high)(random);
   };
-  // Whatever else is planned, every rank dies at its 3,500th node, also if another that should have
-  // died before gets no turn on a busy machine. So 24 deaths on one, two and three ranks in turn
-  // come before the end of a tree of 193,480 nodes even if all that was done in between is kept.
+  // Independently of other events, every rank dies at its 3,500th node, even if another rank that
+  // should have died before gets no turn on a busy machine. Thus 24 deaths on one, two and three
+  // ranks in turn occur before the end of a tree of 193,480 nodes even if all nodes opened in
+  // between are kept.
   constexpr int deaths = 24;
   constexpr std::uint64_t most_nodes = 3500;
   int kills = 0;
-  int kept = 0;  // kills after which more was on the disk than before
+  int kept = 0;  // kills after which the checkpoint had grown
   int from_outside = 0;
   std::set<int> sizes;
   for (int attempt = 0; attempt < deaths; ++attempt) {
@@ -147,7 +148,7 @@ TEST_F(KillRestart, TwentyKillsChangeNothing) {
         break;
       case 1:
       case 2:
-        // Rank 0 makes seven calls for one checkpoint, the others three.
+        // Rank 0 makes seven calls per checkpoint, the others three.
         event += "disk" + who + std::to_string(victim == 0 ? between(1, 21) : between(1, 9));
         break;
       default: {
@@ -174,7 +175,7 @@ TEST_F(KillRestart, TwentyKillsChangeNothing) {
   }
   std::printf("%d kills, %d of them from outside; after %d more was kept than before\n", kills,
               from_outside, kept);
-  EXPECT_GE(kept, 5) << "hardly a checkpoint was written: this shows nothing";
+  EXPECT_GE(kept, 5) << "too few checkpoints were written for this test";
   EXPECT_EQ(sizes.size(), 3U);
   ASSERT_FALSE(fs::exists(result_));
   ASSERT_EQ(run(2, call("0.01")), 0) << content(log());
@@ -183,7 +184,7 @@ TEST_F(KillRestart, TwentyKillsChangeNothing) {
 
 TEST_F(KillRestart, ADeathAtAnyCallOfTheDiskLeavesAWholeCheckpoint) {
   const auto expected = undisturbed();
-  // The first checkpoint of a run alone takes six calls, each other one seven.
+  // The first checkpoint of a run on one rank takes six calls, each other one seven.
   for (int calls = 1; calls <= 6 + 7; ++calls) {
     ASSERT_EQ(run(1, call("0.001", "disk:0:" + std::to_string(calls))), killed) << content(log());
     if (!engine::checkpoint_exists(state_)) continue;
@@ -196,7 +197,7 @@ TEST_F(KillRestart, ADeathAtAnyCallOfTheDiskLeavesAWholeCheckpoint) {
 
 TEST_F(KillRestart, ASignalStopsTheSearchWithACheckpoint) {
   const auto expected = undisturbed();
-  // Each on another number of ranks, on any of which the signal may arrive.
+  // Each run has another number of ranks; the signal arrives on any of them.
   ASSERT_EQ(run(1, call("600", "term:0:5000")), 3) << content(log());
   EXPECT_EQ(epoch(), 1U);
   ASSERT_EQ(run(2, call("600", "int:1:5000")), 3) << content(log());
@@ -213,7 +214,7 @@ TEST_F(KillRestart, SIGUSR1AsksForACheckpointOnTheWay) {
   ASSERT_EQ(run(2, call("600", "usr1:1:5000")), 0) << content(log());
   EXPECT_EQ(epoch(), 1U);
   EXPECT_TRUE(content(result_) == expected) << "not the outcome of the undisturbed run";
-  // And it is one to go on from.
+  // The checkpoint can be resumed.
   fs::remove(result_);
   ASSERT_EQ(run(3, call("600")), 0) << content(log());
   EXPECT_TRUE(content(result_) == expected) << "not the outcome of the undisturbed run";
@@ -228,7 +229,7 @@ TEST_F(KillRestart, MpirunPassesSIGUSR1On) {
         sent = true;
         kill(launcher, SIGUSR1);
       });
-#ifdef OPEN_MPI  // MPICH's mpirun may lose the code when it has passed a signal on
+#ifdef OPEN_MPI  // MPICH's mpirun may lose the exit code after passing a signal on
   ASSERT_EQ(code, 3) << content(log());
 #endif
   EXPECT_FALSE(fs::exists(result_)) << content(log());

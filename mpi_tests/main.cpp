@@ -1,5 +1,5 @@
-// GoogleTest on every rank of an MPI job: rank 0 prints, the others print their failures only, and
-// a failure on any rank fails the job.
+// GoogleTest main on every rank of an MPI job: rank 0 prints everything, the others print their
+// failures only, and a failure on any rank fails the job.
 #include <cstdio>
 #include <memory>
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-// What ranks other than 0 have to say.
+// Output of ranks other than 0.
 class FailuresOnly : public testing::EmptyTestEventListener {
  public:
   explicit FailuresOnly(int rank) : rank_(rank) {}

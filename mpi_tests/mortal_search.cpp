@@ -1,16 +1,15 @@
-// A search that keeps checkpoints, and that can be told when to die or to send itself a signal:
-// what kill_restart_test.cpp starts, kills and starts again. Goes on from the checkpoint if there
-// is one.
+// Test program of kill_restart_test.cpp: a search with checkpoints that kills itself, or sends
+// itself a signal, at given events. It resumes from the checkpoint if there is one.
 //
 //   mortal_search STATE RESULT SECONDS [EVENT:RANK:COUNT]...
 //
 // STATE is the checkpoint, "-" for none, SECONDS its interval. RESULT receives the outcome when the
-// whole tree is done: one text, the same for all runs. EVENT is what rank RANK ("-1": each rank)
-// does to itself:
-//   node      is killed when it opens its COUNT-th node
-//   disk      is killed at its COUNT-th call of fsync or rename
+// whole tree is done: one text, the same for all runs. EVENT is an action of rank RANK ("-1": of
+// each rank):
+//   node      kills itself when it opens its COUNT-th node
+//   disk      kills itself at its COUNT-th call of fsync or rename
 //   term, int, usr1    sends itself the signal when it opens its COUNT-th node
-//   wait      opens its COUNT-th node only when a signal has asked for a checkpoint
+//   wait      opens its COUNT-th node only after a signal has requested a checkpoint
 //
 // Exit codes: 0 done, 2 the checkpoint is refused, 3 stopped by a signal.
 #include <csignal>
@@ -43,7 +42,7 @@ struct Event {
   std::uint64_t count = 0;  // 0: never
 };
 
-std::vector<Event> planned;  // for this rank
+std::vector<Event> planned;  // events of this rank
 std::uint64_t disk_calls = 0;
 
 Event parsed(const std::string& text) {
@@ -62,7 +61,7 @@ void die_at_disk_call() {
   }
 }
 
-// What signals have asked for that the search has not yet been told, and whether any ever did.
+// The pending request of a signal, and a flag for any earlier one.
 engine::Interrupt pending = engine::Interrupt::none;
 bool heard = false;
 
@@ -93,7 +92,8 @@ void happen_at_node(std::uint64_t opened) {
 
 }  // namespace
 
-// The engine's calls come here instead of to the C library: each is a moment to die at.
+// The engine's calls of these functions come here instead of to the C library, so that a kill can
+// happen at each of them.
 extern "C" int fsync(int descriptor) {
   die_at_disk_call();
   return static_cast<int>(syscall(SYS_fsync, descriptor));
@@ -105,8 +105,8 @@ extern "C" int rename(const char* from, const char* to) noexcept {
 
 namespace {
 
-// A random tree of 193,480 nodes of some ten microseconds each (counted in rounds, not by a clock),
-// uneven as real ones are. Every solution and every node leaves a trace in the result.
+// A random, uneven tree of 193,480 nodes of about ten microseconds each (in rounds, not by a
+// clock). The result depends on every solution and every node.
 class Tree {
  public:
   struct Node {
@@ -133,7 +133,7 @@ class Tree {
     if (children == 0 && (node.state & 63U) == 0) out.solution(node.state);
   }
 
-  /// A sum over the opened nodes that does not come from the engine's own book-keeping.
+  /// Sum over the opened nodes, independent of the engine's own counts.
   Tally tally() const { return work_; }
 
  private:
@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
   }
 
   engine::Options options;
-  options.survey_interval = 2e-3;
+  options.reduction_interval = 2e-3;
   options.interrupt = asked;
   options.warn = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   engine::heed_signals();
@@ -181,7 +181,7 @@ int main(int argc, char** argv) {
     options.checkpoint.interval = std::atof(argv[3]);
     options.checkpoint.problem = 22;
     if (engine::checkpoint_exists(state)) {
-      // Every rank looks for itself: the files do not change before all ranks search.
+      // Every rank reads the checkpoint itself: the files do not change before all ranks search.
       try {
         std::string warning;
         options.checkpoint.resume_from =
@@ -191,7 +191,7 @@ int main(int argc, char** argv) {
         return 2;
       }
     }
-    // Whom a killer from outside may choose, and who heeds signals by now.
+    // Process of this rank, for kills from outside; it handles signals from now on.
     std::ofstream(state + ".pid." + std::to_string(transport->rank())) << getpid();
   }
   for (int i = 4; i < argc; ++i) {

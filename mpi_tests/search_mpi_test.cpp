@@ -1,4 +1,4 @@
-// The search over real MPI: the same answers on any number of ranks, and a fair share for each.
+// Tests of the search over MPI: equal answers on any number of ranks, and a fair share for each.
 #include <chrono>
 #include <cstdio>
 
@@ -58,7 +58,7 @@ TEST(MpiSearch, OneSearchAfterAnotherOnTheSameTransport) {
   }
 }
 
-// Nodes and solutions of 40 kB each: every message goes by rendezvous.
+// Nodes and solutions of 40 kB each: every message uses the rendezvous protocol.
 struct Heavy {
   struct Node {
     int depth = 0;
@@ -93,7 +93,7 @@ TEST(MpiSearch, MessagesAboveTheEagerLimitArrive) {
 }
 
 TEST(MpiSearch, ALongExpansionAnswersWhenItPolls) {
-  // Every node takes several steps' time; with `poll` a thief is answered inside one.
+  // Every node takes several steps' time; with `poll` requests are answered during an expansion.
   struct Polling {
     using Node = int;
     using Solution = int;
@@ -112,18 +112,19 @@ TEST(MpiSearch, ALongExpansionAnswersWhenItPolls) {
   EXPECT_EQ(outcome.solutions.size(), 1024U);
 }
 
-// All ranks take one step at a time, together: the clock of the machine has no say in how the
-// nodes are shared.
+// All ranks step in lock-step, so that the shares do not depend on the clock of the machine.
 TEST(MpiSearch, EveryRankOpensAFairShareInLockStep) {
   class LockStep final : public Transport {
    public:
     [[nodiscard]] int rank() const override { return wires_.rank(); }
     [[nodiscard]] int size() const override { return wires_.size(); }
     [[nodiscard]] double now() const override { return 20e-6 * static_cast<double>(round_); }
-    void send(int to, Tag tag, Bytes body) override { wires_.send(to, tag, std::move(body)); }
+    void send(int to, MessageTag tag, Bytes body) override {
+      wires_.send(to, tag, std::move(body));
+    }
     std::optional<Message> receive() override { return wires_.receive(); }
-    void join_survey(const Survey& own) override { wires_.join_survey(own); }
-    std::optional<Survey> survey() override { return wires_.survey(); }
+    void join_reduction(const Reduction& own) override { wires_.join_reduction(own); }
+    std::optional<Reduction> reduction() override { return wires_.reduction(); }
     void broadcast(Bytes& bytes) override { wires_.broadcast(bytes); }
     void abandon(const std::string& reason) override { wires_.abandon(reason); }
 
@@ -154,10 +155,10 @@ TEST(MpiSearch, EveryRankOpensAFairShareInLockStep) {
   ASSERT_GT(opened, 10'000U);
   for (const auto& rank : outcome.ranks) {
     const double share = static_cast<double>(rank.statistics.opened) / static_cast<double>(opened);
-    std::printf("share of %.1f %% of %llu nodes, %llu requests, %llu gifts received\n", 100 * share,
-                static_cast<unsigned long long>(opened),
+    std::printf("share of %.1f %% of %llu nodes, %llu requests, %llu transfers received\n",
+                100 * share, static_cast<unsigned long long>(opened),
                 static_cast<unsigned long long>(rank.statistics.requests),
-                static_cast<unsigned long long>(rank.statistics.gifts_received));
+                static_cast<unsigned long long>(rank.statistics.transfers_received));
     EXPECT_GE(share, 0.5 / static_cast<double>(transport.size()));  // 25 % each on two ranks
   }
 }

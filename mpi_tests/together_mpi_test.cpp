@@ -1,4 +1,4 @@
-// What all ranks do together besides searching.
+// Tests of the collective operations over MPI.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,20 +15,20 @@
 namespace kusabi::engine {
 namespace {
 
-TEST(MpiTogether, AllAreToldWhatTheFirstRankKnows) {
+TEST(MpiTogether, BroadcastsTheValueOfTheFirstRank) {
   MpiTransport transport;
-  const auto told = from_first_rank(transport, [&] {
+  const auto received = from_first_rank(transport, [&] {
     EXPECT_EQ(transport.rank(), 0);
     return std::vector<std::string>{"one", "", "three"};
   });
-  EXPECT_EQ(told, (std::vector<std::string>{"one", "", "three"}));
+  EXPECT_EQ(received, (std::vector<std::string>{"one", "", "three"}));
 }
 
 TEST(MpiTogether, AMeetingAddsUpWhatAllBring) {
   MpiTransport transport;
   const auto ranks = static_cast<std::uint64_t>(transport.size());
   const auto own = static_cast<std::uint64_t>(transport.rank());
-  const auto all = meet(transport, {.ranks = 1, .found = own});
+  const auto all = all_reduce(transport, {.ranks = 1, .found = own});
   EXPECT_EQ(all.ranks, ranks);
   EXPECT_EQ(all.found, ranks * (ranks - 1) / 2);
 }
@@ -50,7 +50,7 @@ TEST(MpiTogether, EveryRankGetsAllResultsInOrder) {
   for (std::uint64_t i = 0; i < pieces; ++i) ASSERT_EQ(results[i], i * i);
 }
 
-// Rank 0 finds something to tell the others of as soon as it begins.
+// Rank 0 has an incumbent to broadcast at its first step.
 struct AtOnce {
   using Node = int;  ///< depth
   using Solution = int;
@@ -64,8 +64,8 @@ struct AtOnce {
   double bound(int /*node*/) const { return -3; }
 };
 
-// A rank that has handed in its report must not take for its own what another, which is farther,
-// says of the next search: it would be missing there, and that search would never end.
+// A rank that has sent its report must not receive messages of the next search from another rank
+// that is ahead: they would be missing there, and that search would never end.
 TEST(MpiTogether, SearchesOneAfterAnotherDoNotMixTheirMessages) {
   MpiTransport transport;
   Options options;

@@ -1,4 +1,4 @@
-// The Unbalanced Tree Search benchmark over real MPI: the published counts, on any number of ranks.
+// Unbalanced Tree Search benchmark over MPI: the published counts, on any number of ranks.
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
@@ -22,12 +22,12 @@ void expect_published_counts(const char* name) {
   EXPECT_EQ(outcome.opened(), standard.counts.nodes);
 }
 
-// Shallow and even: every child is worth a steal.
+// Shallow and even: many small transfers.
 TEST(MpiUnbalancedTree, T1HasItsPublishedCounts) {
   expect_published_counts("T1");
 }
 
-// 1572 deep, and nearly all of the root's 2000 subtrees end at once.
+// Depth 1572; nearly all of the root's 2000 subtrees end at once.
 TEST(MpiUnbalancedTree, T3HasItsPublishedCounts) {
   expect_published_counts("T3");
 }

@@ -1,4 +1,4 @@
-// What is said of a broken promise.
+// Message of a violated contract.
 #include "engine/detail/contract.hpp"
 
 #include <string>
@@ -7,12 +7,12 @@
 namespace kusabi::engine {
 
 void contract_broken(const char* promise, const char* file, int line) {
-  // From the folder on: where the program was built is nobody's business.
+  // The path relative to the repository; the folder of the build does not belong in a message.
   std::string_view name = file;
   const auto folder = name.rfind("engine/");
   if (folder != std::string_view::npos) name.remove_prefix(folder);
   throw ContractBroken(std::string(name) + ':' + std::to_string(line) +
-                       ": a promise is broken: " + promise);
+                       ": contract violated: " + promise);
 }
 
 }  // namespace kusabi::engine

@@ -1,5 +1,5 @@
-// The part of a rank that searches: it opens the nodes it has, collects what they yield, and prunes
-// what cannot be better than the best known. It sends nothing and waits for nothing.
+// Explorer: the local search of one rank. It opens nodes, collects solutions and prunes by the
+// incumbent. It sends no messages and never waits.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "engine/detail/expanded.hpp"
 #include "engine/detail/frontier.hpp"
 #include "engine/detail/heap.hpp"
 #include "engine/detail/incumbent.hpp"
 #include "engine/detail/open_nodes.hpp"
-#include "engine/detail/yield.hpp"
 #include "engine/expansion.hpp"
 #include "engine/options.hpp"
 #include "engine/outcome.hpp"
@@ -25,15 +25,14 @@
 
 namespace kusabi::engine {
 
-/// An exception that left `expand`, with the path of the node it was expanding; the exception
-/// itself is nested in it.
+/// An exception thrown by `expand`, nested, with the path of the node.
 class ExpansionFailed : public std::runtime_error {
  public:
   ExpansionFailed(const Path& path, const std::string& reason)
       : std::runtime_error("node " + to_string(path) + ": " + reason) {}
 };
 
-/// A node that was opened twice and did not yield the same (Options::check_expand).
+/// Two expansions of a node that differ (Options::check_expand).
 class ExpansionDiffers : public std::logic_error {
  public:
   ExpansionDiffers(const Path& path, const std::string& what)
@@ -47,11 +46,11 @@ class Explorer {
   using Node = typename P::Node;
   using Solution = typename P::Solution;
 
-  /// All that a rank must keep to go on later. When a search goes on with fewer ranks, one rank
-  /// gets the open nodes of several: a bundle for each, since each has its own trail.
+  /// Local state that a checkpoint stores. When a search resumes on fewer ranks, a rank gets the
+  /// open nodes of several: one bundle each, since each has its own trail.
   struct State {
     std::vector<Bundle<Node>> bundles;
-    std::vector<Found<P>> found;
+    std::vector<FoundSolution<P>> found;
     Incumbent incumbent;
     double closed = 0;
 
@@ -62,7 +61,7 @@ class Explorer {
   };
 
   /// @param serve called by a long expansion that polls
-  /// @throws std::invalid_argument if the options ask for what the problem does not offer
+  /// @throws std::invalid_argument if the options require functions that the problem lacks
   Explorer(P& problem, const Options& options, std::function<void()> serve)
       : problem_(problem),
         goal_(options.goal),
@@ -73,10 +72,10 @@ class Explorer {
             frontier_, incumbent_, [this](Solution&& solution) { report(std::move(solution)); },
             std::move(serve)) {
     if (goal_ == Goal::best && !Minimising<P>) {
-      throw std::invalid_argument("Goal::best is for problems with an objective()");
+      throw std::invalid_argument("Goal::best requires a problem with an objective()");
     }
     if (order_ != Order::depth_first && !Bounded<P>) {
-      throw std::invalid_argument("orders other than depth first are for problems with a bound()");
+      throw std::invalid_argument("orders other than depth first require a problem with a bound()");
     }
   }
 
@@ -91,16 +90,16 @@ class Explorer {
     return !frontier_.empty() || !waiting_.empty() || !heap_.empty();
   }
 
-  /// Whether a node is being opened twice: then nothing may change from outside.
-  [[nodiscard]] bool checking() const { return yield_ != nullptr; }
+  /// True while a node is expanded twice; the incumbent and the open nodes must not change then.
+  [[nodiscard]] bool checking() const { return expanded_ != nullptr; }
 
-  /// Whether this is called from inside an expansion.
+  /// True during a call of `expand`.
   [[nodiscard]] bool expanding() const { return expanding_; }
 
-  /// Whether a node is being expanded or waits to be.
+  /// True if a node is being expanded or is open.
   [[nodiscard]] bool busy() const { return expanding_ || has_nodes(); }
 
-  /// Nodes waiting to be opened.
+  /// Number of open nodes.
   [[nodiscard]] std::uint64_t open() const {
     std::uint64_t count = frontier_.size() + heap_.size();
     for (const auto& bundle : waiting_) count += bundle.nodes.size();
@@ -117,7 +116,7 @@ class Explorer {
     }
   }
 
-  /// The least bound of the nodes that wait; infinity if there is none.
+  /// Least bound of the open nodes; infinity if there are none.
   [[nodiscard]] double bound() const {
     if (!has_nodes()) return std::numeric_limits<double>::infinity();
     if (!looks_at_bounds()) return bound_of_any();
@@ -136,9 +135,8 @@ class Explorer {
     return heap_.can_give() || frontier_.can_give() || stores() >= 2;
   }
 
-  /// Nodes for another rank, of at most `limit` bytes together unless one alone has more.
-  /// @pre can_give()
-  Gift<Node> give(std::size_t limit) {
+  /// Nodes for another rank, at most `limit` bytes in total unless a single node is larger.
+  Transfer<Node> give(std::size_t limit) {
     if (heap_.can_give()) return heap_.give(limit);
     if (frontier_.can_give()) return {frontier_.give(limit)};
     if (!heap_.empty()) return {heap_.take()};
@@ -148,14 +146,14 @@ class Explorer {
     return {std::move(part)};
   }
 
-  void take(Gift<Node>&& gift) {
-    for (auto& bundle : gift) keep(std::move(bundle));
+  void take(Transfer<Node>&& transfer) {
+    for (auto& bundle : transfer) keep(std::move(bundle));
   }
 
   // ---- results ----------------------------------------------------------------------------------
 
   void report(Solution&& solution) {
-    if (yield_ != nullptr) yield_->solutions.push_back(pack(solution));
+    if (expanded_ != nullptr) expanded_->solutions.push_back(pack(solution));
     if (goal_ == Goal::all) {
       found_.push_back({frontier_.path(), std::move(solution)});
       ++statistics_.found;
@@ -171,8 +169,8 @@ class Explorer {
     improved_ = true;
   }
 
-  /// Takes note of a solution that another rank has. @return true if it is better than the best
-  /// known here; a solution kept here is then dropped.
+  /// Takes the incumbent of another rank. A worse solution kept here is dropped.
+  /// @return true if the incumbent of this rank improved
   bool learn(const Incumbent& news) {
     if (!news.better_than(incumbent_)) return false;
     incumbent_ = news;
@@ -182,15 +180,15 @@ class Explorer {
 
   [[nodiscard]] const Incumbent& incumbent() const { return incumbent_; }
 
-  /// Whether the incumbent was improved here since the last call.
+  /// True if this rank improved the incumbent since the last call.
   [[nodiscard]] bool just_improved() { return std::exchange(improved_, false); }
 
-  [[nodiscard]] std::vector<Found<P>>& found() { return found_; }
-  [[nodiscard]] const std::vector<Found<P>>& found() const { return found_; }
+  [[nodiscard]] std::vector<FoundSolution<P>>& found() { return found_; }
+  [[nodiscard]] const std::vector<FoundSolution<P>>& found() const { return found_; }
   [[nodiscard]] double closed() const { return closed_; }
 
-  /// Of this rank: nodes opened, their mark sum, solutions found, nodes pruned, most nodes that
-  /// were open at one time.
+  /// Statistics of this rank: nodes opened, mark sum, solutions found, nodes pruned, peak number of
+  /// open nodes.
   [[nodiscard]] RankStatistics& statistics() {
     statistics_.peak_open = std::max<std::uint64_t>(statistics_.peak_open, frontier_.peak());
     return statistics_;
@@ -216,9 +214,9 @@ class Explorer {
   }
 
  private:
-  // A bundle that waits, and that more can be given of.
+  // A bundle of open nodes and the position up to which it was given away.
   struct Waiting {
-    std::vector<Step> trail;
+    std::vector<TrailStep> trail;
     NodeStack<Node> nodes;
   };
 
@@ -226,7 +224,7 @@ class Explorer {
     if constexpr (Minimising<P>) {
       if (goal_ == Goal::best) return std::as_const(problem_).objective(solution);
     }
-    return 0;  // Goal::first: all solutions alike, the smaller path is better
+    return 0;  // Goal::first: all objectives are equal, the smaller path is better
   }
 
   [[nodiscard]] double bound_of(const Node& node) const {
@@ -238,19 +236,19 @@ class Explorer {
 
   [[nodiscard]] bool looks_at_bounds() const { return Bounded<P> && goal_ == Goal::best; }
 
-  // Of nodes whose bounds are not looked at.
+  // Least bound of open nodes that were not pruned by bound.
   [[nodiscard]] double bound_of_any() const {
     return goal_ == Goal::first ? 0 : -std::numeric_limits<double>::infinity();
   }
 
-  // What decides the order. It need not be the goal that asks for a bound.
+  // Sort key of a node in the heap. It may be a bound even if the goal does not require one.
   [[nodiscard]] double rank_of(const Node& node) const {
     if constexpr (Bounded<P>) return std::as_const(problem_).bound(node);
     return 0;
   }
 
-  // Where a node is being expanded or waits; each of them could go to another rank as a whole, but
-  // for the node that is being expanded.
+  // Number of containers that hold nodes: the frontier and the waiting bundles. Each could be given
+  // to another rank as a whole, except the one that is being expanded.
   [[nodiscard]] std::size_t stores() const {
     const bool own = expanding_ || !frontier_.empty();
     return (own ? 1 : 0) + waiting_.size() + (heap_.empty() ? 0 : 1);
@@ -276,8 +274,8 @@ class Explorer {
     return true;
   }
 
-  // After a node was opened: its children, if any, and what else is in the frontier wait among all
-  // others from now on; unless the order is to go on below this node, or the heap is full.
+  // Moves the children of the node just opened, and all other nodes of the frontier, into the heap,
+  // unless the order continues below this node or the heap is full.
   void rank_nodes() {
     statistics_.peak_open = std::max(statistics_.peak_open, open());
     const bool goes_on = order_ == Order::hybrid && frontier_.branches() > 0;
@@ -301,20 +299,20 @@ class Explorer {
     closed_ += frontier_.close();
   }
 
-  // A share of the nodes that is the same for any number of ranks.
+  // A pseudo-random share of the nodes, the same for any number of ranks.
   [[nodiscard]] bool is_checked(std::uint64_t mark) const {
     constexpr double all_hashes = 0x1p64;
     return static_cast<double>(hash_of_mark(mark)) <= check_share_ * all_hashes;
   }
 
-  // Once in vain and once in earnest, both times with the same incumbent.
+  // Expands a node twice with the same incumbent; the first result is only compared.
   void expand_twice(Node&& node) {
     const auto incumbent = incumbent_;
     const auto statistics = statistics_;
     const bool improved = improved_;
     const auto found_before = found_.size();
-    const auto best_before = goal_ == Goal::all ? std::vector<Found<P>>{} : found_;
-    const auto first = yield_of(Node(node));
+    const auto best_before = goal_ == Goal::all ? std::vector<FoundSolution<P>>{} : found_;
+    const auto first = expanded_of(Node(node));
     frontier_.take_back();
     incumbent_ = incumbent;
     statistics_ = statistics;
@@ -324,21 +322,21 @@ class Explorer {
     } else {
       found_ = best_before;
     }
-    const auto second = yield_of(std::move(node));
+    const auto second = expanded_of(std::move(node));
     if (const auto what = difference(first, second)) {
       throw ExpansionDiffers(frontier_.path(), *what);
     }
   }
 
-  Yield yield_of(Node&& node) {
-    Yield yield;
-    yield_ = &yield;
+  Expanded expanded_of(Node&& node) {
+    Expanded expanded;
+    expanded_ = &expanded;
     expand(std::move(node));
-    yield_ = nullptr;
+    expanded_ = nullptr;
     frontier_.for_each_child([&](const Node& child) {
-      yield.children.push_back({pack(child), rank_of(child)});
+      expanded.children.push_back({pack(child), rank_of(child)});
     });
-    return yield;
+    return expanded;
   }
 
   void expand(Node&& node) {
@@ -357,15 +355,16 @@ class Explorer {
   Goal goal_;
   Order order_;
   std::size_t heap_nodes_;
-  double check_share_;                  // of the nodes, opened twice
-  Yield* yield_ = nullptr;              // of the node that is being opened twice
-  Frontier<Node, WorkOf<P>> frontier_;  // what is searched depth first
-  std::vector<Waiting> waiting_;        // what comes after it; only if the order is depth first,
-  Heap<Node> heap_;                     // and only if it is not
+  double check_share_;                  // share of the nodes that are expanded twice
+  Expanded* expanded_ = nullptr;        // of the node that is being expanded twice
+  Frontier<Node, WorkOf<P>> frontier_;  // the part searched depth first
+  // bundles that follow the frontier; used with depth-first order only
+  std::vector<Waiting> waiting_;
+  Heap<Node> heap_;  // used with all other orders
   Expansion<P> expansion_;
   bool expanding_ = false;
   bool improved_ = false;
-  std::vector<Found<P>> found_;
+  std::vector<FoundSolution<P>> found_;
   Incumbent incumbent_;
   double closed_ = 0;
   RankStatistics statistics_;

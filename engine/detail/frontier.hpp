@@ -1,10 +1,9 @@
-// The open nodes of one rank, searched depth first.
+// Frontier: the open nodes of one rank in depth-first order.
 //
-// Every node that is open on a rank was branched off from one of the nodes on a single line from
-// the root: the line of the node opened last. So a node need not carry its path; its depth and its
-// branch number suffice, and the line itself, the *trail*, is stored once. Giving nodes away keeps
-// this true on both sides: the giver keeps a subset, and the taker, which has nothing open, gets a
-// subset together with the trail above it.
+// Every open node of a rank was branched from a node on a single line from the root: the line to
+// the node opened last. A node therefore stores only its depth and branch number, and the line
+// itself, the *trail*, is stored once. A transfer preserves this on both sides: the giver keeps a
+// subset, and the taker, which has no open node, gets a subset together with the trail above it.
 #pragma once
 
 #include <algorithm>
@@ -20,18 +19,17 @@
 
 namespace kusabi::engine {
 
-/// For the progress estimate: all children of a node have the same amount of work below them.
+/// Progress estimate by default: all children of a node have the same work below them.
 struct EqualWork {
   static constexpr double of_first_child = 1;
 };
 
 /// A stack of open nodes, shallowest first.
 ///
-/// Requires: `branch` is called only between `open` and the next `open`.
-/// Guarantees: nodes are opened in depth-first order, the children of a node in the order in which
-/// they were branched; at most depth x branching nodes are open at any time.
-///
-/// @tparam Work says how much is guessed to be below a first child (problem.hpp)
+/// @pre `branch` is called only between `open` and the next `open`
+/// @post nodes are opened in depth-first order, the children of a node in the order in which they
+///     were branched; at most depth x branching nodes are open at any time
+/// @tparam Work estimate of the work below a first child (problem.hpp)
 template <class Node, class Work = EqualWork>
 class Frontier {
  public:
@@ -39,14 +37,14 @@ class Frontier {
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::size_t peak() const { return peak_; }
 
-  /// Puts the root in, as the only open node.
+  /// Adds the root. @pre empty()
   void plant(Node root) {
     nodes_.take_all();
     nodes_.emplace_back(std::move(root), 0, 0);
     trail_.resize(1);
   }
 
-  /// Takes the next node out; from now on the trail ends in it.
+  /// Removes and returns the next node; the trail then ends at it.
   /// @pre not empty()
   Node open() {
     ensure(!nodes_.empty(), "a node is opened only if one waits");
@@ -57,7 +55,7 @@ class Frontier {
       mark_ = root_mark;
       share_ = 1;
     } else {
-      const Step& parent = trail_[depth_ - 1];
+      const TrailStep& parent = trail_[depth_ - 1];
       mark_ = branch_mark(parent.hash, next.branch);
       share_ = parent.share_of_each;
       if (next.branch == 0) share_ *= Work::of_first_child;
@@ -69,7 +67,7 @@ class Frontier {
     return node;
   }
 
-  /// Adds a child of the node opened last, to be opened after the children already added.
+  /// Adds a child of the node opened last; it is opened after the children added before it.
   void branch(Node&& child) { nodes_.emplace_back(std::move(child), depth_ + 1, branches_++); }
 
   /// Calls `look(child)` for the children added so far to the node opened last.
@@ -78,21 +76,21 @@ class Frontier {
     for (std::size_t place = first_child_; place < nodes_.size(); ++place) look(nodes_[place].node);
   }
 
-  /// Takes back all children added to the node opened last.
+  /// Removes all children added to the node opened last.
   void take_back() {
     nodes_.shorten(first_child_);
     branches_ = 0;
   }
 
-  /// Ends the expansion of the node opened last: its first child comes to the top of the stack.
-  /// @return the share of the whole tree that this closes: the node's own, if it has no children
+  /// Ends the expansion of the node opened last: its first child moves to the top of the stack.
+  /// @return the closed share of the tree: the share of the node if it has no children, otherwise 0
   double close() {
-    if (branches_ == 0) return share_;  // most nodes: nothing more is spent on them
-    Step& step = trail_[depth_];
+    if (branches_ == 0) return share_;  // the frequent case returns early
+    TrailStep& step = trail_[depth_];
     step.branches = branches_;
     step.hash = hash_of_mark(mark_);
     step.share_of_each = share_ / (branches_ - 1 + Work::of_first_child);
-    // The trail never shrinks: most nodes find their place in it made.
+    // The trail never shrinks, so that it is rarely reallocated.
     if (trail_.size() < depth_ + std::size_t{2}) trail_.resize(depth_ + std::size_t{2});
     nodes_.reverse_from(first_child_);
     first_child_ = nodes_.size();
@@ -113,17 +111,17 @@ class Frontier {
     return {{trail_.begin(), trail_.begin() + deepest}, {nodes_.begin(), nodes_.end()}};
   }
 
-  /// Takes out all that is open. @pre not empty(); no node is being expanded
+  /// Removes and returns all open nodes. @pre not empty(); no node is being expanded
   Bundle<Node> take_all() {
     const auto deepest = static_cast<std::ptrdiff_t>(nodes_.back().depth);
     first_child_ = 0;
     return {{trail_.begin(), trail_.begin() + deepest}, nodes_.take_all()};
   }
 
-  /// What the node opened last adds to the mark sum of the search.
+  /// Contribution of the node opened last to the mark sum of the search.
   [[nodiscard]] std::uint64_t mark() const { return mark_; }
 
-  /// How many children the node opened last has so far.
+  /// Number of children so far of the node opened last.
   [[nodiscard]] std::uint32_t branches() const { return branches_; }
 
   /// The path of the node opened last.
@@ -134,7 +132,7 @@ class Frontier {
     return path;
   }
 
-  /// The same to be compared with paths, which does not build it.
+  /// The path of the node opened last, comparable with a Path without being built.
   class Place {
    public:
     explicit Place(const Frontier& frontier) : frontier_(frontier) {}
@@ -158,26 +156,25 @@ class Frontier {
   };
   [[nodiscard]] Place place() const { return Place(*this); }
 
-  /// Whether a node can be given away such that one is left here. Children that the current
-  /// expansion is still adding cannot be given yet.
+  /// True if a node can be given away and one is left here. Children that the current expansion is
+  /// still adding cannot be given away.
   [[nodiscard]] bool can_give() const { return first_child_ >= 2; }
 
-  /// Takes out every other node from the shallowest on, so half of what there is; fewer if they
-  /// would take more than `limit` bytes together, but at least one. (Giving the older half instead
-  /// needs ten times as many steals on deep trees: the two sides swap the same few subtrees back
-  /// and forth.)
+  /// Removes and returns every other node from the shallowest on, hence half of them; fewer if they
+  /// would exceed `limit` bytes, but at least one. (Giving the older half needs ten times as many
+  /// transfers on deep trees, since the same few subtrees move back and forth.)
   /// @pre can_give()
   Bundle<Node> give(std::size_t limit) {
-    ensure(can_give(), "a frontier gives only if a node is left");
-    Bundle<Node> gift;
-    gift.nodes = nodes_.give(first_child_ / 2, limit);
-    first_child_ -= gift.nodes.size();
-    const auto deepest = static_cast<std::ptrdiff_t>(gift.nodes.back().depth);
-    gift.trail.assign(trail_.begin(), trail_.begin() + deepest);
-    return gift;
+    ensure(can_give(), "a frontier gives nodes only if one is left");
+    Bundle<Node> transfer;
+    transfer.nodes = nodes_.give(first_child_ / 2, limit);
+    first_child_ -= transfer.nodes.size();
+    const auto deepest = static_cast<std::ptrdiff_t>(transfer.nodes.back().depth);
+    transfer.trail.assign(trail_.begin(), trail_.begin() + deepest);
+    return transfer;
   }
 
-  /// Puts the nodes of a bundle in.
+  /// Adds the nodes of a bundle.
   /// @pre empty()
   void take(Bundle<Node>&& bundle) {
     ensure(nodes_.empty(), "a frontier takes nodes of one line from the root only");
@@ -190,7 +187,7 @@ class Frontier {
 
  private:
   NodeStack<Node> nodes_;
-  std::vector<Step> trail_;  // of use down to depth_ only
+  std::vector<TrailStep> trail_;  // used down to depth_ only
   // Of the node opened last:
   std::uint32_t depth_ = 0;
   std::uint32_t branches_ = 0;

@@ -1,7 +1,7 @@
-// The open nodes of one rank in the order of their bounds, the least first.
+// Heap: the open nodes of one rank in the order of their bounds, least first.
 //
-// Nodes of a heap come from all over the tree, so each needs the trail above it. The children of
-// one node share theirs, and so do all nodes that are put in together.
+// The nodes come from all over the tree, so each needs the trail above it. Nodes inserted together,
+// in particular the children of one node, share one trail.
 #pragma once
 
 #include <algorithm>
@@ -19,24 +19,24 @@
 
 namespace kusabi::engine {
 
-/// Guarantees: nodes are taken in the order of their bounds, and of equal ones the last put in
-/// first; so where all bounds are equal, depth first.
+/// @post nodes are taken in the order of their bounds; among equal bounds the last inserted comes
+///     first, so that equal bounds give depth-first order
 template <class Node>
 class Heap {
  public:
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
-  /// The node to be taken next: none has a smaller bound.
+  /// The next node: none has a smaller bound.
   /// @pre not empty()
   [[nodiscard]] const Node& best() const { return entries_.front().open.node; }
 
-  /// Puts the nodes of a bundle in.
-  /// @param bound_of its lower bound: a function of a node
-  /// @throws std::domain_error if a bound is not a number
+  /// Inserts the nodes of a bundle.
+  /// @param bound_of function of a node: its lower bound
+  /// @throws std::domain_error if a bound is NaN
   template <class BoundOf>
   void put(Bundle<Node>&& bundle, BoundOf bound_of) {
-    const auto trail = std::make_shared<const std::vector<Step>>(std::move(bundle.trail));
+    const auto trail = std::make_shared<const std::vector<TrailStep>>(std::move(bundle.trail));
     for (auto& open : bundle.nodes) {
       const double bound = bound_of(std::as_const(open.node));
       if (std::isnan(bound)) throw std::domain_error("a bound is not a number");
@@ -44,19 +44,19 @@ class Heap {
     }
   }
 
-  /// Takes the best node out, with its trail.
+  /// Removes and returns the best node, with its trail.
   /// @pre not empty()
   Bundle<Node> take() { return bundle_of(remove_best()); }
 
-  /// Whether a node can be given away such that one is left here.
+  /// True if a node can be given away and one is left here.
   [[nodiscard]] bool can_give() const { return entries_.size() >= 2; }
 
-  /// Takes out the second best, the fourth, the sixth …: at most half of what there is, and no more
-  /// than fit into `limit` bytes, but at least one. So both sides go on with equally good nodes.
+  /// Removes and returns the second, fourth, sixth … best node: at most half of the nodes, and at
+  /// most `limit` bytes, but at least one node. Both sides thus continue with equally good nodes.
   /// @pre can_give()
-  Gift<Node> give(std::size_t limit) {
-    ensure(can_give(), "a heap gives only if a node is left");
-    Gift<Node> gift;
+  Transfer<Node> give(std::size_t limit) {
+    ensure(can_give(), "a heap gives nodes only if one is left");
+    Transfer<Node> transfer;
     std::vector<Entry> kept;
     PackedSize<Bundle<Node>> packed_size;
     std::size_t bytes = 0;
@@ -64,22 +64,22 @@ class Heap {
       kept.push_back(remove_best());
       auto bundle = bundle_of(remove_best());
       bytes += packed_size(bundle);
-      gift.push_back(std::move(bundle));
+      transfer.push_back(std::move(bundle));
       if (bytes >= limit) break;
     }
     for (auto& entry : kept) insert(std::move(entry));
-    return gift;
+    return transfer;
   }
 
-  /// A copy of all nodes. Those put in together are together again, in the same order.
-  [[nodiscard]] Gift<Node> all() const {
+  /// A copy of all nodes. Nodes inserted together stay together, in the same order.
+  [[nodiscard]] Transfer<Node> all() const {
     std::vector<const Entry*> entries;
     entries.reserve(entries_.size());
     for (const auto& entry : entries_) entries.push_back(&entry);
     std::sort(entries.begin(), entries.end(),
               [](const Entry* a, const Entry* b) { return a->age < b->age; });
-    Gift<Node> all;
-    const std::vector<Step>* trail = nullptr;
+    Transfer<Node> all;
+    const std::vector<TrailStep>* trail = nullptr;
     for (const auto* entry : entries) {
       if (entry->trail.get() != trail) all.push_back({*entry->trail, {}});
       trail = entry->trail.get();
@@ -92,11 +92,12 @@ class Heap {
   struct Entry {
     double bound;
     std::uint64_t age;
-    std::shared_ptr<const std::vector<Step>> trail;  // down to the deepest of those that share it
+    std::shared_ptr<const std::vector<TrailStep>> trail;  // down to the deepest node that shares it
     OpenNode<Node> open;
   };
 
-  // The order of std::push_heap, which keeps the greatest in front: here that is the best.
+  // Comparison for std::push_heap, which keeps the greatest element in front; here that is the
+  // best.
   static bool worse(const Entry& a, const Entry& b) {
     return a.bound != b.bound ? a.bound > b.bound : a.age < b.age;
   }

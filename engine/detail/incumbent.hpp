@@ -1,4 +1,4 @@
-// The best solution known so far, as all ranks need to know it: its value and its place.
+// Incumbent: objective and path of the best known solution, as shared by all ranks.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@
 
 namespace kusabi::engine {
 
-/// Of two solutions with the same objective the one with the smaller path is better, so the best of
-/// all does not depend on who found what first.
+/// Among solutions of equal objective the one with the smaller path is better, so that the result
+/// does not depend on the order of discovery.
 struct Incumbent {
   bool exists = false;
   double objective = std::numeric_limits<double>::infinity();
@@ -25,19 +25,20 @@ struct Incumbent {
     return path < other.path;
   }
 
-  /// Whether nothing below a node, whose solutions have objectives of `bound` or more, can be
-  /// better. (If the node's path is not smaller than that of the best solution, all paths below it
-  /// are greater.)
-  /// @param place the node's path, or anything in its place that a path can be compared with by
-  ///   <=>: it is looked at only if the objectives are equal
-  /// @throws std::domain_error if the bound is not a number
+  /// True if no solution below a node can be better than the incumbent. (If the node's path is not
+  /// smaller than that of the incumbent, no path below it is.)
+  /// @param bound lower bound of the objectives below the node
+  /// @param place the node's path, or an object that compares with a path by <=>; it is read only
+  ///     if
+  ///   the objectives are equal
+  /// @throws std::domain_error if the bound is NaN
   template <class Place = Path>
   [[nodiscard]] bool rules_out(double bound, const Place& place) const {
     if (!exists || bound < objective) return false;
     return above(bound) || std::is_lt(path <=> place);
   }
 
-  /// The same for what the node may yield itself after what it has yielded already.
+  /// As `rules_out`, for further solutions of the node that reported the incumbent.
   template <class Place = Path>
   [[nodiscard]] bool rules_out_more(double bound, const Place& place) const {
     if (!exists || bound < objective) return false;

@@ -1,13 +1,12 @@
-// How work finds the ranks that look for it in vain.
+// Lifelines: work distribution to ranks whose requests have failed.
 //
-// When few ranks have work, asking at random is like looking for a needle: of 4096 ranks, one that
-// asks every millisecond meets the only busy one after four seconds. So a rank that was refused a
-// few times leaves its name with some neighbours, its *lifelines*, and waits; a neighbour that has
-// something to spare, now or later, sends it unasked. The neighbours of rank r are r + 1, r + 2,
-// r + 4, ... modulo the number of ranks: from any rank to any other it is log2(ranks) hops at most,
-// and a rank that waits costs the others log2(ranks) messages and no more.
-// (V. Saraswat, P. Kambadur, S. Kodali, D. Grove, S. Krishnamoorthy: Lifeline-based Global Load
-// Balancing, PPoPP 2011.)
+// Random requests are slow when few ranks have work: of 4096 ranks, one that asks every millisecond
+// reaches the only busy one after four seconds on average. A rank whose requests were refused a few
+// times therefore registers with some neighbours, its *lifelines*, and waits; a neighbour that has
+// nodes to spare, now or later, sends them unasked. The lifelines of rank r are r + 1, r + 2, r +
+// 4, ... modulo the number of ranks: any rank reaches any other in at most log2(ranks) hops, and a
+// waiting rank costs the others at most log2(ranks) messages. (V. Saraswat, P. Kambadur, S. Kodali,
+// D. Grove, S. Krishnamoorthy: Lifeline-based Global Load Balancing, PPoPP 2011.)
 #pragma once
 
 #include <algorithm>
@@ -20,7 +19,7 @@
 
 namespace kusabi::engine {
 
-/// One rank's lifelines: those that it has left its name with, and the names left with it.
+/// Lifelines of one rank: those with which it has registered, and the ranks registered with it.
 class Lifelines {
  public:
   Lifelines(int self, int ranks) {
@@ -29,7 +28,7 @@ class Lifelines {
     }
   }
 
-  /// A neighbour that this rank has not left its name with, if there is one.
+  /// A lifeline with which this rank is not registered, if there is one.
   [[nodiscard]] std::optional<int> next() const {
     for (const auto& neighbour : neighbours_) {
       if (!neighbour.knows) return neighbour.rank;
@@ -37,22 +36,22 @@ class Lifelines {
     return std::nullopt;
   }
 
-  /// Notes that a neighbour will send something when it can.
+  /// Records the registration with a lifeline.
   void left_name_with(int rank) { find(rank).knows = true; }
 
-  /// Notes that it has done so, and forgotten the name.
+  /// Records that a lifeline has sent nodes, which ends the registration.
   void served_by(int rank) { find(rank).knows = false; }
 
-  /// Notes another rank's name.
+  /// Records the registration of another rank.
   void remember(int rank) { waiting_.push_back(rank); }
 
-  /// Whether anybody waits for something from this rank.
+  /// True if a rank is registered here.
   [[nodiscard]] bool wanted() const { return !waiting_.empty(); }
 
-  /// The one that has waited longest; it is forgotten.
+  /// Removes and returns the rank that has been registered longest.
   /// @pre wanted()
   int take() {
-    ensure(wanted(), "a name is taken only if one was left");
+    ensure(wanted(), "a rank is taken only if one is registered");
     const int rank = waiting_.front();
     waiting_.pop_front();
     return rank;
@@ -68,7 +67,7 @@ class Lifelines {
     const auto found =
         std::find_if(neighbours_.begin(), neighbours_.end(),
                      [&](const Neighbour& neighbour) { return neighbour.rank == rank; });
-    ensure(found != neighbours_.end(), "a parcel comes from a lifeline");
+    ensure(found != neighbours_.end(), "a lifeline transfer comes from a lifeline");
     return *found;
   }
 

@@ -1,5 +1,5 @@
-// What the protocol (engine/detail/rank.hpp) knows of the search on its rank: nothing of the
-// problem's type.
+// LocalSearch: interface of the local search to the protocol (engine/detail/rank.hpp), independent
+// of the problem's type.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace kusabi::engine {
 
-/// The nodes, the solutions and the reports of one rank. The protocol calls it a few times in each
-/// step, never once a node.
+/// Nodes, solutions and reports of one rank. The protocol calls it a few times per step, never once
+/// per node.
 class LocalSearch {
  public:
   LocalSearch() = default;
@@ -26,45 +26,44 @@ class LocalSearch {
   virtual void plant() = 0;
   virtual void open_nodes(unsigned count) = 0;
   [[nodiscard]] virtual bool has_nodes() const = 0;
-  /// Whether this is called from inside an expansion, and
+  /// True during a call of `expand`.
   [[nodiscard]] virtual bool expanding() const = 0;
-  /// whether from one that nothing may change from outside.
+  /// True while a node is expanded twice; its state must not change then.
   [[nodiscard]] virtual bool checking() const = 0;
-  /// Nodes waiting, and their least bound.
+  /// Number of open nodes, and their least bound.
   [[nodiscard]] virtual std::uint64_t open() const = 0;
   [[nodiscard]] virtual double bound() const = 0;
-  /// Share of the tree that is done here.
+  /// Share of the tree closed on this rank.
   [[nodiscard]] virtual double closed() const = 0;
   [[nodiscard]] virtual RankStatistics& statistics() = 0;
 
   // ---- nodes given and taken
-  struct Gift {
+  struct PackedTransfer {
     Bytes body;
     std::uint64_t nodes = 0;
   };
   [[nodiscard]] virtual bool can_give() const = 0;
-  /// @param limit in bytes, unless one node alone has more @pre can_give()
-  virtual Gift give(std::size_t limit) = 0;
-  /// @return how many nodes there were
-  virtual std::uint64_t take(const Bytes& gift) = 0;
+  /// @param limit in bytes, exceeded only by a single larger node @pre can_give()
+  virtual PackedTransfer give(std::size_t limit) = 0;
+  /// @return number of nodes
+  virtual std::uint64_t take(const Bytes& transfer) = 0;
 
   // ---- solutions
   [[nodiscard]] virtual std::uint64_t found() const = 0;
   [[nodiscard]] virtual const Incumbent& incumbent() const = 0;
-  /// Whether the incumbent was improved here since the last call.
+  /// True if this rank improved the incumbent since the last call.
   [[nodiscard]] virtual bool just_improved() = 0;
-  /// @return whether the news are better than what is known here
+  /// @return true if `news` is better than the incumbent of this rank
   virtual bool learn(const Incumbent& news) = 0;
 
   // ---- checkpoints
-  /// What the compiler calls the types of nodes and solutions.
+  /// Mangled names of the types of nodes and solutions.
   [[nodiscard]] virtual std::string node_type() const = 0;
   [[nodiscard]] virtual std::string solution_type() const = 0;
-  /// All that is needed to go on, and what one more rank left.
+  /// State for a checkpoint, and its restoration on this rank.
   [[nodiscard]] virtual Bytes state() = 0;
   virtual void restore(const Bytes& state) = 0;
-  /// Nodes opened in the runs that this one goes on from, as far as they are known here, and their
-  /// mark sum.
+  /// Nodes opened in the resumed runs, as far as this rank restored them, and their mark sum.
   struct Before {
     std::uint64_t opened = 0;
     std::uint64_t fingerprint = 0;
@@ -72,10 +71,9 @@ class LocalSearch {
   [[nodiscard]] virtual Before before() const = 0;
 
   // ---- the report to rank 0
-  /// Sends the solutions and what else there is in pieces of at most `limit` bytes (unless one
-  /// solution alone has more).
+  /// Sends the report in pieces of at most `limit` bytes (unless a single solution is larger).
   virtual void report(std::size_t limit, const std::function<void(Bytes)>& send) = 0;
-  /// Takes a piece. @return whether it was the last of that rank
+  /// Receives a piece. @return true if it was the last of that rank
   virtual bool receive_report(int from, const Bytes& piece) = 0;
 };
 

@@ -1,5 +1,5 @@
-// Whether a class has a member of some name: const or not, overloaded, a template, private, or no
-// function at all. So something offered in the wrong shape can be told from something not offered.
+// Detection of a class member by name: const or not, overloaded, a template, private, or a
+// variable. A member of the wrong shape is thus distinguished from a missing one.
 #pragma once
 
 #include <type_traits>
@@ -7,7 +7,7 @@
 namespace kusabi::engine {
 namespace member_names {
 
-// The name of a member of `Class` is ambiguous in a class that inherits it from here as well.
+// A class that inherits from `Class` and from this one has an ambiguous name if `Class` has it.
 struct Bait {
   int serialize;
   int objective;
@@ -26,7 +26,7 @@ concept Inheritable = std::is_class_v<Class> && !std::is_final_v<Class>;
 
 }  // namespace member_names
 
-// Of a final class only a public member without overloads is seen.
+// For final classes only a public member without overloads is found.
 
 template <class Class>
 concept NamesSerialize = (member_names::Inheritable<Class> &&

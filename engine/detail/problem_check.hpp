@@ -1,7 +1,7 @@
-// What is wrong with a problem type, said in one sentence by the compiler.
+// CheckedProblem: compile-time check of a problem type, with one sentence per fault.
 //
-// A function of a problem that is not just as a concept of engine/problem.hpp wants it would
-// otherwise be taken for none: a bound() that is not const would prune nothing, and nobody be told.
+// A function that does not match a concept of engine/problem.hpp would otherwise be ignored
+// silently: a bound() that is not const would prune nothing.
 #pragma once
 
 #include <concepts>
@@ -37,11 +37,11 @@ enum class Fault {
   work_of_first_child,
 };
 
-/// A type whose objects can be made without arguments, copied and assigned to.
+/// A default constructible, copyable and assignable type.
 template <class Value>
 concept PlainValue = std::copyable<Value> && std::default_initializable<Value>;
 
-/// The first thing that is wrong with a problem type.
+/// First fault of a problem type.
 template <class P>
 consteval Fault fault_of() {
   if constexpr (!requires { typename P::Node; }) {
@@ -81,14 +81,15 @@ consteval Fault fault_of() {
   }
 }
 
-/// Stops the compiler with a sentence unless `P` is a problem.
+/// Fails to compile, with a sentence, unless `P` is a problem.
 template <class P>
 struct CheckedProblem {
   static constexpr Fault fault = fault_of<P>();
   static constexpr bool sound = fault == Fault::none;
 
   static_assert(fault != Fault::no_node, "a problem needs a type Node: a subproblem");
-  static_assert(fault != Fault::no_solution, "a problem needs a type Solution: what is looked for");
+  static_assert(fault != Fault::no_solution,
+                "a problem needs a type Solution: the result of a leaf");
   static_assert(fault != Fault::node_not_a_value,
                 "a Node must be default constructible, copyable and assignable");
   static_assert(fault != Fault::solution_not_a_value,
@@ -119,11 +120,11 @@ struct CheckedProblem {
   static_assert(fault != Fault::work_of_first_child,
                 "work_of_first_child must be a `static constexpr double` greater than 0");
 
-  /// What a search of it yields; nothing if it cannot be searched, so that no more is said.
+  /// Result type of a search; void if `P` cannot be searched, to avoid further errors.
   using OutcomeOrNothing = std::conditional_t<sound, Outcome<P>, void>;
 };
 
-/// The outcome of a search, unless `P` is no problem.
+/// The outcome of a search; void unless `P` is a problem.
 template <class P>
 using OutcomeOf = typename CheckedProblem<P>::OutcomeOrNothing;
 

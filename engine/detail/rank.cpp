@@ -1,4 +1,4 @@
-// What a rank does step by step, from its first to its last.
+// Main loop of a rank: stepping, pausing, closing and reporting.
 #include "engine/detail/rank.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ Rank::Rank(LocalSearch& local, Transport& transport, const Options& options)
       started_(transport.now()),
       now_(started_),
       step_started_(started_),
-      last_survey_(started_),
+      last_reduction_(started_),
       last_checkpoint_(started_),
       idle_since_(started_),
       quiet_since_(started_) {
@@ -44,7 +44,7 @@ Pace Rank::step() {
       [[fallthrough]];
     case Phase::pausing:
     case Phase::writing:
-      attend_survey();
+      attend_reduction();
       break;
     case Phase::closing:
       close();
@@ -55,8 +55,8 @@ Pace Rank::step() {
     case Phase::done:
       break;
   }
-  // At the limit by itself, it waits for the survey that ends the search: a rank that is late to
-  // join would let it come to the end of the tree.
+  // A rank at the node limit waits for the reduction that ends the search; without this, a rank
+  // that joins late would let the others finish the tree.
   if (phase_ == Phase::searching && local_.has_nodes() && !at_node_limit()) {
     local_.open_nodes(stride_);
     worked_ = true;
@@ -68,7 +68,7 @@ double Rank::quiet_until() const {
   const bool may_speak_any_time = options_.goal != Goal::all || phase_ != Phase::searching ||
                                   options_.limits.nodes != Limits{}.nodes;
   if (may_speak_any_time) return now_;
-  return joined_ ? infinity : last_survey_ + options_.survey_interval;
+  return joined_ ? infinity : last_reduction_ + options_.reduction_interval;
 }
 
 Rank::Ending Rank::ending() {
@@ -98,7 +98,7 @@ void Rank::enter(Phase phase) {
 
 void Rank::take_stock(double elapsed) {
   adapt_stride(elapsed);
-  if (local_.just_improved()) tell(nobody);
+  if (local_.just_improved()) broadcast_incumbent(nobody);
   if (!local_.has_nodes()) idle_since_ = quiet_since_ = now_;
   record_activity();
 }
@@ -115,9 +115,9 @@ void Rank::adapt_stride(double elapsed) {
 void Rank::poll() {
   if (local_.checking()) return;
   now_ = transport_.now();
-  if (local_.just_improved()) tell(nobody);
+  if (local_.just_improved()) broadcast_incumbent(nobody);
   serve();
-  if (phase_ == Phase::searching) attend_survey();
+  if (phase_ == Phase::searching) attend_reduction();
 }
 
 void Rank::start_closing() {
@@ -131,26 +131,26 @@ void Rank::start_closing() {
 void Rank::close() {
   if (!joined_ && asked_ == nobody) {
     joined_ = true;
-    transport_.join_survey({.ranks = 1});
+    transport_.join_reduction({.ranks = 1});
   }
-  if (!joined_ || !transport_.survey()) return;
+  if (!joined_ || !transport_.reduction()) return;
   local_.statistics().seconds = now_ - started_;
   if (trace_) trace_->end(transport_.now());
   if (transport_.rank() == 0) return enter(Phase::reporting);
   send_report();
-  // As soon as rank 0 has all reports it may begin another search, and send what belongs to that:
-  // from here on nothing is received in this one.
+  // Rank 0 may start the next search as soon as it has all reports; its messages must not be
+  // received by this search.
   enter(Phase::done);
 }
 
 void Rank::send_report() {
   if (trace_) {
     for (auto& piece : trace_->take().pieces(options_.message_bytes / sizeof(TraceEvent) + 1)) {
-      transport_.send(0, Tag::report, pack(ReportPart{std::move(piece), {}}));
+      transport_.send(0, MessageTag::report, pack(ReportPart{std::move(piece), {}}));
     }
   }
   local_.report(options_.message_bytes, [this](Bytes body) {
-    transport_.send(0, Tag::report, pack(ReportPart{{}, std::move(body)}));
+    transport_.send(0, MessageTag::report, pack(ReportPart{{}, std::move(body)}));
   });
 }
 
@@ -165,7 +165,7 @@ Pace Rank::pace() const {
   if (worked_) return {Pace::State::working, 0};
   constexpr double shortest = 1e-6;
   constexpr double longest = 1e-3;
-  // A short wait, spent awake: clocks are to be compared as closely as may be.
+  // The short wait is active, so that the clocks are compared precisely.
   if (phase_ == Phase::gathering) return {Pace::State::waiting, shortest};
   return {Pace::State::waiting, std::clamp(now_ - quiet_since_, shortest, longest)};
 }
@@ -174,12 +174,12 @@ void Rank::begin_trace() {
   trace_.emplace(options_.trace_events);
   phase_ = Phase::gathering;
   trace_->join(transport_.now());
-  transport_.join_survey({.ranks = 1});
+  transport_.join_reduction({.ranks = 1});
 }
 
 void Rank::gather() {
-  if (!transport_.survey()) return;
-  now_ = last_survey_ = idle_since_ = quiet_since_ = transport_.now();
+  if (!transport_.reduction()) return;
+  now_ = last_reduction_ = idle_since_ = quiet_since_ = transport_.now();
   trace_->begin(now_);
   enter(Phase::searching);
 }

@@ -1,29 +1,29 @@
-// One rank of a search, as a state machine.
+// Rank: the protocol of one rank of a search, as a state machine.
 //
-//                                   ┌──────────── go on ────────────┐
+//                                   ┌──────────── resume ───────────┐
 //                                   ▼                               │
 //   the root ──► searching ──► (a stop or a ──► pausing ──► writing a checkpoint ──┐
 //                    │          checkpoint           │                             │ stop
-//                    │ all is done   is due)         │ stop                        │
+//                    │ tree done     is due)         │ stop                        │
 //                    ▼                               ▼                             ▼
 //                 closing ◄────────────────────────────────────────────────────────┘
-//                    │ nothing owed to anyone
+//                    │ no request unanswered
 //                    ▼
 //                reporting ──► done
 //
-// `step` does a bounded amount of work and returns; it never waits. Whoever drives the worker
-// (engine/search.hpp over a real transport, engine/simulation.hpp in virtual time) calls it until
-// it says that it is done.
+// `step` does a bounded amount of work and returns; it never waits. The driver (engine/search.hpp
+// over a real transport, engine/simulation.hpp in virtual time) calls it until it returns done.
 //
-// All ranks are peers. A rank without an open node asks one other rank at a time; the one asked
-// gives every other node from the shallowest on, or refuses. What concerns all ranks at once is
-// decided from merged surveys, which all ranks see alike, so all take the same turn at the same
-// wave. In `pausing` no rank opens, asks or gives; when two waves are quiet
-// (engine/detail/termination.hpp) every open node lies on exactly one rank, and that is the state
-// that a checkpoint keeps.
+// All ranks are peers. A rank without an open node requests work from one other rank at a time;
+// that rank gives every other node from the shallowest on, or refuses. Global decisions use
+// reductions, whose results all ranks see in the same order; all ranks therefore change state at
+// the same wave. In `pausing` no rank opens, requests or gives nodes; when two waves are quiet
+// (engine/detail/termination.hpp) every open node is on exactly one rank, and a checkpoint stores
+// that state.
 //
-// Requests are always answered, also while closing; a rank leaves only after a last survey that
-// every rank joins when its own last request has been answered. So no message is ever left behind.
+// Requests are answered in all states, also in `closing`. A rank leaves only after a last
+// reduction, which every rank joins when its own last request has been answered. No message is
+// therefore left behind.
 #pragma once
 
 #include <cstdint>
@@ -38,47 +38,48 @@
 #include "engine/detail/termination.hpp"
 #include "engine/detail/victims.hpp"
 #include "engine/options.hpp"
+#include "engine/reduction.hpp"
 #include "engine/statistics.hpp"
-#include "engine/survey.hpp"
 #include "engine/trace.hpp"
 #include "engine/transport/transport.hpp"
 
 namespace kusabi::engine {
 
-/// What a worker wants after a step.
+/// State of a worker after a step.
 struct Pace {
   enum class State { working, waiting, done } state = State::working;
-  double wait = 0;  ///< if waiting: seconds after which to step again
+  double wait = 0;  ///< if waiting: seconds until the next step
 
-  /// A wait shorter than this is not worth a sleep (which takes some 50 microseconds, however short
-  /// it is meant to be): better step again at once.
+  /// Shorter waits are not slept, since a sleep takes some 50 microseconds at least: the next step
+  /// follows at once.
   static constexpr double worth_a_sleep = 50e-6;
   [[nodiscard]] bool sleeps() const { return state == State::waiting && wait >= worth_a_sleep; }
 };
 
-/// The protocol of one rank, whatever it searches.
+/// Protocol of one rank, independent of the problem.
 class Rank {
  public:
-  /// All must outlive the rank. Rank 0 plants the root, unless the search goes on from a
+  /// All arguments must outlive the rank. Rank 0 adds the root unless the search resumes from a
   /// checkpoint.
-  /// @throws CheckpointError if the checkpoint to go on from cannot be read or is of another
-  ///   search, or if one that is there would be overwritten
-  /// @throws std::invalid_argument if there is a checkpoint without the problem's fingerprint
+  /// @throws CheckpointError if the checkpoint to resume from cannot be read or is of another
+  ///     search,
+  ///   or if another checkpoint would be overwritten
+  /// @throws std::invalid_argument if a checkpoint is given without the problem's fingerprint
   Rank(LocalSearch& local, Transport& transport, const Options& options);
   Rank(const Rank&) = delete;
   Rank& operator=(const Rank&) = delete;
 
-  /// A bounded amount of work. @throws what opening nodes throws
+  /// Does a bounded amount of work. @throws exceptions of `expand`
   Pace step();
 
-  /// To be called from inside a long expansion.
+  /// Answers messages; called by a long expansion.
   void poll();
 
-  /// A moment before which this rank, as long as it has nodes to open and nothing reaches it, sends
-  /// nothing and joins no survey.
+  /// Lower bound of the time at which this rank next sends a message or joins a reduction, as long
+  /// as it has open nodes and receives nothing.
   [[nodiscard]] double quiet_until() const;
 
-  /// What an Outcome says that does not depend on the problem's type.
+  /// The part of an Outcome that does not depend on the problem's type.
   struct Ending {
     Status status = Status::solved;
     std::uint64_t open = 0;
@@ -86,13 +87,13 @@ class Rank {
     double bound = -std::numeric_limits<double>::infinity();
     std::vector<RankTrace> traces;
   };
-  /// @pre the last step said done
+  /// @pre the last step returned done
   Ending ending();
 
  private:
   enum class Phase { gathering, searching, pausing, writing, closing, reporting, done };
 
-  // A piece of the report to rank 0: of the trace, or what the search on the rank has to say.
+  // A piece of the report to rank 0: of the trace, or of the local search.
   struct ReportPart {
     RankTrace trace;
     Bytes body;
@@ -104,71 +105,74 @@ class Rank {
   };
   [[nodiscard]] bool busy() const { return local_.expanding() || local_.has_nodes(); }
   [[nodiscard]] bool idle() const { return !busy(); }
-  // Opens no node, and will not before a gift arrives or all ranks go on together. (A survey may
-  // say "pause" while a long expansion polls; that expansion comes to its end first.)
+  // True if this rank opens no node until a transfer arrives or all ranks resume. (A reduction may
+  // start the pause while a long expansion polls; that expansion is completed first.)
   [[nodiscard]] bool resting() const;
   void enter(Phase phase);
 
   // ---- opening nodes ----------------------------------------------------------------------------
 
-  // After a step that opened nodes, for `elapsed` seconds.
+  // Updates statistics and stride after a step that opened nodes for `elapsed` seconds.
   void take_stock(double elapsed);
 
-  // Messages should be looked at every 10 to 20 microseconds: seldom enough not to be felt with the
-  // cheapest nodes, often enough not to let a thief wait. A fixed number of nodes is wrong by a
-  // factor of a thousand for one problem or another.
+  // Adapts the number of nodes per step, such that messages are polled every 10 to 20 microseconds:
+  // the overhead is then negligible for the cheapest nodes, and a requesting rank hardly waits. The
+  // cost of a node varies by a factor of a thousand between problems.
   void adapt_stride(double elapsed);
 
   // ---- messages ---------------------------------------------------------------------------------
 
   void serve();
-  void send(int to, Tag tag, Bytes body);
+  void send(int to, MessageTag tag, Bytes body);
   [[nodiscard]] bool can_give() const;
 
-  // @return whether there was something to give
+  // @return true if nodes were given
   bool answer(int thief);
-  void give(int thief, Tag tag);
+  void give(int thief, MessageTag tag);
 
-  // Asks around at first; when that was in vain, leaves its name with one lifeline after another,
-  // and asks around again now and then.
+  // Requests work from random ranks; after some refusals registers with one lifeline after another,
+  // and continues with occasional requests.
   void ask();
-  void receive_gift(const Message& message);
+  void receive_transfer(const Message& message);
   void receive_refusal(int victim);
   void take_nodes(const Message& message);
 
-  // Passes the incumbent on to the neighbours in the relay tree, but not back to where it is from.
-  void tell(int source);
+  // Broadcasts the incumbent along the relay tree: sends it to all neighbours except `source`.
+  void broadcast_incumbent(int source);
 
-  // ---- surveys ----------------------------------------------------------------------------------
+  // ---- reductions
+  // ----------------------------------------------------------------------------------
 
-  void attend_survey();
+  void attend_reduction();
   void join();
-  [[nodiscard]] bool at_node_limit() const;  // by what this rank alone has opened
+  [[nodiscard]] bool at_node_limit() const;  // counts the nodes opened by this rank only
 
-  // What this rank wants all to do. The clock of rank 0 counts.
+  // Requests of this rank to all ranks. Only the clock of rank 0 counts.
   std::uint64_t wishes();
 
-  // Every rank comes here with the same waves in the same order, and so to the same decisions.
-  void act_on(const Survey& wave);
+  // Global decisions. Every rank calls this with the same waves in the same order.
+  void act_on(const Reduction& wave);
   [[nodiscard]] bool keeps_checkpoints() const;
-  [[nodiscard]] bool is_worth_keeping(double objective) const;  // an incumbent, by itself
-  [[nodiscard]] bool checkpoint_due(const Survey& wave) const;
-  void note_stop(const Survey& wave);
-  [[nodiscard]] bool gap_closed(const Survey& wave) const;
+  // true if an incumbent is to be checkpointed
+  [[nodiscard]] bool is_worth_keeping(double objective) const;
+  [[nodiscard]] bool checkpoint_due(const Reduction& wave) const;
+  void note_stop(const Reduction& wave);
+  [[nodiscard]] bool gap_closed(const Reduction& wave) const;
 
-  // All ranks pause and nothing is in flight: sums and minima of this wave are exact.
-  void act_at_rest(const Survey& wave);
+  // Called when all ranks pause and no message is in flight: sums and minima of this wave are
+  // exact.
+  void act_at_rest(const Reduction& wave);
   void go_on();
-  void show(const Survey& wave) const;
+  void show(const Reduction& wave) const;
 
   // ---- checkpoints ------------------------------------------------------------------------------
 
   void expect_checkpoint_options() const;
-  [[nodiscard]] Manifest manifest(const Survey& wave) const;
-  void write_checkpoint(const Survey& wave);
+  [[nodiscard]] Manifest manifest(const Reduction& wave) const;
+  void write_checkpoint(const Reduction& wave);
 
-  // The wave after the parts were written: it counts if no rank failed.
-  void finish_checkpoint(const Survey& wave);
+  // Evaluates the wave after the parts were written: the checkpoint is valid if no rank failed.
+  void finish_checkpoint(const Reduction& wave);
   void warn(const std::string& line) const;
   void resume();
 
@@ -176,14 +180,14 @@ class Rank {
 
   void start_closing();
 
-  // The last survey is complete when no rank waits for an answer any more and none will ask again.
+  // Completes the last reduction, which is joined when this rank has no unanswered request.
   void close();
   void send_report();
   void receive_report(const Message& message);
 
   // ---- the trace --------------------------------------------------------------------------------
 
-  // A survey precedes the search, so that clocks can be compared (engine/trace.hpp).
+  // Starts the reduction before the search, by which clocks are compared (engine/trace.hpp).
   void begin_trace();
   void gather();
   void record(TraceEvent::Kind kind, int peer = nobody, std::uint64_t value = 0);
@@ -193,9 +197,8 @@ class Rank {
 
   // ---- pace -------------------------------------------------------------------------------------
 
-  // A rank that waits looks again after as long as nothing has happened so far: an answer is met at
-  // once, and in vain a rank looks ever less often. The core it sits on may have better things to
-  // do, and a millisecond is not missed.
+  // Wait before the next poll: equal to the time since the last event, at most a millisecond. An
+  // answer is thus received at once, and a rank that waits for long leaves the core to others.
   [[nodiscard]] Pace pace() const;
 
   static constexpr int nobody = -1;
@@ -205,26 +208,27 @@ class Rank {
   const Options& options_;
 
   unsigned stride_;
-  bool worked_ = false;  // the last step opened nodes, so its duration tells how long they take
+  bool worked_ = false;  // the last step opened nodes; its duration adapts the stride
 
   std::optional<Victims> victims_;
   Lifelines lifelines_;
   int asked_ = nobody;
-  bool pleaded_ = false;        // and not only asked
-  std::uint64_t sent_ = 0;      // gifts and news
-  std::uint64_t received_ = 0;  // gifts and news
+  bool pleaded_ = false;        // the outstanding request is a plea
+  std::uint64_t sent_ = 0;      // transfers and incumbents sent
+  std::uint64_t received_ = 0;  // transfers and incumbents received
 
   Phase phase_ = Phase::searching;
-  Status status_ = Status::solved;  // otherwise: why the search stops, or will
+  Status status_ = Status::solved;  // unless solved: reason of the stop
   Termination termination_;
   bool joined_ = false;
-  Survey last_wave_;
+  Reduction last_wave_;
 
-  std::uint64_t epoch_ = 0;           // of the last checkpoint written, good or not
-  std::uint64_t good_epoch_ = 0;      // the last that counts, as far as rank 0 knows
-  double kept_objective_ = infinity;  // of the incumbent in the last, as all ranks know
-  bool failed_ = false;               // to write the own part
-  bool saved_ = false;                // the last one counts
+  std::uint64_t epoch_ = 0;       // of the last checkpoint written, valid or not
+  std::uint64_t good_epoch_ = 0;  // of the last valid checkpoint, as known to rank 0
+  // objective of the incumbent in the last checkpoint, the same on all ranks
+  double kept_objective_ = infinity;
+  bool failed_ = false;  // this rank could not write its part
+  bool saved_ = false;   // the last checkpoint is valid
 
   std::optional<TraceRecorder> trace_;
   std::vector<RankTrace> traces_;  // of all ranks, on rank 0
@@ -234,10 +238,10 @@ class Rank {
   double started_;
   double now_;
   double step_started_;
-  double last_survey_;
+  double last_reduction_;
   double last_checkpoint_;
   double idle_since_;
-  double quiet_since_;  // no message, no survey, no node opened
+  double quiet_since_;  // time of the last message, reduction or opened node
 };
 
 }  // namespace kusabi::engine

@@ -1,4 +1,4 @@
-// How ranks share work: what each message means, and whom an idle rank asks.
+// Messages of the protocol: requests, transfers, refusals, lifelines and incumbents.
 #include <utility>
 
 #include "engine/detail/contract.hpp"
@@ -11,35 +11,35 @@ void Rank::serve() {
   while (auto message = transport_.receive()) {
     quiet_since_ = now_;
     switch (message->tag) {
-      case Tag::request:
+      case MessageTag::request:
         answer(message->from);
         break;
-      case Tag::plea:
+      case MessageTag::plea:
         if (!answer(message->from)) lifelines_.remember(message->from);
         break;
-      case Tag::gift:
-        receive_gift(*message);
+      case MessageTag::transfer:
+        receive_transfer(*message);
         break;
-      case Tag::refusal:
+      case MessageTag::refusal:
         receive_refusal(message->from);
         break;
-      case Tag::parcel:
+      case MessageTag::lifeline_transfer:
         lifelines_.served_by(message->from);
         take_nodes(*message);
         break;
-      case Tag::news:
+      case MessageTag::news:
         ++received_;
-        if (local_.learn(unpack<Incumbent>(message->body))) tell(message->from);
+        if (local_.learn(unpack<Incumbent>(message->body))) broadcast_incumbent(message->from);
         break;
-      case Tag::report:
+      case MessageTag::report:
         receive_report(*message);
         break;
     }
   }
-  if (lifelines_.wanted() && can_give()) give(lifelines_.take(), Tag::parcel);
+  if (lifelines_.wanted() && can_give()) give(lifelines_.take(), MessageTag::lifeline_transfer);
 }
 
-void Rank::send(int to, Tag tag, Bytes body) {
+void Rank::send(int to, MessageTag tag, Bytes body) {
   ++local_.statistics().messages_sent;
   transport_.send(to, tag, std::move(body));
 }
@@ -50,18 +50,19 @@ bool Rank::can_give() const {
 
 bool Rank::answer(int thief) {
   const bool can = can_give();
-  can ? give(thief, Tag::gift) : send(thief, Tag::refusal, {});
+  can ? give(thief, MessageTag::transfer) : send(thief, MessageTag::refusal, {});
   return can;
 }
 
-void Rank::give(int thief, Tag tag) {
+void Rank::give(int thief, MessageTag tag) {
   auto [body, nodes] = local_.give(options_.message_bytes);
   auto& statistics = local_.statistics();
-  ++statistics.gifts_sent;
+  ++statistics.transfers_sent;
   statistics.nodes_given += nodes;
   ++sent_;
-  record(tag == Tag::gift ? TraceEvent::Kind::gift_sent : TraceEvent::Kind::parcel_sent, thief,
-         nodes);
+  record(tag == MessageTag::transfer ? TraceEvent::Kind::transfer_sent
+                                     : TraceEvent::Kind::lifeline_transfer_sent,
+         thief, nodes);
   send(thief, tag, std::move(body));
 }
 
@@ -73,11 +74,11 @@ void Rank::ask() {
   asked_ = lifeline ? *lifeline : victims_->choose();
   ++local_.statistics().requests;
   record(TraceEvent::Kind::request_sent, asked_);
-  send(asked_, pleaded_ ? Tag::plea : Tag::request, {});
+  send(asked_, pleaded_ ? MessageTag::plea : MessageTag::request, {});
 }
 
-void Rank::receive_gift(const Message& message) {
-  ensure(message.from == asked_, "a gift comes from the rank that was asked");
+void Rank::receive_transfer(const Message& message) {
+  ensure(message.from == asked_, "a transfer comes from the rank that was asked");
   asked_ = nobody;
   take_nodes(message);
 }
@@ -101,7 +102,7 @@ void Rank::take_nodes(const Message& message) {
     statistics.idle_seconds += now_ - idle_since_;
     if (statistics.opened == 0) statistics.ramp_up_seconds = now_ - idle_since_;
   }
-  ++statistics.gifts_received;
+  ++statistics.transfers_received;
   const auto open = trace_ ? local_.open() : 0;
   const auto nodes = local_.take(message.body);
   if (trace_) {
@@ -109,19 +110,20 @@ void Rank::take_nodes(const Message& message) {
                     .value = nodes,
                     .open = open,
                     .peer = message.from,
-                    .kind = message.tag == Tag::gift ? TraceEvent::Kind::gift_arrived
-                                                     : TraceEvent::Kind::parcel_arrived});
+                    .kind = message.tag == MessageTag::transfer
+                                ? TraceEvent::Kind::transfer_arrived
+                                : TraceEvent::Kind::lifeline_transfer_arrived});
   }
   record_activity();
 }
 
-void Rank::tell(int source) {
+void Rank::broadcast_incumbent(int source) {
   if (source == nobody) record(TraceEvent::Kind::improved);
   const auto body = pack(local_.incumbent());
   for (const int neighbour : relay_neighbours(transport_.rank(), transport_.size())) {
     if (neighbour == source) continue;
     ++sent_;
-    send(neighbour, Tag::news, body);
+    send(neighbour, MessageTag::news, body);
   }
 }
 

@@ -1,5 +1,5 @@
-// Along which edges news travel: a tree over the ranks with a fan-out of 16, so that a better
-// solution reaches 65,536 ranks in eight hops at most and no rank sends more than 17 messages.
+// Broadcast tree of the incumbent, with a fan-out of 16: an improvement reaches 65,536 ranks in at
+// most eight hops, and no rank sends more than 17 messages.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Whether Boost.Serialization can write and read a type, told before it tries: its own answer is
-// pages long.
+// Serializable: compile-time check that Boost.Serialization supports a type. The errors of Boost
+// itself take pages.
 #pragma once
 
 #include <type_traits>
@@ -13,8 +13,8 @@
 namespace kusabi::engine {
 namespace serialization {
 
-// As general as Boost's own serialize(), which wants a member function: where nothing more special
-// has been declared (as for a std::vector, by its header) the two are ambiguous.
+// As general as Boost's own serialize(), which requires a member function: where nothing more
+// special has been declared (as the header for std::vector does) the two are ambiguous.
 template <class Archive, class Value>
 void serialize(Archive& archive, Value& value, unsigned version);
 
@@ -23,8 +23,8 @@ concept ByFunction = requires(boost::archive::binary_oarchive& archive, Value& v
   serialize(archive, value, boost::serialization::version_type{0U});
 };
 
-// A member that cannot be called from here may be private, with Boost for a friend. The usual slip
-// is to leave out the version.
+// A member that cannot be called from here may be private, with Boost as a friend. The usual
+// mistake is a missing `version`.
 template <class Value>
 concept ByMember =
     NamesSerialize<Value> && !requires(boost::archive::binary_oarchive & archive, Value& value) {
@@ -50,8 +50,8 @@ constexpr bool can_be_written() {
 
 }  // namespace serialization
 
-/// A type with a member or a free function `serialize`, or one that Boost knows; of a container,
-/// its elements as well.
+/// A type with a member or a free function `serialize`, or one that Boost supports; for a
+/// container, its elements as well.
 template <class Value>
 concept Serializable = serialization::can_be_written<Value>();
 

@@ -1,4 +1,4 @@
-// The random choice and the back-off.
+// Random victims and exponential back-off.
 #include "engine/detail/victims.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace kusabi::engine {
 namespace {
 
-// The first pause is about one round trip over shared memory; the last one is short beside what a
-// person notices and long beside what an answer costs the rank that is asked. (A rank that waits so
-// long has left its name with its lifelines, which bring work sooner.)
+// The first pause is about one round trip over shared memory. The last one is not noticeable to a
+// user and long compared with the cost of an answer. (A rank that waits so long is registered with
+// its lifelines, which bring work sooner.)
 constexpr double shortest_pause = 10e-6;
 constexpr double longest_pause = 10e-3;
 
@@ -22,13 +22,13 @@ Victims::Victims(int self, int ranks, std::uint64_t seed)
       ranks_(ranks),
       random_(branch_hash(seed, static_cast<std::uint32_t>(self))),
       pause_(shortest_pause) {
-  ensure(ranks >= 2, "a rank that chooses whom to ask is not alone");
+  ensure(ranks >= 2, "a rank chooses a victim only among several ranks");
 }
 
 int Victims::choose() {
   if (favourite_ >= 0) return favourite_;
   random_ = branch_hash(random_, 0);
-  // The bias of the remainder is below 2^-40 for any number of ranks there is.
+  // The bias of the remainder is below 2^-40 for any realistic number of ranks.
   const auto others = static_cast<std::uint64_t>(ranks_) - 1;
   const int pick = static_cast<int>(random_ % others);
   return pick < self_ ? pick : pick + 1;

@@ -1,5 +1,5 @@
-// One rank of a search: what it searches (engine/detail/explorer.hpp) behind what the protocol
-// (engine/detail/rank.hpp) needs to know of it.
+// Worker: one rank of a search, that is the protocol (engine/detail/rank.hpp) with a typed local
+// search (engine/detail/explorer.hpp).
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace kusabi::engine {
 
-/// The explorer of one rank and the reports of all, with their types.
+/// The explorer of one rank and the reports of all ranks, with their types.
 template <Problem P>
 class LocalExplorer final : public LocalSearch {
  public:
@@ -40,14 +40,14 @@ class LocalExplorer final : public LocalSearch {
   [[nodiscard]] RankStatistics& statistics() override { return explorer_.statistics(); }
 
   [[nodiscard]] bool can_give() const override { return explorer_.can_give(); }
-  Gift give(std::size_t limit) override {
-    const auto gift = explorer_.give(limit);
-    return {pack(gift), size_of(gift)};
+  PackedTransfer give(std::size_t limit) override {
+    const auto transfer = explorer_.give(limit);
+    return {pack(transfer), size_of(transfer)};
   }
   std::uint64_t take(const Bytes& body) override {
-    auto gift = unpack<engine::Gift<Node>>(body);
-    const auto nodes = size_of(gift);
-    explorer_.take(std::move(gift));
+    auto transfer = unpack<engine::Transfer<Node>>(body);
+    const auto nodes = size_of(transfer);
+    explorer_.take(std::move(transfer));
     return nodes;
   }
 
@@ -81,7 +81,7 @@ class LocalExplorer final : public LocalSearch {
 
   void report(std::size_t limit, const std::function<void(Bytes)>& send) override {
     ReportPart part;
-    PackedSize<Found<P>> packed_size;
+    PackedSize<FoundSolution<P>> packed_size;
     std::size_t bytes = 0;
     for (auto& found : explorer_.found()) {
       bytes += packed_size(found);
@@ -109,7 +109,7 @@ class LocalExplorer final : public LocalSearch {
     return true;
   }
 
-  /// Solutions in depth-first order, and reports; then nothing is left here.
+  /// Moves solutions, in depth-first order, and reports into the outcome.
   void hand_over(Outcome<P>& outcome) {
     outcome.solutions = std::move(explorer_.found());
     std::stable_sort(outcome.solutions.begin(), outcome.solutions.end(),
@@ -123,9 +123,9 @@ class LocalExplorer final : public LocalSearch {
  private:
   using Node = typename P::Node;
 
-  // A piece of a rank's report: some solutions, and in the last one the rest.
+  // A piece of a rank's report: solutions, and in the last piece the rest.
   struct ReportPart {
-    std::vector<Found<P>> found;
+    std::vector<FoundSolution<P>> found;
     bool last = false;
     RankReport<P> rank;
     std::vector<RankReport<P>> earlier;
@@ -137,7 +137,7 @@ class LocalExplorer final : public LocalSearch {
     }
   };
 
-  // A rank's part of a checkpoint.
+  // Content of a checkpoint part.
   struct Saved {
     typename Explorer<P>::State state;
     std::vector<RankReport<P>> reports;
@@ -161,30 +161,30 @@ class LocalExplorer final : public LocalSearch {
   std::vector<RankReport<P>> reports_;  // of all ranks, on rank 0
 };
 
-/// A rank that searches the tree of a problem. Whoever drives it calls `step` until it is done.
+/// A rank that searches the tree of a problem. The driver calls `step` until it returns done.
 template <Problem P>
 class Worker {
  public:
-  /// The problem, the transport and the options must outlive the worker. Throws what Rank does.
+  /// The problem, the transport and the options must outlive the worker. @throws as Rank::Rank
   Worker(P& problem, Transport& transport, const Options& options)
       : local_(problem, options, [this] { rank_.poll(); }), rank_(local_, transport, options) {}
 
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// A bounded amount of work.
-  /// @throws ExpansionFailed if the problem's `expand` throws.
+  /// Does a bounded amount of work.
+  /// @throws ExpansionFailed if the problem's `expand` throws
   Pace step() { return rank_.step(); }
 
-  /// Nodes opened on this rank so far.
+  /// Number of nodes opened on this rank.
   [[nodiscard]] std::uint64_t opened() { return local_.statistics().opened; }
 
-  /// Nodes waiting on this rank.
+  /// Number of open nodes on this rank.
   [[nodiscard]] std::uint64_t open() const { return local_.open(); }
 
   [[nodiscard]] double quiet_until() const { return rank_.quiet_until(); }
 
-  /// The outcome. @pre the last step said done
+  /// @pre the last step returned done
   Outcome<P> outcome() && {
     auto ending = rank_.ending();
     Outcome<P> outcome;

@@ -1,4 +1,4 @@
-// How messages and surveys map to MPI calls.
+// MpiTransport: messages by MPI_Isend and probing, reductions by MPI_Iallreduce.
 #include "engine/transport/mpi.hpp"
 
 #include <algorithm>
@@ -13,15 +13,15 @@
 namespace kusabi::engine {
 namespace {
 
-// The user-defined reduction behind a survey wave: into[i] := from[i] merged with into[i].
-void merge_surveys(void* from, void* into, int* count, MPI_Datatype* /*type*/) {
-  const std::span sources(static_cast<const Survey*>(from), static_cast<std::size_t>(*count));
-  const std::span targets(static_cast<Survey*>(into), static_cast<std::size_t>(*count));
+// User-defined MPI operation of a reduction wave: into[i] := from[i] merged with into[i].
+void merge_reductions(void* from, void* into, int* count, MPI_Datatype* /*type*/) {
+  const std::span sources(static_cast<const Reduction*>(from), static_cast<std::size_t>(*count));
+  const std::span targets(static_cast<Reduction*>(into), static_cast<std::size_t>(*count));
   for (std::size_t i = 0; i < targets.size(); ++i) targets[i].merge(sources[i]);
 }
 
 int message_length(const Bytes& body) {
-  // Gifts and reports are cut to a bounded size long before this.
+  // Transfers and reports are split long before this size.
   if (body.size() > 0x7FFFFFFFU) throw std::length_error("a message of 2 GiB or more");
   return static_cast<int>(body.size());
 }
@@ -43,27 +43,26 @@ bool MpiEnvironment::launched() {
 }
 
 MpiTransport::MpiTransport(MPI_Comm communicator) {
-  // Two communicators: MPI forbids nothing else on one that has a collective under way, but keeping
-  // them apart keeps the matching of messages short.
+  // Two communicators: MPI would permit one, but separate ones keep the matching of messages short.
   MPI_Comm_dup(communicator, &messages_);
-  MPI_Comm_dup(communicator, &surveys_);
+  MPI_Comm_dup(communicator, &reductions_);
   MPI_Comm_rank(messages_, &rank_);
   MPI_Comm_size(messages_, &size_);
-  MPI_Type_contiguous(static_cast<int>(sizeof(Survey)), MPI_BYTE, &survey_type_);
-  MPI_Type_commit(&survey_type_);
-  MPI_Op_create(&merge_surveys, 1, &merge_);
+  MPI_Type_contiguous(static_cast<int>(sizeof(Reduction)), MPI_BYTE, &reduction_type_);
+  MPI_Type_commit(&reduction_type_);
+  MPI_Op_create(&merge_reductions, 1, &merge_);
 }
 
 MpiTransport::~MpiTransport() {
-  // After a search all messages have been received, so this waits for book-keeping only.
+  // After a search all messages have been received, so this does not block.
   for (auto& sent : outgoing_) MPI_Wait(&sent.request, MPI_STATUS_IGNORE);
   MPI_Op_free(&merge_);
-  MPI_Type_free(&survey_type_);
-  MPI_Comm_free(&surveys_);
+  MPI_Type_free(&reduction_type_);
+  MPI_Comm_free(&reductions_);
   MPI_Comm_free(&messages_);
 }
 
-void MpiTransport::send(int to, Tag tag, Bytes body) {
+void MpiTransport::send(int to, MessageTag tag, Bytes body) {
   ensure(to != rank_, "no rank sends to itself");
   auto& sent = outgoing_.emplace_back(Outgoing{std::move(body), MPI_REQUEST_NULL});
   MPI_Isend(sent.body.data(), message_length(sent.body), MPI_BYTE, to, static_cast<int>(tag),
@@ -79,7 +78,7 @@ std::optional<Message> MpiTransport::receive() {
   if (arrived == 0) return std::nullopt;
   int length = 0;
   MPI_Get_count(&status, MPI_BYTE, &length);
-  Message message{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG),
+  Message message{status.MPI_SOURCE, static_cast<MessageTag>(status.MPI_TAG),
                   Bytes(static_cast<std::size_t>(length))};
   MPI_Mrecv(message.body.data(), length, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
   return message;
@@ -93,14 +92,14 @@ void MpiTransport::release_sent() {
   });
 }
 
-void MpiTransport::join_survey(const Survey& own) {
+void MpiTransport::join_reduction(const Reduction& own) {
   ensure(wave_ == MPI_REQUEST_NULL,
-         "a rank joins a survey only when it has fetched the one before");
+         "a rank joins a reduction only after it has fetched the one before");
   own_ = own;
-  MPI_Iallreduce(&own_, &merged_, 1, survey_type_, merge_, surveys_, &wave_);
+  MPI_Iallreduce(&own_, &merged_, 1, reduction_type_, merge_, reductions_, &wave_);
 }
 
-std::optional<Survey> MpiTransport::survey() {
+std::optional<Reduction> MpiTransport::reduction() {
   if (wave_ == MPI_REQUEST_NULL) return std::nullopt;
   int done = 0;
   MPI_Test(&wave_, &done, MPI_STATUS_IGNORE);
@@ -120,7 +119,7 @@ void MpiTransport::broadcast(Bytes& bytes) {
   auto length = static_cast<unsigned long long>(bytes.size());
   MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, messages_);
   bytes.resize(length);
-  // MPI counts in int; what rank 0 has read may be longer.
+  // MPI counts in int; a broadcast may be longer.
   constexpr std::size_t most = std::size_t{1} << 30U;
   for (std::size_t from = 0; from < bytes.size(); from += most) {
     MPI_Bcast(bytes.data() + from, static_cast<int>(std::min(most, bytes.size() - from)), MPI_BYTE,

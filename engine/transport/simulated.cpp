@@ -1,4 +1,4 @@
-// The delays, and what may overtake what.
+// SimulatedNetwork: delays, and the order of arrival.
 #include "engine/transport/simulated.hpp"
 
 #include <algorithm>
@@ -16,14 +16,14 @@ class SimulatedTransport final : public Transport {
   [[nodiscard]] int rank() const override { return rank_; }
   [[nodiscard]] int size() const override { return network_.size(); }
   [[nodiscard]] double now() const override { return network_.now(); }
-  void send(int to, Tag tag, Bytes body) override {
+  void send(int to, MessageTag tag, Bytes body) override {
     network_.send(rank_, to, tag, std::move(body));
   }
   std::optional<Message> receive() override { return network_.receive(rank_); }
-  void join_survey(const Survey& own) override { network_.join_survey(rank_, own); }
-  std::optional<Survey> survey() override { return network_.survey(rank_); }
+  void join_reduction(const Reduction& own) override { network_.join_reduction(rank_, own); }
+  std::optional<Reduction> reduction() override { return network_.reduction(rank_); }
   void broadcast(Bytes& /*bytes*/) override {
-    ensure(false, "simulated ranks do nothing but search: all of them run in one thread");
+    ensure(false, "simulated ranks only search: all of them run in one thread");
   }
   void abandon(const std::string& /*reason*/) override {}
 
@@ -45,7 +45,7 @@ Transport& SimulatedNetwork::transport(int rank) {
   return *transports_[static_cast<std::size_t>(rank)];
 }
 
-// Even a step that opens nothing takes a moment, or an idle rank would stop the clock.
+// Every step takes some time, or an idle rank would stop the clock.
 double SimulatedNetwork::step_duration(int rank, double work) {
   const auto handled = std::exchange(ranks_[static_cast<std::size_t>(rank)].handled, 0U);
   double duration = least_step + work + weather_.handling * handled;
@@ -56,12 +56,12 @@ double SimulatedNetwork::step_duration(int rank, double work) {
   return duration;
 }
 
-// Log-normal: most messages are on time, one in a thousand is twenty times late.
+// Log-normal distribution: one message in a thousand takes twenty times the mean.
 double SimulatedNetwork::delay() {
   return weather_.latency * std::lognormal_distribution<double>(-0.5, 1.0)(random_);
 }
 
-void SimulatedNetwork::send(int from, int to, Tag tag, Bytes body) {
+void SimulatedNetwork::send(int from, int to, MessageTag tag, Bytes body) {
   ensure(from != to, "no rank sends to itself");
   largest_message_ = std::max(largest_message_, body.size());
   auto& mailbox = ranks_[static_cast<std::size_t>(to)];
@@ -69,27 +69,27 @@ void SimulatedNetwork::send(int from, int to, Tag tag, Bytes body) {
   auto& channel = mailbox.last_arrival[{from, tag}];
   arrival = std::max(arrival, std::nextafter(channel, HUGE_VAL));
   channel = arrival;
-  mailbox.parcels.push_back({arrival, {from, tag, std::move(body)}});
+  mailbox.deliveries.push_back({arrival, {from, tag, std::move(body)}});
   notices_.push_back({arrival, to});
   ++ranks_[static_cast<std::size_t>(from)].handled;
 }
 
 std::optional<Message> SimulatedNetwork::receive(int rank) {
   auto& mine = ranks_[static_cast<std::size_t>(rank)];
-  auto& parcels = mine.parcels;
-  const auto first = std::min_element(parcels.begin(), parcels.end(),
+  auto& deliveries = mine.deliveries;
+  const auto first = std::min_element(deliveries.begin(), deliveries.end(),
                                       [](auto& a, auto& b) { return a.arrival < b.arrival; });
-  if (first == parcels.end() || first->arrival > now_) return std::nullopt;
+  if (first == deliveries.end() || first->arrival > now_) return std::nullopt;
   auto message = std::move(first->message);
-  if (first != parcels.end() - 1) *first = std::move(parcels.back());
-  parcels.pop_back();
+  if (first != deliveries.end() - 1) *first = std::move(deliveries.back());
+  deliveries.pop_back();
   ++mine.handled;
   return message;
 }
 
-void SimulatedNetwork::join_survey(int rank, const Survey& own) {
+void SimulatedNetwork::join_reduction(int rank, const Reduction& own) {
   auto& mine = ranks_[static_cast<std::size_t>(rank)];
-  ensure(!mine.joined, "a rank joins a survey only when it has fetched the one before");
+  ensure(!mine.joined, "a rank joins a reduction only after it has fetched the one before");
   mine.joined = true;
   mine.wave_done = -1;
   wave_.merge(own);
@@ -100,10 +100,10 @@ void SimulatedNetwork::join_survey(int rank, const Survey& own) {
     ranks_[each].wave_done = now_ + rounds * delay();
     notices_.push_back({ranks_[each].wave_done, static_cast<int>(each)});
   }
-  wave_ = Survey{};
+  wave_ = Reduction{};
 }
 
-std::optional<Survey> SimulatedNetwork::survey(int rank) {
+std::optional<Reduction> SimulatedNetwork::reduction(int rank) {
   auto& mine = ranks_[static_cast<std::size_t>(rank)];
   if (!mine.joined || mine.wave_done < 0 || mine.wave_done > now_) return std::nullopt;
   mine.joined = false;
@@ -112,7 +112,7 @@ std::optional<Survey> SimulatedNetwork::survey(int rank) {
 
 std::size_t SimulatedNetwork::in_flight() const {
   std::size_t count = 0;
-  for (const auto& mailbox : ranks_) count += mailbox.parcels.size() + (mailbox.joined ? 1 : 0);
+  for (const auto& mailbox : ranks_) count += mailbox.deliveries.size() + (mailbox.joined ? 1 : 0);
   return count;
 }
 

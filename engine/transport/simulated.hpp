@@ -1,9 +1,10 @@
-// Many ranks in one process, in virtual time, under a schedule drawn from a seed.
+// Simulated transport: many ranks in one process, in virtual time, under a schedule drawn from a
+// seed.
 //
-// The simulation does to messages whatever MPI does not forbid: it delays each by a time of its
-// own, lets messages of different senders or tags overtake one another, completes a survey at each
-// rank at a different moment, and makes single ranks stall. A run is a function of its seed alone,
-// so a failure replays.
+// The simulation uses all freedom that MPI permits: it delays each message individually, lets
+// messages of different senders or tags overtake one another, completes a reduction at each rank at
+// a different moment, and stalls single ranks. A run depends on its seed alone, so a failure can be
+// replayed.
 #pragma once
 
 #include <cstddef>
@@ -19,19 +20,19 @@
 
 namespace kusabi::engine {
 
-/// How the simulated machine behaves. Times in seconds.
+/// Parameters of the simulated machine. Times in seconds.
 struct Weather {
   double latency = 2e-6;         ///< mean delay of a message (its distribution has a long tail)
   double bandwidth = 1e10;       ///< bytes per second
   double node = 1e-6;            ///< time to open a node, unless the problem is Timed
-  double handling = 0;           ///< time that a rank spends on a message it sends or receives
+  double handling = 0;           ///< time that a rank spends on each message it sends or receives
   double stall = 1e-3;           ///< length of a stall
-  double stall_probability = 0;  ///< of a stall at a step
+  double stall_probability = 0;  ///< probability of a stall at a step
 };
 
 class SimulatedTransport;
 
-/// The wires between the ranks, and the clock.
+/// Network and clock of the simulation.
 class SimulatedNetwork {
  public:
   SimulatedNetwork(int ranks, std::uint64_t seed, const Weather& weather);
@@ -45,48 +46,48 @@ class SimulatedNetwork {
   [[nodiscard]] double now() const { return now_; }
   void advance(double time) { now_ = time; }
 
-  /// How long a step of this rank lasts in which it opened nodes for `work` seconds; counts the
-  /// messages that it handled since the last call.
+  /// Duration of a step of this rank that opened nodes for `work` seconds, including the messages
+  /// handled since the last call.
   double step_duration(int rank, double work);
 
-  /// No step is shorter.
+  /// Lower bound of the duration of a step.
   static constexpr double least_step = 0.1e-6;
 
-  /// Something that a rank can know of from a moment on: a message, or a survey's result.
+  /// Information that is available to a rank from a moment on: a message, or a reduction's result.
   struct Notice {
     double time;
     int rank;
   };
 
-  /// The notices that came up since the last call.
+  /// Notices since the last call.
   std::vector<Notice> take_notices() { return std::exchange(notices_, {}); }
 
-  /// Messages sent and not received, and surveys joined and not fetched. 0 when all went well.
+  /// Messages not received plus reductions joined and not fetched; 0 after a correct search.
   [[nodiscard]] std::size_t in_flight() const;
 
-  /// In bytes, of all that were sent.
+  /// Size of the largest message sent, in bytes.
   [[nodiscard]] std::size_t largest_message() const { return largest_message_; }
 
  private:
   friend class SimulatedTransport;
 
-  struct Parcel {
+  struct Delivery {
     double arrival;
     Message message;
   };
   struct Mailbox {
-    std::vector<Parcel> parcels;                         // in no order
-    std::map<std::pair<int, Tag>, double> last_arrival;  // keeps each channel in order
-    Survey wave_result;
-    double wave_done = -1;  // virtual time, or -1: not known yet
+    std::vector<Delivery> deliveries;                           // unordered
+    std::map<std::pair<int, MessageTag>, double> last_arrival;  // keeps each channel in order
+    Reduction wave_result;
+    double wave_done = -1;  // virtual time; -1: not complete yet
     bool joined = false;
     unsigned handled = 0;  // messages since the last step_duration
   };
 
-  void send(int from, int to, Tag tag, Bytes body);
+  void send(int from, int to, MessageTag tag, Bytes body);
   std::optional<Message> receive(int rank);
-  void join_survey(int rank, const Survey& own);
-  std::optional<Survey> survey(int rank);
+  void join_reduction(int rank, const Reduction& own);
+  std::optional<Reduction> reduction(int rank);
   double delay();
 
   Weather weather_;
@@ -95,7 +96,7 @@ class SimulatedNetwork {
   std::vector<Mailbox> ranks_;
   std::vector<std::unique_ptr<SimulatedTransport>> transports_;
   std::vector<Notice> notices_;
-  Survey wave_;
+  Reduction wave_;
   std::size_t largest_message_ = 0;
 };
 

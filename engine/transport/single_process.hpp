@@ -1,5 +1,5 @@
-// The transport of a search that runs alone: one rank, no messages, no MPI. It is what a debugger,
-// valgrind and most tests want.
+// SingleProcess: transport of a search with one rank, without messages and MPI, for debuggers,
+// valgrind and most tests.
 #pragma once
 
 #include <chrono>
@@ -20,20 +20,20 @@ class SingleProcess final : public Transport {
     return std::chrono::duration<double>(since_epoch).count();
   }
 
-  void send(int /*to*/, Tag /*tag*/, Bytes /*body*/) override {
+  void send(int /*to*/, MessageTag /*tag*/, Bytes /*body*/) override {
     ensure(false, "a rank that is alone sends nothing");
   }
   std::optional<Message> receive() override { return std::nullopt; }
 
-  void join_survey(const Survey& own) override { wave_ = own; }
-  std::optional<Survey> survey() override { return std::exchange(wave_, std::nullopt); }
+  void join_reduction(const Reduction& own) override { wave_ = own; }
+  std::optional<Reduction> reduction() override { return std::exchange(wave_, std::nullopt); }
 
   void broadcast(Bytes& /*bytes*/) override {}
 
   void abandon(const std::string& /*reason*/) override {}
 
  private:
-  std::optional<Survey> wave_;
+  std::optional<Reduction> wave_;
 };
 
 }  // namespace kusabi::engine

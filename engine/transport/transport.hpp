@@ -1,38 +1,39 @@
-// What a rank needs of the world: messages, survey waves and a clock.
+// Transport: interface of the protocol to messages, reduction waves and a clock.
 //
-// The search protocol talks to this and never to MPI, so the same rank runs over MPI, alone in one
-// process, or as one of thousands in a simulation.
+// The protocol does not call MPI itself, so that the same rank runs over MPI, alone in one process,
+// or as one of thousands in a simulation.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "engine/survey.hpp"
+#include "engine/reduction.hpp"
 #include "engine/wire.hpp"
 
 namespace kusabi::engine {
 
-/// What a message is about.
-enum class Tag : int {
-  request,  ///< an idle rank asks for nodes; empty
-  plea,     ///< the same, and not to be forgotten if there are none to spare now; empty
-  gift,     ///< nodes (answers a request or a plea)
-  refusal,  ///< none to spare (answers a request or a plea); empty
-  parcel,   ///< nodes for a rank that once pleaded
-  news,     ///< a better solution is known
-  report,   ///< solutions and statistics on their way to rank 0 at the end
+/// Type of a message.
+enum class MessageTag : int {
+  request,  ///< an idle rank requests nodes; empty
+  /// as request, and registers the sender with this lifeline if no nodes can be spared; empty
+  plea,
+  transfer,           ///< nodes (answers a request or a plea)
+  refusal,            ///< no nodes to spare (answers a request or a plea); empty
+  lifeline_transfer,  ///< nodes for a rank registered by an earlier plea
+  news,               ///< an improved incumbent
+  report,             ///< solutions and statistics for rank 0 at the end
 };
 
 struct Message {
   int from = 0;
-  Tag tag = Tag::request;
+  MessageTag tag = MessageTag::request;
   Bytes body;
 };
 
-/// One rank's end of the wires. No call blocks but `broadcast`, which no search makes.
+/// Transport of one rank. Only `broadcast` blocks; searches do not call it.
 ///
-/// Guarantees: a message that was sent arrives once; two messages of one tag between the same two
-/// ranks arrive in the order in which they were sent. Nothing is promised of any others.
+/// @post a message sent arrives once; two messages of one tag between the same two ranks arrive in
+///     the order in which they were sent. The order of any others is undefined.
 class Transport {
  public:
   Transport() = default;
@@ -43,28 +44,29 @@ class Transport {
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int size() const = 0;
 
-  /// Seconds since some moment; never runs backwards.
+  /// Seconds since some moment; monotonic.
   [[nodiscard]] virtual double now() const = 0;
 
   /// @pre to != rank()
-  virtual void send(int to, Tag tag, Bytes body) = 0;
+  virtual void send(int to, MessageTag tag, Bytes body) = 0;
 
-  /// The next message that has arrived, if any.
+  /// The next message received, if any.
   virtual std::optional<Message> receive() = 0;
 
-  /// Hands in this rank's part of the next survey wave. The wave is complete when every rank has.
-  /// @pre the wave joined before, if any, has been fetched by `survey`
-  virtual void join_survey(const Survey& own) = 0;
+  /// Contributes to the next reduction wave. The wave is complete when every rank has joined it.
+  /// @pre the result of the wave joined before, if any, has been fetched by `reduction`
+  virtual void join_reduction(const Reduction& own) = 0;
 
-  /// The merged survey, once, when the wave that this rank joined is complete.
-  virtual std::optional<Survey> survey() = 0;
+  /// Result of the wave that this rank joined, once, when it is complete.
+  virtual std::optional<Reduction> reduction() = 0;
 
-  /// Gives every rank the bytes of rank 0; each makes the call, and waits in it. Not for use during
-  /// a search, whose messages would wait as well.
+  /// Broadcasts the bytes of rank 0. Blocks until every rank has called it. Not for use during a
+  /// search, whose messages would not be answered.
   virtual void broadcast(Bytes& bytes) = 0;
 
-  /// Called when the search cannot go on on this rank. Ends the other ranks if they run elsewhere
-  /// (and then does not return); returns if the exception at hand can be thrown to the caller.
+  /// Called when the search cannot continue on this rank. Ends the other ranks if they run in other
+  /// processes (and then does not return); otherwise returns, so that the exception reaches the
+  /// caller.
   virtual void abandon(const std::string& reason) = 0;
 };
 

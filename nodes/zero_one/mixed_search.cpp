@@ -64,7 +64,7 @@ MixedRoot mixed_root(engine::Campaign& campaign, const linear::MixedProgram& mix
   result.unbounded = without_bound(result.root, mixed, options);
   // One rank that was stopped at the root stops all: their roots differ.
   const std::uint64_t interrupted = result.root.interrupted ? 1 : 0;
-  const auto all = engine::meet(campaign.transport(), {.ranks = 1, .found = interrupted});
+  const auto all = engine::all_reduce(campaign.transport(), {.ranks = 1, .found = interrupted});
   result.stopped = all.found != 0;
   if (!result.stopped) engine::agree(campaign.transport(), fingerprint_of(result.root));
   return result;

@@ -21,8 +21,9 @@ class Bench : public Subcommand {
  public:
   void search(CommandRun& run) final {
     const bool good = measure(run.session()) == solved;
-    // A survey counts, and here it counts the ranks on which something was wrong.
-    const auto all = engine::meet(run.session().transport(), {.ranks = 1, .found = good ? 0U : 1U});
+    // A reduction counts, and here it counts the ranks on which something was wrong.
+    const auto all =
+        engine::all_reduce(run.session().transport(), {.ranks = 1, .found = good ? 0U : 1U});
     code_ = all.found == 0 ? solved : failed;
   }
   std::vector<Step> results(CommandRun& /*run*/) final { return {flush_standard_output}; }

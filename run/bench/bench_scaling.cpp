@@ -19,7 +19,7 @@ constexpr double micro = 1e-6;
 // What all ranks together did.
 struct Sums {
   std::uint64_t requests = 0;
-  std::uint64_t gifts = 0;
+  std::uint64_t transfers = 0;
   double ramp_up = 0;
   double between = 0;
   double tail = 0;
@@ -30,7 +30,7 @@ Sums sums(const engine::Outcome<benchmark::SizedTree>& outcome) {
   Sums sums;
   for (const auto& [rank, tally] : outcome.ranks) {
     sums.requests += rank.requests;
-    sums.gifts += rank.gifts_received;
+    sums.transfers += rank.transfers_received;
     sums.ramp_up += rank.ramp_up_seconds;
     sums.tail += rank.tail_seconds;
     sums.between += rank.idle_seconds - rank.ramp_up_seconds - rank.tail_seconds;
@@ -58,8 +58,9 @@ void print_row(const BenchScalingOptions& options, int ranks) {
   fmt::print(
       "{:>6} {:>10.3f} {:>12.4f} {:>8.2f} {:>8.2f} {:>8.2f} {:>9.2f} {:>9.1f} {:>9.1f} {:>9.2f}\n",
       ranks, work / available, sum.end, percent(sum.ramp_up), percent(sum.between),
-      percent(sum.tail), percent(available - work - idle), static_cast<double>(sum.gifts) / ranks,
-      static_cast<double>(sum.requests - sum.gifts) / ranks, 1e3 * (run.seconds - sum.end));
+      percent(sum.tail), percent(available - work - idle),
+      static_cast<double>(sum.transfers) / ranks,
+      static_cast<double>(sum.requests - sum.transfers) / ranks, 1e3 * (run.seconds - sum.end));
   std::fflush(stdout);
 }
 

@@ -57,7 +57,7 @@ Draw draw(std::uint64_t seed) {
   if (below(2) == 0) draw.options.heap_nodes = 1 + below(30);
   draw.options.nodes_per_step = below(4) == 0 ? 16 : 1;
   draw.options.message_bytes = below(4) == 0 ? 1 : std::size_t{64} * 1024;
-  draw.options.survey_interval = below(2) == 0 ? 0.05 : 1e-4;
+  draw.options.reduction_interval = below(2) == 0 ? 0.05 : 1e-4;
   return draw;
 }
 

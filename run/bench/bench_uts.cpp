@@ -86,7 +86,7 @@ class TimedTree : public UnbalancedTree {
 
 // The search alone: the ranks begin it together, and the recursion is behind all of them.
 engine::Outcome<TimedTree> search(Session& session, TimedTree& tree) {
-  engine::meet(session.transport());
+  engine::all_reduce(session.transport());
   tree.start();
   return engine::search(tree, session.transport());
 }
@@ -95,23 +95,23 @@ void print_ranks(const engine::Outcome<TimedTree>& outcome) {
   fmt::print("{:<6} {:>12} {:>7} {:>9} {:>7} {:>12}\n", "rank", "opened", "share", "requests",
              "gifts", "CPU seconds");
   const auto row = [&](const std::string& name, std::uint64_t opened, std::uint64_t requests,
-                       std::uint64_t gifts, double seconds) {
+                       std::uint64_t transfers, double seconds) {
     const double share = 100 * static_cast<double>(opened) / static_cast<double>(outcome.opened());
     fmt::print("{:<6} {:>12} {:>5.1f} % {:>9} {:>7} {:>12.3f}\n", name, opened, share, requests,
-               gifts, seconds);
+               transfers, seconds);
   };
   std::uint64_t requests = 0;
-  std::uint64_t gifts = 0;
+  std::uint64_t transfers = 0;
   double seconds = 0;
   for (std::size_t rank = 0; rank < outcome.ranks.size(); ++rank) {
     const auto& [statistics, part] = outcome.ranks[rank];
-    row(std::to_string(rank), statistics.opened, statistics.requests, statistics.gifts_received,
+    row(std::to_string(rank), statistics.opened, statistics.requests, statistics.transfers_received,
         part.search_seconds);
     requests += statistics.requests;
-    gifts += statistics.gifts_received;
+    transfers += statistics.transfers_received;
     seconds += part.search_seconds;
   }
-  if (outcome.ranks.size() > 1) row("all", outcome.opened(), requests, gifts, seconds);
+  if (outcome.ranks.size() > 1) row("all", outcome.opened(), requests, transfers, seconds);
 }
 
 void print_counts(const TreeCounts& counted, const TreeCounts& published) {

@@ -71,8 +71,10 @@ int CommandRun::execute() {
     if (journal_ && verdict.code == solved) journal_->finish();
     code = static_cast<std::uint64_t>(verdict.code);
   }
-  // A survey adds up, and only rank 0 has something to add; the others sleep until it is written.
-  return static_cast<int>(engine::meet(session_.transport(), {.ranks = 1, .found = code}).found);
+  // A reduction adds up, and only rank 0 has something to add; the others sleep until it is
+  // written.
+  return static_cast<int>(
+      engine::all_reduce(session_.transport(), {.ranks = 1, .found = code}).found);
 }
 
 // What does not go together may be in the call in part only.

@@ -251,9 +251,9 @@ void CertificateFile::put(std::string_view text) {
 void CertificateFile::close() {
   if (::close(part_) != 0) failed_ = true;
   part_ = -1;
-  engine::Survey own{.ranks = 1};
+  engine::Reduction own{.ranks = 1};
   if (failed_) own.wishes = engine::wish_failed;
-  failed_ = (engine::meet(session_.transport(), own).wishes & engine::wish_failed) != 0;
+  failed_ = (engine::all_reduce(session_.transport(), own).wishes & engine::wish_failed) != 0;
 }
 
 void CertificateFile::require_parts() const {

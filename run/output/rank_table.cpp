@@ -62,7 +62,7 @@ RankTable::Row RankTable::row(const engine::RankStatistics& statistics,
   Row row{opened, opened};
   for (const auto value : own) row.push_back(static_cast<double>(value));
   row.push_back(static_cast<double>(statistics.requests));
-  row.push_back(static_cast<double>(statistics.gifts_received));
+  row.push_back(static_cast<double>(statistics.transfers_received));
   row.push_back(static_cast<double>(statistics.messages_sent));
   row.push_back(statistics.idle_seconds);
   row.push_back(statistics.seconds);
@@ -151,8 +151,8 @@ void add_statistics(nlohmann::ordered_json& rank, const engine::RankStatistics& 
   rank["opened"] = statistics.opened;
   rank["peak_open"] = statistics.peak_open;
   rank["requests"] = statistics.requests;
-  rank["gifts_received"] = statistics.gifts_received;
-  rank["gifts_sent"] = statistics.gifts_sent;
+  rank["gifts_received"] = statistics.transfers_received;
+  rank["gifts_sent"] = statistics.transfers_sent;
   rank["nodes_given"] = statistics.nodes_given;
   rank["messages_sent"] = statistics.messages_sent;
   rank["idle_seconds"] = statistics.idle_seconds;

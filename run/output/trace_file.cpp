@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 using Kind = TraceEvent::Kind;
 
 constexpr int work_track = 0;
-constexpr int survey_track = 1;
+constexpr int reduction_track = 1;
 
 const char* activity_name(Kind kind) {
   switch (kind) {
@@ -59,7 +59,7 @@ class Writer {
       if (open_ != event->open) curve(*event);
       open_ = event->open;
     }
-    write_surveys(trace);
+    write_reductions(trace);
     if (trace.dropped != 0) {
       auto line = begin("i", fmt::format("{} later events were dropped", trace.dropped), work_track,
                         end_of(trace));
@@ -77,7 +77,7 @@ class Writer {
   void name_tracks() {
     name("process_name", 0, fmt::format("rank {}", rank_));
     name("thread_name", work_track, "work");
-    name("thread_name", survey_track, "surveys");
+    name("thread_name", reduction_track, "surveys");
     put({{"ph", "M"},
          {"name", "process_sort_index"},
          {"pid", rank_},
@@ -96,19 +96,19 @@ class Writer {
       case Kind::refusal_arrived:
         instant(event, "refusal", {{"from", event.peer}});
         break;
-      case Kind::gift_sent:
+      case Kind::transfer_sent:
         instant(event, "gift sent", {{"to", event.peer}, {"nodes", event.value}});
         arrow("s", "gift", event, rank_, event.peer);
         break;
-      case Kind::gift_arrived:
+      case Kind::transfer_arrived:
         instant(event, "gift", {{"from", event.peer}, {"nodes", event.value}});
         arrow("f", "gift", event, event.peer, rank_);
         break;
-      case Kind::parcel_sent:
+      case Kind::lifeline_transfer_sent:
         instant(event, "parcel sent", {{"to", event.peer}, {"nodes", event.value}});
         arrow("s", "parcel", event, rank_, event.peer);
         break;
-      case Kind::parcel_arrived:
+      case Kind::lifeline_transfer_arrived:
         instant(event, "parcel", {{"from", event.peer}, {"nodes", event.value}});
         arrow("f", "parcel", event, event.peer, rank_);
         break;
@@ -120,12 +120,12 @@ class Writer {
     }
   }
 
-  void write_surveys(const RankTrace& trace) {
+  void write_reductions(const RankTrace& trace) {
     const TraceEvent* joined = nullptr;
     for (const auto& event : trace.events) {
-      if (event.kind == Kind::survey_joined) joined = &event;
-      if (event.kind != Kind::survey_arrived || joined == nullptr) continue;
-      slice("survey", survey_track, joined->time, event.time, {{"idle ranks", event.value}});
+      if (event.kind == Kind::reduction_joined) joined = &event;
+      if (event.kind != Kind::reduction_arrived || joined == nullptr) continue;
+      slice("survey", reduction_track, joined->time, event.time, {{"idle ranks", event.value}});
       joined = nullptr;
     }
   }
@@ -144,10 +144,10 @@ class Writer {
     put(line);
   }
 
-  // The n-th gift that leaves for a rank is the n-th that arrives there: messages of one kind
+  // The n-th transfer that leaves for a rank is the n-th that arrives there: messages of one kind
   // between two ranks do not overtake one another. So both ends come to the same number.
   void arrow(const char* end, const std::string& kind, const TraceEvent& event, int from, int to) {
-    const auto number = ++gifts_[{kind, from, to, *end}];
+    const auto number = ++transfers_[{kind, from, to, *end}];
     const auto id = arrows_.try_emplace({kind, from, to, number}, arrows_.size() + 1).first->second;
     auto line = begin(end, kind, work_track, event.time);
     line["cat"] = "gift";
@@ -186,7 +186,7 @@ class Writer {
   const char* separator_ = "\n";
   int rank_ = 0;
   std::optional<std::uint64_t> open_;
-  std::map<std::tuple<std::string, int, int, char>, std::uint64_t> gifts_;
+  std::map<std::tuple<std::string, int, int, char>, std::uint64_t> transfers_;
   std::map<std::tuple<std::string, int, int, std::uint64_t>, std::uint64_t> arrows_;
 };
 

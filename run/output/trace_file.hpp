@@ -1,5 +1,6 @@
 // The timeline of a search in the Trace Event Format, which ui.perfetto.dev and chrome://tracing
-// show: for each rank a track of what it does, one of the surveys, and its open nodes as a curve.
+// show: for each rank a track of what it does, one of the reductions, and its open nodes as a
+// curve.
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 namespace kusabi::run {
 namespace {
 
-// In seconds. Surveys come in bursts when ranks are idle; a guess wants some distance in time.
+// In seconds. Reductions come in bursts when ranks are idle; a guess wants some distance in time.
 constexpr double sample_interval = 0.1;
 constexpr double bar_interval = 0.2;
 constexpr unsigned long rows_a_page = 30;

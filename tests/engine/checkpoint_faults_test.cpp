@@ -1,5 +1,5 @@
-// Whatever goes wrong with the files of a checkpoint, at whatever moment, one that is whole and
-// unmixed stays; and what a failure leaves behind is cleared away.
+// Faults of checkpoint files: after any fault at any moment a complete, consistent checkpoint
+// remains, and leftovers are removed.
 #include <bit>
 #include <csignal>
 #include <cstdlib>
@@ -49,10 +49,10 @@ class CheckpointFaults : public testing::Test {
 
   static RandomTree tree() { return {2, 16}; }
 
-  // Checkpoints every 0.2 ms of virtual time: some twenty in a search of the tree.
+  // Checkpoints every 0.2 ms of virtual time: about twenty in a search of the tree.
   [[nodiscard]] Options options() {
     Options options;
-    options.survey_interval = 20e-6;
+    options.reduction_interval = 20e-6;
     options.checkpoint.file = file_;
     options.checkpoint.interval = 0.2e-3;
     options.checkpoint.problem = problem;
@@ -60,7 +60,7 @@ class CheckpointFaults : public testing::Test {
     return options;
   }
 
-  // Leaves a checkpoint and the one before it, as a run that is killed half-way does.
+  // Leaves a checkpoint and the one before it, as a run killed half-way does.
   void leave_two() {
     auto choice = options();
     choice.limits.nodes = 3000;
@@ -71,13 +71,13 @@ class CheckpointFaults : public testing::Test {
     warnings_.clear();
   }
 
-  // Puts in the files of a folder of tests/reference.
+  // Copies the files of a folder of tests/reference.
   void copy_stored(const std::string& name) {
     const fs::path stored = fs::path(KUSABI_SOURCE_DIR) / "tests" / "reference" / name;
     for (const auto& entry : fs::directory_iterator(stored)) fs::copy(entry.path(), folder_);
   }
 
-  // Goes on from what is there, to the end or to so many nodes more.
+  // Resumes to the end or for `nodes` more nodes.
   Outcome<RandomTree> go_on(Options choice, int ranks, std::uint64_t nodes = 0) {
     std::string passed_over;
     choice.checkpoint.resume_from = usable_checkpoint(file_, problem, passed_over);
@@ -87,7 +87,7 @@ class CheckpointFaults : public testing::Test {
     return std::move(simulate(tree(), ranks, 1, {}, choice).outcome);
   }
 
-  // What is on the disk leads to the outcome of an undisturbed run.
+  // Expects that resuming gives the outcome of an undisturbed run.
   void expect_a_good_one() {
     auto all = tree();
     const auto whole = search(all);
@@ -130,7 +130,7 @@ class CheckpointFaults : public testing::Test {
 
 TEST_F(CheckpointFaults, TheManifestThatCannotBeWrittenLeavesTheOneBefore) {
   leave_two();
-  // Where the manifest is to be written there is something else: every new epoch fails.
+  // A folder has the name of the manifest's temporary file: every new epoch fails.
   fs::create_directories(file_ + ".tmp/in the way");
   go_on(options(), 3, 3000);
   EXPECT_GT(warnings_.size(), 1U);
@@ -141,7 +141,7 @@ TEST_F(CheckpointFaults, ADamagedOneNeverTakesThePlaceOfTheGoodOneBefore) {
   leave_two();
   const auto damaged = read_manifest(file_).epoch;
   overwrite(part(damaged, 1), "");
-  // One new epoch, and another run ends between the renaming of its parts and of its manifest.
+  // One new epoch, and another run that ends between the renaming of its parts and of its manifest.
   auto choice = options();
   choice.checkpoint.interval = 1e9;
   go_on(choice, 2, 500);
@@ -151,13 +151,13 @@ TEST_F(CheckpointFaults, ADamagedOneNeverTakesThePlaceOfTheGoodOneBefore) {
   expect_a_good_one();
 }
 
-TEST_F(CheckpointFaults, PartsOfARunThatWasKilledDoNotMendADamagedOne) {
+TEST_F(CheckpointFaults, PartsOfARunThatWasKilledDoNotCompleteADamagedOne) {
   leave_two();
   const auto damaged = read_manifest(file_).epoch;
   overwrite(part(damaged, 0), "");
   const auto manifest = content(file_);
-  // A run that goes on from the one before and is killed when its parts are written but not its
-  // manifest: had it used the number of the damaged epoch, its part would fill the gap.
+  // A run that resumes from the previous checkpoint and is killed when its parts are written but
+  // not its manifest: with the number of the damaged epoch, its part would complete that one.
   auto choice = options();
   choice.checkpoint.interval = 1e9;
   fs::create_directories(file_ + ".tmp/in the way");
@@ -172,13 +172,13 @@ TEST_F(CheckpointFaults, PartsOfARunThatWasKilledDoNotMendADamagedOne) {
 TEST_F(CheckpointFaults, WhatKilledRunsLeaveBehindIsClearedAway) {
   leave_two();
   const auto newest = read_manifest(file_).epoch;
-  // Parts that were never listed, of more ranks than now, whole and half-written.
+  // Parts never listed, of more ranks than now, complete and incomplete.
   const auto whole_part = content(part(newest, 0));
   overwrite(part(newest + 1, 7), whole_part);
   overwrite(part(newest, 9), whole_part);
   overwrite(part(newest + 7, 0) + ".tmp", whole_part.substr(0, 100));
   overwrite(part(newest + 7, 1) + ".tmp", "");
-  // And files of somebody else.
+  // Files that are not parts.
   const std::set<std::string> others{"search.2024.11", "search.notes", "search.1.2.txt",
                                      "research.1.1"};
   for (const auto& name : others) overwrite(folder_ / name, "not a part");
@@ -195,7 +195,7 @@ TEST_F(CheckpointFaults, WhatKilledRunsLeaveBehindIsClearedAway) {
 }
 
 TEST_F(CheckpointFaults, AFullDiskIsAWarningAndTheOneBeforeCounts) {
-  // A limit on the size of files stands in for the disk: writing fails with an error all the same.
+  // A limit on the size of files simulates a full disk: writing fails with an error.
   const auto allow = [](rlim_t bytes) {
     rlimit limit{};
     getrlimit(RLIMIT_FSIZE, &limit);
@@ -212,7 +212,7 @@ TEST_F(CheckpointFaults, AFullDiskIsAWarningAndTheOneBeforeCounts) {
     ASSERT_TRUE(allow(bytes));
     const auto outcome = go_on(options(), 3, 3000);
     ASSERT_TRUE(allow(RLIM_INFINITY));
-    EXPECT_EQ(outcome.status, Status::node_limit);  // it went on until then
+    EXPECT_EQ(outcome.status, Status::node_limit);  // it continued until then
     EXPECT_FALSE(outcome.saved);
     EXPECT_GT(warnings_.size(), 2U);
     EXPECT_THAT(warnings_, testing::Contains(HasSubstr("the one before still counts")));
@@ -221,7 +221,7 @@ TEST_F(CheckpointFaults, AFullDiskIsAWarningAndTheOneBeforeCounts) {
     expect_a_good_one();
   }
   std::signal(SIGXFSZ, handler);
-  // There is room again.
+  // The limit is removed.
   EXPECT_TRUE(go_on(options(), 2, 500).saved);
   EXPECT_GT(read_manifest(file_).epoch, before);
   expect_a_good_one();
@@ -232,9 +232,9 @@ TEST_F(CheckpointFaults, AFolderThatGoesAndComesBackIsAWarning) {
   const auto before = read_manifest(file_).epoch;
   const fs::path elsewhere = folder_.string() + "-elsewhere";
   auto choice = options();
-  int surveys = 0;
+  int reductions = 0;
   choice.progress = [&](const Progress& /*state*/) {
-    if (++surveys == 2) fs::rename(folder_, elsewhere);
+    if (++reductions == 2) fs::rename(folder_, elsewhere);
     if (warnings_.size() > 3 && fs::exists(elsewhere)) fs::rename(elsewhere, folder_);
   };
   go_on(choice, 3);
@@ -283,9 +283,9 @@ TEST_F(CheckpointFaults, AnyTruncationIsRefusedInOneLine) {
   EXPECT_THAT(refusal(), HasSubstr("accepted"));
 }
 
-// Files that somebody may have kept since, written by a search of RandomTree(2, 16) on three ranks
-// that stopped at 3000 nodes. If the last test fails because the content of a part has changed, the
-// format version must change too, so that old files are refused by number and not misread.
+// Stored files of a search of RandomTree(2, 16) on three ranks that stopped at 3000 nodes. If the
+// last test fails because the content of a part has changed, the format version must change too, so
+// that old files are refused by version and not misread.
 TEST_F(CheckpointFaults, AStoredOneOfFormatVersionOneIsRefused) {
   copy_stored("checkpoint-version-1");
   EXPECT_EQ(refusal(), file_ + ": is of format version 1; expected 3 or 4");
@@ -305,11 +305,11 @@ TEST_P(StoredCheckpoint, LeadsToTheEnd) {
   expect_a_good_one();
 }
 
-// The first one's manifest says nothing of goal and types.
+// The manifest of the first one lacks goal and types.
 INSTANTIATE_TEST_SUITE_P(, StoredCheckpoint,
                          testing::Values("checkpoint-version-3", "checkpoint-version-4"));
 
-// How the stored one of today's format was made, in the folder that the test runs in:
+// Command that stored the files of the current format, in the folder of the test:
 // --gtest_also_run_disabled_tests --gtest_filter=*StoresOne
 TEST_F(CheckpointFaults, DISABLED_StoresOne) {
   auto choice = options();

@@ -1,5 +1,5 @@
-// Stopping and going on, any number of times and on any number of ranks, gives what one run gives;
-// and no damaged or foreign file is taken for a good one.
+// Checkpoint tests: stopping and resuming, any number of times and on any number of ranks, gives
+// the outcome of one run; damaged and foreign files are refused.
 #include "engine/checkpoint.hpp"
 
 #include <algorithm>
@@ -44,15 +44,15 @@ class Checkpoint : public testing::Test {
 
   [[nodiscard]] Options options() const {
     Options options;
-    options.survey_interval = 20e-6;
+    options.reduction_interval = 20e-6;
     options.checkpoint.file = file_;
     options.checkpoint.interval = 1e9;
     options.checkpoint.problem = problem;
     return options;
   }
 
-  // Lets a search of `tree` die of a limit of nodes again and again, each time on another number of
-  // ranks and in the next of `orders`, and go on from what it left.
+  // Runs a search of `tree` in pieces, each ended by a limit of nodes, each on another number of
+  // ranks and in the next of `orders`, and resumed from the last checkpoint.
   template <class P>
   Outcome<P> in_pieces(const P& tree, std::uint64_t piece, std::uint64_t seed, Goal goal,
                        int* pieces, const std::vector<Order>& orders = {Order::depth_first}) {
@@ -145,17 +145,17 @@ TEST_F(Checkpoint, TheBestSolutionSurvives) {
   EXPECT_EQ(outcome.bound, whole.bound);
 }
 
-// The interval is never over, so there is a checkpoint only because something better was found; and
-// that has what was best by then.
+// The interval never elapses, so a checkpoint is written only when the incumbent improves; it
+// contains that incumbent.
 TEST_F(Checkpoint, IsThereAsSoonAsTheIncumbentIsBetter) {
   auto choice = options();
   choice.goal = Goal::best;
-  choice.survey_interval = 0;
+  choice.reduction_interval = 0;
   choice.nodes_per_step = 1;
-  int several = 0;  // searches with more than one
+  int several = 0;  // searches with several checkpoints
   for (unsigned seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
-    std::vector<double> kept;  // the incumbents of the checkpoints
+    std::vector<double> kept;  // incumbents of the checkpoints
     double best = 0;
     std::uint64_t epoch = 0;
     choice.progress = [&](const Progress& progress) {
@@ -200,7 +200,7 @@ TEST_F(Checkpoint, APeriodicOneDoesNotDisturbTheSearch) {
   const auto simulated = simulate(RandomTree(2, 16), 4, 1, {}, choice);
   EXPECT_EQ(simulated.outcome.fingerprint(), whole.fingerprint());
   EXPECT_GE(read_manifest(file_).epoch, 3U);
-  // Two epochs are kept, four parts each, and nothing else.
+  // Two epochs are kept, with four parts each, and nothing else.
   EXPECT_EQ(parts().size(), 8U);
   EXPECT_TRUE(fs::exists(file_ + ".previous"));
 }
@@ -237,7 +237,7 @@ TEST_F(Checkpoint, OfAnotherProblemIsRefused) {
   EXPECT_THROW(usable_checkpoint(file_, problem + 1, warning), CheckpointError);
 }
 
-// A fingerprint that nobody gave would be the same for all problems.
+// A default fingerprint would be the same for all problems.
 TEST_F(Checkpoint, NeedsTheFingerprintOfItsProblem) {
   Options nothing_but_a_file;
   nothing_but_a_file.checkpoint.file = file_;
@@ -312,7 +312,7 @@ TEST_F(Checkpoint, IsNotOverwrittenByANewSearch) {
   EXPECT_EQ(refusal_of(choice),
             file_ + ": is a checkpoint already; expected Options::checkpoint.resume_from to name " +
                 "it, so that the search goes on from it, or that it is removed first");
-  // Nor by one that goes on from another.
+  // A search that resumes from another checkpoint must not overwrite it either.
   const auto copy = folder_ / "copy";
   fs::create_directory(copy);
   for (const auto& entry : fs::directory_iterator(folder_)) {

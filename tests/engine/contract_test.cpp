@@ -1,4 +1,5 @@
-// A broken promise ends a search in every build, with the sentence and the place.
+// Contract tests: a violated contract ends a search in every build, with the sentence and the
+// source location.
 #include "engine/detail/contract.hpp"
 
 #include <optional>
@@ -31,7 +32,7 @@ std::string complaint(auto&& act) {
 TEST(Contract, NamesFileLineAndPromise) {
   EXPECT_EQ(complaint([] { ensure(true, "the sun rises"); }), "none");
   EXPECT_THAT(complaint([] { ensure(false, "the sun rises"); }),
-              MatchesRegex("engine/contract_test.cpp:[0-9]+: a promise is broken: the sun rises"));
+              MatchesRegex("engine/contract_test.cpp:[0-9]+: contract violated: the sun rises"));
 }
 
 TEST(Contract, HoldsForWhatKeepsNodes) {
@@ -39,8 +40,8 @@ TEST(Contract, HoldsForWhatKeepsNodes) {
   EXPECT_THROW(frontier.open(), ContractBroken);
   EXPECT_THAT(
       complaint([&] { frontier.give(100); }),
-      MatchesRegex("engine/detail/frontier.hpp:[0-9]+: a promise is broken: a frontier gives only "
-                   "if a node is left"));
+      MatchesRegex("engine/detail/frontier.hpp:[0-9]+: contract violated: a frontier gives nodes "
+                   "only if one is left"));
   frontier.plant(1);
   EXPECT_THROW(frontier.take({{}, {{1, 0, 0}}}), ContractBroken);
   Heap<int> heap;
@@ -54,33 +55,34 @@ TEST(Contract, HoldsForWhomWorkIsAskedOf) {
   EXPECT_THROW(lifelines.served_by(3), ContractBroken);
 }
 
-// One rank of two, whose other rank answers what nobody has asked.
+// One rank of two, whose other rank sends answers without a request.
 class Babbling final : public Transport {
  public:
-  explicit Babbling(Tag tag) : tag_(tag) {}
+  explicit Babbling(MessageTag tag) : tag_(tag) {}
   [[nodiscard]] int rank() const override { return 0; }
   [[nodiscard]] int size() const override { return 2; }
   [[nodiscard]] double now() const override { return 0; }
-  void send(int /*to*/, Tag /*tag*/, Bytes /*body*/) override {}
+  void send(int /*to*/, MessageTag /*tag*/, Bytes /*body*/) override {}
   std::optional<Message> receive() override { return Message{1, tag_, {}}; }
-  void join_survey(const Survey& /*own*/) override {}
-  std::optional<Survey> survey() override { return std::nullopt; }
+  void join_reduction(const Reduction& /*own*/) override {}
+  std::optional<Reduction> reduction() override { return std::nullopt; }
   void broadcast(Bytes& /*bytes*/) override {}
   void abandon(const std::string& reason) override { abandoned = reason; }
 
   std::string abandoned;
 
  private:
-  Tag tag_;
+  MessageTag tag_;
 };
 
 TEST(Contract, HoldsForAnswersThatNobodyHasAskedFor) {
-  for (const auto tag : {Tag::gift, Tag::refusal}) {
+  for (const auto tag : {MessageTag::transfer, MessageTag::refusal}) {
     Babbling transport(tag);
     examples::RandomTree tree(1, 5);
-    EXPECT_THAT(complaint([&] { search(tree, transport); }),
-                MatchesRegex("engine/.*: a promise is broken: a (gift|refusal) comes from the rank "
-                             "that was asked"));
+    EXPECT_THAT(
+        complaint([&] { search(tree, transport); }),
+        MatchesRegex("engine/.*: contract violated: a (transfer|refusal) comes from the rank "
+                     "that was asked"));
     EXPECT_NE(transport.abandoned, "");
   }
 }

@@ -1,4 +1,4 @@
-// A list of counts is all that sums, wires and reports need.
+// Tests of Counts: sums, serialisation and reports from one list of counts.
 #include "engine/counts.hpp"
 
 #include <cstdint>

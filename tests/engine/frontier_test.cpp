@@ -1,4 +1,4 @@
-// The pool of open nodes: order, giving and taking, and the paths that are never stored.
+// Frontier tests: depth-first order, transfers, and paths computed from the trail.
 #include "engine/detail/frontier.hpp"
 
 #include <random>
@@ -8,11 +8,11 @@
 namespace kusabi::engine {
 namespace {
 
-// A node that knows its own path, to check the one that the frontier works out.
-using Witness = Path;
+// A node that stores its own path, to check the path computed by the frontier.
+using PathNode = Path;
 
-Witness child_of(const Witness& parent, std::uint32_t branch) {
-  Witness child = parent;
+PathNode child_of(const PathNode& parent, std::uint32_t branch) {
+  PathNode child = parent;
   child.push_back(branch);
   return child;
 }
@@ -23,8 +23,8 @@ std::uint64_t mark_of(const Path& path) {
   return mark;
 }
 
-// Paths that come before and after `path`, or are it, as they compare with it.
-void expect_compares_as(const Path& path, const Frontier<Witness>& frontier) {
+// Paths before and after `path`, and equal to it, compared with the frontier's path.
+void expect_compares_as(const Path& path, const Frontier<PathNode>& frontier) {
   std::vector<Path> others{{}, path, child_of(path, 0), child_of({}, 0), child_of({}, 9)};
   if (!path.empty()) {
     others.emplace_back(path.begin(), path.end() - 1);
@@ -39,8 +39,8 @@ void expect_compares_as(const Path& path, const Frontier<Witness>& frontier) {
 }
 
 // Opens one node, checks its path, and gives it `children` children.
-Witness open_and_branch(Frontier<Witness>& frontier, std::uint32_t children) {
-  Witness node = frontier.open();
+PathNode open_and_branch(Frontier<PathNode>& frontier, std::uint32_t children) {
+  PathNode node = frontier.open();
   EXPECT_EQ(frontier.path(), node);
   expect_compares_as(node, frontier);
   EXPECT_EQ(frontier.mark(), mark_of(node));
@@ -52,32 +52,32 @@ Witness open_and_branch(Frontier<Witness>& frontier, std::uint32_t children) {
 }
 
 TEST(Frontier, OpensDepthFirstAndChildrenInOrder) {
-  Frontier<Witness> frontier;
+  Frontier<PathNode> frontier;
   frontier.plant({});
-  std::vector<Witness> opened;
+  std::vector<PathNode> opened;
   while (!frontier.empty()) {
     const bool inner = opened.size() < 2;
     opened.push_back(open_and_branch(frontier, inner ? 3 : 0));
   }
-  const std::vector<Witness> expected{{}, {0}, {0, 0}, {0, 1}, {0, 2}, {1}, {2}};
+  const std::vector<PathNode> expected{{}, {0}, {0, 0}, {0, 1}, {0, 2}, {1}, {2}};
   EXPECT_EQ(opened, expected);
 }
 
 TEST(Frontier, GivesEveryOtherNodeFromTheShallowestOn) {
-  Frontier<Witness> frontier;
+  Frontier<PathNode> frontier;
   frontier.plant({});
   open_and_branch(frontier, 3);  // stack: 2 1 0
   open_and_branch(frontier, 3);  // stack: 2 1 0.2 0.1 0.0
-  const auto gift = frontier.give(100'000);
-  ASSERT_EQ(gift.nodes.size(), 2U);
-  EXPECT_EQ(gift.nodes[0].node, (Witness{2}));
-  EXPECT_EQ(gift.nodes[1].node, (Witness{0, 2}));
-  EXPECT_EQ(gift.trail.size(), 2U);  // the root and node 0
+  const auto transfer = frontier.give(100'000);
+  ASSERT_EQ(transfer.nodes.size(), 2U);
+  EXPECT_EQ(transfer.nodes[0].node, (PathNode{2}));
+  EXPECT_EQ(transfer.nodes[1].node, (PathNode{0, 2}));
+  EXPECT_EQ(transfer.trail.size(), 2U);  // the root and node 0
   EXPECT_EQ(frontier.size(), 3U);
 }
 
 TEST(Frontier, KeepsAtLeastOneNode) {
-  Frontier<Witness> frontier;
+  Frontier<PathNode> frontier;
   frontier.plant({});
   EXPECT_FALSE(frontier.can_give());
   open_and_branch(frontier, 2);
@@ -87,41 +87,41 @@ TEST(Frontier, KeepsAtLeastOneNode) {
 }
 
 TEST(Frontier, GivesNoMoreBytesThanTheLimitButAtLeastOneNode) {
-  Frontier<Witness> frontier;
+  Frontier<PathNode> frontier;
   frontier.plant({});
   open_and_branch(frontier, 100);
-  const auto gift = frontier.give(400);
-  EXPECT_GT(gift.nodes.size(), 1U);
-  EXPECT_LE(pack(gift.nodes).size(), 400U + 64U);  // and the header of the list
-  EXPECT_EQ(frontier.size(), 100U - gift.nodes.size());
+  const auto transfer = frontier.give(400);
+  EXPECT_GT(transfer.nodes.size(), 1U);
+  EXPECT_LE(pack(transfer.nodes).size(), 400U + 64U);  // and the header of the list
+  EXPECT_EQ(frontier.size(), 100U - transfer.nodes.size());
   EXPECT_EQ(frontier.give(1).nodes.size(), 1U);
 }
 
-// Gift after gift out of one node's children: each takes every other of what the last one left.
+// Repeated transfers from one node's children: each takes every other of the remaining ones.
 TEST(Frontier, GivesAwayAllButOneByAndBy) {
-  Frontier<Witness> frontier;
+  Frontier<PathNode> frontier;
   frontier.plant({});
   open_and_branch(frontier, 100);
   std::vector<std::uint32_t> left;  // shallowest first: the last child is at the bottom
   for (std::uint32_t branch = 100; branch > 0; --branch) left.push_back(branch - 1);
   while (frontier.can_give()) {
-    const auto gift = frontier.give(400);
-    ASSERT_FALSE(gift.nodes.empty());
-    for (std::size_t i = 0; i < gift.nodes.size(); ++i) {
-      ASSERT_EQ(gift.nodes[i].node, Witness{left[i]});
+    const auto transfer = frontier.give(400);
+    ASSERT_FALSE(transfer.nodes.empty());
+    for (std::size_t i = 0; i < transfer.nodes.size(); ++i) {
+      ASSERT_EQ(transfer.nodes[i].node, PathNode{left[i]});
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
     }
     ASSERT_EQ(frontier.size(), left.size());
-    std::vector<Witness> kept;
-    frontier.for_each([&](const Witness& node) { kept.push_back(node); });
-    for (std::size_t i = 0; i < left.size(); ++i) ASSERT_EQ(kept[i], Witness{left[i]});
+    std::vector<PathNode> kept;
+    frontier.for_each([&](const PathNode& node) { kept.push_back(node); });
+    for (std::size_t i = 0; i < left.size(); ++i) ASSERT_EQ(kept[i], PathNode{left[i]});
   }
-  EXPECT_EQ(open_and_branch(frontier, 0), Witness{left.front()});
+  EXPECT_EQ(open_and_branch(frontier, 0), PathNode{left.front()});
   EXPECT_TRUE(frontier.empty());
 }
 
 TEST(Frontier, DoesNotGiveChildrenThatAreStillBeingBranched) {
-  Frontier<Witness> frontier;
+  Frontier<PathNode> frontier;
   frontier.plant({});
   frontier.open();
   for (std::uint32_t branch = 0; branch < 4; ++branch) frontier.branch({branch});
@@ -130,8 +130,8 @@ TEST(Frontier, DoesNotGiveChildrenThatAreStillBeingBranched) {
   EXPECT_TRUE(frontier.can_give());
 }
 
-TEST(Frontier, TellsTheShareOfTheTreeOfEachNode) {
-  Frontier<Witness> frontier;
+TEST(Frontier, HasTheShareOfTheTreeOfEachNode) {
+  Frontier<PathNode> frontier;
   frontier.plant({});
   open_and_branch(frontier, 4);
   open_and_branch(frontier, 2);
@@ -146,9 +146,10 @@ struct ThirdOfEach {
   static constexpr double of_first_child = 1.0 / 3;
 };
 
-// A first child of a third of the others' share: 1 + 3 + 3 parts. The shares of all leaves add up.
+// A first child of a third of the others' share: 1 + 3 + 3 parts. The shares of all leaves sum to
+// one.
 TEST(Frontier, AFirstChildMayHaveASmallerShare) {
-  Frontier<Witness, ThirdOfEach> frontier;
+  Frontier<PathNode, ThirdOfEach> frontier;
   frontier.plant({});
   frontier.open();
   for (std::uint32_t branch = 0; branch < 3; ++branch) frontier.branch({branch});
@@ -164,12 +165,12 @@ TEST(Frontier, AFirstChildMayHaveASmallerShare) {
   EXPECT_DOUBLE_EQ(frontier.close(), 3.0 / 7);
 }
 
-// Several frontiers play a random game of opening and giving; every node must be opened once, with
-// the right path, whatever hands it went through.
-TEST(Frontier, PathsSurviveAnyNumberOfGifts) {
+// Several frontiers open and transfer nodes at random; every node must be opened once, with the
+// right path, after any number of transfers.
+TEST(Frontier, PathsSurviveAnyNumberOfTransfers) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     std::mt19937 random(seed);
-    std::vector<Frontier<Witness>> ranks(4);
+    std::vector<Frontier<PathNode>> ranks(4);
     ranks[0].plant({});
     std::size_t open = 1;
     std::size_t opened = 0;

@@ -1,5 +1,5 @@
-// Looking for the best and for the first solution: the answer is that of brute force, the same on
-// any number of ranks, and found without opening the whole tree.
+// Tests of Goal::best and Goal::first: the answer equals that of brute force, is the same on any
+// number of ranks, and is found without opening the whole tree.
 #include <cmath>
 #include <stdexcept>
 
@@ -26,7 +26,7 @@ Options with_goal(Goal goal) {
 }
 
 // The best of all solutions, by enumeration: least objective, then smallest path.
-Found<Knapsack> best_of_all(Knapsack knapsack) {
+FoundSolution<Knapsack> best_of_all(Knapsack knapsack) {
   const auto all = search(knapsack).solutions;
   auto best = all.front();
   for (const auto& each : all) {
@@ -116,13 +116,14 @@ TEST(Incumbent, PrefersTheSmallerObjectiveThenTheSmallerPath) {
 
 TEST(Incumbent, RulesOutOnlyWhatCannotBeBetter) {
   const Incumbent best{true, 1, {2, 1}};
-  EXPECT_TRUE(best.rules_out(1.5, {0}));      // worse, wherever it is
-  EXPECT_FALSE(best.rules_out(1, {2, 0}));    // as good, and would come first
-  EXPECT_FALSE(best.rules_out(1, {2}));       // above it: something below may come first
-  EXPECT_TRUE(best.rules_out(1, {2, 1, 0}));  // below it: comes later
-  EXPECT_TRUE(best.rules_out(1, {3}));        // comes later
+  EXPECT_TRUE(best.rules_out(1.5, {0}));    // worse, at any path
+  EXPECT_FALSE(best.rules_out(1, {2, 0}));  // equal, with a smaller path
+  // above the incumbent: a descendant may have a smaller path
+  EXPECT_FALSE(best.rules_out(1, {2}));
+  EXPECT_TRUE(best.rules_out(1, {2, 1, 0}));  // below the incumbent: greater path
+  EXPECT_TRUE(best.rules_out(1, {3}));        // greater path
   EXPECT_FALSE(best.rules_out(0.5, {3}));     // may be better
-  // The node itself, after it has yielded the best: nothing as good can come first any more.
+  // The node of the incumbent: no further equal solution can have a smaller path.
   EXPECT_FALSE(best.rules_out(1, {2, 1}));
   EXPECT_TRUE(best.rules_out_more(1, {2, 1}));
   EXPECT_FALSE(best.rules_out_more(1, {2, 0}));
@@ -157,7 +158,7 @@ TEST(Limits, OfNodesStopsTheSearchAndSaysWhatIsLeft) {
   EXPECT_GT(outcome.open, 0U);
 }
 
-// A survey that crawls (a rank has no core) must not let the others come to the end of the tree.
+// A slow reduction (a rank has no core) must not let the others finish the tree.
 TEST(Limits, OfNodesStopsTheSearchHoweverLateARankIs) {
   RandomTree tree(11, 10);
   const auto whole = search(tree).opened();
@@ -174,7 +175,7 @@ TEST(Limits, OfNodesStopsTheSearchHoweverLateARankIs) {
 TEST(Limits, OfSolutionsStopsOnAllRanks) {
   Options options;
   options.limits.solutions = 10;
-  options.survey_interval = 20e-6;
+  options.reduction_interval = 20e-6;
   const auto outcome = simulate(RandomTree(1, 24), 5, 3, {}, options).outcome;
   EXPECT_EQ(outcome.status, Status::solution_limit);
   EXPECT_GE(outcome.solutions.size(), 10U);
@@ -184,7 +185,7 @@ TEST(Limits, OfSolutionsStopsOnAllRanks) {
 TEST(Limits, OfTimeStopsInVirtualTime) {
   Options options;
   options.limits.seconds = 5e-3;
-  options.survey_interval = 1e-3;
+  options.reduction_interval = 1e-3;
   const auto simulated = simulate(RandomTree(1, 24), 2, 3, {}, options);
   EXPECT_EQ(simulated.outcome.status, Status::time_limit);
   EXPECT_GE(simulated.seconds, 5e-3);
@@ -192,8 +193,8 @@ TEST(Limits, OfTimeStopsInVirtualTime) {
   EXPECT_EQ(simulated.left_behind, 0U);
 }
 
-// A survey does not see nodes that are on their way, and one of them may have the least bound: with
-// slow messages and few nodes on each rank that is so now and then.
+// A reduction does not include nodes in flight, and one of them may have the least bound: with slow
+// messages and few nodes on each rank this happens now and then.
 TEST(Limits, OfGapStopsWithAValidBoundThatKeepsIt) {
   constexpr double gap = 0.005;
   int stopped = 0;
@@ -203,7 +204,7 @@ TEST(Limits, OfGapStopsWithAValidBoundThatKeepsIt) {
     Options options = with_goal(Goal::best);
     options.order = seed % 2 == 0 ? Order::depth_first : Order::best_first;
     options.limits.gap = gap;
-    options.survey_interval = 5e-6;
+    options.reduction_interval = 5e-6;
     const Weather weather{.latency = seed % 3 == 0 ? 2e-6 : 100e-6};
     const int ranks = 2 + static_cast<int>(seed % 7);
     const auto outcome = simulate(knapsack, ranks, seed, weather, options).outcome;
@@ -220,7 +221,7 @@ TEST(Limits, OfGapStopsWithAValidBoundThatKeepsIt) {
 
 TEST(Limits, AnInterruptOnOneRankStopsAll) {
   Options options;
-  options.survey_interval = 20e-6;
+  options.reduction_interval = 20e-6;
   int asked = 0;
   options.interrupt = [&] { return ++asked > 20 ? Interrupt::stop : Interrupt::none; };
   const auto simulated = simulate(RandomTree(1, 24), 4, 3, {}, options);

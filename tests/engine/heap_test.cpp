@@ -1,4 +1,4 @@
-// The pool of open nodes ordered by bounds: order, giving, and the trails that nodes share.
+// Heap tests: order by bounds, transfers, and shared trails.
 #include "engine/detail/heap.hpp"
 
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace kusabi::engine {
 namespace {
 
-// A node that knows its own path and its bound.
-struct Witness {
+// A node that stores its own path and its bound.
+struct PathNode {
   Path path;
   double bound = 0;
 
@@ -22,24 +22,23 @@ struct Witness {
   }
 };
 
-double bound_of(const Witness& node) {
+double bound_of(const PathNode& node) {
   return node.bound;
 }
 
-// The children of the root, of these bounds, in a bundle as a frontier has it: the first child
-// last.
-Bundle<Witness> children(const std::vector<double>& bounds) {
-  Bundle<Witness> bundle;
-  Step root;
+// Children of the root with these bounds, in a bundle as from a frontier: the first child last.
+Bundle<PathNode> children(const std::vector<double>& bounds) {
+  Bundle<PathNode> bundle;
+  TrailStep root;
   root.branches = static_cast<std::uint32_t>(bounds.size());
   bundle.trail = {root};
   for (auto branch = root.branches; branch-- > 0;) {
-    bundle.nodes.emplace_back(Witness{{branch}, bounds[branch]}, 1, branch);
+    bundle.nodes.emplace_back(PathNode{{branch}, bounds[branch]}, 1, branch);
   }
   return bundle;
 }
 
-std::vector<double> drain(Heap<Witness>& heap) {
+std::vector<double> drain(Heap<PathNode>& heap) {
   std::vector<double> bounds;
   while (!heap.empty()) {
     bounds.push_back(heap.best().bound);
@@ -49,7 +48,7 @@ std::vector<double> drain(Heap<Witness>& heap) {
 }
 
 TEST(Heap, TakesTheLeastBoundFirst) {
-  Heap<Witness> heap;
+  Heap<PathNode> heap;
   heap.put(children({3, 1, 4}), bound_of);
   heap.put(children({1, 5, -9, 2}), bound_of);
   EXPECT_EQ(heap.size(), 7U);
@@ -57,7 +56,7 @@ TEST(Heap, TakesTheLeastBoundFirst) {
 }
 
 TEST(Heap, TakesTheLastPutInFirstWhereBoundsAreEqual) {
-  Heap<Witness> heap;
+  Heap<PathNode> heap;
   heap.put(children({0, 0}), bound_of);
   heap.put(children({0, 0, 0}), bound_of);
   std::vector<Path> order;
@@ -66,17 +65,17 @@ TEST(Heap, TakesTheLastPutInFirstWhereBoundsAreEqual) {
 }
 
 TEST(Heap, GivesEveryOtherAndKeepsTheBest) {
-  Heap<Witness> heap;
+  Heap<PathNode> heap;
   heap.put(children({1, 2, 3, 4, 5}), bound_of);
-  const auto gift = heap.give(100'000);
-  ASSERT_EQ(size_of(gift), 2U);
-  EXPECT_EQ(gift[0].nodes[0].node.bound, 2);
-  EXPECT_EQ(gift[1].nodes[0].node.bound, 4);
+  const auto transfer = heap.give(100'000);
+  ASSERT_EQ(size_of(transfer), 2U);
+  EXPECT_EQ(transfer[0].nodes[0].node.bound, 2);
+  EXPECT_EQ(transfer[1].nodes[0].node.bound, 4);
   EXPECT_EQ(drain(heap), (std::vector<double>{1, 3, 5}));
 }
 
 TEST(Heap, GivesNoMoreThanOneNodeMoreThanTheLimit) {
-  Heap<Witness> heap;
+  Heap<PathNode> heap;
   heap.put(children(std::vector<double>(100, 1)), bound_of);
   const auto one = heap.give(1);
   EXPECT_EQ(size_of(one), 1U);
@@ -86,30 +85,30 @@ TEST(Heap, GivesNoMoreThanOneNodeMoreThanTheLimit) {
 }
 
 TEST(Heap, GivesNothingIfItHasOneNode) {
-  Heap<Witness> heap;
+  Heap<PathNode> heap;
   heap.put(children({1}), bound_of);
   EXPECT_FALSE(heap.can_give());
 }
 
 TEST(Heap, RefusesABoundThatIsNotANumber) {
-  Heap<Witness> heap;
+  Heap<PathNode> heap;
   EXPECT_THROW(heap.put(children({1, std::nan("")}), bound_of), std::domain_error);
 }
 
 // Takes the one node of a bundle through a frontier, which checks its trail.
-Path path_by_trail(Bundle<Witness> bundle) {
-  Frontier<Witness> frontier;
+Path path_by_trail(Bundle<PathNode> bundle) {
+  Frontier<PathNode> frontier;
   frontier.take(std::move(bundle));
   frontier.open();
   return frontier.path();
 }
 
-// A heap that gets what a depth-first search leaves at random moments: whatever it is copied to,
-// each node is still on its own path.
+// A heap that receives the remainder of a depth-first search at random moments: after any transfers
+// each node still has its own path.
 TEST(Heap, PathsSurvive) {
   std::mt19937 random(5);
-  Frontier<Witness> frontier;
-  Heap<Witness> heap;
+  Frontier<PathNode> frontier;
+  Heap<PathNode> heap;
   frontier.plant({});
   std::size_t checked = 0;
   for (int opened = 0; opened < 2000; ++opened) {

@@ -1,4 +1,4 @@
-// The 0-1 knapsack problem as a minimisation: a tree with an objective and a bound.
+// Knapsack: the 0-1 knapsack problem as a minimisation, a tree with an objective and a bound.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace kusabi::examples {
 
-/// Choose items so that their weights stay within the capacity and minus their value is least.
+/// Choose items whose weights stay within the capacity, such that minus their value is minimal.
 class Knapsack {
  public:
   struct Item {
@@ -36,7 +36,7 @@ class Knapsack {
               [](const Item& a, const Item& b) { return a.value * b.weight > b.value * a.weight; });
   }
 
-  /// Equal values on purpose, so that there are many equally good choices.
+  /// Values coincide on purpose, so that many choices are equally good.
   static Knapsack random(unsigned seed, int size) {
     std::mt19937 generator(seed);
     std::vector<Item> items;

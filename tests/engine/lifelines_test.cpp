@@ -1,4 +1,4 @@
-// Who leaves a name with whom, and who is served first.
+// Lifeline tests: registration, and the order of service.
 #include "engine/detail/lifelines.hpp"
 
 #include <set>

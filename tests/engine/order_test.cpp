@@ -1,4 +1,4 @@
-// Depth first, best first, hybrid: the outcome is the same, what is opened on the way is not.
+// Tests of the orders depth first, best first and hybrid: equal outcomes, different opened nodes.
 #include <gtest/gtest.h>
 
 #include "engine/simulation.hpp"
@@ -13,7 +13,7 @@ using examples::Queens;
 
 constexpr std::array orders{Order::depth_first, Order::best_first, Order::hybrid};
 
-// A knapsack that notes what is opened, in order.
+// A knapsack that records the opened nodes, in order.
 class Watched {
  public:
   using Node = Knapsack::Node;
@@ -58,8 +58,8 @@ TEST(Order, BestFirstOpensNodesInTheOrderOfTheirBounds) {
   }
 }
 
-// Every node with a bound below the optimum must be opened in any order; best first, and only best
-// first, opens none with a bound above it.
+// Every node with a bound below the optimum must be opened in any order; best first alone opens
+// none with a bound above it.
 TEST(Order, BestFirstOpensOnlyWhatMustBeOpened) {
   std::size_t depth_first_in_vain = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -84,7 +84,7 @@ TEST(Order, HybridGoesDownToALeafAndThenToTheLeastBound) {
   for (std::size_t depth = 0; depth <= items; ++depth) {
     EXPECT_EQ(problem.opened[depth].decided, static_cast<int>(depth));
   }
-  // Of the second children left on the way down, the one with the least bound comes next.
+  // Among the second children left by a dive, the one with the least bound comes next.
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t depth = 0; depth < items; ++depth) {
     auto left = problem.opened[depth];
@@ -105,7 +105,7 @@ TEST(Order, AFullHeapDives) {
     options.heap_nodes = room;
     const auto narrow = search(problem, options);
     EXPECT_GT(free.ranks[0].statistics.peak_open, 1000U);
-    // The heap, the last bundle that went into it, and what depth first needs: 2 children a level.
+    // The heap, the last bundle inserted, and the need of depth first: 2 children per level.
     EXPECT_LE(narrow.ranks[0].statistics.peak_open, room + 2 + 2 * items);
     EXPECT_EQ(narrow.opened(), free.opened());
     EXPECT_EQ(narrow.fingerprint(), free.fingerprint());
@@ -137,7 +137,7 @@ TEST(Order, TheOutcomeIsTheSameInAnyOrderOnAnyNumberOfRanks) {
   }
 }
 
-TEST(Order, BoundsWithoutAProblemThatTellsThemAreRefused) {
+TEST(Order, BoundsOfAProblemWithoutThemAreRefused) {
   Queens queens(4);
   EXPECT_THROW(search(queens, with(Order::best_first, Goal::all)), std::invalid_argument);
   EXPECT_THROW(search(queens, with(Order::depth_first, Goal::best)), std::invalid_argument);

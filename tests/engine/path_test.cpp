@@ -1,4 +1,4 @@
-// Path hashes and how a path is written.
+// Tests of path hashes and of the text form of a path.
 #include "engine/path.hpp"
 
 #include <set>
@@ -40,9 +40,9 @@ TEST(Path, MarksAndHashesOfAWholeTreeDiffer) {
   }
 }
 
-// A sum that is linear in the branch number would not notice that one of three sisters was opened
-// twice and the two others never.
-TEST(Path, SumsOfMarksTellSistersApart) {
+// A sum linear in the branch number would not detect that one of three siblings was opened three
+// times and the two others never.
+TEST(Path, SumsOfMarksDistinguishSiblings) {
   std::uint64_t parent = 1;
   for (int trial = 0; trial < 10'000; ++trial) {
     parent = branch_hash(parent, 0);

@@ -1,4 +1,4 @@
-// The n-queens problem: the smallest complete use of the engine, and a tree whose counts are known.
+// Queens: the n-queens problem, the smallest complete use of the engine, with known counts.
 #pragma once
 
 #include <cstdlib>
@@ -10,10 +10,10 @@
 
 namespace kusabi::examples {
 
-/// All ways to put n queens on an n x n board so that none attacks another.
+/// All placements of n queens on an n x n board such that none attacks another.
 class Queens {
  public:
-  /// The columns of the queens in the rows filled so far.
+  /// Columns of the queens in the rows filled so far.
   struct Node {
     std::vector<int> columns;
 

@@ -1,5 +1,5 @@
-// A random tree that is the same for everybody: the shape depends on the path hash alone. Most
-// subtrees are tiny and some are huge, as in real searches; nodes cost nothing to open.
+// RandomTree: a reproducible random tree whose shape depends on the path hash alone. Most subtrees
+// are small and some are very large, as in real searches; opening a node is cheap.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace kusabi::examples {
 
-/// A node at depth < `depth` has 0 to 3 children; one at `depth` has none. Every fourth leaf, more
-/// or less, is a solution; its number is its hash.
+/// A node at depth < `depth` has 0 to 3 children; one at `depth` has none. About every fourth leaf
+/// is a solution; its number is its hash.
 class RandomTree {
  public:
   struct Node {
@@ -38,12 +38,12 @@ class RandomTree {
     if ((node.state & 3U) == 0) out.solution(node.state);
   }
 
-  /// The leaves met.
+  /// Number of leaves opened.
   Tally tally() const { return leaves_; }
 
  private:
   std::uint32_t children_of(const Node& node) const {
-    if (node.depth < 3) return 3;  // no tree dies at once
+    if (node.depth < 3) return 3;  // no tree ends at once
     return static_cast<std::uint32_t>((node.state >> 40U) & 3U);
   }
 

@@ -1,5 +1,5 @@
-// A question that several runs take: what is finished is not done again, and what was cut short is
-// not taken for finished.
+// Recording tests: finished parts of an analysis are not repeated in the next run, and interrupted
+// parts are not taken as finished.
 #include "engine/recording.hpp"
 
 #include <array>
@@ -128,7 +128,7 @@ TEST_F(JournalTest, CutShortAnywhereHasWhatIsWholeOrIsRefused) {
     if (journal.size() == 1) {
       EXPECT_EQ(journal.content(0), Bytes{'1'});
     }
-    // What is appended now is found again.
+    // Records appended now are read again.
     journal.append("again", {'3'});
     EXPECT_EQ(journal.kind(journal.size() - 1), "again");
   }
@@ -159,11 +159,12 @@ TEST_F(JournalTest, WithAnyBitTurnedHasWhatIsWholeOrIsRefused) {
   EXPECT_GT(refused, 0);
 }
 
-// Two searches, a shared work that says how large the second is, and work of rank 0.
+// An analysis of two searches, shared work that determines the size of the second, and work of rank
+// 0.
 struct Answer {
   std::size_t first = 0, second = 0;
   std::vector<std::uint64_t> squares;
-  int told = 0;
+  int broadcast = 0;
   std::uint64_t opened = 0;  // in this run and those before
 
   friend bool operator==(const Answer&, const Answer&) = default;
@@ -171,18 +172,18 @@ struct Answer {
 
 class CampaignTest : public Recorded {
  protected:
-  // One run, which ends when so many surveys have been seen.
-  Answer run(int surveys = 1'000'000) {
+  // One run, which is stopped after `reductions` reductions.
+  Answer run(int reductions = 1'000'000) {
     Journal journal(file_, these_facts);
     SingleProcess alone;
-    int left = surveys;
+    int left = reductions;
     Supervision supervision;
     supervision.interrupt = [&left] { return --left < 0 ? Interrupt::stop : Interrupt::none; };
     supervision.keeping = Keeping{.journal = &journal, .file = file_, .interval = 0, .question = 5};
     Campaign campaign(alone, std::move(supervision));
     done_ = 0;
     Options options;
-    options.survey_interval = 0;
+    options.reduction_interval = 0;
     options.nodes_per_step = 20;
     Answer answer;
     Queens small(6);
@@ -195,7 +196,7 @@ class CampaignTest : public Recorded {
     Queens large(static_cast<int>(answer.squares.back()) - 1);
     const auto second = campaign.search(large, options);
     answer.second = second.solutions.size();
-    answer.told = campaign.by_first_rank([this] {
+    answer.broadcast = campaign.by_first_rank([this] {
       ++done_;
       return 42;
     });
@@ -204,7 +205,7 @@ class CampaignTest : public Recorded {
     return answer;
   }
 
-  int done_ = 0;  // works that are no searches, in the last run
+  int done_ = 0;  // parts that are not searches, in the last run
   bool ended_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Searches in one process: counts that are known, the canonical order, and errors.
+// Search tests in one process: known counts, the canonical order, and errors.
 #include "engine/search.hpp"
 
 #include <numeric>
@@ -31,13 +31,13 @@ TEST(Search, ReportsSolutionsInDepthFirstOrder) {
   const auto outcome = search(queens);
   std::vector<std::vector<int>> boards;
   for (const auto& found : outcome.solutions) boards.push_back(found.solution.columns);
-  // The tree's order is the lexicographic order of the boards.
+  // The order of the tree is the lexicographic order of the boards.
   EXPECT_TRUE(std::is_sorted(boards.begin(), boards.end()));
   EXPECT_EQ(boards.front(), (std::vector<int>{1, 3, 5, 0, 2, 4}));
 }
 
-// A binary tree of depth 4, all of whose nodes are solutions. What `expand` does slips once: when
-// this object opens its twentieth node.
+// A binary tree of depth 4, all of whose nodes are solutions. `expand` differs once: when this
+// object opens its twentieth node.
 struct Moody {
   enum class Slip { none, child_more, other_child, other_bound, solution_less, other_solution };
   struct Node {
@@ -85,7 +85,7 @@ TEST(CheckExpand, NamesTheNodeAndWhatDiffers) {
   };
   EXPECT_EQ(complaint_at(Slip::none, 1), "none");
   EXPECT_EQ(complaint_at(Slip::other_child, 0), "none");
-  // The tenth node in depth-first order, when it is opened for the second time.
+  // The tenth node in depth-first order, at its second expansion.
   const auto expected = [](const std::string& what) {
     return "node 0.1: opened twice, " + what + "; expected that expand depends on the node alone";
   };
@@ -112,13 +112,14 @@ TEST(CheckExpand, ChangesNothingAndOpensItsShareTwice) {
     for (std::size_t i = 0; i < once.solutions.size(); ++i) {
       ASSERT_EQ(checked.solutions[i].path, once.solutions[i].path);
     }
-    // The tally counts leaves, those opened in vain as well.
+    // The tally counts leaves, including those of repeated expansions.
     const double leaves = static_cast<double>(once.tally());
     EXPECT_NEAR(static_cast<double>(checked.tally()), (1 + share) * leaves, 0.02 * leaves);
   }
 }
 
-// Each node is a better solution than the one above, and has a child only if nobody knew it.
+// Each node is a better solution than its parent, and has a child only if no better solution is
+// known.
 struct Descent {
   using Node = std::uint32_t;
   using Solution = std::uint32_t;
@@ -143,7 +144,7 @@ TEST(CheckExpand, OpensTheNodeWithTheSameCutoffBothTimes) {
   EXPECT_EQ(outcome.opened(), 10U);
 }
 
-// A recursion that shares nothing with the engine but the tree's definition.
+// A recursion that shares only the definition of the tree with the engine.
 struct Recount {
   std::uint64_t nodes = 0;
   std::uint64_t fingerprint = 0;
@@ -203,7 +204,7 @@ TEST(Search, HoldsNoMoreOpenNodesThanDepthTimesBranching) {
   EXPECT_LE(outcome.ranks[0].statistics.peak_open, 20U * 3U);
 }
 
-// A node may yield several solutions and have children as well.
+// A node may report several solutions and have children as well.
 struct Counting {
   using Node = int;
   using Solution = int;
@@ -251,7 +252,7 @@ TEST(Search, ProgressEndsWithTheWholeTreeClosed) {
   RandomTree tree(5, 14);
   Progress last;
   Options options;
-  options.survey_interval = 0;
+  options.reduction_interval = 0;
   double closed_before = 0;
   options.progress = [&](const Progress& progress) {
     EXPECT_GE(progress.closed, closed_before);

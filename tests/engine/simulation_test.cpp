@@ -1,5 +1,5 @@
-// The real workers under hostile schedules: whatever the network does, every node is opened once,
-// the search ends, nothing is left behind, and the answer is that of one rank.
+// Simulation tests: real workers under adverse schedules. Under any schedule every node is opened
+// once, the search ends, no message is left behind, and the answer is that of one rank.
 #include "engine/simulation.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ TEST(Simulation, TheAnswerIsThatOfOneRankUnderAThousandSchedules) {
   const auto alone = search(tree);
   ASSERT_GT(alone.opened(), 100U);
   const std::vector<Weather> weathers{
-      {},                                                           // a good day
+      {},                                                           // normal conditions
       {.latency = 100e-6},                                          // messages slower than nodes
       {.latency = 1e-6, .stall = 5e-3, .stall_probability = 0.02},  // ranks that stall
       {.latency = 50e-6, .node = 0},                                // nodes that cost nothing
@@ -67,7 +67,7 @@ TEST(Simulation, HundredsOfRanksFindTheSame) {
   expect_the_same(alone, simulate(Queens(8), 500, 1), "500 ranks");
 }
 
-// Nodes of very different sizes, none above 4 kB, of which the root has hundreds.
+// Nodes of very different sizes, none above 4 kB; the root has hundreds.
 struct Bulky {
   struct Node {
     int depth = 0;
@@ -92,7 +92,7 @@ TEST(Simulation, NoMessageIsLargerThanTheLimitAllows) {
   options.message_bytes = 10'000;
   const auto simulated = simulate(Bulky{}, 4, 1, {}, options);
   EXPECT_EQ(simulated.outcome.solutions.size(), 1500U);
-  // The limit speaks of the nodes or solutions; a trail and list headers come on top.
+  // The limit covers the nodes or solutions; a trail and list headers are added.
   EXPECT_LE(simulated.largest_message, 10'000U + 500U);
   EXPECT_GT(simulated.largest_message, 5'000U);
 }
@@ -115,7 +115,7 @@ TEST(Simulation, AFailingSeedReplays) {
   }
 }
 
-// Virtual time: no clock of the machine enters, so shares and speed-up can be asserted.
+// Virtual time does not depend on a clock, so shares and speed-up can be asserted.
 TEST(Simulation, TwoRanksShareTheWorkAndHalveTheTime) {
   RandomTree tree(1, 24);
   const auto alone = search(tree);
@@ -146,12 +146,13 @@ TEST(Simulation, WorkFindsTheRanksThatWaitForIt) {
   const double nodes = static_cast<double>(result.outcome.opened()) - 1000;
   const double ideal = nodes * 1e-3 / ranks;
   EXPECT_GT(ideal, 0.12);
-  // As binary trees are shared in steps of a node, half as long again. At random alone: thrice.
+  // 1.5 times the ideal time, since binary trees are shared in units of a node; random requests
+  // alone take three times.
   EXPECT_LT(result.seconds - 1, 1.75 * ideal);
 }
 
 TEST(Simulation, IdleRanksDoNotStormTheBusyOne) {
-  // A path graph cannot be shared: one rank works, seven ask in vain for 10 ms.
+  // A path graph cannot be shared: one rank works, seven request work without success for 10 ms.
   struct Chain {
     using Node = int;
     using Solution = int;
@@ -163,7 +164,7 @@ TEST(Simulation, IdleRanksDoNotStormTheBusyOne) {
   const auto result = simulate(Chain{}, 8, 1);
   EXPECT_EQ(result.outcome.opened(), 10'001U);
   for (const auto& rank : result.outcome.ranks) {
-    EXPECT_LE(rank.statistics.requests, 30U);  // one a millisecond, once the pause has grown
+    EXPECT_LE(rank.statistics.requests, 30U);  // one per millisecond, at the longest pause
   }
 }
 

@@ -1,4 +1,4 @@
-// Mattern's rule: when it must and when it must not say that the search is over.
+// Termination tests of Mattern's four-counter method.
 #include "engine/detail/termination.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace kusabi::engine {
 namespace {
 
-Survey wave(std::uint64_t idle, std::uint64_t sent, std::uint64_t received) {
+Reduction wave(std::uint64_t idle, std::uint64_t sent, std::uint64_t received) {
   return {.ranks = 2, .idle = idle, .sent = sent, .received = received};
 }
 
@@ -22,14 +22,14 @@ TEST(Termination, ABusyRankKeepsTheSearchAlive) {
   EXPECT_FALSE(termination.observe(wave(1, 5, 5)));
 }
 
-TEST(Termination, AGiftInFlightKeepsTheSearchAlive) {
+TEST(Termination, ATransferInFlightKeepsTheSearchAlive) {
   Termination termination;
   EXPECT_FALSE(termination.observe(wave(2, 6, 5)));
   EXPECT_FALSE(termination.observe(wave(2, 6, 5)));
 }
 
 TEST(Termination, WorkThatMovedBetweenTheWavesKeepsTheSearchAlive) {
-  // Behind the back of the first wave a gift went round: both waves look quiet, the sums differ.
+  // A transfer crossed the first wave: both waves are idle and balanced, but the sums differ.
   Termination termination;
   EXPECT_FALSE(termination.observe(wave(2, 5, 5)));
   EXPECT_FALSE(termination.observe(wave(2, 6, 6)));

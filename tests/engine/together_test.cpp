@@ -1,4 +1,4 @@
-// What ranks do together, as far as one rank can show it; mpi_tests/together_mpi_test.cpp has more.
+// Tests of the collective operations with one rank; mpi_tests/together_mpi_test.cpp has more.
 #include "engine/together.hpp"
 
 #include <chrono>
@@ -20,10 +20,10 @@
 namespace kusabi::engine {
 namespace {
 
-TEST(Together, AProcessThatIsAloneTellsItself) {
+TEST(Together, BroadcastsWithinOneProcess) {
   SingleProcess alone;
   EXPECT_EQ(from_first_rank(alone, [] { return std::string("said"); }), "said");
-  EXPECT_EQ(meet(alone, {.ranks = 1, .found = 7}).found, 7U);
+  EXPECT_EQ(all_reduce(alone, {.ranks = 1, .found = 7}).found, 7U);
   EXPECT_NO_THROW(agree(alone, 0xBAD));
 }
 
@@ -77,7 +77,7 @@ TEST(Budget, KnowsASignalFromTheTime) {
   EXPECT_EQ(budget.interrupt()(), Interrupt::stop);
 }
 
-TEST(Budget, ACheckpointAskedForBetweenSearchesIsToldToTheNextOnce) {
+TEST(Budget, ACheckpointRequestBetweenSearchesReachesTheNextOnce) {
   Interrupt asked = Interrupt::checkpoint;
   const Budget budget({}, [&] { return std::exchange(asked, Interrupt::none); });
   EXPECT_FALSE(budget.spent());
@@ -111,7 +111,7 @@ TEST(Campaign, EachSearchHasTheLimitsThatAreLeft) {
   Campaign campaign(alone, supervision);
   examples::Queens queens(8);
   Options options;
-  options.survey_interval = 0;
+  options.reduction_interval = 0;
   EXPECT_EQ(campaign.search(queens, options).status, Status::node_limit);
 }
 

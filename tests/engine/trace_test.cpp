@@ -1,4 +1,4 @@
-// The trace of a search: it must tell what happened, on one time axis, and stay within its bounds.
+// Trace tests: completeness, a common time axis, and the limit of events.
 #include "engine/trace.hpp"
 
 #include <map>
@@ -21,20 +21,20 @@ using Kind = TraceEvent::Kind;
 Simulated<RandomTree> traced(int ranks, std::uint64_t seed, std::size_t events) {
   Options options;
   options.trace_events = events;
-  options.message_bytes = 1000;  // some thirty events: traces come in many pieces
+  options.message_bytes = 1000;  // about thirty events: traces take many pieces
   return simulate(RandomTree(11, 12), ranks, seed, {.stall_probability = 0.01}, options);
 }
 
-TEST(Trace, OfASimulatedRunTellsWhatHappened) {
+TEST(Trace, OfASimulatedRunIsComplete) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto run = traced(5, seed, 1'000'000);
     const auto& traces = run.outcome.traces;
     ASSERT_EQ(traces.size(), 5U);
-    // The nodes and times of the gifts from one rank to another, in order.
-    using Gifts = std::vector<std::pair<std::uint64_t, double>>;
-    std::map<std::tuple<int, int, bool>, Gifts> sent;
-    std::map<std::tuple<int, int, bool>, Gifts> arrived;
+    // Nodes and times of the transfers from one rank to another, in order.
+    using Transfers = std::vector<std::pair<std::uint64_t, double>>;
+    std::map<std::tuple<int, int, bool>, Transfers> sent;
+    std::map<std::tuple<int, int, bool>, Transfers> arrived;
     for (int rank = 0; rank < 5; ++rank) {
       const auto& trace = traces[static_cast<std::size_t>(rank)];
       const auto& statistics = run.outcome.ranks[static_cast<std::size_t>(rank)].statistics;
@@ -54,28 +54,31 @@ TEST(Trace, OfASimulatedRunTellsWhatHappened) {
         if (event.starts_activity()) {
           EXPECT_NE(std::exchange(activity, event.kind), event.kind);
         }
-        const bool asked_for = event.kind == Kind::gift_sent || event.kind == Kind::gift_arrived;
-        if (event.kind == Kind::gift_sent || event.kind == Kind::parcel_sent) {
+        const bool asked_for =
+            event.kind == Kind::transfer_sent || event.kind == Kind::transfer_arrived;
+        if (event.kind == Kind::transfer_sent || event.kind == Kind::lifeline_transfer_sent) {
           sent[{rank, event.peer, asked_for}].emplace_back(event.value, time);
         }
-        if (event.kind == Kind::gift_arrived || event.kind == Kind::parcel_arrived) {
+        if (event.kind == Kind::transfer_arrived || event.kind == Kind::lifeline_transfer_arrived) {
           arrived[{event.peer, rank, asked_for}].emplace_back(event.value, time);
         }
       }
       EXPECT_EQ(activity, Kind::closing);
       EXPECT_EQ(count[Kind::request_sent], statistics.requests);
-      EXPECT_EQ(count[Kind::gift_sent] + count[Kind::parcel_sent], statistics.gifts_sent);
-      EXPECT_EQ(count[Kind::gift_arrived] + count[Kind::parcel_arrived], statistics.gifts_received);
-      EXPECT_EQ(count[Kind::gift_arrived] + count[Kind::refusal_arrived], statistics.requests);
-      EXPECT_EQ(count[Kind::survey_joined], count[Kind::survey_arrived]);
+      EXPECT_EQ(count[Kind::transfer_sent] + count[Kind::lifeline_transfer_sent],
+                statistics.transfers_sent);
+      EXPECT_EQ(count[Kind::transfer_arrived] + count[Kind::lifeline_transfer_arrived],
+                statistics.transfers_received);
+      EXPECT_EQ(count[Kind::transfer_arrived] + count[Kind::refusal_arrived], statistics.requests);
+      EXPECT_EQ(count[Kind::reduction_joined], count[Kind::reduction_arrived]);
     }
     EXPECT_FALSE(sent.empty());
     ASSERT_EQ(sent.size(), arrived.size());
-    for (const auto& [pair, gifts] : sent) {
-      ASSERT_EQ(gifts.size(), arrived[pair].size());
-      for (std::size_t i = 0; i < gifts.size(); ++i) {
-        EXPECT_EQ(gifts[i].first, arrived[pair][i].first);
-        EXPECT_LT(gifts[i].second, arrived[pair][i].second);
+    for (const auto& [pair, transfers] : sent) {
+      ASSERT_EQ(transfers.size(), arrived[pair].size());
+      for (std::size_t i = 0; i < transfers.size(); ++i) {
+        EXPECT_EQ(transfers[i].first, arrived[pair][i].first);
+        EXPECT_LT(transfers[i].second, arrived[pair][i].second);
       }
     }
   }
@@ -122,7 +125,7 @@ TEST(Trace, ShowsAStopForACheckpointThatCannotBeWritten) {
 }
 
 TEST(TraceClocks, OfOneMachineKeepTheirOrder) {
-  // Both joined before either saw the end of the survey, by one clock.
+  // Both ranks joined before either saw the end of the reduction, by one clock.
   std::vector<RankTrace> traces(2);
   traces[0] = {.joined = 100, .began = 103, .ended = 110, .events = {{.time = 104}}};
   traces[1] = {.joined = 101, .began = 102, .ended = 111, .events = {{.time = 105}}};

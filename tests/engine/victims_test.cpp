@@ -1,4 +1,4 @@
-// Whom to ask, and how soon again.
+// Victims tests: choice of the rank to request work from, and the back-off.
 #include "engine/detail/victims.hpp"
 
 #include <map>
@@ -38,7 +38,7 @@ TEST(Victims, TheLastGiverIsAskedFirstUntilItRefuses) {
   EXPECT_TRUE(another);
 }
 
-TEST(Victims, RefusalsSpaceTheRequestsOutAndAGiftEndsThat) {
+TEST(Victims, RefusalsSpaceTheRequestsOutAndATransferEndsThat) {
   Victims victims(0, 2, 7);
   EXPECT_TRUE(victims.due(0));
   double pause = 0;

@@ -1,4 +1,4 @@
-// The wire format: what is packed comes out again, and a cut message is noticed.
+// Wire format tests: round trips, and detection of a truncated message.
 #include "engine/wire.hpp"
 
 #include <bit>
@@ -33,9 +33,10 @@ TEST(Wire, RefusesBytesThatEndTooEarly) {
   EXPECT_THROW(unpack<std::vector<std::uint64_t>>(bytes), boost::archive::archive_exception);
 }
 
-TEST(Wire, CarriesAGift) {
-  const Gift<int> gift{{{Step{0, 2, 7, 0.5}}, {{42, 1, 0}, {43, 1, 1}}}, {{}, {{44, 0, 0}}}};
-  const auto copy = unpack<Gift<int>>(pack(gift));
+TEST(Wire, CarriesATransfer) {
+  const Transfer<int> transfer{{{TrailStep{0, 2, 7, 0.5}}, {{42, 1, 0}, {43, 1, 1}}},
+                               {{}, {{44, 0, 0}}}};
+  const auto copy = unpack<Transfer<int>>(pack(transfer));
   ASSERT_EQ(copy.size(), 2U);
   ASSERT_EQ(copy[0].trail.size(), 1U);
   EXPECT_EQ(copy[0].trail[0].hash, 7U);

@@ -1,11 +1,12 @@
-# Compiles every program beside. Its first line says what must become of it: "// compiles", or
-# "// error: " and a sentence that the first error must contain. Variables: see CMakeLists.txt above.
+# Compiles every program in this folder. Its first line states the expected result: "// compiles",
+# or "// error: " and a sentence that the first error must contain. Variables: see CMakeLists.txt
+# above.
 cmake_minimum_required(VERSION 3.22)
 
 set(folder ${source}/tests/engine/misshapen)
 set(call ${compiler} -std=c++20 -w -I${work} -I${source})
 
-# What all of them include, read once. (A compiler that cannot use it reads it anew.)
+# Precompiled header of all programs. (A compiler that cannot use it reads the header again.)
 file(REMOVE_RECURSE ${work})
 file(MAKE_DIRECTORY ${work}/tests/engine/misshapen)
 execute_process(COMMAND ${call} -x c++-header ${folder}/right.hpp

@@ -7,7 +7,7 @@ using namespace misshapen;
 
 #include <boost/serialization/vector.hpp>
 
-// A function of Boost's for the node, one of our own for the solution.
+// A free function for the node, a member function for the solution.
 struct Number {
   int number = 0;
 };
@@ -16,7 +16,7 @@ void serialize(Archive& archive, Number& number, unsigned /*version*/) {
   archive& number.number;
 }
 
-// A member that only Boost may call.
+// A private member with Boost as a friend.
 class Counts {
  public:
   int count = 0;

@@ -1,4 +1,4 @@
-// A problem with nothing wrong, for the programs beside to spoil.
+// A correct problem type, which the programs in this folder change into wrong ones.
 #pragma once
 
 #include "engine/search.hpp"
@@ -15,7 +15,7 @@ struct Value {
   }
 };
 
-// Without what the derived class brings.
+// The parts common to all.
 template <class Derived, class NodeType = Value, class SolutionType = Value>
 struct Right {
   using Node = NodeType;

@@ -30,7 +30,7 @@ engine::RankStatistics some(std::uint64_t opened, double idle) {
   engine::RankStatistics statistics;
   statistics.opened = opened;
   statistics.requests = 9;
-  statistics.gifts_received = 2;
+  statistics.transfers_received = 2;
   statistics.messages_sent = 20;
   statistics.idle_seconds = idle;
   statistics.seconds = 4;

@@ -25,15 +25,15 @@ std::vector<RankTrace> two_ranks() {
   RankTrace giver{
       .ended = 9e-3,
       .events = {{.time = 0, .open = 1, .kind = Kind::busy},
-                 {.time = 1e-3, .open = 6, .kind = Kind::survey_joined},
-                 {.time = 2e-3, .value = 3, .open = 3, .peer = 1, .kind = Kind::gift_sent},
-                 {.time = 3e-3, .value = 1, .open = 3, .kind = Kind::survey_arrived},
+                 {.time = 1e-3, .open = 6, .kind = Kind::reduction_joined},
+                 {.time = 2e-3, .value = 3, .open = 3, .peer = 1, .kind = Kind::transfer_sent},
+                 {.time = 3e-3, .value = 1, .open = 3, .kind = Kind::reduction_arrived},
                  {.time = 8e-3, .open = 0, .kind = Kind::closing}}};
   RankTrace taker{
       .ended = 9e-3,
       .events = {{.time = 0, .kind = Kind::idle},
                  {.time = 1e-3, .peer = 0, .kind = Kind::request_sent},
-                 {.time = 2.5e-3, .value = 3, .open = 3, .peer = 0, .kind = Kind::gift_arrived},
+                 {.time = 2.5e-3, .value = 3, .open = 3, .peer = 0, .kind = Kind::transfer_arrived},
                  {.time = 2.5e-3, .open = 3, .kind = Kind::busy},
                  {.time = 6e-3, .kind = Kind::idle},
                  {.time = 8e-3, .kind = Kind::closing}}};
@@ -59,7 +59,7 @@ TEST(TraceFile, TheSlicesOfATrackFollowOneAnotherWithoutAGap) {
   for (const auto& slice : of_phase(events, "X")) {
     tracks[{slice["pid"].get<int>(), slice["tid"].get<int>()}].push_back(slice);
   }
-  ASSERT_EQ(tracks.size(), 3U);  // two of work, one of surveys
+  ASSERT_EQ(tracks.size(), 3U);  // two of work, one of reductions
   const auto& work = tracks[{1, 0}];
   ASSERT_EQ(work.size(), 4U);
   double time = 0;
@@ -71,9 +71,9 @@ TEST(TraceFile, TheSlicesOfATrackFollowOneAnotherWithoutAGap) {
   EXPECT_EQ(work[0]["name"], "idle");
   EXPECT_EQ(work[1]["name"], "busy");
   EXPECT_EQ(work[3]["name"], "closing");
-  const auto& surveys = tracks[{0, 1}];
-  ASSERT_EQ(surveys.size(), 1U);
-  EXPECT_EQ(surveys[0]["dur"], 2000);
+  const auto& reductions = tracks[{0, 1}];
+  ASSERT_EQ(reductions.size(), 1U);
+  EXPECT_EQ(reductions[0]["dur"], 2000);
 }
 
 TEST(TraceFile, AnArrowLeadsFromTheGiverToTheTaker) {
@@ -87,10 +87,11 @@ TEST(TraceFile, AnArrowLeadsFromTheGiverToTheTaker) {
   EXPECT_EQ(ends[0]["pid"], 1);
 }
 
-TEST(TraceFile, EachGiftHasAnArrowOfItsOwn) {
+TEST(TraceFile, EachTransferHasAnArrowOfItsOwn) {
   auto traces = two_ranks();
-  traces[0].events.push_back({.time = 8.5e-3, .value = 1, .peer = 1, .kind = Kind::gift_sent});
-  traces[1].events.push_back({.time = 8.7e-3, .value = 1, .peer = 0, .kind = Kind::gift_arrived});
+  traces[0].events.push_back({.time = 8.5e-3, .value = 1, .peer = 1, .kind = Kind::transfer_sent});
+  traces[1].events.push_back(
+      {.time = 8.7e-3, .value = 1, .peer = 0, .kind = Kind::transfer_arrived});
   const auto events = written(traces);
   const auto starts = of_phase(events, "s");
   const auto ends = of_phase(events, "f");

@@ -42,7 +42,7 @@ class Restart : public testing::Test {
     engine::Options options;
     options.limits.nodes = 100;
     options.nodes_per_step = 10;
-    options.survey_interval = 0;
+    options.reduction_interval = 0;
     options.checkpoint.file = file_;
     options.checkpoint.problem = tree;
     ASSERT_EQ(engine::search(queens, options).status, engine::Status::node_limit);

@@ -1,5 +1,5 @@
-// Two openings of a node, compared.
-#include "engine/detail/yield.hpp"
+// Comparison of two expansions of a node.
+#include "engine/detail/expanded.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -24,7 +24,7 @@ std::string precise(double value) {
 
 }  // namespace
 
-std::optional<std::string> difference(const Yield& first, const Yield& second) {
+std::optional<std::string> difference(const Expanded& first, const Expanded& second) {
   const auto children = std::min(first.children.size(), second.children.size());
   for (std::size_t i = 0; i < children; ++i) {
     const auto& one = first.children[i];

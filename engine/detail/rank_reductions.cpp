@@ -1,4 +1,4 @@
-// What concerns all ranks at once: surveys, limits, checkpoints. Every rank sees the same waves.
+// Global decisions from reductions: limits, checkpoints and termination.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -10,19 +10,19 @@
 
 namespace kusabi::engine {
 
-void Rank::attend_survey() {
+void Rank::attend_reduction() {
   if (joined_) {
-    const auto wave = transport_.survey();
+    const auto wave = transport_.reduction();
     if (!wave) return;
     joined_ = false;
-    last_survey_ = quiet_since_ = now_;
+    last_reduction_ = quiet_since_ = now_;
     last_wave_ = *wave;
-    record(TraceEvent::Kind::survey_arrived, nobody, wave->idle);
+    record(TraceEvent::Kind::reduction_arrived, nobody, wave->idle);
     act_on(*wave);
     if (phase_ == Phase::closing) return;
   }
-  // A resting rank joins at once: the wave then ends as soon as the last busy rank joins it.
-  const bool due = now_ - last_survey_ >= options_.survey_interval || at_node_limit() ||
+  // A resting rank joins at once: the wave is then complete as soon as the last busy rank joins.
+  const bool due = now_ - last_reduction_ >= options_.reduction_interval || at_node_limit() ||
                    is_worth_keeping(local_.incumbent().objective);
   if (resting() || due) join();
 }
@@ -34,23 +34,23 @@ bool Rank::at_node_limit() const {
 void Rank::join() {
   joined_ = true;
   const auto& statistics = local_.statistics();
-  Survey own{.ranks = 1,
-             .idle = resting() ? 1U : 0U,
-             .sent = sent_,
-             .received = received_,
-             .opened = statistics.opened,
-             .open = local_.open(),
-             .found = local_.found(),
-             .fingerprint = statistics.fingerprint,
-             .wishes = wishes(),
-             .closed = local_.closed(),
-             .objective = local_.incumbent().objective,
-             .bound = local_.bound()};
+  Reduction own{.ranks = 1,
+                .idle = resting() ? 1U : 0U,
+                .sent = sent_,
+                .received = received_,
+                .opened = statistics.opened,
+                .open = local_.open(),
+                .found = local_.found(),
+                .fingerprint = statistics.fingerprint,
+                .wishes = wishes(),
+                .closed = local_.closed(),
+                .objective = local_.incumbent().objective,
+                .bound = local_.bound()};
   const auto [opened, fingerprint] = local_.before();
   own.opened += opened;
   own.fingerprint += fingerprint;
-  record(TraceEvent::Kind::survey_joined);
-  transport_.join_survey(own);
+  record(TraceEvent::Kind::reduction_joined);
+  transport_.join_reduction(own);
 }
 
 std::uint64_t Rank::wishes() {
@@ -65,7 +65,7 @@ std::uint64_t Rank::wishes() {
   return wishes;
 }
 
-void Rank::act_on(const Survey& wave) {
+void Rank::act_on(const Reduction& wave) {
   if (transport_.rank() == 0 && options_.progress) show(wave);
   note_stop(wave);
   switch (phase_) {
@@ -97,12 +97,12 @@ bool Rank::is_worth_keeping(double objective) const {
   return keeps_checkpoints() && options_.checkpoint.on_improvement && objective < kept_objective_;
 }
 
-bool Rank::checkpoint_due(const Survey& wave) const {
+bool Rank::checkpoint_due(const Reduction& wave) const {
   const bool wished = keeps_checkpoints() && (wave.wishes & wish_checkpoint) != 0;
   return wished || is_worth_keeping(wave.objective);
 }
 
-void Rank::note_stop(const Survey& wave) {
+void Rank::note_stop(const Reduction& wave) {
   if (status_ != Status::solved) return;
   if ((wave.wishes & wish_stop_interrupt) != 0) {
     status_ = Status::interrupted;
@@ -117,17 +117,17 @@ void Rank::note_stop(const Survey& wave) {
   }
 }
 
-bool Rank::gap_closed(const Survey& wave) const {
+bool Rank::gap_closed(const Reduction& wave) const {
   if (options_.limits.gap <= 0 || !(wave.objective < infinity)) return false;
   return wave.objective - wave.bound <= options_.limits.gap * std::abs(wave.objective);
 }
 
-void Rank::act_at_rest(const Survey& wave) {
-  if (wave.open == 0) {  // the tree was done after all
+void Rank::act_at_rest(const Reduction& wave) {
+  if (wave.open == 0) {  // the tree was completed meanwhile
     status_ = Status::solved;
     start_closing();
   } else if (status_ == Status::gap_limit && !gap_closed(wave)) {
-    status_ = Status::solved;  // an earlier wave missed a node that was on its way
+    status_ = Status::solved;  // an earlier wave missed a node in flight
     go_on();
   } else if (keeps_checkpoints()) {
     write_checkpoint(wave);
@@ -141,7 +141,7 @@ void Rank::go_on() {
   termination_ = {};
 }
 
-void Rank::show(const Survey& wave) const {
+void Rank::show(const Reduction& wave) const {
   options_.progress({.seconds = now_ - started_,
                      .opened = wave.opened,
                      .open = wave.open,
@@ -158,14 +158,14 @@ void Rank::expect_checkpoint_options() const {
   if (file.empty() && resume_from.empty()) return;
   if (!problem) {
     throw std::invalid_argument(
-        "a checkpoint needs the fingerprint of its problem; expected "
+        "a checkpoint requires the fingerprint of its problem; expected "
         "Options::checkpoint.problem");
   }
-  // No other rank can have written anything before this one takes part.
+  // Rank 0 checks before any rank writes.
   if (!file.empty() && transport_.rank() == 0) expect_no_other(file, resume_from);
 }
 
-Manifest Rank::manifest(const Survey& wave) const {
+Manifest Rank::manifest(const Reduction& wave) const {
   return {.problem = *options_.checkpoint.problem,
           .epoch = epoch_,
           .ranks = transport_.size(),
@@ -177,7 +177,7 @@ Manifest Rank::manifest(const Survey& wave) const {
           .solution = local_.solution_type()};
 }
 
-void Rank::write_checkpoint(const Survey& wave) {
+void Rank::write_checkpoint(const Reduction& wave) {
   enter(Phase::writing);
   ++epoch_;
   try {
@@ -188,7 +188,7 @@ void Rank::write_checkpoint(const Survey& wave) {
   }
 }
 
-void Rank::finish_checkpoint(const Survey& wave) {
+void Rank::finish_checkpoint(const Reduction& wave) {
   last_checkpoint_ = now_;
   kept_objective_ = wave.objective;
   saved_ = false;
@@ -217,7 +217,8 @@ void Rank::resume() {
   const auto found = read_manifest(file);
   expect_same_search(file, found, manifest({}));
   epoch_ = good_epoch_ = found.epoch;
-  // As many ranks as there were, or fewer, or more: parts are dealt round, ranks without one ask.
+  // Parts are dealt cyclically to the ranks, whose number may differ; a rank without a part
+  // requests work.
   for (int part = transport_.rank(); part < found.ranks; part += transport_.size()) {
     local_.restore(read_part(file, found, part));
   }
