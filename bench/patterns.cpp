@@ -102,7 +102,7 @@ class Search {
   std::uint64_t found = 0;
 
  private:
-  conic::Answer solve(std::uint64_t contact, std::uint64_t separated) {
+  conic::ConicResult solve(std::uint64_t contact, std::uint64_t separated) {
     ++programs;
     return solver_->solve(contact, separated);
   }

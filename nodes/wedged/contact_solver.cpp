@@ -128,12 +128,12 @@ auto with(Rung& rung, Function function) {
 template <class Real>
 void ContactSolver::climb(Rung<Real>& rung, int number, const IndexSet& contact,
                           const IndexSet& separated, const IndexSet& ignored, conic::StopEarly stop,
-                          conic::Answer& answer) {
+                          conic::ConicResult& answer) {
   with(made(rung), [&](auto& solver) {
     solver.set_friction(friction_);
-    const conic::Answer again = solver.solve(contact, separated, stop, ignored);
+    const conic::ConicResult again = solver.solve(contact, separated, stop, ignored);
     answer.iterations += again.iterations;
-    answer.rung = number;
+    answer.precision_level = number;
     // Both brackets hold, and so does what they have in common.
     if (again.lower > answer.lower) {
       answer.lower = again.lower;
@@ -152,21 +152,22 @@ void ContactSolver::climb(Rung<Real>& rung, int number, const IndexSet& contact,
   });
 }
 
-bool ContactSolver::has_centre(const conic::Answer& answer, conic::StopEarly stop) const {
+bool ContactSolver::has_centre(const conic::ConicResult& answer, conic::StopEarly stop) const {
   return answer.sign == conic::Sign::alive && stop.when_alive && motions_.count() == 0;
 }
 
-bool ContactSolver::is_open(const conic::Answer& answer, conic::StopEarly stop) const {
+bool ContactSolver::is_open(const conic::ConicResult& answer, conic::StopEarly stop) const {
   if (answer.sign == conic::Sign::marginal) return !conic::is_tie(answer, tolerances_);
   return answer.sign == conic::Sign::alive && !stop.when_alive &&
          answer.upper - answer.lower > three_digits * answer.lower;
 }
 
-conic::Answer ContactSolver::solve_with(std::span<const conic::Cut> cuts, const IndexSet& contact,
-                                        const IndexSet& separated, conic::StopEarly stop) {
+conic::ConicResult ContactSolver::solve_with(std::span<const conic::Cut> cuts,
+                                             const IndexSet& contact, const IndexSet& separated,
+                                             conic::StopEarly stop) {
   return std::visit(
       [&](auto& solver) {
-        const conic::Answer answer = solver.solve(contact, separated, stop, {}, cuts);
+        const conic::ConicResult answer = solver.solve(contact, separated, stop, {}, cuts);
         reaction_ = solver.reaction();
         displacement_ = solver.displacement();
         motion_ = solver.motion();
@@ -192,11 +193,11 @@ double ContactSolver::cut_multiplier(std::size_t cut) const {
   return std::visit([&](const auto& solver) { return solver.cut_multiplier(cut); }, solver_);
 }
 
-conic::Answer ContactSolver::solve(const IndexSet& contact, const IndexSet& separated,
-                                   conic::StopEarly stop, const IndexSet& ignored) {
-  conic::Answer answer = std::visit(
+conic::ConicResult ContactSolver::solve(const IndexSet& contact, const IndexSet& separated,
+                                        conic::StopEarly stop, const IndexSet& ignored) {
+  conic::ConicResult answer = std::visit(
       [&](auto& solver) {
-        const conic::Answer first = solver.solve(contact, separated, stop, ignored);
+        const conic::ConicResult first = solver.solve(contact, separated, stop, ignored);
         reaction_ = solver.reaction();
         displacement_ = solver.displacement();
         motion_ = solver.motion();

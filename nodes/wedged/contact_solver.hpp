@@ -46,8 +46,8 @@ class ContactSolver {
   /// The node's program with cuts, in doubles only: where it is marginal, more digits are for the
   /// one without. Solved to the end if `stop` says so.
   /// @pre room for so many cuts
-  conic::Answer solve_with(std::span<const conic::Cut> cuts, const support::IndexSet& contact,
-                           const support::IndexSet& separated, conic::StopEarly stop);
+  conic::ConicResult solve_with(std::span<const conic::Cut> cuts, const support::IndexSet& contact,
+                                const support::IndexSet& separated, conic::StopEarly stop);
   /// w of the last such node, dm: what all multipliers together pull at reactions. Valid until the
   /// next call.
   [[nodiscard]] const Eigen::VectorXd& pull();
@@ -59,8 +59,8 @@ class ContactSolver {
   /// Bounds the node with the candidates `contact` in U and `separated` in R. The candidates of
   /// `ignored` have neither a reaction nor a row: r = 0, and u_n is free.
   /// @throws std::invalid_argument if the sets overlap or name a candidate that does not exist
-  conic::Answer solve(const support::IndexSet& contact, const support::IndexSet& separated,
-                      conic::StopEarly stop, const support::IndexSet& ignored = {});
+  conic::ConicResult solve(const support::IndexSet& contact, const support::IndexSet& separated,
+                           conic::StopEarly stop, const support::IndexSet& ignored = {});
 
   /// Which candidates have a reaction, and which a gap, at a point of the relative interior of the
   /// solutions of a node whose t* is zero up to the tolerance:
@@ -131,11 +131,11 @@ class ContactSolver {
   template <class Real>
   void climb(Rung<Real>& rung, int number, const support::IndexSet& contact,
              const support::IndexSet& separated, const support::IndexSet& ignored,
-             conic::StopEarly stop, conic::Answer& answer);
+             conic::StopEarly stop, conic::ConicResult& answer);
   /// Which candidates move if these have reactions and no others.
   [[nodiscard]] support::IndexSet moved_by(const support::IndexSet& loaded) const;
-  [[nodiscard]] bool is_open(const conic::Answer& answer, conic::StopEarly stop) const;
-  [[nodiscard]] bool has_centre(const conic::Answer& answer, conic::StopEarly stop) const;
+  [[nodiscard]] bool is_open(const conic::ConicResult& answer, conic::StopEarly stop) const;
+  [[nodiscard]] bool has_centre(const conic::ConicResult& answer, conic::StopEarly stop) const;
 
   int dimension_;
   double unit_;

@@ -99,9 +99,9 @@ Eigen::VectorXd FacetBound::multipliers() const {
   return result;
 }
 
-conic::Answer FacetBound::solve(const support::IndexSet& contact,
-                                const support::IndexSet& separated, conic::StopEarly stop,
-                                const support::IndexSet& ignored) {
+conic::ConicResult FacetBound::solve(const support::IndexSet& contact,
+                                     const support::IndexSet& separated, conic::StopEarly stop,
+                                     const support::IndexSet& ignored) {
   return solver_.solve(contact, separated, stop, ignored);
 }
 

@@ -36,8 +36,8 @@ class FacetBound {
   /// The sign of t* under polyhedral friction: what is dead is dead with the friction cones
   /// themselves, since those are contained, and by the same multipliers().
   /// `ignored`: see ContactSolver.
-  conic::Answer solve(const support::IndexSet& contact, const support::IndexSet& separated,
-                      conic::StopEarly stop, const support::IndexSet& ignored = {});
+  conic::ConicResult solve(const support::IndexSet& contact, const support::IndexSet& separated,
+                           conic::StopEarly stop, const support::IndexSet& ignored = {});
 
   /// r_n and u_n of a candidate at the node that was solved last.
   [[nodiscard]] double normal_reaction(int candidate) const;

@@ -114,7 +114,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   }
   const auto answer = block.solver.solve(contact, separated, stop);
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-  if (answer.rung > 0) ++tally_.climbed;
+  if (answer.precision_level > 0) ++tally_.climbed;
   if (block.outer && leaf) note_tested(node, polyhedral, answer);
   switch (answer.sign) {
     case conic::Sign::dead:
@@ -154,7 +154,7 @@ std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Nod
 }
 
 void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
-                                  const conic::Answer& answer) {
+                                  const conic::ConicResult& answer) {
   ++tally_.candidates;
   tally_.tested.push_back({.block = leaf.block,
                            .pattern = in_whole(leaf.pattern, blocks_[leaf.block].candidates),
@@ -166,7 +166,8 @@ void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
 // A tie in which a candidate of U is never loaded has nothing of its own: with that candidate in R
 // instead, all its configurations are below another node. Otherwise it is closed if what is zero in
 // its relative interior leaves nothing to be decided.
-SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node, const conic::Answer& answer) {
+SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
+                                                    const conic::ConicResult& answer) {
   Block& block = blocks_[node.block];
   const bool tie = conic::is_tie(answer, tolerances_);
   const auto free = block.free(node.pattern);
@@ -247,7 +248,7 @@ int SignPatternTree::probed(const Node& node, std::span<const int> tried) {
 }
 
 // What the child's own program says of it; what is marginal is not asked any further.
-conic::Answer SignPatternTree::probe(const Node& child) {
+conic::ConicResult SignPatternTree::probe(const Node& child) {
   Block& block = blocks_[child.block];
   const auto& [contact, separated, at_rest] = child.pattern;
   const auto free = block.free(child.pattern);
@@ -325,7 +326,7 @@ SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration lea
 }
 
 Configuration SignPatternTree::configuration(const Node& node, LeafState state,
-                                             const conic::Answer& answer) const {
+                                             const conic::ConicResult& answer) const {
   const Block& block = blocks_[node.block];
   const Eigen::VectorXd& r = block.solver.reaction();
   const Eigen::VectorXd u = block.solver.unit() * block.solver.displacement();

@@ -274,12 +274,12 @@ class SignPatternTree {
 
   // What bounds say of a node that is no leaf; nothing if the program without cuts must be asked.
   std::optional<Fate> decide_with_cuts(const Node& node);
-  Fate decide_doubt(const Node& node, const conic::Answer& answer);
-  void note_tested(const Node& leaf, double polyhedral, const conic::Answer& answer);
+  Fate decide_doubt(const Node& node, const conic::ConicResult& answer);
+  void note_tested(const Node& leaf, double polyhedral, const conic::ConicResult& answer);
   Fate branch(const Node& node, const support::IndexSet& open);
   Fate branch_living(const Node& node);
   int probed(const Node& node, std::span<const int> tried);
-  conic::Answer probe(const Node& child);
+  conic::ConicResult probe(const Node& child);
   Fate split(const Node& node, int candidate);
   Fate prune(const Node& node, const Eigen::VectorXd& multipliers);
   Fate prune_with(std::span<const conic::Cut> cuts, const Node& node);
@@ -287,7 +287,7 @@ class SignPatternTree {
   void report_cut(const Node& node, std::span<const double> numbers) const;
   Fate close(const Node& node, Configuration leaf);
   [[nodiscard]] Configuration configuration(const Node& node, LeafState state,
-                                            const conic::Answer& answer) const;
+                                            const conic::ConicResult& answer) const;
   void report_leaf(const Node& node, const Configuration& leaf) const;
   void report_open(const Node& node) const;
 

@@ -236,10 +236,11 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance) {
   return (inverse + inverse.transpose()) * Precise(0.5);
 }
 
-PreciseMatrix precise_compliance(const Structure& structure) {
+Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(
+    const Structure& structure) {
   const auto enclosed = enclosed_compliance(held_structure(structure, loose_bodies(structure)));
   const auto& f = enclosed.matrix;
-  PreciseMatrix result = f.cast<long double>();
+  Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> result = f.cast<long double>();
   const Eigen::Index d = structure.dimension;
   for (Eigen::Index i = 0; i < f.rows(); ++i) {
     for (Eigen::Index j = 0; j < f.cols(); ++j) {

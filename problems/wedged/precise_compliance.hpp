@@ -39,12 +39,11 @@ EnclosedCompliance enclosed_compliance(const Structure& structure);
 /// @return nothing of use (NaN) if F is not positive definite
 numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance);
 
-using PreciseMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-
 /// `enclosed_compliance` in long double precision, length/force. Zero exactly where an entry is not
 /// known to be anything else, or is no more than the rounding of the directions in the file. Of
 /// loose bodies with their temporary springs.
 /// @pre `wedged_problem` accepts the structure
-PreciseMatrix precise_compliance(const Structure& structure);
+Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(
+    const Structure& structure);
 
 }  // namespace kusabi::problems

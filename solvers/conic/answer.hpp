@@ -1,5 +1,4 @@
-// What is asked of the solvers of node programs and what they answer, whatever numbers they compute
-// with.
+// Options and result of the solvers of node programs, for all scalar types.
 #pragma once
 
 #include <algorithm>
@@ -8,60 +7,63 @@
 
 namespace kusabi::conic {
 
-/// What is proved about t*: positive, negative, or neither.
+/// Proved sign of t*: alive (positive, feasible), dead (negative, infeasible), or marginal (neither
+/// is proved).
 enum class Sign { alive, dead, marginal };
 
-/// All in the scaled units of the compliance (mean diagonal of its normal block 1).
+/// Tolerances, in the scaled units of the compliance (mean diagonal of its normal block 1).
 struct Tolerances {
-  double sign = 1e-12;  ///< |t*| up to this is a tie; 1e-12 to 1e-3 is sensible
-  double value = 1e-8;  ///< width of the bracket, relative to max(1, |t*|), that ends the iteration
+  double sign = 1e-12;  ///< |t*| up to this is degenerate; 1e-12 to 1e-3 is sensible
+  /// width of the bracket, relative to max(1, |t*|), at which the iteration ends
+  double value = 1e-8;
   int iterations = 60;  ///< ordinary nodes need 10 to 20
 };
 
-/// Whether to stop once the sign is proved; otherwise the iteration goes on to the full accuracy
-/// of the value. A tie stops early in any case.
+/// Early stop as soon as the sign is proved; otherwise the iteration continues to the full accuracy
+/// of the value. A degenerate node stops early in any case.
 struct StopEarly {
   bool when_dead = true;
   bool when_alive = true;
-  /// Or once t* is proved to be at least this, or at most that, or to lie in so narrow a bracket.
+  /// Early stop, in addition, once t* >= above or t* <= below is proved, or the bracket is narrow
+  /// enough.
   double above = std::numeric_limits<double>::infinity();
   double below = -std::numeric_limits<double>::infinity();
   double width = -1;
 };
 
-/// The bracket lower <= t* <= upper and what is concluded from it. Both ends hold in spite of
-/// rounding and of the error of F that was stated.
-struct Answer {
-  /// alive: lower > tolerance; dead: upper < -tolerance. Marginal is the rest: a tie if the bracket
-  /// lies within [-tolerance, tolerance], undecided if it does not.
+/// Bracket lower <= t* <= upper and its conclusion. Both bounds include rounding errors and the
+/// stated error of F.
+struct ConicResult {
+  /// alive: lower > tolerance; dead: upper < -tolerance; otherwise marginal: degenerate if the
+  /// bracket lies within [-tolerance, tolerance], numerically undecided if it does not.
   Sign sign = Sign::marginal;
-  double lower = 0;            ///< minus infinity where nothing is proved
-  double upper = 0;            ///< proved by multipliers(); minus infinity when R is everything
-  int iterations = 0;          ///< factorisations, of all rungs
+  double lower = 0;    ///< minus infinity if nothing is proved
+  double upper = 0;    ///< proved by multipliers(); minus infinity if R contains all candidates
+  int iterations = 0;  ///< number of factorisations, at all precision levels
   double primal_residual = 0;  ///< largest |u_n| / sqrt(F_nn) on U at reaction(), as computed
   double gap = 0;              ///< upper - lower
-  bool has_point = false;      ///< reaction() proves `lower`
-  int rung = 0;                ///< numbers it took: 0 double, 1 long double, 2 of 104 bits
+  bool has_point = false;      ///< true if reaction() proves `lower`
+  int precision_level = 0;     ///< precision level used: 0 double, 1 long double, 2 104 bits
 };
 
-/// What is known of the sign.
-inline Sign sign_of(const Answer& answer, const Tolerances& tolerances) {
+/// Sign proved by the bracket.
+inline Sign sign_of(const ConicResult& answer, const Tolerances& tolerances) {
   if (answer.upper < -tolerances.sign) return Sign::dead;
   return answer.lower > tolerances.sign ? Sign::alive : Sign::marginal;
 }
 
-/// Whether the bracket of a marginal answer lies within the tolerance.
-inline bool is_tie(const Answer& answer, const Tolerances& tolerances) {
+/// True if the bracket of a marginal result lies within the tolerance.
+inline bool is_tie(const ConicResult& answer, const Tolerances& tolerances) {
   return answer.upper <= tolerances.sign && answer.lower >= -tolerances.sign;
 }
 
-/// Width of a bracket, relative to its ends, below which the value has three digits to spare.
+/// Width of a bracket, relative to its bounds, below which the value has three digits to spare.
 constexpr double sharp = 1e-4;
 
-/// Whether no further iteration is wanted.
-inline bool is_settled(const Answer& answer, StopEarly stop, const Tolerances& tolerances) {
-  // A bound this low only says that u_n = 0 on U has no solution: t* is minus infinity, and further
-  // iterations would push the bound down for ever.
+/// True if no further iteration is needed.
+inline bool is_settled(const ConicResult& answer, StopEarly stop, const Tolerances& tolerances) {
+  // A bound this low means that u_n = 0 on U has no solution: t* is minus infinity, and further
+  // iterations would lower the bound without end.
   constexpr double bottom = -1e9;
   if (answer.upper < bottom || is_tie(answer, tolerances)) return true;
   if (answer.lower >= stop.above || answer.upper <= stop.below ||

@@ -1,4 +1,4 @@
-// Keyword by keyword; a blank line ends what a keyword has to say.
+// Writer of the Conic Benchmark Format: one section per keyword, separated by blank lines.
 #include "solvers/conic/benchmark_format.hpp"
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Conic programs as files in the Conic Benchmark Format, version 1, which solvers of second-order
+// Writer of conic programs in the Conic Benchmark Format, version 1, which solvers of second-order
 // cone programs read (docs/export.md).
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace kusabi::conic {
 
-/// Numbers have 17 digits, so that they are read back to the last bit.
-/// @param comments lines at the top of the file; they are cut at 500 characters, as readers may
+/// Writes numbers with 17 digits, so that they are read back exactly.
+/// @param comments lines at the top of the file, cut at 500 characters, the limit of some readers
 void write_benchmark_format(std::ostream& out, const ConeProgram& program,
                             std::span<const std::string> comments);
 

@@ -1,25 +1,27 @@
-// Bounds of t* that hold in spite of rounding and of what is not known of F.
+// Bounds: rigorous bounds of t* from approximate solutions, with rounding errors and the error of
+// F.
 //
-// The iterations hand over points that satisfy their equations up to a residual, computed from an F
-// that is right up to an error e: |F~_ij - F_ij| <= e sqrt(F_ii F_jj). Here is what such a point
-// proves of the program with the true F (docs/theory/wedged.md, "Two proofs"). With n terms in a
-// sum and the unit roundoff u of its numbers let eps = e + (n + 4) u and R_i = sqrt(F_ii).
+// The iterations give points that satisfy their equations up to a residual, computed from an F with
+// an error e: |F~_ij - F_ij| <= e sqrt(F_ii F_jj). The bounds hold for the program with the true F
+// (docs/theory/wedged.md, "Two proofs"). With n terms in a sum and the unit roundoff u of its
+// numbers let eps = e + (n + 4) u and R_i = sqrt(F_ii).
 //
-// From above: for multipliers y with y_j >= 0 off U, w = sum_i y_i (row (n, i) of F) and any
-// tau >= w_nk + mu_k |w_tk| on C,
+// Upper bound: for multipliers y with y_j >= 0 off U, w = sum_i y_i (row (n, i) of F) and any tau
+// >= w_nk + mu_k |w_tk| on C,
 //
 //   t* <= tau / N,   N = sum_{j not in U} y_j + sum_C (tau - w_nk) / mu_k  >= 0,
 //
-// so the sign is that of tau, whatever the scale of y. w_k is wrong by eps R_k sum_i |y_i| R_i. A
+// so the sign is that of tau, for any scale of y. The error of w_k is eps R_k sum_i |y_i| R_i. A
 // cut (cut.hpp) with the multiplier eta >= 0 adds eta level to N, and to w its left side as a
 // function of r.
 //
-// From below: a reaction r with a residual rho in u_n = 0 on U is mended by normal reactions delta
-// on U, F_nn,UU delta = -rho. With s > 0 not above the least eigenvalue of F_nn scaled to a unit
-// diagonal and |rho/R| =: q, |delta_i| <= q / (s R_i), and u_n changes elsewhere by no more than
-// R_j q / sqrt(s). So t* is not below the level of r less what this costs.
+// Lower bound: a reaction r with a residual rho in u_n = 0 on U is corrected by normal reactions
+// delta on U, F_nn,UU delta = -rho. With s > 0 not above the least eigenvalue of F_nn scaled to a
+// unit diagonal and |rho/R| =: q, |delta_i| <= q / (s R_i), and u_n changes elsewhere by at most
+// R_j q / sqrt(s). Hence t* is at least the level of r minus the cost of this correction.
 //
-// A loose body adds equations on both sides; motion_bounds.hpp has what mending them takes.
+// An unconstrained body adds equations on both sides; motion_bounds.hpp has the cost of their
+// correction.
 #pragma once
 
 #include <algorithm>
@@ -41,17 +43,16 @@
 
 namespace kusabi::conic {
 
-/// The candidates and cones of a node, as NodeProgram has them.
+/// Candidates and cones of a node, as in NodeProgram.
 struct NodeSets {
   std::span<const int> cones;         ///< C
-  std::span<const int> gap_rows;      ///< candidates whose u_n must not be below t
+  std::span<const int> gap_rows;      ///< candidates with u_n >= t
   std::span<const int> contact_rows;  ///< U
   const support::IndexSet& contact;   ///< U
   std::span<const Cut> cuts = {};
 };
 
-/// By how much r_n exceeds x_0 of the standard form for each unit of t: 1 / mu, or 1 without
-/// friction.
+/// Excess of r_n over x_0 of the standard form per unit of t: 1 / mu, or 1 without friction.
 inline double level_weight(double friction) {
   return friction == 0 ? 1 : 1 / friction;
 }
@@ -64,7 +65,7 @@ class Bounds {
   using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
   /// @param compliance F~, over the cones, D rows each  @param error e
-  /// @param owners the candidate of each cone, in order  @param motions of a loose body
+  /// @param owners candidate of each cone, in order  @param motions of an unconstrained body
   Bounds(const Matrix& compliance, double error, const std::vector<int>& owners,
          const Motions<Real>& motions = {})
       : error_(error),
@@ -79,13 +80,13 @@ class Bounds {
     std::vector<Eigen::Index> rows;
     for (const int cone : first_cones_) rows.push_back(D * static_cast<Eigen::Index>(cone));
     normal_motions_ = motions.at_cones(rows, Eigen::seqN(0, motions.lifting));
-    motions_ = MotionBounds(motions.at_cones.template cast<double>(), motions.lifting,
-                            motions.error, roots_, std::move(rows));
+    motions_ = RigidModeBounds(motions.at_cones.template cast<double>(), motions.lifting,
+                               motions.error, roots_, std::move(rows));
   }
 
-  /// What mending the equations of the motions takes at a node.
+  /// Cost of correcting the equations of the rigid-body modes at a node.
   struct MotionCost {
-    double carry = 0;  ///< see MotionBounds
+    double carry = 0;  ///< see RigidModeBounds
     double close = 0;
   };
   [[nodiscard]] MotionCost motion_cost(const NodeSets& sets) const {
@@ -93,21 +94,21 @@ class Bounds {
     return {motions_.carry(sets.cones, D), motions_.close(sets.contact_rows)};
   }
 
-  /// What a reaction proves.
+  /// Lower bound from a reaction.
   struct Below {
-    double level;     ///< t* is not below this; minus infinity if nothing is proved
-    double residual;  ///< |rho/R| as it was computed
-    double noise;     ///< what rounding and the error of F may add to it
-    double cost;      ///< by how much the level suffers from both
+    double level;     ///< lower bound of t*; minus infinity if nothing is proved
+    double residual;  ///< |rho/R| as computed
+    double noise;     ///< upper bound of the effect of rounding and the error of F
+    double cost;      ///< reduction of the level by both
   };
 
-  /// @param r reaction, over all cones  @param normal its u_n = F~ r, one number a candidate; of a
-  ///        loose body with H alpha, and then G'r
-  /// @param alpha, mending of a loose body
+  /// @param r reaction, over all cones  @param normal its u_n = F~ r, one number per candidate; for
+  ///        an unconstrained body with H alpha, and then G'r
+  /// @param alpha, correction of an unconstrained body
   template <class Reaction, class Normal, class Motion = Vector>
   [[nodiscard]] Below below(const NodeSets& sets, std::span<const double> friction,
                             const Reaction& r, const Normal& normal, const Motion& alpha = {},
-                            MotionCost mending = {}) const {
+                            MotionCost correction = {}) const {
     using std::abs;
     double size = 0;
     Real sum = 0;
@@ -118,7 +119,7 @@ class Bounds {
       sum += r[D * k];
       sizes += std::abs(numbers::rounded(Real(r[D * k])));
     }
-    const Unbalanced load = unbalanced(sets, r, normal, alpha, mending);
+    const Unbalanced load = unbalanced(sets, r, normal, alpha, correction);
     const double noise = safety * ((error_ + rounding_) * size + load.displacement);
     double residual = load.residual * load.residual, rho = 0, inverse = 0;
     for (const int i : sets.contact_rows) {
@@ -132,11 +133,11 @@ class Bounds {
     rho = safety * std::sqrt(rho);
     Below result{-infinity, residual, noise, infinity};
     if (!(least_ > 0) && !sets.contact_rows.empty()) return result;
-    const double mended = rho == 0 ? 0 : safety * rho / least_;
+    const double corrected = rho == 0 ? 0 : safety * rho / least_;
     const double elsewhere = rho == 0 ? 0 : safety * rho / std::sqrt(least_);
     const double unit = 4 * numbers::unit_roundoff<Real>;
-    const double loose = mended * std::sqrt(inverse) * safety + rounding_ * sizes +
-                         load.reaction * static_cast<double>(sets.cones.size());
+    const double sum_error = corrected * std::sqrt(inverse) * safety + rounding_ * sizes +
+                             load.reaction * static_cast<double>(sets.cones.size());
 
     double level = infinity;
     double raw = infinity;
@@ -146,9 +147,9 @@ class Bounds {
       level = std::min(level, number - cost - double_rounding * std::abs(number));
     };
     const double moved =
-        mending.close == 0
+        correction.close == 0
             ? 0
-            : safety * mending.close * rho *
+            : safety * correction.close * rho *
                   (1 + std::sqrt(static_cast<double>(sets.contact_rows.size()) / least_));
     const auto gap_cost = [&](int j) {
       const double lift = moved == 0 ? 0 : moved * motions_.lift(j);
@@ -158,7 +159,7 @@ class Bounds {
     for (const int k : sets.cones) {
       const auto mu = friction[static_cast<std::size_t>(k)];
       const double delta =
-          (carries(k, sets) ? mended / (roots_[D * k] / safety) : 0) + load.reaction;
+          (carries(k, sets) ? corrected / (roots_[D * k] / safety) : 0) + load.reaction;
       if (mu == 0) {
         take(r[D * k], delta);
         continue;
@@ -177,16 +178,17 @@ class Bounds {
       for (const int k : sets.cones)
         if (owners_[static_cast<std::size_t>(k)] == cut.candidate) own += r[D * k];
       const double gap = cut.displacement == 0 ? 0 : gap_cost(cut.candidate);
-      const double mending_force = mended / (normal_root(cut.candidate) / safety) + load.reaction;
+      const double correction_force =
+          corrected / (normal_root(cut.candidate) / safety) + load.reaction;
       const Real left = Real(cut.share) * sum - Real(cut.displacement) * normal[cut.candidate] -
                         Real(cut.reaction) * own;
       take(left / Real(cut.level),
-           (std::abs(cut.share) * loose + std::abs(cut.displacement) * gap +
-            std::abs(cut.reaction) * mending_force + unit * (std::abs(cut.share) * sizes)) /
+           (std::abs(cut.share) * sum_error + std::abs(cut.displacement) * gap +
+            std::abs(cut.reaction) * correction_force + unit * (std::abs(cut.share) * sizes)) /
                cut.level);
     }
-    const double least_sum = (numbers::rounded(sum) - loose) * (1 - double_rounding);
-    const double most_sum = (numbers::rounded(sum) + loose) * (1 + double_rounding);
+    const double least_sum = (numbers::rounded(sum) - sum_error) * (1 - double_rounding);
+    const double most_sum = (numbers::rounded(sum) + sum_error) * (1 + double_rounding);
     if (!(least_sum > 0) || !std::isfinite(level)) return result;
     result.level = level > 0 ? level / most_sum * (1 - double_rounding)
                              : level / least_sum * (1 + double_rounding);
@@ -194,17 +196,17 @@ class Bounds {
     return result;
   }
 
-  /// What multipliers prove: t* is not above this.
-  /// @param y >= 0 on the gap rows, zero on ignored candidates; of a loose body with beta after
-  ///        the m multipliers; then one >= 0 for each cut
-  /// @param w = sum_i y_i (row i of F~_n) + G beta and what the cuts add
+  /// Upper bound of t* from multipliers.
+  /// @param y >= 0 on the gap rows, zero on ignored candidates; for an unconstrained body with beta
+  ///        after the m multipliers; then one >= 0 for each cut
+  /// @param w = sum_i y_i (row i of F~_n) + G beta and the contribution of the cuts
   template <class Multipliers, class Pull>
   [[nodiscard]] double above(const NodeSets& sets, std::span<const double> friction,
                              const Multipliers& y, const Pull& w) const {
     const Reach reach = examine(sets, friction, y, w);
     if (!(reach.tau < infinity)) return infinity;
     const double tau = reach.tau;
-    // N between two numbers; t = (1 - sum x_0) / omega is never above 1 / omega.
+    // N lies between two numbers; t = (1 - sum x_0) / omega is never above 1 / omega.
     double omega = 0;
     double scale = numbers::rounded(reach.pushes);
     double wrong = (double_rounding + rounding_ + reach.balanced) * std::abs(scale);
@@ -224,7 +226,7 @@ class Bounds {
     return std::min(trivial, tau / (scale - wrong) * (1 + 2 * double_rounding));
   }
 
-  /// What multipliers prove of r with sum_k r_nk = 1 and t >= 0: w'r is not above this tau.
+  /// Upper bound tau of w'r for all r with sum_k r_nk = 1 and t >= 0, from multipliers.
   template <class Multipliers, class Pull>
   [[nodiscard]] double reach(const NodeSets& sets, std::span<const double> friction,
                              const Multipliers& y, const Pull& w) const {
@@ -234,10 +236,10 @@ class Bounds {
  private:
   struct Reach {
     double tau = infinity;
-    double noise = 0;  ///< w_k may be wrong by this times R_k, and w_nk by this besides:
+    double noise = 0;  ///< w_k has an error of at most this times R_k, and w_nk in addition:
     double cut_noise = 0;
-    double balanced = 0;  ///< the share by which forces change to be in equilibrium
-    Real pushes = 0;      ///< what N is without the cones
+    double balanced = 0;  ///< relative change of the forces by the equilibrium correction
+    Real pushes = 0;      ///< N without the contribution of the cones
   };
   template <class Multipliers, class Pull>
   [[nodiscard]] Reach examine(const NodeSets& sets, std::span<const double> friction,
@@ -262,7 +264,7 @@ class Bounds {
     const double balanced = motions_.any() ? balance(sets, y) : 0;
     if (!(balanced <= most_balance)) return {};
     const double cut_noise = safety * rounding_ * shares;
-    // A force that changes to be in equilibrium moves the candidates by no more than this over R.
+    // A force changed by the equilibrium correction moves the candidates by at most this over R.
     const double noise = safety * ((error_ + rounding_) * size + balanced * balance_size(sets, y) +
                                    (motions_.any() ? motion_noise(y) / motions_.least_root() : 0));
     const double unit = 4 * numbers::unit_roundoff<Real>;
@@ -287,11 +289,11 @@ class Bounds {
     return {tau, noise, cut_noise, balanced, pushes};
   }
 
-  /// What it costs to bring a reaction into equilibrium.
+  /// Cost of the equilibrium correction of a reaction.
   struct Unbalanced {
-    double residual = 0;      ///< |G'r| as it was computed
-    double reaction = 0;      ///< no component of r changes by more
-    double displacement = 0;  ///< no u_i / R_i changes by more; with the rounding of H alpha
+    double residual = 0;      ///< |G'r| as computed
+    double reaction = 0;      ///< largest change of a component of r
+    double displacement = 0;  ///< largest change of u_i / R_i, including the rounding of H alpha
   };
   template <class Reaction, class Normal, class Motion>
   [[nodiscard]] Unbalanced unbalanced(const NodeSets& sets, const Reaction& r, const Normal& normal,
@@ -317,7 +319,7 @@ class Bounds {
                 motion * motions_.noise(rounding_) / motions_.least_root()};
   }
 
-  /// |y_j| on the gap rows; what counts as the size of a force that may have either sign.
+  /// |y_j| on the gap rows; the magnitude for a force that may have either sign.
   template <class Multipliers>
   [[nodiscard]] std::vector<double> force_sizes(const NodeSets& sets, const Multipliers& y) const {
     std::vector<double> sizes;
@@ -333,8 +335,8 @@ class Bounds {
     return sizes;
   }
 
-  /// By which share of their sizes the normal forces change to be in equilibrium, with what cuts
-  /// take from them; more than 1 if they cannot.
+  /// Relative change of the normal forces by the equilibrium correction, including the contribution
+  /// of the cuts; more than 1 if equilibrium is impossible.
   template <class Multipliers>
   [[nodiscard]] double balance(const NodeSets& sets, const Multipliers& y) const {
     std::vector<int> rows(sets.gap_rows.begin(), sets.gap_rows.end());
@@ -360,7 +362,7 @@ class Bounds {
                             total * motions_.noise(2 * rounding_), all);
   }
 
-  /// sum_j R_j |y_j| with the sizes of `balance`.
+  /// sum_j R_j |y_j| with the magnitudes of `balance`.
   template <class Multipliers>
   [[nodiscard]] double balance_size(const NodeSets& sets, const Multipliers& y) const {
     if (!motions_.any()) return 0;
@@ -382,14 +384,14 @@ class Bounds {
   }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  /// Covers the roundings of sums of a few hundred doubles that are all >= 0.
+  /// Factor for the rounding of sums of a few hundred non-negative doubles.
   static constexpr double safety = 1.001;
   static constexpr double double_rounding = 0x1p-51;
-  /// Forces further from equilibrium are not yet multipliers: what else is concluded from them, for
-  /// other coefficients of friction, takes them for exact.
+  /// Limit of the relative equilibrium correction of valid multipliers: other conclusions, for
+  /// other coefficients of friction, take them as exact.
   static constexpr double most_balance = 1e-6;
 
-  /// Where the multipliers of cuts begin.
+  /// Index of the first cut's multiplier.
   [[nodiscard]] Eigen::Index first_cut() const {
     return static_cast<Eigen::Index>(first_cones_.size()) + motions_.count();
   }
@@ -398,15 +400,15 @@ class Bounds {
     return roots_[D * first_cones_[static_cast<std::size_t>(candidate)]];
   }
 
-  /// Whether a cone takes part of the mending: the first one of a candidate of U.
+  /// True if a cone takes part in the correction: the first one of a candidate of U.
   [[nodiscard]] bool carries(int cone, const NodeSets& sets) const {
     const auto owner = static_cast<std::size_t>(owners_[static_cast<std::size_t>(cone)]);
     return sets.contact.contains(static_cast<int>(owner)) && first_cones_[owner] == cone;
   }
 
-  /// A number that the least eigenvalue of F_nn, scaled to a unit diagonal, is not below: where
-  /// Cholesky's method goes through for F - s I, F - s I + E is positive semidefinite with
-  /// |E| <= (m + 4) u trace F. Zero if there is none.
+  /// Lower bound of the least eigenvalue of F_nn scaled to a unit diagonal. If the Cholesky
+  /// factorisation of F - s I succeeds, F - s I + E is positive semidefinite with |E| <= (m + 4) u
+  /// trace F. Zero if no bound is found.
   [[nodiscard]] double least_eigenvalue(const Matrix& compliance) const {
     const auto m = static_cast<Eigen::Index>(first_cones_.size());
     Matrix scaled(m, m);
@@ -420,11 +422,11 @@ class Bounds {
       }
     }
     const auto size = static_cast<double>(m);
-    // The error of F, the scaling, the shift and the factorisation.
+    // Sum of the errors of F, the scaling, the shift and the factorisation.
     const double wrong = 2 * size * (error_ + (size + 12) * numbers::unit_roundoff<Real>);
     const Eigen::MatrixXd rounded = scaled.template cast<double>();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(rounded, Eigen::EigenvaluesOnly);
-    // What doubles cannot tell from zero is tried from there downwards.
+    // The shift starts at the rounding level of doubles if the computed eigenvalue is below it.
     double shift = std::max(0.5 * eigen.eigenvalues()[0], 1e-13);
     for (; shift > 2 * wrong; shift /= 8) {
       Matrix shifted = scaled;
@@ -435,12 +437,12 @@ class Bounds {
   }
 
   double error_, rounding_;
-  MotionBounds motions_;
+  RigidModeBounds motions_;
   Matrix normal_motions_;         // H, m rows
   Eigen::VectorXd roots_;         // R of all rows of F, rounded up
   std::vector<int> owners_;       // of each cone
   std::vector<int> first_cones_;  // of each candidate
-  double least_ = 0;              // s
+  double least_ = 0;              // lower bound s of the least eigenvalue
 };
 
 }  // namespace kusabi::conic

@@ -1,4 +1,4 @@
-// Products with the padded columns, in registers as far as they go.
+// Products with the padded columns, accumulated in registers.
 #include "solvers/conic/columns.hpp"
 
 #include "solvers/conic/pack.hpp"
@@ -7,9 +7,9 @@ namespace kusabi::conic {
 
 namespace {
 
-// Rows of the product that are summed in one pass over the columns, in packs.
+// Product for several rows, in packs, in one pass over the columns.
 template <int Height>
-KUSABI_INLINE void product_of_rows(const Columns& matrix, const double* coefficients, int row,
+KUSABI_INLINE void product_of_rows(const PackedColumns& matrix, const double* coefficients, int row,
                                    double* sum) {
   Pack sums[Height] = {};
   for (int d = 0; d < matrix.components; ++d) {
@@ -26,7 +26,7 @@ KUSABI_INLINE void product_of_rows(const Columns& matrix, const double* coeffici
 }  // namespace
 
 KUSABI_ALSO_FOR_AVX2
-void transposed_product(const Columns& matrix, const double* weights, double* products) {
+void transposed_product(const PackedColumns& matrix, const double* weights, double* products) {
   const int rows = matrix.rows;
   for (int d = 0; d < matrix.components; ++d)
     for (int c = 0; c < matrix.count; c += lanes) {
@@ -41,7 +41,7 @@ void transposed_product(const Columns& matrix, const double* weights, double* pr
 }
 
 KUSABI_ALSO_FOR_AVX2
-void product(const Columns& matrix, const double* coefficients, double* sum) {
+void product(const PackedColumns& matrix, const double* coefficients, double* sum) {
   int row = 0;
   for (; row + 8 * lanes <= matrix.rows; row += 8 * lanes)
     product_of_rows<8>(matrix, coefficients, row, sum);

@@ -1,11 +1,11 @@
-// The algebra of one second-order cone of fixed dimension D,
+// Algebra of one second-order cone of fixed dimension D for an interior-point method,
 //
-//   Q_D = { x = (x_0, x_1) : x_0 >= ||x_1|| },
+//   Q_D = { x = (x_0, x_1) : x_0 >= ||x_1|| }:
 //
-// that an interior-point method needs: Jordan product, step to the boundary, Nesterov-Todd scaling.
-// A friction cone with d - 1 tangents is Q_d (the wedged paper, equation (4), in scaled form).
-// D is a template argument because the cones are tiny (2 or 3): every operation unrolls. Real is
-// double, or Pack for four cones at once.
+// Jordan product, step to the boundary, Nesterov-Todd scaling. A friction cone with d - 1 tangents
+// is Q_d (the wedged paper, equation (4), in scaled form). D is a template argument because the
+// cones are small (2 or 3): every operation unrolls. Real is double, or Pack for four cones at
+// once.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace kusabi::conic {
 
 /// A point of R^D; the head is entry 0.
 template <int D, class Real = double>
-using Point = std::array<Real, static_cast<std::size_t>(D)>;
+using ConePoint = std::array<Real, static_cast<std::size_t>(D)>;
 
 /// x'y.
 template <std::size_t D, class Real>
@@ -40,14 +40,14 @@ KUSABI_INLINE Real radius(const std::array<Real, D>& x) {
   return root(tail_dot(x, x));
 }
 
-/// How far inside Q_D x is, x_0 - ||x_1||: positive exactly in the interior.
+/// Distance measure x_0 - ||x_1||: positive exactly in the interior of Q_D.
 template <std::size_t D, class Real>
 KUSABI_INLINE Real margin(const std::array<Real, D>& x) {
   return x[0] - radius(x);
 }
 
-/// x_0^2 - ||x_1||^2, as a product of two factors because the difference of squares would lose
-/// its digits near the boundary. Positive with x_0 > 0 exactly when x is inside the cone.
+/// x_0^2 - ||x_1||^2, as a product of two factors, since the difference of squares would cancel
+/// near the boundary. Positive with x_0 > 0 exactly in the interior of the cone.
 template <std::size_t D, class Real>
 KUSABI_INLINE Real determinant(const std::array<Real, D>& x) {
   const Real around = radius(x);
@@ -64,22 +64,21 @@ KUSABI_INLINE std::array<Real, D> jordan_product(const std::array<Real, D>& x,
   return product;
 }
 
-/// The Nesterov-Todd scaling of an interior pair (x, z): the symmetric W with
-/// W z = W^-1 x = lambda, and what the iteration does in the scaled space.
-/// With x and z divided by the roots of their determinants, J z = (z_0, -z_1) and
-/// gamma = sqrt((1 + x'z) / 2), the scaling point is w = (x + J z) / (2 gamma), and W = eta V(w)
-/// where eta = (det x / det z)^(1/4) and V(w) = [w_0, w_1'; w_1, I + w_1 w_1' / (1 + w_0)].
+/// Nesterov-Todd scaling of an interior pair (x, z): the symmetric W with W z = W^-1 x = lambda.
+/// With x and z divided by the roots of their determinants, J z = (z_0, -z_1) and gamma = sqrt((1 +
+/// x'z) / 2), the scaling point is w = (x + J z) / (2 gamma), and W = eta V(w) where eta = (det x /
+/// det z)^(1/4) and V(w) = [w_0, w_1'; w_1, I + w_1 w_1' / (1 + w_0)].
 template <int D, class Real = double>
-class Scaling {
+class NesterovToddScaling {
   static constexpr std::size_t size = D;
 
  public:
-  using Vector = Point<D, Real>;
+  using Vector = ConePoint<D, Real>;
 
-  Scaling() = default;
+  NesterovToddScaling() = default;
 
-  /// Both points must be inside the cone.
-  KUSABI_INLINE Scaling(const Vector& x, const Vector& z) {
+  /// @pre both points are in the interior of the cone
+  KUSABI_INLINE NesterovToddScaling(const Vector& x, const Vector& z) {
     const Real root_x = root(determinant(x));
     const Real root_z = root(determinant(z));
     const Real inverse_x = 1.0 / root_x;
@@ -103,7 +102,7 @@ class Scaling {
       matrix_[i][i] += eta;
     }
 
-    // lambda in closed form: W z would cancel near the boundary.
+    // lambda in closed form, since W z would cancel near the boundary.
     lambda_root_ = root_z * eta;
     inverse_lambda_root_ = 1.0 / lambda_root_;
     lambda_unit_[0] = gamma;
@@ -142,9 +141,9 @@ class Scaling {
     return quotient;
   }
 
-  /// The reciprocal of the largest step length alpha with lambda + alpha direction in the cone; not
-  /// positive when every length stays inside. The reciprocals of several cones combine by their
-  /// maximum. Turns lambda into the identity e first, where the reciprocal is ||d_1|| - d_0.
+  /// Reciprocal of the largest step length alpha with lambda + alpha direction in the cone; not
+  /// positive if every length stays inside. The reciprocals of several cones combine by their
+  /// maximum. The computation maps lambda to the identity e, where the reciprocal is ||d_1|| - d_0.
   KUSABI_INLINE Real inverse_step_length(const Vector& direction) const {
     const Real head = lambda_unit_[0] * direction[0] - tail_dot(lambda_unit_, direction);
     const Real share = (head + direction[0]) * inverse_shift_;

@@ -1,4 +1,4 @@
-// Row by row.
+// Assembly of the cone program of a node, row by row.
 #include "solvers/conic/cone_program.hpp"
 
 #include <stdexcept>
@@ -15,7 +15,7 @@ bool has(const IndexSet& set, Eigen::Index candidate) {
   return set.contains(static_cast<int>(candidate));
 }
 
-// A part more; parts of one kind, but for second-order cones, are one.
+// Appends a part; parts of one kind are merged, except second-order cones.
 void add(std::vector<ConePart>& parts, Kind kind, Eigen::Index size) {
   const bool grows = !parts.empty() && parts.back().kind == kind && kind != Kind::second_order;
   if (grows) {
@@ -34,7 +34,7 @@ class NodeRows {
         d_(compliance.rows() / m_) {
     const Eigen::Index size = compliance.rows();
     program_.costs = Eigen::VectorXd::Unit(size + 1, size);
-    program_.matrix.setZero(1 + m_ + size, size + 1);  // at most
+    program_.matrix.setZero(1 + m_ + size, size + 1);  // upper bound of the size
     program_.constants.setZero(1 + m_ + size);
   }
 
@@ -64,7 +64,7 @@ class NodeRows {
     return friction_[static_cast<std::size_t>(candidate)];
   }
 
-  // Room for `count` rows. @return the first
+  // Allocates `count` rows. @return the first
   Eigen::MatrixXd::RowXpr next(Kind kind, Eigen::Index count) {
     add(program_.rows, kind, count);
     used_ += count;

@@ -1,6 +1,6 @@
-// A conic program as plain data, and the program of a node of the tree of sign patterns in it: as
-// it is derived (node_program.hpp), before it is brought into the standard form that is solved
-// here, so that other solvers can be asked the same.
+// ConeProgram: a cone program as plain data, and the program of a node of the tree of sign patterns
+// in this form: as derived (node_program.hpp), before its conversion to the standard form that is
+// solved here, so that other solvers can be applied to it.
 #pragma once
 
 #include <span>
@@ -12,13 +12,13 @@
 
 namespace kusabi::conic {
 
-/// What some numbers in a row must be together.
+/// Cone of some consecutive numbers.
 struct ConePart {
   enum class Kind {
-    free,          ///< anything
+    free,          ///< any value
     zero,          ///< all zero
-    nonnegative,   ///< none below zero
-    second_order,  ///< the first at least the norm of the others
+    nonnegative,   ///< non-negative
+    second_order,  ///< the first is at least the norm of the others
   };
   Kind kind;
   int size;
@@ -26,17 +26,17 @@ struct ConePart {
   friend bool operator==(const ConePart&, const ConePart&) = default;
 };
 
-/// Maximise costs'x, where x is in the cones `columns` and matrix x + constants in the cones
-/// `rows`, one after another.
+/// Maximise costs'x, where x is in the cones `columns`, in sequence, and matrix x + constants in
+/// the cones `rows`.
 struct ConeProgram {
   std::vector<ConePart> columns;
   std::vector<ConePart> rows;
-  Eigen::VectorXd costs;      ///< one a column
+  Eigen::VectorXd costs;      ///< one per column
   Eigen::MatrixXd matrix;     ///< rows x columns
-  Eigen::VectorXd constants;  ///< one a row
+  Eigen::VectorXd constants;  ///< one per row
 };
 
-/// The program of the node (U, R), the form of (23) of the wedged paper:
+/// Program of the node (U, R), the form of (23) of the wedged paper:
 ///
 ///   max t  s.t.  sum_i r_ni = 1,  (F r)_ni = 0 (i in U),  (F r)_nj - t >= 0 (j not in U),
 ///                (mu_i r_ni - t, r_ti) in the second-order cone (i not in R),  r_i = 0 (i in R);
@@ -45,9 +45,9 @@ struct ConeProgram {
 /// in the order above, candidate by candidate.
 /// @param compliance F, Dm x Dm
 /// @param friction mu, m numbers
-/// @param contact U, and @param separated R
-/// @throws std::invalid_argument if the sizes do not fit, or the sets overlap or name a candidate
-///   that does not exist
+/// @param contact U  @param separated R
+/// @throws std::invalid_argument if the sizes do not match, or the sets overlap or contain a
+///   candidate that does not exist
 ConeProgram node_cone_program(const Eigen::MatrixXd& compliance, std::span<const double> friction,
                               const support::IndexSet& contact, const support::IndexSet& separated);
 

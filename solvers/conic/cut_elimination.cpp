@@ -1,4 +1,4 @@
-// Block by block, then the border; the header states the equations.
+// Elimination of the cuts: first the blocks, then the border. The header states the equations.
 #include "solvers/conic/cut_elimination.hpp"
 
 #include <cmath>
@@ -45,10 +45,10 @@ void CutElimination<D>::begin(const Eigen::VectorXd& w) {
   }
 }
 
-// With h = (f, a w_i) the block is diag(W, w_i) (I - h h' / delta) diag(W, w_i). Of the middle,
-// Cholesky's method by blocks: T = I - tau f f' is the root of I - f f' / delta, and leaves
-// -(a w_i / (delta sqrt(rest))) f below, and w_cut^2 / (w_cut^2 + a^2 w_i^2) on the diagonal, where
-// delta rest = w_cut^2 + a^2 w_i^2.
+// With h = (f, a w_i) the block is diag(W, w_i) (I - h h' / delta) diag(W, w_i). Block Cholesky of
+// the middle factor: T = I - tau f f' is the root of I - f f' / delta, and leaves -(a w_i / (delta
+// sqrt(rest))) f below, and w_cut^2 / (w_cut^2 + a^2 w_i^2) on the diagonal, where delta rest =
+// w_cut^2 + a^2 w_i^2.
 template <int D>
 auto CutElimination<D>::share(int cone, const Square& scaling) -> Share {
   const int at = cut_of_cone_[static_cast<std::size_t>(cone)];
@@ -66,15 +66,15 @@ auto CutElimination<D>::share(int cone, const Square& scaling) -> Share {
 }
 
 template <int D>
-Columns CutElimination<D>::outer() const {
+PackedColumns CutElimination<D>::outer() const {
   const auto count = static_cast<int>(cuts_.size());
   return {outer_.data(), padded(rows_), 1, count, padded(count)};
 }
 
 template <int D>
 bool CutElimination<D>::border(const NodeProgram<D>& program) {
-  const Columns matrix = program.matrix();
-  const Columns outer = this->outer();
+  const PackedColumns matrix = program.matrix();
+  const PackedColumns outer = this->outer();
   outer_.head(Eigen::Index{outer.rows} * outer.stride).setZero();
   shares_.setZero();
   kappa_ = 0;

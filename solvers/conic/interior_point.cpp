@@ -1,4 +1,4 @@
-// The interior-point iteration; the header states the pair of programs it solves.
+// Interior-point iteration. The header states the pair of programs.
 #include "solvers/conic/interior_point.hpp"
 
 #include <algorithm>
@@ -11,23 +11,23 @@ namespace kusabi::conic {
 
 namespace {
 
-// Added to the diagonal of A W^2 A', relative to the size of each row before cancellation (A has b
+// Shift of the diagonal of A W^2 A', relative to the size of each row before cancellation (A has b
 // in it): of the order of its rounding. A candidate in contact whose normal and tangents are
-// decoupled makes a row of A vanish, and then u_n = 0 has no solution; the shift lets y run along
-// that row, which proves the node dead.
+// decoupled has a zero row in A, and u_n = 0 then has no solution; with the shift, y grows along
+// that row and proves the node infeasible.
 constexpr double diagonal_shift = 1e-15;
 
-// The columns of one cone of A times a matrix, by columns; `rows` and `distance` are those of A,
-// from one component to the next, and the same of the product.
+// Product of the columns of one cone of A with a matrix, by columns. `rows` and `distance` are
+// those of A, from one component to the next, and the same for the product.
 template <int D>
 KUSABI_INLINE void multiply_columns(const double* a, int distance, int rows,
                                     const Eigen::Matrix<double, D, D>& matrix, double* product,
                                     int product_distance) {
   for (int row = 0; row < rows; row += lanes) {
-    Point<D, Pack> entries;
+    ConePoint<D, Pack> entries;
     for (int d = 0; d < D; ++d) entries[static_cast<std::size_t>(d)] = load(a + d * distance + row);
     for (int d = 0; d < D; ++d) {
-      Point<D, Pack> column;
+      ConePoint<D, Pack> column;
       for (int e = 0; e < D; ++e) column[static_cast<std::size_t>(e)] = matrix(e, d);
       store(product + d * product_distance + row, dot(entries, column));
     }
@@ -44,9 +44,10 @@ InteriorPoint<D>::InteriorPoint(const NodeProgram<D>& program)
   const int motions = program.motions().lifting;
   moved_.setZero(rows, motions);
   motion_.setZero(motions);
-  schur_.compute(Eigen::MatrixXd::Identity(motions, motions));  // solvers are copied, state and all
+  // the constructor allocates; solvers are copied with their state
+  schur_.compute(Eigen::MatrixXd::Identity(motions, motions));
   const Eigen::Index cones = padded(program.most_cones());
-  for (Points<D>* points : {&x_, &z_, &projected_, &step_x_, &step_z_, &products_})
+  for (ConePoints<D>* points : {&x_, &z_, &projected_, &step_x_, &step_z_, &products_})
     points->setZero(cones, D);
   for (Eigen::VectorXd* numbers : {&v_, &y_, &w_, &weights_, &lambda_, &predictor_, &correction_,
                                    &dy_, &trial_, &step_v_, &step_y_})
@@ -61,7 +62,7 @@ InteriorPoint<D>::InteriorPoint(const NodeProgram<D>& program)
 }
 
 template <int D>
-KUSABI_INLINE auto InteriorPoint<D>::load_cones(const Points<D>& points, int cone) -> Cones {
+KUSABI_INLINE auto InteriorPoint<D>::load_cones(const ConePoints<D>& points, int cone) -> Cones {
   Cones values;
   for (std::size_t d = 0; d < values.size(); ++d)
     values[d] = load(points.data() + static_cast<Eigen::Index>(d) * points.rows() + cone);
@@ -69,7 +70,8 @@ KUSABI_INLINE auto InteriorPoint<D>::load_cones(const Points<D>& points, int con
 }
 
 template <int D>
-KUSABI_INLINE void InteriorPoint<D>::store_cones(Points<D>& points, int cone, const Cones& values) {
+KUSABI_INLINE void InteriorPoint<D>::store_cones(ConePoints<D>& points, int cone,
+                                                 const Cones& values) {
   for (std::size_t d = 0; d < values.size(); ++d)
     store(points.data() + static_cast<Eigen::Index>(d) * points.rows() + cone, values[d]);
 }
@@ -80,12 +82,12 @@ void InteriorPoint<D>::start(const NodeProgram<D>& program) {
   elimination_.start(program);
   normal_equations_.resize(elimination_.is_needed() ? elimination_.rows() : program.rows());
   for (Eigen::VectorXd* numbers : {&predictor_, &correction_, &dy_, &trial_, &step_v_, &step_y_})
-    numbers->setZero();  // those of rows that this node has not
+    numbers->setZero();  // rows not used by this node
   y_ = program.slack();
   program.multiply_transposed(y_, products_);
   double size = start_limit;
   for (int c = 0; c < count; ++c) {
-    Point<D> push;
+    ConePoint<D> push;
     for (std::size_t d = 0; d < push.size(); ++d)
       push[d] = products_(c, static_cast<Eigen::Index>(d));
     const double outward = push[0] + radius(push);
@@ -122,7 +124,7 @@ double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
   const auto count = static_cast<int>(program.cones().size());
   Pack widest = {}, product_sum = {};
   for (int c = 0; c < count; c += lanes) {
-    const Scaling<D, Pack> scaling(load_cones(x_, c), load_cones(z_, c));
+    const NesterovToddScaling<D, Pack> scaling(load_cones(x_, c), load_cones(z_, c));
     scaling_[static_cast<std::size_t>(c / lanes)] = scaling;
     const Cones lambda = scaling.lambda();
     const Pack present = load(present_.data() + c);
@@ -146,8 +148,8 @@ double InteriorPoint<D>::scale(const NodeProgram<D>& program) {
 }
 
 template <int D>
-Columns InteriorPoint<D>::scaled_columns(const NodeProgram<D>& program) const {
-  Columns columns = program.matrix();
+PackedColumns InteriorPoint<D>::scaled_columns(const NodeProgram<D>& program) const {
+  PackedColumns columns = program.matrix();
   columns.data = scaled_matrix_.data();
   if (elimination_.is_needed()) columns.rows = padded(elimination_.rows());
   return columns;
@@ -166,8 +168,8 @@ auto InteriorPoint<D>::matrix_of(int cone) const -> Square {
 
 template <int D>
 void InteriorPoint<D>::scale_matrix(const NodeProgram<D>& program) {
-  const Columns from = program.matrix();
-  const Columns to = scaled_columns(program);
+  const PackedColumns from = program.matrix();
+  const PackedColumns to = scaled_columns(program);
   const int distance = from.stride * from.rows;
   const int scaled_distance = to.stride * to.rows;
   for (int c = 0; c < from.count; ++c) {
@@ -199,13 +201,13 @@ bool InteriorPoint<D>::factorise(const NodeProgram<D>& program) {
     if (!elimination_.border(program)) return false;
     elimination_.complete(weights_, normal_equations_);
   }
-  // By row: rows of stiff candidates are small, and the rounding of others is no measure for them.
+  // The shift is relative per row, since rows of stiff candidates are small.
   for (int i = 0; i < program.first_cut(); ++i) {
     const double b = program.right_side()[i];
     const double size = normal_equations_.diagonal(i) + widest * widest * b * b;
     normal_equations_.add_to_diagonal(i, diagonal_shift * size + weights_[i]);
   }
-  // A row that is ignored has no entries: like those that fill up the last four.
+  // Rows of ignored candidates have no entries, like the padding.
   for (const int i : program.ignored()) normal_equations_.add_to_diagonal(i, 1);
   if (motion_.size() == 0) return factorise_and_solve();
   const Eigen::VectorXd unbalanced = hold_motions(program);
@@ -235,11 +237,11 @@ void InteriorPoint<D>::solve(Eigen::VectorXd& whole) {
 template <int D>
 Eigen::VectorXd InteriorPoint<D>::hold_motions(const NodeProgram<D>& program) {
   const Eigen::MatrixXd& columns = program.free_columns();
-  // Of the size of the rows of U: those with a slack only grow.
+  // Size of the rows of U; rows with a slack only grow.
   double size = 0;
   for (int i = 0; i < program.first_cut(); ++i) size += normal_equations_.diagonal(i) - weights_[i];
   const double weight = size / columns.squaredNorm();
-  // With the rows of cuts what these have of the columns is eliminated.
+  // The contribution of the cuts' rows to the columns is eliminated.
   const auto count = program.first_cut();
   along_.setZero();
   for (Eigen::Index l = 0; l < columns.cols(); ++l) {
@@ -280,15 +282,15 @@ Eigen::VectorXd InteriorPoint<D>::balance(const NodeProgram<D>& program,
 }
 
 template <int D>
-const Points<D>& InteriorPoint<D>::project(const NodeProgram<D>& program) {
+const ConePoints<D>& InteriorPoint<D>::project(const NodeProgram<D>& program) {
   projected_ = x_;
   shift_projected(program, correction_);
   return projected_;
 }
 
 template <int D>
-const Points<D>& InteriorPoint<D>::project_again(const Eigen::VectorXd& discrepancy,
-                                                 const NodeProgram<D>& program) {
+const ConePoints<D>& InteriorPoint<D>::project_again(const Eigen::VectorXd& discrepancy,
+                                                     const NodeProgram<D>& program) {
   trial_ = discrepancy;
   solve(trial_);
   if (motion_.size() > 0) motion_ += balance(program, trial_);
@@ -316,7 +318,7 @@ auto InteriorPoint<D>::directions(const NodeProgram<D>& program, const Eigen::Ve
   program.multiply_transposed(dy, products_);
   Pack dual = {}, primal = {};
   for (int c = 0; c < count; c += lanes) {
-    const Scaling<D, Pack>& scaling = this->scaling(c);
+    const NesterovToddScaling<D, Pack>& scaling = this->scaling(c);
     const Cones lambda = scaling.lambda();
     const Pack present = load(present_.data() + c);
     Cones dz = scaling.times(load_cones(products_, c));
@@ -375,9 +377,9 @@ bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
   const double affine_length = 1 / std::max({1.0, predicted.dual, predicted.primal});
 
   // Corrector: W^-1 dx + W dz = -lambda + q with lambda o q = sigma mu e - alpha dx~ o dz~, alpha
-  // the length of the predictor's step, and A dx = (1 - sigma) (b - A x), hence
-  // M dy = b - sigma (b - A x) - B q. Mehrotra's method has the second-order term in full; where
-  // the predictor's step is short it is out of proportion, and the iteration can cycle.
+  // the length of the predictor's step, and A dx = (1 - sigma) (b - A x), hence M dy = b - sigma (b
+  // - A x) - B q. Mehrotra's method has the second-order term without the factor alpha; after a
+  // short predictor step that term is too large, and the iteration can cycle.
   const auto degree = static_cast<double>(program.cones().size() + program.slacks());
   const double sigma = (1 - affine_length) * (1 - affine_length) * (1 - affine_length);
   correct(program, sigma * complementarity_ / degree, affine_length);
@@ -394,7 +396,7 @@ bool InteriorPoint<D>::advance(const NodeProgram<D>& program) {
 template <int D>
 auto InteriorPoint<D>::centring_step(const NodeProgram<D>& program, double complementarity)
     -> Step {
-  for (Points<D>* points : {&step_x_, &step_z_}) points->setZero();
+  for (ConePoints<D>* points : {&step_x_, &step_z_}) points->setZero();
   correct(program, complementarity, 0);
   solve(trial_);
   dy_ = predictor_ - trial_;
@@ -407,7 +409,7 @@ auto InteriorPoint<D>::centring_step(const NodeProgram<D>& program, double compl
 
 template <int D>
 bool InteriorPoint<D>::centre(const NodeProgram<D>& program, double complementarity) {
-  int full = 0;  // the second one is as good as exact
+  int full = 0;  // a second full step is accurate enough
   for (int step = 0; step < most_centring_steps && full < 2; ++step) {
     const Step made = centring_step(program, complementarity);
     if (made == Step::failed || !factorise(program)) return false;
@@ -420,7 +422,7 @@ template <int D>
 auto InteriorPoint<D>::lay_out(const NodeProgram<D>& program, int cone, int first_row) ->
     typename CutElimination<D>::Part {
   const int candidate = program.cones()[static_cast<std::size_t>(cone)];
-  const Columns matrix = program.matrix();
+  const PackedColumns matrix = program.matrix();
   const Square scaling = matrix_of(cone);
   auto rows = faces_.middleRows(first_row, D + 1);
   rows.setZero();
@@ -441,14 +443,14 @@ auto InteriorPoint<D>::lay_out(const NodeProgram<D>& program, int cone, int firs
   return part;
 }
 
-// A direction is as long as ||W^-1 dx||^2 + ||dv / w||^2: on the central path mu times the second
-// derivative of the barrier. Of those with A dx = dv the shortest with dx_i = -x_i has the length
-// lambda_i'(I - B_i'M^-1 B_i)^-1 lambda_i, and with dv_i = -v_i it is
-// lambda_i^2 / (1 - w_i^2 (M^-1)_ii).
+// The squared length of a direction is ||W^-1 dx||^2 + ||dv / w||^2: on the central path mu times
+// the second derivative of the barrier. Among those with A dx = dv, the shortest with dx_i = -x_i
+// has the length lambda_i'(I - B_i'M^-1 B_i)^-1 lambda_i, and the shortest with dv_i = -v_i has the
+// length lambda_i^2 / (1 - w_i^2 (M^-1)_ii).
 template <int D>
 void InteriorPoint<D>::measure(const NodeProgram<D>& program,
                                std::vector<FaceDistances>& distances) {
-  // A face that the others leave no room to go to is as far as digits tell.
+  // Below this, the distance of a face is limited by rounding only.
   constexpr double least = 1e-14;
   constexpr int height = D + 1;  // rows of a cone among the reduced ones, and one of its slack
   const int rows = scaled_columns(program).rows;

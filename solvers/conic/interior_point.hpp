@@ -1,21 +1,21 @@
-// A primal-dual interior-point iteration for the standard form of a node program:
+// InteriorPoint: primal-dual interior-point method for the standard form of a node program:
 //
 //   min c'x  s.t.  A x - v = b,  x in Q_d^k,  v >= 0        max b'y  s.t.  z = c - A'y in Q_d^k,
 //                                                            y_j >= 0 for the rows with a slack.
 //
 // Nesterov-Todd scaling, Mehrotra's predictor and corrector, normal equations M = A W^2 A' of size
-// m x m by Cholesky. The names are those of the literature on such methods: W, w, eta and lambda
-// the scaling, its point, its factor and the scaled iterate; mu = (x'z + v'y) / degree the
-// complementarity of an average pair; sigma the centring parameter; alpha the step lengths. The
-// primal start is infeasible; the dual start is feasible by construction and z is computed afresh
-// from y each time, so b'y bounds the optimal value from below throughout, up to the rounding of
-// one product. The node solver turns the two sides into a bracket of t*.
+// m x m by Cholesky. The names are those of the literature: W, w, eta and lambda the scaling, its
+// point, its factor and the scaled iterate; mu = (x'z + v'y) / degree the complementarity of an
+// average pair; sigma the centring parameter; alpha the step lengths. The primal start is
+// infeasible. The dual start is feasible by construction and z is recomputed from y each time, so
+// that b'y is a lower bound of the optimal value throughout, up to the rounding of one product. The
+// node solver turns both sides into a bracket of t*.
 //
-// The motions of a loose body add free columns to A, H alpha, and H'y = 0 to the dual program. That
-// the start does not satisfy: a full step does. With rho H H' added to M, which changes nothing
-// where H'dy is given, the factor exists although U alone may not determine the reactions; the p
-// equations are then solved with S = H'M^-1 H. The rows of cuts are eliminated
-// (cut_elimination.hpp).
+// The rigid-body modes of an unconstrained body add free columns to A, H alpha, and H'y = 0 to the
+// dual program. The start does not satisfy this equation; a full step does. With rho H H' added to
+// M, which changes nothing where H'dy is given, the factor exists although U alone may not
+// determine the reactions; the p equations are then solved with S = H'M^-1 H. The rows of cuts are
+// eliminated (cut_elimination.hpp).
 #pragma once
 
 #include <vector>
@@ -31,106 +31,108 @@
 
 namespace kusabi::conic {
 
-/// Squares of distances from the centre of a relaxation to its faces, in the metric of the
-/// ellipsoid around the centre, in which every inequality is at least as far as 1 (times mu, alike
-/// for all). They depend on no unit, and on how all constraints go together: where two candidates
-/// can hardly part, a face of the one that is far is so by the other.
+/// Squared distances from the centre of a relaxation to its faces, in the metric of the ellipsoid
+/// around the centre, in which every inequality is at a distance of at least 1 (times a common
+/// factor mu). They do not depend on units, and take all constraints into account: if two
+/// candidates can hardly separate from each other, a face that is far for one is far for the other.
 struct FaceDistances {
-  double separation = 0;  ///< from x_i = 0
-  double contact = 0;     ///< from v_i = 0
+  double separation = 0;  ///< to x_i = 0
+  double contact = 0;     ///< to v_i = 0
 };
 
-/// One run of the iteration at a time, on storage that is allocated once for the largest node.
-/// Per iteration call dual_value(), factorise(), project() where wanted, advance().
+/// One run of the iteration at a time, on storage allocated once for the largest node. Per
+/// iteration call dual_value(), factorise(), optionally project(), then advance().
 ///
-/// Cones and rows are taken four at a time. The last four are filled up by cones and rows without
-/// coefficients, whose z stays at the identity and whose x and y do not move.
+/// Cones and rows are processed in packs of four. The last pack is padded by cones and rows without
+/// coefficients, whose z stays at the identity and whose x and y do not change.
 template <int D>
 class InteriorPoint {
  public:
-  /// For any node of this program.
+  /// Allocates for any node of this program.
   explicit InteriorPoint(const NodeProgram<D>& program);
 
-  /// Takes the start: x and v from the identity, y on the rows with a slack so small that z is
-  /// well inside the cones. It depends on the node only.
+  /// Sets the start: x and v multiples of the identity, y on the rows with a slack so small that z
+  /// is well inside the cones. It depends on the node only.
   void start(const NodeProgram<D>& program);
 
-  /// b'y, a lower bound of the optimal value: y is dual feasible.
+  /// b'y, a lower bound of the optimal value, since y is dual feasible.
   double dual_value(const NodeProgram<D>& program) const { return program.right_side().dot(y_); }
   /// y, m + p numbers, padded.
   const Eigen::VectorXd& multipliers() const { return y_; }
 
-  /// Scales at the present point and factorises the normal equations.
-  /// @return false when rounding has used up the digits of M
+  /// Computes the scaling at the current point and factorises the normal equations.
+  /// @return false if rounding has used up the digits of M
   bool factorise(const NodeProgram<D>& program);
 
   /// x + W^2 A' M^-1 (b - A x + v): the point that satisfies the equations and is nearest to x in
   /// the norm of the scaling. It may lie outside the cones. Call after factorise().
-  const Points<D>& project(const NodeProgram<D>& program);
-  /// The same for an already projected point whose equations still miss by `discrepancy` (m,
-  /// padded): near the end M is ill-conditioned and one projection leaves a visible error.
-  const Points<D>& project_again(const Eigen::VectorXd& discrepancy, const NodeProgram<D>& program);
+  const ConePoints<D>& project(const NodeProgram<D>& program);
+  /// Projects an already projected point again, whose equations still have the residual
+  /// `discrepancy` (m, padded): near the end M is ill-conditioned and one projection leaves a
+  /// visible error.
+  const ConePoints<D>& project_again(const Eigen::VectorXd& discrepancy,
+                                     const NodeProgram<D>& program);
 
-  /// alpha of the projected point: one number for each motion that lifts.
+  /// alpha of the projected point: one number for each mode with a normal part.
   const Eigen::VectorXd& motion() const { return motion_; }
 
-  /// Goes to the point of the central path whose pairs have this complementarity, as near as a few
-  /// steps come, and factorises there. Call after factorise().
-  /// @return false when rounding has used up the digits
+  /// Moves to the point of the central path with this complementarity, as near as a few steps
+  /// allow, and factorises there. Call after factorise().
+  /// @return false if rounding has used up the digits
   bool centre(const NodeProgram<D>& program, double complementarity);
 
-  /// For the candidates that have both a cone and a slack: how far the present point is from what
-  /// either sign would leave of its neighbourhood. Call after centre().
-  /// @pre a cone for each candidate, and no motions
+  /// Computes the face distances of the candidates that have both a cone and a slack. Call after
+  /// centre().
+  /// @pre one cone per candidate, and no rigid-body modes
   /// @param distances m
   void measure(const NodeProgram<D>& program, std::vector<FaceDistances>& distances);
 
   /// One predictor-corrector step. Call after factorise().
-  /// @return false when the step is too short to matter
+  /// @return false if the step is too short to change the bracket
   bool advance(const NodeProgram<D>& program);
 
  private:
-  using Cones = Point<D, Pack>;  // a point of four cones
+  using Cones = ConePoint<D, Pack>;  // points of four cones
 
   using Square = Eigen::Matrix<double, D, D>;
 
-  // Reciprocals of the largest step lengths that stay inside, or zero where every length does.
+  // Reciprocals of the largest step lengths that stay inside, or zero if every length does.
   struct InverseStepLengths {
     double dual, primal;
   };
 
-  static Cones load_cones(const Points<D>& points, int cone);
-  static void store_cones(Points<D>& points, int cone, const Cones& values);
-  const Scaling<D, Pack>& scaling(int cone) const {
+  static Cones load_cones(const ConePoints<D>& points, int cone);
+  static void store_cones(ConePoints<D>& points, int cone, const Cones& values);
+  const NesterovToddScaling<D, Pack>& scaling(int cone) const {
     return scaling_[static_cast<std::size_t>(cone / lanes)];
   }
 
   // W of a cone.
   Square matrix_of(int cone) const;
 
-  // Adds rho H H' to M; returns H'y, by which y misses its equations.
+  // Adds rho H H' to M; returns H'y, the residual of the equations of the modes.
   Eigen::VectorXd hold_motions(const NodeProgram<D>& program);
-  // What M^-1 H, S and the two solutions of factorise() become with the motions.
+  // Computes M^-1 H and S, and corrects the two solutions of factorise() for the modes.
   bool free_motions(const NodeProgram<D>& program, const Eigen::VectorXd& unbalanced);
-  // Takes from a solution M^-1 g what makes H'y other than zero; returns alpha.
+  // Corrects a solution M^-1 g such that H'y = 0; returns alpha.
   Eigen::VectorXd balance(const NodeProgram<D>& program, Eigen::VectorXd& solution) const;
 
-  // One step towards complementarity_ = complementarity in all pairs; whether it was a full one.
+  // One step towards complementarity_ = complementarity in all pairs; returns its kind.
   enum class Step { full, shortened, failed };
   Step centring_step(const NodeProgram<D>& program, double complementarity);
 
   // Adds W^2 A' weights to the projected point.
   KUSABI_ALSO_FOR_AVX2 void shift_projected(const NodeProgram<D>& program,
                                             const Eigen::VectorXd& weights);
-  // z = c - A'y; whether it is inside the cones and y > 0 on the rows with a slack.
+  // z = c - A'y; returns true if it is inside the cones and y > 0 on the rows with a slack.
   KUSABI_ALSO_FOR_AVX2 bool refresh_dual(const NodeProgram<D>& program, const Eigen::VectorXd& y);
-  // Scales x, z and A in all cones, v and y in all rows; sets the missing part b - A x + v.
-  // Returns the largest entry on the diagonals of W.
+  // Scales x, z and A in all cones, v and y in all rows; sets the residual b - A x + v. Returns the
+  // largest entry on the diagonals of W.
   KUSABI_ALSO_FOR_AVX2 double scale(const NodeProgram<D>& program);
-  // B = A W, or what takes its place where there are cuts.
+  // B = A W, or its replacement if there are cuts.
   KUSABI_ALSO_FOR_AVX2 void scale_matrix(const NodeProgram<D>& program);
-  Columns scaled_columns(const NodeProgram<D>& program) const;
-  // M^-1 g in the place of g, once M has been factorised.
+  PackedColumns scaled_columns(const NodeProgram<D>& program) const;
+  // Replaces g by M^-1 g. @pre M has been factorised
   void solve(Eigen::VectorXd& whole);
   // Factorises M and solves for predictor_ and correction_.
   bool factorise_and_solve();
@@ -138,24 +140,24 @@ class InteriorPoint {
   // step_v_ hold q.
   KUSABI_ALSO_FOR_AVX2 InverseStepLengths directions(const NodeProgram<D>& program,
                                                      const Eigen::VectorXd& dy);
-  // The q of the corrector, with which lambda o q = sigma mu e - alpha dx~ o dz~ (alpha the length
-  // of the predictor's step), into step_x_ and step_v_, and the right side A W q into trial_.
+  // The q of the corrector, with lambda o q = sigma mu e - alpha dx~ o dz~ (alpha the length of the
+  // predictor's step), into step_x_ and step_v_, and the right side A W q into trial_.
   KUSABI_ALSO_FOR_AVX2 void correct(const NodeProgram<D>& program, double sigma_mu,
                                     double affine_length);
   KUSABI_ALSO_FOR_AVX2 bool move_primal(const NodeProgram<D>& program, double step_length);
   bool move_dual(const NodeProgram<D>& program, double step_length);
-  // The columns of a cone, and that of its slack, as rows of faces_, for measure().
+  // Columns of a cone, and that of its slack, as rows of faces_, for measure().
   typename CutElimination<D>::Part lay_out(const NodeProgram<D>& program, int cone, int first_row);
 
-  Points<D> x_, z_, projected_;
-  Eigen::VectorXd v_, y_;                  // by row; v is used on the rows with a slack only
-  std::vector<Scaling<D, Pack>> scaling_;  // of the cones
-  Eigen::VectorXd present_;                // one for each cone, zero for the padding
-  Eigen::VectorXd w_, lambda_;             // of the rows: sqrt(v / y) and sqrt(v y)
-  Eigen::VectorXd weights_;                // what M has of the slacks on its diagonal
-  Eigen::VectorXd scaled_matrix_;          // B = A W
+  ConePoints<D> x_, z_, projected_;
+  Eigen::VectorXd v_, y_;  // by row; v is used on the rows with a slack only
+  std::vector<NesterovToddScaling<D, Pack>> scaling_;  // of the cones
+  Eigen::VectorXd present_;                            // one for each cone, zero for the padding
+  Eigen::VectorXd w_, lambda_;                         // of the rows: sqrt(v / y) and sqrt(v y)
+  Eigen::VectorXd weights_;                            // diagonal contribution of the slacks to M
+  Eigen::VectorXd scaled_matrix_;                      // B = A W
   CutElimination<D> elimination_;
-  Eigen::VectorXd along_;                           // of faces_, what a cut adds
+  Eigen::VectorXd along_;                           // addend to faces_ by a cut
   Eigen::VectorXd reduced_first_, reduced_second_;  // right sides without the rows of cuts
   NormalEquations normal_equations_;                // M = B B' + diag(w^2)
   Eigen::MatrixXd moved_;                           // M^-1 H
@@ -163,8 +165,8 @@ class InteriorPoint {
   Eigen::LLT<Eigen::MatrixXd> schur_;  // of S
   Eigen::VectorXd motion_;             // alpha
   Eigen::VectorXd predictor_, correction_, dy_, trial_;  // m
-  Points<D> step_x_, step_z_;                            // scaled: W^-1 dx, W dz
-  Points<D> products_;                                   // A' dy, W q and the like
+  ConePoints<D> step_x_, step_z_;                        // scaled: W^-1 dx, W dz
+  ConePoints<D> products_;                               // A' dy, W q and similar products
   Eigen::VectorXd step_v_, step_y_;                      // scaled, by row
   double complementarity_ = 0;                           // x'z + v'y
 };

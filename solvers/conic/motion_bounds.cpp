@@ -1,4 +1,4 @@
-// Least singular values of the rows of G that a node has.
+// Rigid-mode bounds from the least singular values of the rows of G at a node.
 #include "solvers/conic/motion_bounds.hpp"
 
 #include <cmath>
@@ -11,11 +11,11 @@
 namespace kusabi::conic {
 namespace {
 
-// Singular values below this part of the largest are those of motions that nothing of a part takes
-// part in, up to the rounding of places and directions in the file.
+// Singular values below this part of the largest belong to modes that do not move the part, up to
+// the rounding of positions and directions in the file.
 constexpr double negligible = 1e-10;
 
-// One over the least singular value that counts; zero of a matrix that is zero.
+// Reciprocal of the least singular value above the threshold; zero for a zero matrix.
 double inverse_of_least(const Eigen::MatrixXd& part, double negligible_share) {
   if (part.size() == 0) return 0;
   Eigen::VectorXd values;
@@ -38,8 +38,8 @@ double inverse_of_least(const Eigen::MatrixXd& part, double negligible_share) {
 
 }  // namespace
 
-MotionBounds::MotionBounds(Eigen::MatrixXd motions, int lifting, double error,
-                           Eigen::VectorXd roots, std::vector<Eigen::Index> first_rows)
+RigidModeBounds::RigidModeBounds(Eigen::MatrixXd motions, int lifting, double error,
+                                 Eigen::VectorXd roots, std::vector<Eigen::Index> first_rows)
     : motions_(std::move(motions)),
       roots_(std::move(roots)),
       first_rows_(std::move(first_rows)),
@@ -49,7 +49,7 @@ MotionBounds::MotionBounds(Eigen::MatrixXd motions, int lifting, double error,
   largest_ = motions_.size() == 0 ? 0 : motions_.cwiseAbs().maxCoeff();
 }
 
-double MotionBounds::carry(std::span<const int> cones, int dimension) const {
+double RigidModeBounds::carry(std::span<const int> cones, int dimension) const {
   Eigen::MatrixXd part(static_cast<Eigen::Index>(cones.size()) * dimension, motions_.cols());
   Eigen::Index row = 0;
   for (const int k : cones)
@@ -58,7 +58,7 @@ double MotionBounds::carry(std::span<const int> cones, int dimension) const {
   return inverse_of_least(part, negligible);
 }
 
-double MotionBounds::close(std::span<const int> contact) const {
+double RigidModeBounds::close(std::span<const int> contact) const {
   Eigen::MatrixXd part(static_cast<Eigen::Index>(contact.size()), lifting_);
   Eigen::Index row = 0;
   for (const int i : contact) {
@@ -68,13 +68,13 @@ double MotionBounds::close(std::span<const int> contact) const {
   return inverse_of_least(part, negligible);
 }
 
-double MotionBounds::lift(int candidate) const {
+double RigidModeBounds::lift(int candidate) const {
   return motions_.row(first_rows_[static_cast<std::size_t>(candidate)]).head(lifting_).norm() +
          error_ * lifting_;
 }
 
-double MotionBounds::balance(std::span<const int> rows, const std::vector<double>& sizes,
-                             const Eigen::VectorXd& load, double noise, bool whole) const {
+double RigidModeBounds::balance(std::span<const int> rows, const std::vector<double>& sizes,
+                                const Eigen::VectorXd& load, double noise, bool whole) const {
   Eigen::MatrixXd part(static_cast<Eigen::Index>(rows.size()), lifting_);
   for (std::size_t place = 0; place < rows.size(); ++place) {
     const auto at = first_rows_[static_cast<std::size_t>(rows[place])];

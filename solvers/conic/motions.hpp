@@ -1,10 +1,10 @@
-// The motions of a body that nothing holds, as a node program takes them: with u = F r + G alpha
-// and G'r = 0 (docs/theory/wedged.md, "Loose bodies").
+// Motions: rigid-body modes of an unconstrained body in a node program: u = F r + G alpha and G'r =
+// 0 (docs/theory/wedged.md, "Loose bodies").
 //
-// Motions that lift some candidate off its surface or press it in move u_n, and their share alpha
-// is an unknown of the program. Motions along all surfaces, such as that of a block between
-// parallel walls, only ask for equilibrium. So the motions are combined such that the latter come
-// last and have no normal part at all.
+// Modes that separate or press in a candidate change u_n, and their coefficients alpha are unknowns
+// of the program. Modes that slide along all surfaces, such as that of a block between parallel
+// walls, add equations of equilibrium only. The modes are combined such that the latter come last
+// and have no normal part.
 #pragma once
 
 #include <algorithm>
@@ -17,21 +17,21 @@
 
 namespace kusabi::conic {
 
-/// A motion that is normal to no surface by more than this part of the largest motion slides along
-/// all of them: directions are written with sixteen digits, and places rounded to them.
+/// Threshold of the normal part, relative to the largest component, below which a mode slides along
+/// all surfaces: directions are written with sixteen digits, and positions are rounded to them.
 inline constexpr double sliding = 1e-12;
 
 template <class Real>
 struct Motions {
   using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// G T: the displacements of the cones, D rows each, for each of p motions.
+  /// G T: the displacements of the cones, D rows each, for each of p modes.
   Matrix at_cones;
   /// T, p x p, regular.
   Matrix combination;
-  /// How many motions, the first ones, have a normal part.
+  /// Number of modes with a normal part; these come first.
   int lifting = 0;
-  /// What an entry of `at_cones` may be wrong by.
+  /// Error bound of an entry of `at_cones`.
   double error = 0;
 
   [[nodiscard]] int count() const { return static_cast<int>(at_cones.cols()); }
@@ -43,19 +43,20 @@ struct Motions {
   }
 };
 
-/// What an elimination did.
-struct Elimination {
+/// Result of an elimination.
+struct EliminationResult {
   Eigen::Index pivots = 0;
-  double growth = 1;  ///< the largest sum of sizes in a column of `combination` on the way
+  /// the largest sum of magnitudes in a column of `combination` during the elimination
+  double growth = 1;
 };
 
-/// Combines columns with complete pivoting in every stride-th row, until what is left of these rows
-/// is negligible beside the largest pivot.
-/// @param columns E, changed to E T  @param combination T, identity at first
+/// Combines columns by elimination with complete pivoting in every stride-th row, until the
+/// remainder of these rows is negligible relative to the largest pivot.
+/// @param columns E, replaced by E T  @param combination T, initially the identity
 template <class Matrix>
-Elimination eliminate(Matrix& columns, Matrix& combination, Eigen::Index stride,
-                      double negligible) {
-  Elimination result;
+EliminationResult eliminate(Matrix& columns, Matrix& combination, Eigen::Index stride,
+                            double negligible) {
+  EliminationResult result;
   const auto size = [&](Eigen::Index row, Eigen::Index column) {
     return std::abs(numbers::rounded(columns(row, column)));
   };
@@ -81,9 +82,9 @@ Elimination eliminate(Matrix& columns, Matrix& combination, Eigen::Index stride,
   return result;
 }
 
-/// Combines motions such that those without a normal part come last.
-/// @param motions G, D rows a cone; entries of at most about 1
-/// @param error what an entry may be wrong by
+/// Combines modes such that those without a normal part come last.
+/// @param motions G, D rows per cone; entries of at most about 1
+/// @param error error bound of an entry
 template <int D, class Real>
 Motions<Real> ordered_motions(typename Motions<Real>::Matrix motions, double error) {
   const Eigen::Index p = motions.cols();

@@ -1,4 +1,4 @@
-// Builds the standard form of a node program; the header states it.
+// Assembly of the standard form of a node program. The header states it.
 #include "solvers/conic/node_program.hpp"
 
 #include <algorithm>
@@ -18,12 +18,12 @@ using support::IndexSet;
 
 namespace {
 
-// How unsymmetric a compliance may be, relative to its largest entry: the inverse of a stiffness
-// comes with rounding, a forgotten row does not hide below this.
+// Permitted asymmetry of a compliance, relative to its largest entry: large enough for the rounding
+// of an inverted stiffness, small enough to detect a missing row.
 constexpr double symmetry_tolerance = 1e-8;
 
-// Beyond these a cone is a needle or a half-space that no tolerance fits. Factors times
-// coefficients round, and polygons around the cones are wider, hence the room.
+// Beyond these limits a cone is nearly a ray or a half-space, and no tolerance is suitable. The
+// margin allows for rounded products of factors and coefficients, and for circumscribed polygons.
 constexpr double least_friction = 1e-6 * (1 - 1e-12);
 constexpr double most_friction = 1.5e6;
 
@@ -157,7 +157,7 @@ void NodeProgram<D>::select(const IndexSet& contact, const IndexSet& separated,
   for (int i = 0; i < m; ++i) {
     if (!ignored.contains(i)) (contact.contains(i) ? contact_rows_ : gap_rows_).push_back(i);
   }
-  if (cones_.empty()) return;  // no standard form: nothing can sum to one
+  if (cones_.empty()) return;  // the standard form is empty, since no r sums to one
 
   // Row i of the node program, with r_n = x_0 + t / mu and r_t = mu x_1, and t eliminated:
   //   sum_C [F_nn, mu F_nt] x + g t - v = 0,  g = sum_C F_nn / mu - [i not in U],
@@ -200,7 +200,7 @@ void NodeProgram<D>::fill_columns() {
   }
 }
 
-// Row i of A says F_i r - slack_i t = A_i x - b_i, and r_ni = x_i0 + t / mu_i. So a cut is
+// Row i of A states F_i r - slack_i t = A_i x - b_i, and r_ni = x_i0 + t / mu_i. A cut is therefore
 //
 //   share - displacement (A_i x - b_i) - reaction x_i0 - omega gamma t - v = 0,
 //
@@ -227,7 +227,7 @@ void NodeProgram<D>::fill_cuts() {
 }
 
 template <int D>
-void NodeProgram<D>::multiply(const Points<D>& x, Eigen::VectorXd& sum) const {
+void NodeProgram<D>::multiply(const ConePoints<D>& x, Eigen::VectorXd& sum) const {
   product(matrix(), x.data(), sum.data());
   if (cut_rows_.empty()) return;
   const double whole = x.col(0).head(static_cast<Eigen::Index>(cones_.size())).sum();
@@ -241,7 +241,7 @@ void NodeProgram<D>::multiply(const Points<D>& x, Eigen::VectorXd& sum) const {
 
 template <int D>
 void NodeProgram<D>::multiply_transposed(const Eigen::VectorXd& weights,
-                                         Points<D>& products) const {
+                                         ConePoints<D>& products) const {
   if (cut_rows_.empty()) return transposed_product(matrix(), weights.data(), products.data());
   forces_ = weights.head(forces_.size());
   forces_.tail(forces_.size() - first_cut()).setZero();
@@ -262,7 +262,7 @@ void NodeProgram<D>::multiply_transposed(const Eigen::VectorXd& weights,
 }
 
 template <int D>
-void NodeProgram<D>::reaction(const Points<D>& x, Eigen::VectorXd& r) const {
+void NodeProgram<D>::reaction(const ConePoints<D>& x, Eigen::VectorXd& r) const {
   r.setZero();
   const auto count = static_cast<Eigen::Index>(cones_.size());
   const double t = level(x.col(0).head(count).sum());

@@ -1,34 +1,34 @@
-// The cone program of one node (U, R) of the tree of sign patterns, in standard form.
+// NodeProgram: the cone program of one node (U, R) of the tree of sign patterns, in standard form.
 //
-// The wedged paper, Algorithm 5.1, bounds a node by the program (18). We take the form of (23) at
-// every node instead, the cone relaxed by t as well: (18) as printed can be infeasible.
+// The wedged paper, Algorithm 5.1, bounds a node by the program (18). Here the form of (23) is used
+// at every node, with the cone relaxed by t as well, since (18) as printed can be infeasible.
 //
 //   max t  s.t.  (F r)_{n,i} = 0 (i in U),   (F r)_{n,j} >= t (j not in U),
 //                ||r_{t,i}|| + t <= mu_i r_{n,i} (i in C),   r_i = 0 (i in R),   sum_i r_{n,i} = 1
 //
-// with C the complement of R. The substitution x_i = (r_{n,i} - t / mu_i, r_{t,i} / mu_i) makes the
-// friction cone of a candidate the second-order cone itself, and the sum gives
-// t = (1 - sum_i x_i0) / omega with omega = sum_C 1 / mu_i. Without friction r_t = 0, t <= r_{n,i}
-// and 1 stands in the place of 1 / mu_i. With a slack v_j for each gap row:
+// with C the complement of R. The substitution x_i = (r_{n,i} - t / mu_i, r_{t,i} / mu_i) maps the
+// friction cone of a candidate to the second-order cone, and the sum gives t = (1 - sum_i x_i0) /
+// omega with omega = sum_C 1 / mu_i. Without friction r_t = 0, t <= r_{n,i} and 1 replaces 1 /
+// mu_i. With a slack v_j for each gap row:
 //
 //   min c'x  s.t.  A x - v = b (v_j only for j not in U),  x_i in Q_d,  v >= 0,  c = e in each
 //   cone.
 //
 // There is exactly one row for each candidate, so the normal equations are m x m.
 //
-// A body that nothing holds adds its p motions G: u_n = F_n r + H alpha with alpha free, H the
-// normal rows of G, and p rows G'r = 0 without a slack. So there are m + p rows and free columns H
-// (docs/theory/wedged.md, "Loose bodies").
+// An unconstrained body adds its p rigid-body modes G: u_n = F_n r + H alpha with alpha free, H the
+// normal rows of G, and p rows G'r = 0 without a slack. There are then m + p rows and free columns
+// H (docs/theory/wedged.md, "Loose bodies").
 //
-// Cuts (cut.hpp) are rows with a slack after all of these. They are not kept: with row i of A in
+// Cuts (cut.hpp) are rows with a slack after all of these. They are not stored: with row i of A in
 // the place of F_i and of t, that of a cut of candidate i is
 //
 //   C_i = -displacement A_i - reaction e_i0' + gamma_i 1',     1'x = sum_k x_k0,
 //
 // and its free columns are those of row i times -displacement.
 //
-// A candidate may have several cones, whose reactions add up to its own and which share its row: so
-// polyhedral friction cones are solved, as sums of plane ones (nodes/wedged/facets.hpp).
+// A candidate may have several cones, whose reactions sum to its own and which share its row:
+// polyhedral friction cones are thus solved as sums of plane ones (nodes/wedged/facets.hpp).
 // docs/theory/wedged.md, "Standard form with m rows", derives it.
 #pragma once
 
@@ -46,11 +46,11 @@
 namespace kusabi::conic {
 
 /// Points of the cones: component d of cone c at (c, d). The rows are padded to a multiple of four;
-/// those of absent cones are no part of the point.
+/// padding is not part of the point.
 template <int D>
-using Points = Eigen::Matrix<double, Eigen::Dynamic, D>;
+using ConePoints = Eigen::Matrix<double, Eigen::Dynamic, D>;
 
-/// What the row of a cut has besides that of its candidate in A.
+/// The part of a cut's row besides the row of its candidate in A.
 struct CutRow {
   int candidate = 0;
   int cone = -1;  ///< of the standard form; -1: the candidate has none
@@ -58,64 +58,63 @@ struct CutRow {
   double gamma = 0;
 };
 
-/// The data of the node programs of one contact problem, and the standard form of the node that
-/// was selected last. Owns all its storage: select() does not allocate but for cuts of a loose
-/// body.
+/// Data of the node programs of one contact problem, and the standard form of the last selected
+/// node. Owns all its storage: select() allocates only for cuts of an unconstrained body.
 template <int D>
 class NodeProgram {
  public:
-  /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and in it
+  /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and within it
   ///        (n, t1[, t2]); scaled so that reactions and displacements are comparable
   /// @param friction mu, m numbers: 0, where r_t = 0, or 1e-6 to 1e6
-  /// @throws std::invalid_argument when the sizes disagree or a number is out of range
+  /// @throws std::invalid_argument if the sizes disagree or a number is out of range
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction);
 
-  /// The same with several cones for a candidate: all sizes above but m count cones.
-  /// @param owners the candidate of each cone: 0, ..., 0, 1, ..., 1, ..., m - 1
-  /// @param motions of a loose body
+  /// With several cones per candidate: all sizes above except m count cones.
+  /// @param owners candidate of each cone: 0, ..., 0, 1, ..., 1, ..., m - 1
+  /// @param motions of an unconstrained body
   NodeProgram(const Eigen::MatrixXd& compliance, std::span<const double> friction,
               std::vector<int> owners, Motions<double> motions = {});
 
-  /// From now on there is room for so many cuts; at first there is none.
+  /// Allocates room for cuts; initially there is none.
   void make_room(int most_cuts);
 
-  /// From the next select() on, mu is this, one number a cone.
-  /// @throws std::invalid_argument when the size differs or a number is out of range
+  /// Sets mu, one number per cone, for the next calls of select().
+  /// @throws std::invalid_argument if the size differs or a number is out of range
   void set_friction(std::span<const double> friction);
 
-  /// Builds the standard form of the node with the candidates of `contact` in U and those of
-  /// `separated` in R. The candidates of `ignored` have neither a reaction
-  /// nor a row: r = 0, and u_n is free.
-  /// @param cuts of candidates that are not ignored, one of each at most, where a candidate has
-  ///   but one cone
-  /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist,
-  ///   or there are more cuts than there is room for
+  /// Assembles the standard form of the node with the candidates of `contact` in U and those of
+  /// `separated` in R. The candidates of `ignored` have neither a reaction nor a row: r = 0, and
+  /// u_n is free.
+  /// @param cuts at most one per candidate, which is not ignored and has one cone
+  /// @throws std::invalid_argument if the sets overlap or contain a candidate that does not exist,
+  ///     or
+  ///   there is no room for the cuts
   void select(const support::IndexSet& contact, const support::IndexSet& separated,
               const support::IndexSet& ignored = {}, std::span<const Cut> cuts = {});
 
   int candidates() const { return owners_.back() + 1; }
-  /// m + p and the cuts.
+  /// Number of rows: m + p and the cuts.
   int rows() const { return first_cut() + static_cast<int>(cuts_.size()); }
   /// m + p: the row of the first cut.
   int first_cut() const { return candidates() + motions_.count(); }
-  /// Of rows(), at any node.
+  /// Maximum of rows() over all nodes.
   int most_rows() const { return first_cut() + most_cuts_; }
   int most_cuts() const { return most_cuts_; }
   const Motions<double>& motions() const { return motions_; }
-  /// H of the node, and what cuts have of it: rows() numbers padded with zeros, a column for each
-  /// motion that lifts.
+  /// H of the node, with the rows of cuts: rows() numbers padded with zeros, one column for each
+  /// mode with a normal part.
   const Eigen::MatrixXd& free_columns() const { return free_columns_; }
-  /// Those of all candidates: m unless a candidate has several.
+  /// Number of cones of all candidates: m unless a candidate has several.
   int most_cones() const { return static_cast<int>(friction_.size()); }
 
-  /// C, the cones of the candidates that may carry a reaction; cone c of the standard form is the
+  /// C, the cones of the candidates that may have a reaction; cone c of the standard form is the
   /// cone cones()[c] of the problem.
   const std::vector<int>& cones() const { return cones_; }
   /// The candidates not in U: the rows with a slack.
   const std::vector<int>& gap_rows() const { return gap_rows_; }
-  /// All of these.
+  /// The sets of the node.
   NodeSets sets() const { return {cones_, gap_rows_, contact_rows_, contact_, cuts_}; }
-  /// How many rows have a slack.
+  /// Number of rows with a slack.
   std::size_t slacks() const { return gap_rows_.size() + cuts_.size(); }
   /// The candidates without a row.
   const support::IndexSet& ignored() const { return ignored_; }
@@ -125,43 +124,43 @@ class NodeProgram {
   const std::vector<int>& owners() const { return owners_; }
   const Eigen::MatrixXd& compliance() const { return compliance_; }
 
-  /// The cone columns of A, first_cut() x D|C|, rows and cones padded with zeros.
-  Columns matrix() const {
+  /// Cone columns of A, first_cut() x D|C|, rows and cones padded with zeros.
+  PackedColumns matrix() const {
     const auto height = static_cast<int>(normal_compliance_.rows());
     return {matrix_.data(), height, D, static_cast<int>(cones_.size()), stride()};
   }
-  /// Those of the cuts, which are below.
+  /// Rows of the cuts.
   const std::vector<CutRow>& cut_rows() const { return cut_rows_; }
   /// sum = [A; C] x: rows() numbers, padded with zeros.
-  void multiply(const Points<D>& x, Eigen::VectorXd& sum) const;
+  void multiply(const ConePoints<D>& x, Eigen::VectorXd& sum) const;
   /// products = A'y + C'eta of the rows() numbers (y, eta), padded with zeros.
-  void multiply_transposed(const Eigen::VectorXd& weights, Points<D>& products) const;
-  /// b, rows() numbers padded with zeros to most_rows(), like the next.
+  void multiply_transposed(const Eigen::VectorXd& weights, ConePoints<D>& products) const;
+  /// b, rows() numbers padded with zeros to most_rows(), as is slack().
   const Eigen::VectorXd& right_side() const { return right_side_; }
-  /// One for each row with a slack, zero for the others and the padding.
+  /// 1 for each row with a slack, 0 for the others and the padding.
   const Eigen::VectorXd& slack() const { return slack_; }
 
-  /// t = (1 - value) / omega: what a value of the objective c'x, or of the dual objective b'y, is
-  /// worth in the node program.
+  /// t = (1 - value) / omega: the value t of an objective value c'x or b'y.
   double level(double value) const { return (1 - value) / omega_; }
 
-  /// The reaction r (Dm, zero on R) of a point x of the cones.
-  void reaction(const Points<D>& x, Eigen::VectorXd& r) const;
+  /// Reaction r (Dm, zero on R) of a point x of the cones.
+  void reaction(const ConePoints<D>& x, Eigen::VectorXd& r) const;
 
-  /// The largest t the friction cones allow a reaction: min over C of mu_i r_{n,i} - ||r_{t,i}||.
+  /// Largest t that the friction cones permit for a reaction: min over C of mu_i r_{n,i} -
+  /// ||r_{t,i}||.
   double friction_level(const Eigen::VectorXd& r) const;
 
   /// u_n = F_n r + H alpha, then G'r: m + p numbers, padded; valid until the next call.
-  /// @param motion alpha of a loose body
+  /// @param motion alpha of an unconstrained body
   const Eigen::VectorXd& normal_displacements(const Eigen::VectorXd& r,
                                               const Eigen::VectorXd& motion = {});
-  /// What the numbers asked for last must change by: rows() numbers padded with zeros, zero at rows
-  /// with a slack. Overwrites them.
+  /// Residual of the equations at the last normal_displacements(): rows() numbers padded with
+  /// zeros, zero at rows with a slack. Overwrites them.
   const Eigen::VectorXd& discrepancy();
 
-  /// w = sum_i y_i (row (n, i) of F) + G beta, and what the multipliers of cuts add: Dm numbers,
-  /// valid until the next call.
-  /// @param y m + p numbers, beta last, then one a cut
+  /// w = sum_i y_i (row (n, i) of F) + G beta, and the contribution of the cuts' multipliers: Dm
+  /// numbers, valid until the next call.
+  /// @param y m + p numbers, beta last, then one per cut
   const Eigen::VectorXd& pull(const Eigen::VectorXd& y);
 
   /// u = F r + G alpha, Dm.
@@ -173,7 +172,7 @@ class NodeProgram {
 
  private:
   int stride() const { return padded_cones_; }
-  // The column of component d of the cone c of the standard form.
+  // Column of component d of the cone c of the standard form.
   auto column(Eigen::Index d, Eigen::Index c) {
     const Eigen::Index height = normal_compliance_.rows();
     return Eigen::Map<Eigen::VectorXd>(matrix_.data() + (d * stride() + c) * height, height);
@@ -186,9 +185,9 @@ class NodeProgram {
   Eigen::MatrixXd normal_compliance_;  // rows (n, i) of F, then G': both padded with zeros
   Eigen::MatrixXd normal_motions_;     // H, padded
   Eigen::MatrixXd free_columns_;       // H without the ignored candidates, with the cuts
-  std::vector<double> friction_;       // by cone, like the next
+  std::vector<double> friction_;       // by cone, as the next
   std::vector<int> owners_;
-  std::vector<int> cones_, gap_rows_, contact_rows_;  // contact: U, the rows without a slack
+  std::vector<int> cones_, gap_rows_, contact_rows_;  // U: the rows without a slack
   std::vector<Cut> cuts_;
   std::vector<CutRow> cut_rows_;
   int most_cuts_ = 0, padded_cones_;
@@ -197,7 +196,7 @@ class NodeProgram {
   Eigen::VectorXd slack_;
   Eigen::VectorXd gap_;             // normal displacements, then the discrepancy
   Eigen::VectorXd pull_;            // w
-  mutable Eigen::VectorXd forces_;  // of the rows of F, or of A: what cuts make of y
+  mutable Eigen::VectorXd forces_;  // coefficients of the rows of F, or of A, including the cuts
   support::IndexSet contact_, ignored_;
   double omega_ = 0;  // sum_C 1 / mu
 };

@@ -1,4 +1,4 @@
-// Turns the interior-point iteration into a proved bracket of t* and stops when it says enough.
+// NodeSolver: proved bracket of t* from the interior-point iteration, and its early stop.
 #include "solvers/conic/node_solver.hpp"
 
 #include <algorithm>
@@ -14,15 +14,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Each repetition of the projection gains several digits; more than this only chases rounding.
+// Each repetition of the projection gains several digits; more repetitions only change rounding.
 constexpr int most_projections = 4;
 
-// A residual this many times larger than what rounding alone may leave is worth another projection,
-// if it costs a visible part of the level.
+// Ratio of a residual to its rounding level above which another projection is made, if it costs a
+// noticeable part of the level.
 constexpr double visible_residual = 4;
 constexpr double visible_cost = 1e-2;
 
-// Normal forces that are a smaller part of the largest one are on the way to zero.
+// Normal forces below this part of the largest one are treated as tending to zero.
 constexpr double least_force = 1e-6;
 
 }  // namespace
@@ -61,18 +61,18 @@ void NodeSolver<D>::make_room(int most_cuts) {
 }
 
 template <int D>
-Answer NodeSolver<D>::solve(const support::IndexSet& contact, const support::IndexSet& separated,
-                            StopEarly stop, const support::IndexSet& ignored,
-                            std::span<const Cut> cuts) {
+ConicResult NodeSolver<D>::solve(const support::IndexSet& contact,
+                                 const support::IndexSet& separated, StopEarly stop,
+                                 const support::IndexSet& ignored, std::span<const Cut> cuts) {
   program_.select(contact, separated, ignored, cuts);
   reaction_.setZero();
   displacement_.setZero();
   motion_.setZero();
   multipliers_.setZero();
   best_.setZero();
-  Answer answer;
+  ConicResult answer;
   answer.lower = -infinity;
-  if (program_.cones().empty()) {  // no r has sum_i r_n = 1: the maximum over nothing
+  if (program_.cones().empty()) {  // no r has sum_i r_n = 1: the maximum over the empty set
     answer.sign = Sign::dead;
     answer.upper = -infinity;
     return answer;
@@ -91,7 +91,7 @@ Answer NodeSolver<D>::solve(const support::IndexSet& contact, const support::Ind
 }
 
 template <int D>
-void NodeSolver<D>::iterate(Answer& answer, StopEarly stop) {
+void NodeSolver<D>::iterate(ConicResult& answer, StopEarly stop) {
   iteration_.start(program_);
   for (;;) {
     sink_upper(answer);
@@ -104,33 +104,33 @@ void NodeSolver<D>::iterate(Answer& answer, StopEarly stop) {
   }
 }
 
-// Both bounds only ever improve, so an early stop and a full run cannot disagree on a sign.
+// Both bounds improve monotonically, so an early stop and a full run cannot disagree on a sign.
 template <int D>
-void NodeSolver<D>::sink_upper(Answer& answer) {
-  if (program_.motions().count() > 0) return prove_upper_loose(answer);
+void NodeSolver<D>::sink_upper(ConicResult& answer) {
+  if (program_.motions().count() > 0) return prove_upper_unconstrained(answer);
   const double upper = program_.level(iteration_.dual_value(program_));
   if (!(upper < best_value_)) return;
   best_value_ = upper;
   best_ = iteration_.multipliers();
   proved_ = false;
-  // The proof takes a product. Where the bracket is wide and says nothing yet, it can wait.
+  // The proof takes a product, and is postponed while the bracket is wide.
   if (upper <= tolerances_.sign || upper - answer.lower <= 2 * sharp * std::abs(upper))
     prove_upper(answer);
 }
 
 template <int D>
-void NodeSolver<D>::prove_upper(Answer& answer) {
+void NodeSolver<D>::prove_upper(ConicResult& answer) {
   if (proved_) return;
   proved_ = true;
   answer.upper = std::min(answer.upper, bounds_.above(program_.sets(), program_.friction(), best_,
                                                       program_.pull(best_)));
 }
 
-// The multipliers of a loose body prove nothing before they are in equilibrium, and then all they
-// have to say. Forces that vanish in the end can keep them from being so; without these, or with
-// the motions alone, they may prove what is left.
+// The multipliers of an unconstrained body prove nothing unless they are in equilibrium. Forces
+// that tend to zero can prevent this; without them, or with the modes alone, the multipliers may
+// prove the rest.
 template <int D>
-void NodeSolver<D>::prove_upper_loose(Answer& answer) {
+void NodeSolver<D>::prove_upper_unconstrained(ConicResult& answer) {
   const Eigen::VectorXd& y = iteration_.multipliers();
   const auto m = static_cast<Eigen::Index>(program_.candidates());
   const double largest = y.head(m).cwiseAbs().maxCoeff();
@@ -160,7 +160,7 @@ double NodeSolver<D>::most_of(std::size_t cut) {
 }
 
 template <int D>
-void NodeSolver<D>::raise_lower(Answer& answer) {
+void NodeSolver<D>::raise_lower(ConicResult& answer) {
   program_.reaction(iteration_.project(program_), trial_);
   if (answer.has_point && program_.friction_level(trial_) <= answer.lower) return;
   const auto examine = [&] {
@@ -186,7 +186,8 @@ void NodeSolver<D>::raise_lower(Answer& answer) {
   answer.has_point = true;
 }
 
-// On the central path the bracket of t is as wide as the sum of all complementarities, over omega.
+// On the central path the width of the bracket of t is the sum of all complementarities, over
+// omega.
 template <int D>
 std::span<const FaceDistances> NodeSolver<D>::face_distances() {
   const auto pairs = static_cast<double>(program_.cones().size() + program_.slacks());

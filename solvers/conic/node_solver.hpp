@@ -1,9 +1,9 @@
-// The bound of one node of the tree of sign patterns (the wedged paper, Algorithm 5.1 step 3), with
-// evidence: a feasible reaction proves t* from below, a dual vector proves it from above.
+// NodeSolver: bound of one node of the tree of sign patterns (the wedged paper, Algorithm 5.1 step
+// 3), with evidence: a feasible reaction proves a lower bound of t*, a dual vector an upper bound.
 //
-// The tree asks only for the sign of t*, so the iteration stops as soon as one side has proved it.
-// Both sides hold in spite of rounding (solvers/conic/bounds.hpp); what doubles leave open is for
-// the solvers with more digits (solvers/conic/plain_solver.hpp).
+// The tree needs only the sign of t*, so the iteration stops as soon as one side proves it. Both
+// bounds include rounding errors (solvers/conic/bounds.hpp). Nodes that are numerically undecided
+// in doubles escalate to extended precision (solvers/conic/plain_solver.hpp).
 #pragma once
 
 #include <span>
@@ -17,74 +17,76 @@
 
 namespace kusabi::conic {
 
-/// Solves the node programs of one contact problem, one node after another. Owns its workspace and
-/// allocates nothing after construction, so each rank has one. A result depends on the arguments of
-/// solve() only, to the last bit. The references below hold until the next solve().
+/// Solves the node programs of one contact problem in sequence. Owns its workspace and allocates
+/// nothing after construction; each rank has one. A result depends on the arguments of solve()
+/// only, to the last bit. The references below are valid until the next solve().
 template <int D>
 class NodeSolver {
  public:
-  /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and in it
+  /// @param compliance F, Dm x Dm, symmetric positive definite, ordered by candidate and within it
   ///        (n, t1[, t2]), scaled to mean diagonal 1 of its normal block
   /// @param friction mu, m numbers, each 0 or 1e-6 to 1e6
-  /// @param error e: |F_ij - F*_ij| <= e sqrt(F*_ii F*_jj) for the F* that is meant; 0 if it is F
-  /// @throws std::invalid_argument when the sizes disagree or a number is out of range
+  /// @param error e: |F_ij - F*_ij| <= e sqrt(F*_ii F*_jj) for the true F*; 0 if F is exact
+  /// @throws std::invalid_argument if the sizes disagree or a number is out of range
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
              Tolerances tolerances = {}, double error = 0);
 
-  /// The same with several cones for a candidate (NodeProgram): reactions and displacements are
-  /// then those of the cones.
-  /// @param motions of a loose body
+  /// With several cones per candidate (NodeProgram): reactions and displacements are those of the
+  /// cones.
+  /// @param motions of an unconstrained body
   NodeSolver(const Eigen::MatrixXd& compliance, std::span<const double> friction,
              std::vector<int> owners, Tolerances tolerances = {}, double error = 0,
              const Motions<double>& motions = {});
 
-  /// From now on there is room for so many cuts; at first there is none.
+  /// Allocates room for cuts; initially there is none.
   void make_room(int most_cuts);
 
-  /// From the next solve() on, mu is this. See NodeProgram.
+  /// Sets mu for the next calls of solve(). See NodeProgram.
   void set_friction(std::span<const double> friction) { program_.set_friction(friction); }
 
   /// Bounds the node with the candidates `contact` in U and `separated` in R; those of `ignored`
   /// have r = 0 and u_n free.
   /// @param cuts further rows
-  /// @throws std::invalid_argument when the sets overlap or name a candidate that does not exist
-  Answer solve(const support::IndexSet& contact, const support::IndexSet& separated,
-               StopEarly stop = {}, const support::IndexSet& ignored = {},
-               std::span<const Cut> cuts = {});
+  /// @throws std::invalid_argument if the sets overlap or contain a candidate that does not exist
+  ConicResult solve(const support::IndexSet& contact, const support::IndexSet& separated,
+                    StopEarly stop = {}, const support::IndexSet& ignored = {},
+                    std::span<const Cut> cuts = {});
 
-  /// r, Dm: zero on R, sum of the normal parts 1, u_n = 0 on U. The point that proves `lower`;
-  /// when there is none, the last projection, which may serve for branching; zero if R is
-  /// everything.
+  /// r, Dm: zero on R, sum of the normal parts 1, u_n = 0 on U. The point that proves `lower`; if
+  /// there is none, the last projection, which may serve for branching; zero if R contains all
+  /// candidates.
   const Eigen::VectorXd& reaction() const { return reaction_; }
   /// u = F r + G alpha of reaction() and motion(), Dm.
   const Eigen::VectorXd& displacement() const { return displacement_; }
-  /// alpha of a loose body: one number for each motion that lifts.
+  /// alpha of an unconstrained body: one number for each mode with a normal part.
   const Eigen::VectorXd& motion() const { return motion_; }
-  /// From the centre of the relaxation to its faces, by candidate; zero for those that have a sign.
-  /// Empty if the centre is not found. Call after a solve() that was stopped when alive, once.
-  /// @pre a cone for each candidate, and no motions
+  /// Distances from the centre of the relaxation to its faces, by candidate; zero for candidates
+  /// with a sign. Empty if the centre is not found. Call at most once, after a solve() with an
+  /// early stop at a positive sign.
+  /// @pre one cone per candidate, and no rigid-body modes
   std::span<const FaceDistances> face_distances();
-  /// y, m, and beta of the p motions of a loose body: proves `upper` (solvers/conic/bounds.hpp);
-  /// y_j >= 0 for j not in U; zero if R is everything.
+  /// y, m, and beta of the p modes of an unconstrained body: proves `upper`
+  /// (solvers/conic/bounds.hpp); y_j >= 0 for j not in U; zero if R contains all candidates.
   const Eigen::VectorXd& multipliers() const { return multipliers_; }
-  /// Of a cut of the last node, >= 0.
+  /// Multiplier of a cut of the last node, >= 0.
   double cut_multiplier(std::size_t cut) const {
     return best_[program_.first_cut() + static_cast<Eigen::Index>(cut)];
   }
-  /// w of the last node: what multipliers() pull at each cone, and what those of cuts add.
+  /// w of the last node: product of multipliers() with F at each cone, with the contribution of the
+  /// cuts.
   const Eigen::VectorXd& pull() { return program_.pull(best_); }
-  /// What the left side of a cut of the last node can be at most, for sum_k r_nk = 1 and wherever
-  /// t >= 0 is possible: proved by the same multipliers. Infinity if these say nothing, minus
-  /// infinity if they leave nothing whatever the cut.
+  /// Upper bound of the left side of a cut of the last node, for sum_k r_nk = 1 and t >= 0, proved
+  /// by the same multipliers. Infinity if they prove nothing, minus infinity if they exclude t >= 0
+  /// for any cut.
   double most_of(std::size_t cut);
 
  private:
   NodeSolver(NodeProgram<D> program, Tolerances tolerances, double error);
-  void iterate(Answer& answer, StopEarly stop);
-  void raise_lower(Answer& answer);
-  void sink_upper(Answer& answer);
-  void prove_upper(Answer& answer);
-  void prove_upper_loose(Answer& answer);
+  void iterate(ConicResult& answer, StopEarly stop);
+  void raise_lower(ConicResult& answer);
+  void sink_upper(ConicResult& answer);
+  void prove_upper(ConicResult& answer);
+  void prove_upper_unconstrained(ConicResult& answer);
 
   NodeProgram<D> program_;
   InteriorPoint<D> iteration_;
@@ -93,9 +95,9 @@ class NodeSolver {
   Eigen::VectorXd reaction_, displacement_, motion_, multipliers_, trial_;
   typename Bounds<D, double>::MotionCost motion_cost_;
   std::vector<FaceDistances> face_distances_;
-  Eigen::VectorXd best_;   // of the multipliers so far, padded
-  double best_value_ = 0;  // of t*, as it was computed
-  bool proved_ = true;     // whether it is in the answer
+  Eigen::VectorXd best_;   // of the best multipliers so far, padded
+  double best_value_ = 0;  // upper bound of t*, as computed
+  bool proved_ = true;     // true if the bound is in the result
 };
 
 extern template class NodeSolver<2>;

@@ -1,5 +1,5 @@
-// Left-looking Cholesky by panels of four columns; the rank update and what the panels before take
-// from a panel are the same product of blocks.
+// Left-looking Cholesky factorisation by panels of four columns; the rank update and the reduction
+// of a panel by the previous ones are the same block product.
 #include "solvers/conic/normal_equations.hpp"
 
 #include <cmath>
@@ -10,8 +10,8 @@ namespace kusabi::conic {
 
 namespace {
 
-// A matrix by columns, `distance` numbers from one to the next.
-struct Matrix {
+// Matrix by columns, with a distance of `distance` numbers.
+struct ColumnView {
   double* data;
   int distance;
 };
@@ -31,7 +31,8 @@ KUSABI_INLINE void add_products(const double* x, int x_distance, const double* y
 }
 
 template <int Height>
-KUSABI_INLINE void assemble_block(const Columns& b, int row, int column, double* to, int distance) {
+KUSABI_INLINE void assemble_block(const PackedColumns& b, int row, int column, double* to,
+                                  int distance) {
   Pack sums[lanes][Height] = {};
   for (int d = 0; d < b.components; ++d) {
     const double* const columns = b.data + d * b.stride * b.rows;
@@ -42,10 +43,11 @@ KUSABI_INLINE void assemble_block(const Columns& b, int row, int column, double*
       store(to + (column + j) * distance + row + lanes * i, sums[j][i]);
 }
 
-// Takes from a block of X, in the panel that starts at `column`, what its columns before have there
-// by the factor. The rows of X may be those of the factor itself.
+// Subtracts from a block of X, in the panel that starts at `column`, the contribution of the
+// previous columns by the factor. The rows of X may be those of the factor itself.
 template <int Height>
-KUSABI_INLINE void reduce_block(Matrix x, int row, const double* factor, int distance, int column) {
+KUSABI_INLINE void reduce_block(ColumnView x, int row, const double* factor, int distance,
+                                int column) {
   Pack sums[lanes][Height] = {};
   add_products<Height>(x.data + row, x.distance, factor + column, distance, column, sums);
   for (int j = 0; j < lanes; ++j)
@@ -55,8 +57,8 @@ KUSABI_INLINE void reduce_block(Matrix x, int row, const double* factor, int dis
     }
 }
 
-// Factorises the block on the diagonal; false when a pivot is not positive. Without square roots
-// first, since each pivot has to wait for the one before.
+// Factorises the diagonal block; false if a pivot is not positive. The square roots come last,
+// since each pivot depends on the one before.
 KUSABI_INLINE bool factorise_block(double* block, int distance, double* inverse) {
   double a[lanes][lanes];
   for (int j = 0; j < lanes; ++j)
@@ -76,8 +78,8 @@ KUSABI_INLINE bool factorise_block(double* block, int distance, double* inverse)
   return sound;
 }
 
-// What the block on the diagonal makes of four rows of X in its panel.
-KUSABI_INLINE void divide_by_block(Matrix x, int row, const double* factor, int distance,
+// Divides four rows of X in a panel by its diagonal block.
+KUSABI_INLINE void divide_by_block(ColumnView x, int row, const double* factor, int distance,
                                    int column, const double* inverse) {
   const double* const block = factor + column * distance + column;
   double* const panel = x.data + column * x.distance + row;
@@ -90,8 +92,8 @@ KUSABI_INLINE void divide_by_block(Matrix x, int row, const double* factor, int 
   for (int j = 0; j < lanes; ++j) store(panel + j * x.distance, columns[j]);
 }
 
-// The rows of X from `row` to `end` in one panel of X L^-T, when those before are done.
-KUSABI_INLINE void reduce_rows(Matrix x, int row, int end, const double* factor, int distance,
+// Reduces the rows of X from `row` to `end` in one panel of X L^-T. @pre the panels before are done
+KUSABI_INLINE void reduce_rows(ColumnView x, int row, int end, const double* factor, int distance,
                                int column) {
   for (; row + 2 * lanes <= end; row += 2 * lanes)
     reduce_block<2>(x, row, factor, distance, column);
@@ -140,7 +142,7 @@ void NormalEquations::resize(int rows) {
 }
 
 KUSABI_ALSO_FOR_AVX2
-void NormalEquations::assemble(const Columns& b) {
+void NormalEquations::assemble(const PackedColumns& b) {
   for (int column = 0; column < padded_rows_; column += lanes) {
     int row = column;
     for (; row + 2 * lanes <= padded_rows_; row += 2 * lanes)

@@ -1,5 +1,6 @@
-// The normal equations of the interior-point iteration, M = B B' + diagonal, by Cholesky: mostly of
-// a size at which a general library spends its time on dispatch and packing.
+// NormalEquations: M = B B' + diagonal of the interior-point iteration, solved by Cholesky
+// factorisation. The typical size is so small that a general library spends its time on dispatch
+// and packing.
 #pragma once
 
 #include <vector>
@@ -8,34 +9,34 @@
 
 namespace kusabi::conic {
 
-/// M and its factor, on storage that is allocated once. All vectors have an entry for each row of M
-/// and for those that fill it up to a multiple of four, where M is the identity.
+/// M and its factor, on storage allocated once. All vectors have an entry for each row of M and for
+/// the padding to a multiple of four, where M is the identity.
 class NormalEquations {
  public:
   explicit NormalEquations(int most_rows);
 
-  /// From now on M has so many rows, no more than at construction; call assemble() next.
+  /// Sets the number of rows of M, at most that of construction; call assemble() next.
   void resize(int rows);
 
   /// M = B B'.
-  void assemble(const Columns& b);
+  void assemble(const PackedColumns& b);
 
   double diagonal(int row) const { return matrix_[place(row, row)]; }
   void add_to_diagonal(int row, double value) { matrix_[place(row, row)] += value; }
   /// Adds weight h h' of a column h.
   void add_square(const double* column, double weight);
 
-  /// Factorises M in place and solves it for two right sides, which ride along as rows below M:
-  /// that is their forward substitution.
-  /// @return false when a pivot is not positive
+  /// Factorises M in place and solves it for two right sides, which are appended as rows below M
+  /// for their forward substitution.
+  /// @return false if a pivot is not positive
   bool factorise(double* first, double* second);
 
-  /// X L^-T in the place of X, L the factor: the squares of a row then add up to c'M^-1 c, c what
-  /// the row was, and products of two rows likewise.
-  /// @param x `height` rows, a multiple of four, by columns, one for each row of M
+  /// Replaces X by X L^-T, L the factor: the sum of squares of a row is then c'M^-1 c for the
+  /// former row c, and products of two rows likewise.
+  /// @param x `height` rows, a multiple of four, by columns, one column for each row of M
   void reduce(double* x, int height) const;
 
-  /// Solves for one more right side, in place.
+  /// Solves for one further right side, in place.
   void solve(double* right_side) const;
 
  private:

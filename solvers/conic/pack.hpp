@@ -1,10 +1,9 @@
-// Four numbers that are computed with at once. The cones of a node are computed four at a time,
-// and so are the rows of its matrices: a node program is so small that its time is that of
-// operations in registers.
+// Pack: four doubles in one SIMD register. Cones and matrix rows of a node program are processed in
+// packs of four; a node program is so small that operations in registers dominate its time.
 //
-// Each lane rounds as a number by itself does, and sums have one order, whatever the machine: where
-// it has AVX2 an operation is one instruction, elsewhere two. Multiplications and additions are
-// never fused, so the bits are the same everywhere.
+// Each lane rounds as a single double does, and sums have a fixed order on every machine: an
+// operation is one instruction with AVX2, two otherwise. Multiplications and additions are never
+// fused, so the results are bitwise equal everywhere.
 #pragma once
 
 #include <cmath>
@@ -12,8 +11,9 @@
 
 #include "support/numbers/precise.hpp"
 
-// Functions with this mark are compiled for AVX2 too and chosen when the program starts; what they
-// call has to be inlined into them. AVX2 by itself has no fused multiply-add.
+// Function multiversioning: marked functions are compiled for AVX2 too and dispatched when the
+// program starts; the functions that they call must be inlined. AVX2 alone has no fused
+// multiply-add.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
 #define KUSABI_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default")))
 #else
@@ -30,7 +30,7 @@ constexpr int padded(int size) {
   return (size + lanes - 1) / lanes * lanes;
 }
 
-/// Four numbers; a number by itself stands for four equal ones.
+/// Four numbers; a single number converts to four equal ones.
 struct alignas(32) Pack {
   using Lanes = double __attribute__((vector_size(32)));
 
@@ -51,7 +51,7 @@ struct alignas(32) Pack {
   Lanes values;
 };
 
-/// What comparing two packs gives, in each lane all bits set for yes and none for no.
+/// Result of a comparison of two packs: in each lane all bits set for true, none for false.
 struct alignas(32) Answers {
   KUSABI_INLINE Answers& operator&=(const Answers& others) {
     bits &= others.bits;
@@ -83,7 +83,7 @@ KUSABI_INLINE long double root(long double value) {
   return std::sqrt(value);
 }
 
-/// Of a negative number not a number, like the others; QD itself would write to standard error.
+/// NaN for a negative number, as for the other types; QD itself would write to standard error.
 inline numbers::Precise root(const numbers::Precise& value) {
   return value.is_negative() ? numbers::Precise(dd_real::_nan) : sqrt(value);
 }
@@ -93,7 +93,7 @@ KUSABI_INLINE Pack root(const Pack& pack) {
                      std::sqrt(pack[3])};
 }
 
-/// The larger one in each lane, b where they cannot be compared.
+/// The larger number in each lane; b where the two cannot be compared.
 KUSABI_INLINE Pack larger(const Pack& a, const Pack& b) {
   return (a > b).bits ? a.values : b.values;
 }
@@ -126,7 +126,7 @@ KUSABI_INLINE Pack totals(const Pack (&packs)[lanes]) {
   return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
-/// Whether the answer is yes in all lanes.
+/// True if the comparison holds in all lanes.
 KUSABI_INLINE bool all(const Answers& answers) {
   return (answers.bits[0] & answers.bits[1] & answers.bits[2] & answers.bits[3]) != 0;
 }

@@ -1,4 +1,4 @@
-// The interior-point iteration of interior_point.cpp without its packs and padding.
+// PlainSolver: the interior-point iteration of interior_point.cpp without packs and padding.
 #include "solvers/conic/plain_solver.hpp"
 
 #include <algorithm>
@@ -21,18 +21,19 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr int most_projections = 3;
 
-// More digits take more iterations.
+// Extended precision takes more iterations.
 constexpr int most_iterations = 150;
 
-// See node_solver.cpp.
+// As in node_solver.cpp.
 constexpr double least_force = 1e-6;
 
-// The part of the largest motion that the cones of a node do not feel, up to the rounding of places
-// and directions in the file.
+// Threshold, relative to the largest mode, below which a mode does not displace the cones of a
+// node, up to the rounding of positions and directions in the file.
 constexpr double not_felt = 1e-10;
 
-// A motion that lifts this much, where displacements are of the order of one, grows without end;
-// and what it lifts by this part of its largest lift it lifts for certain.
+// Limit of the modes' coefficients, where displacements are of the order of one: above it they are
+// taken as unbounded, and a candidate that moves by this part of the largest normal displacement is
+// certainly separated.
 constexpr double runs_away = 1e4;
 constexpr double clear_lift = 1e-3;
 
@@ -61,7 +62,8 @@ PlainSolver<D, Real>::PlainSolver(Matrix compliance, std::span<const double> fri
       reaction_(Vector::Zero(compliance_.rows())),
       motion_(Vector::Zero(motions_.lifting)),
       multipliers_(Vector::Zero(compliance_.rows() / D + motions_.count())) {
-  schur_.compute(Matrix::Identity(motions_.lifting, motions_.lifting));  // copied, state and all
+  // the constructor allocates; solvers are copied with their state
+  schur_.compute(Matrix::Identity(motions_.lifting, motions_.lifting));
   const Eigen::Index m = compliance_.rows() / D;
   normal_compliance_.resize(m + motions_.count(), compliance_.cols());
   for (Eigen::Index i = 0; i < m; ++i) normal_compliance_.row(i) = compliance_.row(D * i);
@@ -122,14 +124,14 @@ void PlainSolver<D, Real>::select(const IndexSet& contact, const IndexSet& separ
 template <int D, class Real>
 auto PlainSolver<D, Real>::normal_motions(const std::vector<int>& candidates) const -> Matrix {
   Matrix normal(static_cast<Eigen::Index>(candidates.size()), motions_.lifting);
-  // Of a held body there are no rows of motions.
+  // A constrained body has no rows of modes.
   for (Eigen::Index i = 0; motions_.lifting > 0 && i < normal.rows(); ++i)
     normal.row(i) =
         motions_.at_cones.row(D * candidates[static_cast<std::size_t>(i)]).head(motions_.lifting);
   return normal;
 }
 
-// What is left of a motion that the rows do not see would be a column of zeros.
+// Restricts the modes to those visible in the rows; any other would give a zero column.
 template <int D, class Real>
 void PlainSolver<D, Real>::choose_motions() {
   Matrix seen = normal_motions(rows_);
@@ -138,7 +140,7 @@ void PlainSolver<D, Real>::choose_motions() {
   free_motions_ = combination.leftCols(independent);
 }
 
-// Few cones feel few motions: the others would be equations 0 = 0, whose multipliers drift.
+// Drops redundant equilibrium equations: on few cones some read 0 = 0, and their multipliers drift.
 template <int D, class Real>
 void PlainSolver<D, Real>::choose_equations() {
   const Eigen::Index p = motions_.count();
@@ -245,12 +247,12 @@ void PlainSolver<D, Real>::start() {
 }
 
 template <int D, class Real>
-Answer PlainSolver<D, Real>::nothing_known() {
+ConicResult PlainSolver<D, Real>::nothing_known() {
   reaction_.setZero();
   motion_.setZero();
   multipliers_.setZero();
   lifted_ = {};
-  Answer answer;
+  ConicResult answer;
   answer.lower = -infinity;
   answer.upper = infinity;
   return answer;
@@ -263,7 +265,7 @@ bool PlainSolver<D, Real>::factorise() {
   Real widest = 0;
   complementarity_ = Real(0);
   for (std::size_t c = 0; c < cones_.size(); ++c) {
-    scaling_[c] = Scaling<D, Real>(x_[c], z_[c]);
+    scaling_[c] = NesterovToddScaling<D, Real>(x_[c], z_[c]);
     const Cone lambda = scaling_[c].lambda();
     complementarity_ += dot(lambda, lambda);
     if (scaling_[c].entry(0, 0) > widest) widest = scaling_[c].entry(0, 0);
@@ -278,7 +280,7 @@ bool PlainSolver<D, Real>::factorise() {
   Matrix normal = scaled * scaled.transpose();
   w_ = Vector::Zero(rows);
   lambda_ = Vector::Ones(rows);
-  // What rounding may take from a row that depends on the others (Higham, theorem 10.3).
+  // Bound of rounding in a linearly dependent row (Higham, theorem 10.3).
   const Real shift = Real(4 * static_cast<double>(rows) * numbers::unit_roundoff<Real>);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const Real b = right_side_[i];
@@ -459,8 +461,8 @@ bool PlainSolver<D, Real>::advance() {
 }
 
 template <int D, class Real>
-void PlainSolver<D, Real>::prove_upper(Answer& answer) {
-  if (motions_.count() > 0) return prove_upper_loose(answer);
+void PlainSolver<D, Real>::prove_upper(ConicResult& answer) {
+  if (motions_.count() > 0) return prove_upper_unconstrained(answer);
   const Real value = level(right_side_.dot(y_));
   if (!(value < best_value_)) return;
   best_value_ = value;
@@ -473,9 +475,9 @@ void PlainSolver<D, Real>::prove_upper(Answer& answer) {
   }
 }
 
-// See NodeSolver::prove_upper_loose.
+// As NodeSolver::prove_upper_unconstrained.
 template <int D, class Real>
-void PlainSolver<D, Real>::prove_upper_loose(Answer& answer) {
+void PlainSolver<D, Real>::prove_upper_unconstrained(ConicResult& answer) {
   const auto m = static_cast<Eigen::Index>(friction_.size());
   const Vector y = multipliers_of_all();
   const double largest = numbers::rounded(Real(y.head(m).cwiseAbs().maxCoeff()));
@@ -493,10 +495,10 @@ void PlainSolver<D, Real>::prove_upper_loose(Answer& answer) {
   }
 }
 
-// Where the equations alone exclude sum r_n = 1, M is singular, and the motions cannot be solved
-// for. Then some multipliers of the equations have w = -e_n.
+// If the equations alone exclude sum r_n = 1, M is singular, and the modes cannot be solved for.
+// Some multipliers of the equations then have w = -e_n.
 template <int D, class Real>
-void PlainSolver<D, Real>::prove_contradiction(Answer& answer) {
+void PlainSolver<D, Real>::prove_contradiction(ConicResult& answer) {
   const auto width = D * static_cast<Eigen::Index>(cones_.size());
   std::vector<Eigen::Index> equations;
   for (std::size_t i = 0; i < slack_.size(); ++i)
@@ -518,7 +520,7 @@ void PlainSolver<D, Real>::prove_contradiction(Answer& answer) {
   prove_upper(answer);
 }
 
-// Candidates without a row are lifted as far as t can be at most.
+// Candidates without a row are displaced by as much as t can be at most.
 template <int D, class Real>
 auto PlainSolver<D, Real>::lifting_motion(const Vector& r, Vector motion) const -> Vector {
   if (lifted_.empty()) return motion;
@@ -567,7 +569,7 @@ bool PlainSolver<D, Real>::lift_off() {
 }
 
 template <int D, class Real>
-void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
+void PlainSolver<D, Real>::prove_lower(ConicResult& answer, Keep keep) {
   std::vector<Cone> x = shifted(x_, correction_);
   Vector share = projected_motion_;
   for (int projection = 1;; ++projection) {
@@ -595,9 +597,9 @@ void PlainSolver<D, Real>::prove_lower(Answer& answer, Keep keep) {
 }
 
 template <int D, class Real>
-Answer PlainSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& separated,
-                                   StopEarly stop, const IndexSet& ignored) {
-  Answer answer = nothing_known();
+ConicResult PlainSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& separated,
+                                        StopEarly stop, const IndexSet& ignored) {
+  ConicResult answer = nothing_known();
   do {
     select(contact, separated, ignored);
     start();
@@ -618,10 +620,10 @@ Answer PlainSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& sepa
   return answer;
 }
 
-// sum_k R_k |r_k| over all components, R = sqrt(F_kk): times R_j it is what u_nj could be if
-// nothing cancelled, and what the rounding of directions and places in the file, carried into F, is
-// small beside. (F_jk itself is no measure: of a candidate that a rod alone holds it is that
-// rounding.)
+// sum_k R_k |r_k| over all components, R = sqrt(F_kk). Times R_j it is the magnitude of u_nj
+// without cancellation, and large compared with the rounding of directions and positions in the
+// file, carried into F. (F_jk itself is not a measure: for a candidate held by a single bar it
+// consists of that rounding.)
 template <int D, class Real>
 double PlainSolver<D, Real>::reaction_size() const {
   double sum = 0;
@@ -631,8 +633,8 @@ double PlainSolver<D, Real>::reaction_size() const {
   return sum;
 }
 
-// r_n and u_n of all candidates relative to that, the first m numbers and the others. Zero for what
-// the node holds at zero.
+// r_n and u_n of all candidates relative to that magnitude, in two groups of m numbers. Zero for
+// values that the node fixes at zero.
 template <int D, class Real>
 void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
   const auto m = static_cast<Eigen::Index>(friction_.size());
@@ -653,22 +655,23 @@ void PlainSolver<D, Real>::take_sizes(std::vector<double>& sizes) const {
 
 namespace {
 
-/// What a window of widths of the bracket shows: the sizes where it opens and where it closes.
+/// A range of widths of the bracket, in which sizes are compared at its beginning and at its end.
 struct Window {
   double widest, opens, closes, least;
 };
 
-/// Above the rounding of what the file says: a normal in sixteen digits that should be parallel to
-/// a bar makes a tie one at t* = 1e-17 only, and below that the points run away to a corner of X.
+/// The window above the rounding of the file: a normal with sixteen digits that should be parallel
+/// to a bar gives a degenerate node at t* = 1e-17 only, and below that the points tend to a vertex
+/// of X.
 constexpr Window shallow{1e-5, 1e-7, 1e-12, 3e-15};
-/// For what is small and does not vanish, if t* is exactly zero.
+/// The window for small values that do not vanish, if t* is exactly zero.
 constexpr Window deep{1e-9, 1e-11, 1e-19, 0};
 
-/// What stays within a window at all, and by how many times the root of the ratio of its ends what
-/// vanishes may miss the fall it should have.
+/// A size that decreases by less than `stays` does not vanish. A size that vanishes decreases at
+/// least with the root of the ratio of the widths, within a factor `miss`.
 constexpr double stays = 0.1, miss = 3;
 
-/// Sizes below this are of the rounding of what the file says.
+/// Rounding level of the file.
 constexpr double file_rounding = 1e-13;
 
 }  // namespace
@@ -677,7 +680,7 @@ template <int D, class Real>
 std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(const IndexSet& contact,
                                                                         const IndexSet& separated,
                                                                         const IndexSet& ignored) {
-  Answer answer = nothing_known();
+  ConicResult answer = nothing_known();
   std::vector<Snapshot> path;
   do {
     select(contact, separated, ignored);
@@ -690,18 +693,18 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(const In
       ++answer.iterations;
       if (!factorise()) break;
       prove_lower(answer, Keep::latest);
-      // The bracket of the iteration itself, without what rounding adds to the bounds.
+      // Bracket of the iteration itself, without the rounding errors of the bounds.
       path.push_back({numbers::rounded(Real(complementarity_ / omega_)), {}, reaction_, motion_});
       take_sizes(path.back().sizes);
       if (path.back().width <= deep.closes || !advance()) break;
     }
   } while (lift_off());
   if (!is_tie(answer, tolerances_)) return std::nullopt;
-  // Proved dead, and by more than the rounding of what the file says: X is empty.
+  // Infeasible by more than the rounding of the file: X is empty.
   if (answer.upper < 0 && violation() > 10 * file_rounding) return RelativeInterior{};
   const IndexSet carriers = set_of(cones_);
   const IndexSet movers = set_of(gap_rows_);
-  if (answer.lower > 0) {  // proved alive, though within the tolerance: nothing vanishes
+  if (answer.lower > 0) {  // feasible, though within the tolerance: nothing vanishes
     const auto& sizes = path.back().sizes;
     bool all = true;
     for (const int i : cones_) all = all && sizes[static_cast<std::size_t>(i)] > file_rounding;
@@ -727,7 +730,7 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(const In
     for (std::size_t i = 0; i < 2 * friction_.size(); ++i) {
       const auto candidate = static_cast<int>(i % friction_.size());
       if (!(i < friction_.size() ? carriers : movers).contains(candidate)) continue;
-      // What an equation holds at zero does not fall: it is rounding from the start.
+      // A value fixed at zero by an equation does not decrease: it is rounding from the start.
       if (closed->sizes[i] <= std::max(falls * open->sizes[i], file_rounding)) continue;
       if (closed->sizes[i] < stays * open->sizes[i]) clear = false;
       (i < friction_.size() ? result.loaded : result.moved).insert(candidate);
@@ -740,7 +743,7 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(const In
   return std::nullopt;
 }
 
-// By how much the reaction fails to be wedged, relative to the sizes of what is compared.
+// Violation of the wedging conditions by the reaction, relative to the magnitudes compared.
 template <int D, class Real>
 double PlainSolver<D, Real>::violation() const {
   double most = 0;

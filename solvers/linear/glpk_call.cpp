@@ -1,4 +1,4 @@
-// How GLPK is kept quiet and alive.
+// GLPK calls with captured output and without abort().
 #include "solvers/linear/glpk_call.hpp"
 
 #include <csetjmp>
@@ -8,8 +8,8 @@
 namespace kusabi::linear {
 namespace {
 
-// GLPK keeps one environment a thread.
-struct Environment {
+// The GLPK environment of a thread.
+struct GlpkEnvironment {
   unsigned number = 1;
   bool hooked = false;
   bool calling = false;
@@ -17,36 +17,37 @@ struct Environment {
   std::jmp_buf way_out = {};
 };
 
-Environment& environment() {
-  thread_local Environment here;
+GlpkEnvironment& environment() {
+  thread_local GlpkEnvironment here;
   return here;
 }
 
 extern "C" {
 void kusabi_glpk_gave_up(void* info) {
-  auto& here = *static_cast<Environment*>(info);
+  auto& here = *static_cast<GlpkEnvironment*>(info);
   if (here.calling) std::longjmp(here.way_out, 1);
 }
 
 int kusabi_glpk_says(void* info, const char* text) {
-  // Called in the middle of C frames: nothing may be thrown from here.
+  // Called between C frames: nothing may be thrown from here.
   try {
-    static_cast<Environment*>(info)->messages += text;
+    static_cast<GlpkEnvironment*>(info)->messages += text;
   } catch (...) {
     return 1;
   }
-  return 1;  // not to be printed
+  return 1;  // suppresses the output
 }
 }
 
-// False if GLPK gave up. By itself, with nothing that longjmp could leave half done.
-bool survives(Environment& here, const std::function<void()>& call) {
+// False if GLPK failed. A function of its own, without objects that longjmp could leave
+// undestroyed.
+bool survives(GlpkEnvironment& here, const std::function<void()>& call) {
   if (setjmp(here.way_out) != 0) return false;
   call();
   return true;
 }
 
-void make(Environment& here, const std::function<void()>& call) {
+void make(GlpkEnvironment& here, const std::function<void()>& call) {
   if (!here.hooked) {
     glp_term_hook(kusabi_glpk_says, &here);
     glp_error_hook(kusabi_glpk_gave_up, &here);
@@ -60,7 +61,7 @@ void make(Environment& here, const std::function<void()>& call) {
   glp_free_env();
   here.hooked = false;
   ++here.number;
-  throw GlpkError("GLPK gave up: " + here.messages);
+  throw GlpkError("GLPK failed: " + here.messages);
 }
 
 }  // namespace

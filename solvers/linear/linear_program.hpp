@@ -1,6 +1,6 @@
-// A linear program and a mixed zero-one program as plain data: what mechanics writes down and
-// solvers/linear and nodes/zero_one solve. The form is that of the limit paper's (29) and of every
-// solver: rows and columns with two-sided bounds.
+// LinearProgram and MixedProgram: a linear program and a mixed zero-one program as plain data,
+// assembled by the mechanics and solved by solvers/linear and nodes/zero_one. The form is that of
+// the limit paper's (29) and of all solvers: rows and columns with two-sided bounds.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@ namespace kusabi::linear {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A column of a row: value * x[column].
+/// A term of a row: value * x[column].
 struct LinearTerm {
   int column = 0;
   double value = 0;
 };
 
-/// One entry of the matrix. Each place (row, column) occurs once at most.
+/// An entry of the matrix. Each position (row, column) occurs at most once.
 struct LinearEntry {
   int row = 0;
   int column = 0;
@@ -29,8 +29,8 @@ struct LinearEntry {
 
 struct LinearColumn {
   double cost = 0;
-  double lower = 0;         ///< minus infinity: none
-  double upper = infinity;  ///< infinity: none
+  double lower = 0;         ///< minus infinity: unbounded
+  double upper = infinity;  ///< infinity: unbounded
   std::string name = {};    ///< may be empty
 };
 
@@ -55,7 +55,7 @@ struct LinearProgram {
     return static_cast<int>(columns.size()) - 1;
   }
 
-  /// Terms that are zero are left out. @return its index
+  /// Omits terms that are zero. @return its index
   int add_row(LinearRow row, std::span<const LinearTerm> terms) {
     const int index = static_cast<int>(rows.size());
     rows.push_back(std::move(row));
@@ -66,7 +66,7 @@ struct LinearProgram {
   }
 };
 
-/// A linear program some columns of which must be 0 or 1; their bounds lie within [0, 1].
+/// A linear program with columns that must be 0 or 1; their bounds lie within [0, 1].
 struct MixedProgram {
   LinearProgram program;
   std::vector<int> binaries;  ///< columns, each once

@@ -1,4 +1,4 @@
-// Section by section; what a section says is kept as it is, and put together at the end.
+// MPS reader: the sections are read one by one and combined at the end.
 #include "solvers/linear/mps_file.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 using support::in_quotes;
 using support::InputError;
 
-struct Row {
+struct MpsRow {
   char type = 'N';
   std::string name;
   std::optional<double> right;
@@ -32,7 +32,7 @@ struct Row {
   std::vector<LinearTerm> terms;
 };
 
-struct Column {
+struct MpsColumn {
   std::string name;
   bool whole = false;
   double lower = 0;
@@ -42,10 +42,11 @@ struct Column {
   std::size_t line = 0;
 };
 
-// A name and what belongs to it: an entry, a right-hand side.
+// A name and its value: an entry, a right-hand side.
 using Pairs = std::vector<std::pair<std::string_view, std::string_view>>;
 
-// "1.5e3"; none if it is no number. (No exponents with a D: readers read them as 1 or as 1000.)
+// A number such as "1.5e3"; nothing if the word is not one. (Exponents with a D are refused:
+// readers take them as 1 or as 1000.)
 std::optional<double> number(std::string_view word) {
   if (word.starts_with('+') && word.size() > 1 && word[1] != '-') word.remove_prefix(1);
   double value = 0;
@@ -68,9 +69,9 @@ std::optional<bool> maximise_says(std::string_view word) {
   return {};
 }
 
-class Reader {
+class MpsReader {
  public:
-  Reader(std::string_view text, const std::string& file, MpsLayout layout)
+  MpsReader(std::string_view text, const std::string& file, MpsLayout layout)
       : lines_(text, layout), layout_(layout), file_(file) {}
 
   ProgramFile read() {
@@ -90,7 +91,7 @@ class Reader {
     return program();
   }
 
-  /// Of the last line looked at.
+  /// Number of the last line read.
   [[nodiscard]] std::size_t line() const { return line_.number; }
 
  private:
@@ -265,7 +266,7 @@ class Reader {
     return true;
   }
 
-  // The name at the front, and pairs. In free MPS an even number of words has no name.
+  // The name at the front, and pairs. In free MPS a line with an even number of words has no name.
   Pairs read_pairs(std::string_view& name, bool name_needed) const {
     const auto& fields = line_.fields;
     Pairs pairs;
@@ -323,7 +324,7 @@ class Reader {
   // ---- right-hand sides, ranges
   // ------------------------------------------------------------------
 
-  // Other solvers take the first of several sets, or mix them.
+  // Several sets are refused: other solvers take the first, or mix them.
   void check_set(std::string_view name) {
     if (!set_) set_ = std::string(name);
     if (*set_ != name) {
@@ -354,7 +355,7 @@ class Reader {
     check_set(set);
   }
 
-  void check_right_side(const Row& row, double value) const {
+  void check_right_side(const MpsRow& row, double value) const {
     const bool finite = std::abs(value) < infinite_in_files;
     const bool good = finite || (row.type == 'L' && value > 0) || (row.type == 'G' && value < 0);
     if (!good) {
@@ -388,7 +389,7 @@ class Reader {
       if (!valued && count >= 2 &&
           column_of_.find(std::string(fields[count - 1])) != column_of_.end() &&
           number(fields[count])) {
-        word = fields[count--];  // a value where none is needed
+        word = fields[count--];  // a value where none is required
       } else if (valued && count >= 2) {
         word = fields[count--];
       }
@@ -410,7 +411,7 @@ class Reader {
            valued ? "its type, its set, a column and a number" : "its type, its set and a column");
   }
 
-  void bound(Column& column, std::string_view type, double value) {
+  void bound(MpsColumn& column, std::string_view type, double value) {
     if (type == "LI" || type == "UI" || type == "BV") column.whole = true;
     if (type == "UP" || type == "UI") {
       set_upper(column, value);
@@ -435,22 +436,22 @@ class Reader {
     }
   }
 
-  void set_lower(Column& column, double value) const {
+  void set_lower(MpsColumn& column, double value) const {
     if (column.lower_given) refuse_second("lower", column);
     if (value >= infinite_in_files) refuse_shut(column, value);
     column.lower_given = true;
     column.lower = value <= -infinite_in_files ? -infinity : value;
   }
-  void set_upper(Column& column, double value) const {
+  void set_upper(MpsColumn& column, double value) const {
     if (column.upper_given) refuse_second("upper", column);
     if (value <= -infinite_in_files) refuse_shut(column, value);
     column.upper_given = true;
     column.upper = value >= infinite_in_files ? infinity : value;
   }
-  [[noreturn]] void refuse_second(std::string_view side, const Column& column) const {
+  [[noreturn]] void refuse_second(std::string_view side, const MpsColumn& column) const {
     refuse(fmt::format("a second {} bound of column {}", side, in_quotes(column.name)), "one");
   }
-  [[noreturn]] void refuse_shut(const Column& column, double value) const {
+  [[noreturn]] void refuse_shut(const MpsColumn& column, double value) const {
     refuse(fmt::format("the bound {} leaves no value for column {}", value, in_quotes(column.name)),
            "a number below 1e20");
   }
@@ -498,9 +499,10 @@ class Reader {
       if (value == 0) continue;
       program.columns[static_cast<std::size_t>(column)].cost = sign * value;
     }
-    // As HiGHS and CBC read it; the objective of Netlib's e226 is what it is known for then.
+    // Sign convention of HiGHS and CBC, with which the objective of Netlib's e226 has its published
+    // value.
     program.constant = -sign * rows_[objective_row].right.value_or(0);
-    if (program.constant == 0) program.constant = 0;  // not -0
+    if (program.constant == 0) program.constant = 0;  // avoids -0
     for (const auto& row : rows_) {
       const auto [lower, upper] = ends(row);
       if (lower == -infinity && upper == infinity) continue;
@@ -509,7 +511,7 @@ class Reader {
     return result;
   }
 
-  bool is_binary(const Column& column) const {
+  bool is_binary(const MpsColumn& column) const {
     if (!column.whole) return false;
     if (column.lower >= 0 && column.upper <= 1) return true;
     if (column.lower == column.upper && std::floor(column.lower) == column.lower) return false;
@@ -519,7 +521,7 @@ class Reader {
               "integer columns between 0 and 1 only");
   }
 
-  static std::pair<double, double> ends(const Row& row) {
+  static std::pair<double, double> ends(const MpsRow& row) {
     const auto at = [](double value) {
       if (std::abs(value) < infinite_in_files) return value;
       return value > 0 ? infinity : -infinity;
@@ -545,15 +547,15 @@ class Reader {
   MpsLine line_;
   MpsSection section_ = MpsSection::none;
   std::array<bool, 9> seen_{};
-  std::optional<std::string> set_;  // of the section
+  std::optional<std::string> set_;  // set name of the current section
   bool in_integers_ = false;
   std::string name_;
   bool maximise_ = false;
   bool sense_given_ = false;
   std::optional<std::string> objective_name_;
-  std::vector<Row> rows_;
-  std::vector<int> column_in_row_;  // the last that had an entry there
-  std::vector<Column> columns_;
+  std::vector<MpsRow> rows_;
+  std::vector<int> column_in_row_;  // the last column that had an entry in this row
+  std::vector<MpsColumn> columns_;
   std::unordered_map<std::string, std::size_t> row_of_;
   std::unordered_map<std::string, std::size_t> column_of_;
   std::vector<std::string> warnings_;
@@ -561,14 +563,14 @@ class Reader {
 
 }  // namespace
 
-// Nearly all fixed MPS is free MPS as well; what is not has names with blanks. Of a file that is
-// neither, the reading that came further says what is wrong.
+// Nearly all fixed MPS is valid free MPS; exceptions have names with blanks. For a file that is
+// neither, the fault of the reading that came further is reported.
 ProgramFile parse_mps(std::string_view text, const std::string& file) {
-  Reader free(text, file, MpsLayout::free);
+  MpsReader free(text, file, MpsLayout::free);
   try {
     return free.read();
   } catch (const InputError&) {
-    Reader fixed(text, file, MpsLayout::fixed);
+    MpsReader fixed(text, file, MpsLayout::fixed);
     try {
       return fixed.read();
     } catch (const InputError&) {

@@ -1,5 +1,5 @@
-// Mixed zero-one programs in MPS format, free or fixed. Readers differ in what they make of a file;
-// what is done here is said in docs/mps.md, and what may mean two things is refused with its line.
+// Reader of mixed zero-one programs in MPS format, free or fixed. docs/mps.md specifies the
+// dialect; a line that readers interpret differently is refused or reported.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace kusabi::linear {
 
-/// A bound or right-hand side this large is none at all (HiGHS, CPLEX and SCIP agree).
+/// Magnitude from which a bound or right-hand side is infinite (as in HiGHS, CPLEX and SCIP).
 inline constexpr double infinite_in_files = 1e20;
 
-/// @param text the whole file, unpacked; `file` is its name in messages
-/// @throws support::InputError `FILE:LINE: what is wrong; expected ...`
+/// @param text the whole file, uncompressed  @param file its name in messages
+/// @throws support::InputError `FILE:LINE: fault; expected ...`
 ProgramFile parse_mps(std::string_view text, const std::string& file);
 
 }  // namespace kusabi::linear

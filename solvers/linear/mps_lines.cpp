@@ -1,4 +1,4 @@
-// Fields by blanks or by columns.
+// Fields of MPS lines, by blanks or by columns.
 #include "solvers/linear/mps_lines.hpp"
 
 #include <algorithm>
@@ -27,14 +27,14 @@ std::vector<std::string_view> words(std::string_view text) {
   }
 }
 
-// Where the six fields of a card begin and end, counted from 0.
-struct Field {
+// Begin and end of the six fields of a card, counted from 0.
+struct CardField {
   std::size_t begin;
   std::size_t end;
 };
-constexpr std::array<Field, 6> card{{{1, 3}, {4, 12}, {14, 22}, {24, 36}, {39, 47}, {49, 61}}};
+constexpr std::array<CardField, 6> card{{{1, 3}, {4, 12}, {14, 22}, {24, 36}, {39, 47}, {49, 61}}};
 
-// False if there is something between the fields.
+// False if there is text between the fields.
 bool split_card(std::string_view text, std::vector<std::string_view>& fields) {
   if (text.find('\t') != std::string_view::npos) return false;
   std::size_t at = 0;

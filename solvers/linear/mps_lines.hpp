@@ -1,5 +1,5 @@
-// The lines of an MPS file, split into fields: at blanks (free MPS), or at the columns of the old
-// punched cards (fixed MPS, where a name may have blanks).
+// MpsLines: the lines of an MPS file, split into fields at blanks (free MPS), or at the columns of
+// punched cards (fixed MPS, where a name may contain blanks).
 #pragma once
 
 #include <cstddef>
@@ -12,28 +12,28 @@ namespace kusabi::linear {
 
 enum class MpsLayout { free, fixed };
 
-/// What the line belongs to says how many fields it has.
+/// Section of a line, which determines its fields.
 enum class MpsSection { none, sense, objective_name, rows, columns, rhs, ranges, bounds, end };
 
-/// One line with something on it.
+/// One line that is not empty.
 struct MpsLine {
   std::size_t number = 0;  ///< counted from 1
-  bool header = false;     ///< it begins a section
-  /// In free MPS (and of a header): the words. In fixed MPS: the six fields, empty where blank.
+  bool header = false;     ///< true if it begins a section
+  /// Free MPS, and headers: the words. Fixed MPS: the six fields, empty where blank.
   std::vector<std::string_view> fields;
-  std::string_view text;  ///< without blanks at its ends
+  std::string_view text;  ///< without leading and trailing blanks
 };
 
-/// Lines that are blank or a comment are left out, and so is a byte order mark.
+/// Reads the lines; skips blank lines, comments and a byte order mark.
 class MpsLines {
  public:
   MpsLines(std::string_view text, MpsLayout layout);
 
   /// False at the end.
   bool next(MpsLine& line);
-  /// The number of the last line read.
+  /// Number of the last line read.
   [[nodiscard]] std::size_t number() const { return number_; }
-  /// Whether the last line has something where fixed MPS has gaps.
+  /// True if the last line has text where fixed MPS has gaps.
   [[nodiscard]] bool off_the_columns() const { return off_the_columns_; }
 
  private:
@@ -43,7 +43,7 @@ class MpsLines {
   bool off_the_columns_ = false;
 };
 
-/// `word` in capitals.
+/// `word` in upper case.
 std::string capitals(std::string_view word);
 
 }  // namespace kusabi::linear

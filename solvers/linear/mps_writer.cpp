@@ -1,5 +1,5 @@
-// Section by section. Every bound and every sense is written out: readers differ in what they take
-// for granted.
+// MPS writer. Every bound and the sense are written explicitly, since the defaults of readers
+// differ.
 #include "solvers/linear/mps_writer.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ bool all_readers_take(std::string_view name) {
          std::ranges::all_of(name, shown);
 }
 
-// The names of these, or numbers.
+// The given names if valid and unique, otherwise numbers.
 template <class Named>
 std::vector<std::string> names_of(const std::vector<Named>& all, char letter) {
   std::set<std::string_view> taken{objective_name};
@@ -39,9 +39,9 @@ std::vector<std::string> names_of(const std::vector<Named>& all, char letter) {
   return names;
 }
 
-class Writer {
+class MpsWriter {
  public:
-  Writer(std::ostream& out, const MixedProgram& mixed)
+  MpsWriter(std::ostream& out, const MixedProgram& mixed)
       : out_(out),
         program_(mixed.program),
         columns_(names_of(program_.columns, 'c')),
@@ -93,7 +93,7 @@ class Writer {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       if (binary_[k] != among_integers) write_marker(among_integers = binary_[k]);
       const double cost = program_.columns[k].cost;
-      // A column is there if it has an entry, be it zero.
+      // A column is written if it has an entry, zero or not.
       if (cost != 0 || entries_[k].empty()) {
         fmt::print(out_, " {} {} {}\n", columns_[k], objective_name, cost);
       }
@@ -111,7 +111,7 @@ class Writer {
 
   void write_right_sides() {
     out_ << "RHS\n";
-    // Minus the constant, as GLPK, HiGHS and CBC read it.
+    // Minus the constant, by the convention of GLPK, HiGHS and CBC.
     if (program_.constant != 0) {
       fmt::print(out_, " RHS {} {}\n", objective_name, -program_.constant);
     }
@@ -163,7 +163,7 @@ class Writer {
 void write_mps(std::ostream& out, const MixedProgram& mixed,
                std::span<const std::string> comments) {
   for (const auto& line : comments) fmt::print(out, "* {}\n", line);
-  Writer(out, mixed).write();
+  MpsWriter(out, mixed).write();
 }
 
 }  // namespace kusabi::linear

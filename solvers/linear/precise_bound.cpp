@@ -1,4 +1,4 @@
-// Sums of 104 bits, each with what it may be wrong by.
+// Safe bound by sums of 104 bits with their error bounds.
 #include "solvers/linear/precise_bound.hpp"
 
 #include <algorithm>
@@ -14,10 +14,10 @@ using numbers::Precise;
 
 constexpr double roundoff = numbers::unit_roundoff<Precise>;
 constexpr double forgiven_share = 0x1p-80;
-// Sizes are sums of doubles rounded to nearest; this makes up for it.
+// Factor for the rounding of error sums, which are doubles rounded to nearest.
 constexpr double at_most = 1 + 1e-6;
 
-// A sum, and the sum of the sizes of its terms.
+// A sum, and the sum of the magnitudes of its terms.
 class Sum {
  public:
   void add(const Precise& term) {
@@ -25,14 +25,15 @@ class Sum {
     size_ += std::abs(term.x[0]);
     ++terms_;
   }
-  // One that may be wrong by `error` besides.
+  // Adds a term with an error of at most `error`.
   void add(const Precise& term, double error) {
     add(term);
     error_ += error;
   }
   [[nodiscard]] const Precise& value() const { return value_; }
   [[nodiscard]] double size() const { return size_ * at_most; }
-  // Each term is a product at most; each addition is wrong by what was added, relatively.
+  // Bound of the rounding error: each term is at most one product, and each addition has an error
+  // relative to its summands.
   [[nodiscard]] double error() const {
     return (roundoff * (2 * static_cast<double>(terms_) + 4) * size_ + error_) * at_most;
   }
@@ -44,7 +45,8 @@ class Sum {
   std::size_t terms_ = 0;
 };
 
-// The least of r x over [lower, upper], with |r - residual| <= error; false if there is none.
+// Adds the minimum of r x over [lower, upper], with |r - residual| <= error; false if it is
+// unbounded.
 bool add_least(Sum& total, const Sum& residual, double lower, double upper, Residuals residuals) {
   const Precise& r = residual.value();
   const double error = residual.error();
@@ -92,7 +94,7 @@ SafeBound bound(const LinearProgram& program, std::span<const Precise> duals,
   for (std::size_t j = 0; j < sums.size(); ++j) {
     const double middle = sums[j].value().x[0];
     const double error = sums[j].error();
-    // What the first of two doubles leaves out is less than its next neighbours are away.
+    // The second double of the pair is smaller than the distance to the neighbours of the first.
     result.residuals.push_back({rounded::sum_down(rounded::before(middle), -error),
                                 rounded::sum_up(-rounded::before(-middle), error)});
     if (!add_least(total, sums[j], lower[j], upper[j], residuals)) finite = false;

@@ -1,6 +1,6 @@
-// The safe bound (safe_bound.hpp) of multipliers y with 104 bits. Where costs differ by twelve
-// decades, as a penalty does from a price, the reduced costs c - A'y of the best y in doubles are
-// nothing but rounding, and the bound would be wrong by more than the objective may be.
+// Safe bound (safe_bound.hpp) of multipliers y with 104 bits. If costs differ by twelve decades, as
+// penalties and prices do, the reduced costs c - A'y of the best y in doubles consist of rounding
+// only, and the error of the bound would exceed the objective.
 #pragma once
 
 #include <span>
@@ -12,14 +12,14 @@
 
 namespace kusabi::linear {
 
-/// How a reduced cost counts that should be zero but is not quite, of a column without the bound
-/// on the side where its cost presses.
+/// Treatment of a reduced cost that should be zero but is not quite, for a column without the bound
+/// that the cost presses on.
 enum class Residuals {
-  proved,    ///< the bound is minus infinity then: it holds in spite of rounding
-  forgiven,  ///< zero if it is rounding, a part of 2^-80 of its terms: no proof, but all digits
+  proved,    ///< the bound is minus infinity: it is rigorous
+  forgiven,  ///< zero if within rounding, 2^-80 of its terms: accurate, but not a proof
 };
 
-/// As safe_bound() of doubles. Errors of the 104 bits are bounded and taken off.
+/// As safe_bound() of doubles. Rounding errors of the 104 bits are bounded and subtracted.
 SafeBound safe_bound(const LinearProgram& program, std::span<const numbers::Precise> duals,
                      std::span<const double> lower, std::span<const double> upper,
                      Residuals residuals = Residuals::proved);

@@ -1,4 +1,5 @@
-// A basis in 104 bits, and rounds that scale up what is left.
+// Iterative refinement of a linear program: a basis solved in 104 bits, and rounds that scale up
+// the residuals.
 #include "solvers/linear/precise_simplex.hpp"
 
 #include <algorithm>
@@ -17,27 +18,26 @@ namespace {
 using numbers::Precise;
 using Vector = std::vector<Precise>;
 
-// A basis is solved when each equation holds to this part of its terms.
+// Relative residual at which a basis is solved.
 constexpr double solved = 0x1p-90;
 constexpr int most_corrections = 24;
-// Values and reduced costs this little on the wrong side, relative to the sizes around them, are on
-// it: what the error above comes to in a basis that is not too ill-conditioned.
+// Tolerance of basic values and reduced costs, relative to the magnitudes around them: the error
+// implied by the residual above for a basis that is not too ill-conditioned.
 constexpr double on_it = 1e-21;
 constexpr int most_rounds = 24;
-// By how much more a round may scale up than the one before; what is beyond is 1e-9 of what GLPK
-// sees.
+// Largest increase of the scale factor per round; the remainder is 1e-9 in the scaled program.
 constexpr double scale_a_round = 0x1p40;
-// What is wrong by most is brought to the size of one; bounds beyond this are then far away.
+// The largest violation is scaled to one; bounds beyond this are then omitted.
 constexpr double far = 1e15;
-// And costs beyond this certainly positive: GLPK divides all by the largest, so that smaller ones
-// drown in its tolerance beside a penalty.
+// Limit of scaled costs; larger ones are certainly positive. GLPK divides all costs by the largest,
+// so that smaller ones would vanish in its tolerance.
 constexpr double dear = 1e5;
 
 double size(const Precise& number) {
   return std::abs(number.x[0]);
 }
 
-// With a column for each row's activity s, so that it can have a cost: Ax - s = 0.
+// The program with a column for each row's activity s, so that it can have a cost: Ax - s = 0.
 LinearProgram with_activities(const LinearProgram& given) {
   LinearProgram program;
   program.columns.reserve(given.columns.size() + given.rows.size());
@@ -104,28 +104,28 @@ class Refinement {
     Basis basis(rows_, columns_ + rows_);
     for (std::size_t j = 0; j < columns_; ++j) basis.set_column(j, given.column(j));
     for (std::size_t i = 0; i < rows_; ++i) {
-      // Rows that came after the basis was made are basic.
-      basis.set_column(columns_ + i, i < given.rows() ? given.row(i) : Place::basic);
-      basis.set_row(i, Place::lower);
+      // Rows added after the basis was made are basic.
+      basis.set_column(columns_ + i, i < given.rows() ? given.row(i) : BasisStatus::basic);
+      basis.set_row(i, BasisStatus::lower);
     }
     return basis;
   }
 
-  // A row that is basic itself stands for its activity: they are the same column of the basis.
+  // A basic row is represented by its activity: they are the same column of the basis.
   [[nodiscard]] Basis given_basis() const {
     const auto now = simplex_.basis();
     Basis basis(rows_, columns_);
     for (std::size_t j = 0; j < columns_; ++j) basis.set_column(j, now.column(j));
     for (std::size_t i = 0; i < rows_; ++i) {
-      const bool basic = now.row(i) == Place::basic;
-      basis.set_row(i, basic ? Place::basic : now.column(columns_ + i));
+      const bool basic = now.row(i) == BasisStatus::basic;
+      basis.set_row(i, basic ? BasisStatus::basic : now.column(columns_ + i));
     }
     return basis;
   }
 
   // ---- the system of a basis -------------------------------------------------------------------
 
-  // Column k of (I | -A): rows first.
+  // Entries of column k of (I | -A), rows first.
   template <class Each>
   void each_entry(int k, const Each& each) const {
     const auto at = static_cast<std::size_t>(k);
@@ -140,10 +140,10 @@ class Refinement {
 
   using Apply = std::function<void(const Vector&, Vector&, std::vector<double>&)>;
 
-  // Solves a system by corrections: `apply` multiplies, and adds up the sizes of the terms; `guess`
-  // replaces the right-hand side by a solution to some digits.
+  // Solves a system by iterative refinement. `apply` multiplies, and adds up the magnitudes of the
+  // terms; `approximate` replaces the right-hand side by an approximate solution.
   static std::optional<Vector> corrected(const Vector& right, const Apply& apply,
-                                         const std::function<bool(Vector&)>& guess) {
+                                         const std::function<bool(Vector&)>& approximate) {
     Vector x(right.size(), 0.0);
     double worst_before = infinity;
     for (int time = 0; time < most_corrections; ++time) {
@@ -160,18 +160,18 @@ class Refinement {
         if (weight > 0) worst = std::max(worst, missing / weight);
       }
       if (worst <= solved) return x;
-      // The first correction brings all down but where nothing was before.
+      // The first correction reduces the residual except where the solution was zero.
       if (time > 2 && worst > 0.5 * worst_before) return {};
       worst_before = worst;
-      if (!guess(residual)) return {};
+      if (!approximate(residual)) return {};
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual[i];
     }
     return {};
   }
 
-  // By GLPK's factorisation.
-  static bool guess_in_doubles(Vector& right,
-                               const std::function<bool(std::vector<double>&)>& solve) {
+  // Approximate solution by GLPK's factorisation.
+  static bool approximate_in_doubles(Vector& right,
+                                     const std::function<bool(std::vector<double>&)>& solve) {
     double largest = 0;
     for (const auto& number : right) largest = std::max(largest, size(number));
     const double scale = std::exp2(std::ilogb(largest));
@@ -182,8 +182,9 @@ class Refinement {
     return true;
   }
 
-  // By one of 104 bits, where a basis is too ill-conditioned for doubles.
-  bool guess_in_all_bits(Vector& right, bool transposed) const {
+  // Approximate solution by a factorisation in 104 bits, for a basis too ill-conditioned for
+  // doubles.
+  bool approximate_in_all_bits(Vector& right, bool transposed) const {
     constexpr std::size_t most_rows = 200;
     if (rows_ == 0 || rows_ > most_rows) return false;
     const auto count = static_cast<Eigen::Index>(rows_);
@@ -214,10 +215,11 @@ class Refinement {
       }
     };
     const auto solve = [&](std::vector<double>& b) { return simplex_.solve_with_basis(b); };
-    if (auto x = corrected(right, apply, [&](Vector& b) { return guess_in_doubles(b, solve); })) {
+    if (auto x =
+            corrected(right, apply, [&](Vector& b) { return approximate_in_doubles(b, solve); })) {
       return x;
     }
-    return corrected(right, apply, [&](Vector& b) { return guess_in_all_bits(b, false); });
+    return corrected(right, apply, [&](Vector& b) { return approximate_in_all_bits(b, false); });
   }
 
   // pi with B'pi = right.
@@ -234,17 +236,18 @@ class Refinement {
     const auto solve = [&](std::vector<double>& b) {
       return simplex_.solve_with_transposed_basis(b);
     };
-    if (auto x = corrected(right, apply, [&](Vector& b) { return guess_in_doubles(b, solve); })) {
+    if (auto x =
+            corrected(right, apply, [&](Vector& b) { return approximate_in_doubles(b, solve); })) {
       return x;
     }
-    return corrected(right, apply, [&](Vector& b) { return guess_in_all_bits(b, true); });
+    return corrected(right, apply, [&](Vector& b) { return approximate_in_all_bits(b, true); });
   }
 
   // ---- a round ---------------------------------------------------------------------------------
 
-  // What is left of bounds and costs, scaled up; at first all of it.
+  // Loads the scaled residuals of bounds and costs; initially the whole program.
   void load(bool all) {
-    if (all) return;  // as it was made
+    if (all) return;  // unchanged since construction
     for (std::size_t k = 0; k < values_.size(); ++k) {
       const auto& column = extended_.columns[k];
       const int at = static_cast<int>(k);
@@ -257,24 +260,25 @@ class Refinement {
     }
   }
 
-  [[nodiscard]] Precise resting(std::size_t k, Place place) const {
+  [[nodiscard]] Precise resting(std::size_t k, BasisStatus place) const {
     const auto& column = extended_.columns[k];
-    const double first = place == Place::lower ? column.lower : column.upper;
-    const double second = place == Place::lower ? column.upper : column.lower;
+    const double first = place == BasisStatus::lower ? column.lower : column.upper;
+    const double second = place == BasisStatus::lower ? column.upper : column.lower;
     if (std::isfinite(first)) return first;
     return std::isfinite(second) ? second : 0.0;
   }
 
-  // Values, multipliers and reduced costs of the present basis; false if the digits do not come.
+  // Values, multipliers and reduced costs of the current basis; false if the refinement does not
+  // converge.
   bool take_basis() {
     head_ = simplex_.basis_head();
     if (head_.size() != rows_) return false;
-    place_.assign(values_.size(), Place::basic);
+    place_.assign(values_.size(), BasisStatus::basic);
     const auto basis = simplex_.basis();
     Vector right(rows_, 0.0);
     for (std::size_t k = 0; k < values_.size(); ++k) {
       place_[k] = basis.column(k);
-      if (place_[k] == Place::basic) continue;
+      if (place_[k] == BasisStatus::basic) continue;
       values_[k] = resting(k, place_[k]);
       if (values_[k].x[0] == 0) continue;
       for (const auto& entry : column_entries_[k]) {
@@ -300,7 +304,7 @@ class Refinement {
     for (std::size_t k = 0; k < values_.size(); ++k) {
       reduced_[k] = extended_.columns[k].cost;
       reduced_size_[k] = size(reduced_[k]);
-      if (place_[k] == Place::basic) {
+      if (place_[k] == BasisStatus::basic) {
         reduced_[k] = 0.0;
         continue;
       }
@@ -312,15 +316,15 @@ class Refinement {
     return true;
   }
 
-  // How far the basic values are beyond their bounds, and reduced costs on the wrong side; what is
-  // on them but for rounding is put there.
+  // Violations of bounds by basic values, and of signs by reduced costs; values within the
+  // tolerance are set to the bound.
   bool fits() {
     double value_size = 0;
     for (const auto& value : values_) value_size = std::max(value_size, size(value));
     worst_value_ = worst_cost_ = 0;
     for (std::size_t k = 0; k < values_.size(); ++k) {
       const auto& [cost, lower, upper, name] = extended_.columns[k];
-      if (place_[k] == Place::basic) {
+      if (place_[k] == BasisStatus::basic) {
         const double at = values_[k] < Precise(lower)   ? lower
                           : values_[k] > Precise(upper) ? upper
                                                         : infinity;
@@ -355,12 +359,12 @@ class Refinement {
 
   // ---- the answers -----------------------------------------------------------------------------
 
-  // The multipliers of the rows that no point agrees with.
+  // Multipliers of the rows that prove infeasibility.
   std::optional<Vector> contradiction() {
     auto [place, sign] = simplex_.contradicting();
     if (place < 0) {
-      // The dual method, which any basis suits without costs, ends with a reason; the primal does
-      // not.
+      // Without costs any basis is dual feasible, and the dual method ends with a proof; the primal
+      // method does not.
       for (std::size_t k = 0; k < values_.size(); ++k) simplex_.set_cost(static_cast<int>(k), 0);
       simplex_.solve_dual({.stop = stop_});
       std::tie(place, sign) = simplex_.contradicting();
@@ -390,10 +394,10 @@ class Refinement {
   const support::Stop& stop_;
   std::vector<std::vector<LinearEntry>> column_entries_;
   std::vector<int> head_;
-  std::vector<Place> place_;
+  std::vector<BasisStatus> place_;
   Vector values_;  // of the columns, then of the activities
   Vector duals_;
-  Vector reduced_;  // costs
+  Vector reduced_;  // reduced costs
   std::vector<double> reduced_size_;
   double value_scale_ = 1;
   double cost_scale_ = 1;

@@ -1,5 +1,4 @@
-// Which reader a file is for. Of an LP file GLPK's messages are the message, and what it has read
-// becomes plain data.
+// Choice of the reader by file name. LP files are read by GLPK, whose messages are passed on.
 #include "solvers/linear/program_file.hpp"
 
 #include <array>
@@ -24,7 +23,7 @@ namespace {
 
 using support::InputError;
 
-// A problem of GLPK's, for as long as its environment lasts.
+// A GLPK problem, valid as long as its environment.
 class Loaded {
  public:
   Loaded() {
@@ -56,7 +55,7 @@ Format format_of(const std::filesystem::path& file) {
       "the name does not say what is in the file; expected one that ends in .mps or .lp");
 }
 
-// The line of GLPK's that is about the file: "FILE:12: what".
+// The line of GLPK's output about the file: "FILE:12: fault".
 std::string complaint(const std::string& messages, const std::string& file) {
   const auto at = messages.rfind(file + ":");
   if (at == std::string::npos) return {};
@@ -65,7 +64,7 @@ std::string complaint(const std::string& messages, const std::string& file) {
   return line;
 }
 
-// Throws `FILE:LINE: ...` of "12: missing column name".
+// Throws `FILE:LINE: ...` from "12: missing column name".
 [[noreturn]] void refuse(const std::string& file, const std::string& messages) {
   const auto line = complaint(messages, file);
   const auto colon = line.find(':');
@@ -84,7 +83,7 @@ void load(glp_prob* lp, const std::string& file) {
   if (failed != 0) refuse(file, messages);
 }
 
-// The bytes of a file, unpacked if they are packed.
+// Bytes of a file, decompressed if compressed.
 std::string unpacked(const std::string& file) {
   constexpr std::size_t most = std::size_t{1} << 32U;
   const auto close = [](gzFile open) { gzclose(open); };
@@ -96,7 +95,7 @@ std::string unpacked(const std::string& file) {
         stream ? gzread(stream.get(), piece.data(), static_cast<unsigned>(piece.size())) : -1;
     int error = Z_OK;
     if (count < 0 || (count == 0 && (gzerror(stream.get(), &error), error != Z_OK))) {
-      throw InputError(file, {}, "the file cannot be unpacked; expected all of a file of gzip's");
+      throw InputError(file, {}, "the file cannot be unpacked; expected a complete gzip file");
     }
     if (count == 0) return text;
     text.append(piece.data(), static_cast<std::size_t>(count));
@@ -106,13 +105,13 @@ std::string unpacked(const std::string& file) {
   }
 }
 
-struct Bounds {
+struct ReadBounds {
   double lower;
   double upper;
 };
 
-// What is infinite in an MPS file is so in an LP file.
-Bounds bounds(int type, double lower, double upper) {
+// Numbers infinite in an MPS file are infinite in an LP file.
+ReadBounds bounds(int type, double lower, double upper) {
   const bool below = type == GLP_LO || type == GLP_DB || type == GLP_FX;
   const bool above = type == GLP_UP || type == GLP_DB || type == GLP_FX;
   if (type == GLP_FX) upper = lower;
@@ -120,7 +119,7 @@ Bounds bounds(int type, double lower, double upper) {
           above && upper < infinite_in_files ? upper : infinity};
 }
 
-void check(const Bounds& bounds, const std::string& file, const char* what,
+void check(const ReadBounds& bounds, const std::string& file, const char* what,
            const std::string& name) {
   if (bounds.lower <= bounds.upper && bounds.lower < infinite_in_files &&
       bounds.upper > -infinite_in_files) {
@@ -177,7 +176,7 @@ void add_rows(glp_prob* lp, const std::string& file, MixedProgram& mixed) {
     check({lower, upper}, file, "row", name);
     const int count = glp_get_mat_row(lp, i, at.data(), values.data());
     std::vector<LinearTerm> terms;
-    for (int k = count; k >= 1; --k) {  // GLPK puts the last entry first
+    for (int k = count; k >= 1; --k) {  // GLPK lists the last entry first
       const auto place = static_cast<std::size_t>(k);
       terms.push_back({at[place] - 1, finite(values[place], file, "row", name)});
     }

@@ -1,5 +1,5 @@
-// Mixed zero-one programs from files that every solver of such programs reads: MPS, fixed or free
-// (mps_file.hpp), and CPLEX LP, which GLPK reads; with a name that ends in .gz they are unpacked.
+// Reader of mixed zero-one programs in common formats: MPS, fixed or free (mps_file.hpp), and CPLEX
+// LP, by GLPK; files named .gz are decompressed.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace kusabi::linear {
 
-/// A program as it is in a file.
+/// Content of a program file.
 struct ProgramFile {
   MixedProgram mixed;     ///< to be minimised
-  bool maximise = false;  ///< the costs of `mixed` are the negatives of the file's
+  bool maximise = false;  ///< the costs of `mixed` are the negatives of those in the file
   std::vector<std::string> warnings =
-      {};  ///< `FILE:LINE: ...`: what other readers may take otherwise
+      {};  ///< `FILE:LINE: ...`: lines that other readers may interpret differently
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -44,10 +44,10 @@ struct ProgramFile {
 };
 
 /// Reads a file whose name ends in .mps or .lp (or one of these and .gz). Rows without bounds are
-/// left out. An integer column must fit between 0 and 1, or be fixed.
-/// @throws support::InputError `FILE:LINE: ...` where the file is wrong (of an LP file in GLPK's
-///   words); `FILE: ...` if it cannot be opened or unpacked, or a column of an LP file is a general
-///   integer
+/// omitted. An integer column must have bounds within 0 and 1, or be fixed.
+/// @throws support::InputError `FILE:LINE: ...` for a fault in the file (for an LP file GLPK's
+///   message); `FILE: ...` if it cannot be opened or decompressed, or a column of an LP file is a
+///   general integer
 ProgramFile read_program(const std::filesystem::path& file);
 
 }  // namespace kusabi::linear

@@ -1,4 +1,4 @@
-// Sums and products rounded down or up, without touching the rounding mode of the processor: the
+// Directed rounding of sums and products without changing the rounding mode of the processor: the
 // nearest double is corrected by the sign of its error, which is exact (Knuth's sum, a fused
 // multiply-add).
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace kusabi::linear {
 
-/// A number somewhere in [lower, upper].
+/// An enclosure [lower, upper] of a number.
 struct Interval {
   double lower = 0;
   double upper = 0;
@@ -20,7 +20,7 @@ inline double before(double x) {
   return std::nextafter(x, -std::numeric_limits<double>::infinity());
 }
 
-/// The error a + b - fl(a + b) of a finite sum.
+/// Error a + b - fl(a + b) of a finite sum.
 inline double sum_error(double a, double b, double sum) {
   const double shadow = sum - a;
   return (a - (sum - shadow)) + (b - shadow);
@@ -29,11 +29,11 @@ inline double sum_error(double a, double b, double sum) {
 inline double sum_down(double a, double b) {
   const double sum = a + b;
   if (!std::isfinite(sum)) {
-    // Of finite terms: beyond the largest number, which rounding down must not pass.
+    // Overflow of finite summands: the lower result is the largest finite number.
     const bool overflow = std::isfinite(a) && std::isfinite(b);
     return overflow && sum > 0 ? std::numeric_limits<double>::max() : sum;
   }
-  // Should the error itself overflow, as it may next to the largest number, it is none to rely on.
+  // An error that overflows, as it may next to the largest number, is not reliable.
   return sum_error(a, b, sum) >= 0 ? sum : before(sum);
 }
 
@@ -41,12 +41,12 @@ inline double sum_up(double a, double b) {
   return -sum_down(-a, -b);
 }
 
-/// Zero times infinity is zero here: no multiplier, no matter what the bound is.
+/// Zero times infinity is zero here: a multiplier of zero cancels any bound.
 inline double product_down(double a, double b) {
   if (a == 0 || b == 0) return 0;
   const double product = a * b;
   if (!std::isfinite(product)) {
-    // Of finite factors: beyond the largest number, which rounding down must not pass.
+    // Overflow of finite factors: the lower result is the largest finite number.
     const bool overflow = std::isfinite(a) && std::isfinite(b);
     return overflow && product > 0 ? std::numeric_limits<double>::max() : product;
   }

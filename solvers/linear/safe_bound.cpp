@@ -1,4 +1,4 @@
-// The safe bound, in intervals.
+// Safe bound of a linear program in interval arithmetic.
 #include "solvers/linear/safe_bound.hpp"
 
 #include <algorithm>

@@ -1,11 +1,10 @@
-// Lower bounds of a linear program that hold in spite of rounding: A. Neumaier, O. Shcherbina, Safe
-// bounds in linear and mixed-integer programming, Math. Program. 99 (2004) 283-296.
+// Safe bounds: rigorous lower bounds of a linear program: A. Neumaier, O. Shcherbina, Safe bounds
+// in linear and mixed-integer programming, Math. Program. 99 (2004) 283-296.
 //
 // For any multipliers y of the rows and any point x of the program
 //   c'x = y'(Ax) + (c - A'y)'x >= sum_i min(y_i L_i, y_i U_i) + sum_j min over [l_j, u_j] of r_j
-//   x_j,
-// with r = c - A'y. This holds for any y; the bound is best if y is optimal. Every operation is
-// rounded downwards.
+//   x_j, with r = c - A'y. The bound holds for any y and is best for optimal y. Every operation is
+//   rounded downwards.
 #pragma once
 
 #include <span>
@@ -16,30 +15,30 @@
 
 namespace kusabi::linear {
 
-/// No point of the program has an objective below this. Multipliers that press on a bound which a
-/// row does not have count as zero. Minus infinity if a column with r_j > 0 has no lower bound, or
-/// one with r_j < 0 no upper bound: all columns should have bounds.
-/// @param duals a number for each row
+/// Lower bound of the objective over all points of the program. Multipliers on a missing bound of a
+/// row count as zero. Minus infinity if a column with r_j > 0 has no lower bound, or one with r_j <
+/// 0 no upper bound: all columns should have bounds.
+/// @param duals one number per row
 double safe_dual_bound(const LinearProgram& program, std::span<const double> duals);
 
-/// The same with other bounds of the columns: those of a node.
+/// With other bounds of the columns, those of a node.
 double safe_dual_bound(const LinearProgram& program, std::span<const double> duals,
                        std::span<const double> lower, std::span<const double> upper);
 
-/// The bound with what it was made of.
+/// The bound and its parts.
 struct SafeBound {
   double value = -infinity;
   double finite_part = -infinity;   ///< without columns whose part is minus infinity
-  std::vector<Interval> residuals;  ///< c - A'y, one for each column
+  std::vector<Interval> residuals;  ///< c - A'y, one per column
 };
 SafeBound safe_bound(const LinearProgram& program, std::span<const double> duals,
                      std::span<const double> lower, std::span<const double> upper);
 
-/// The least r x with r in `residual` and x in [lower, upper], rounded down: what one column adds
-/// to the bound.
+/// Minimum of r x over r in `residual` and x in [lower, upper], rounded down: the contribution of
+/// one column.
 double least_product(const Interval& residual, double lower, double upper);
 
-/// The same without the costs: if it is above zero then no point satisfies all rows and bounds.
+/// The bound without costs: above zero if no point satisfies all rows and bounds.
 double safe_infeasibility(const LinearProgram& program, std::span<const double> duals,
                           std::span<const double> lower, std::span<const double> upper);
 

@@ -1,4 +1,4 @@
-// The owner of a glp_prob.
+// Simplex: owner of a glp_prob.
 #include "solvers/linear/simplex.hpp"
 
 #include <algorithm>
@@ -16,18 +16,19 @@
 namespace kusabi::linear {
 namespace {
 
-// Relative to the scaled program. GLPK's own 1e-7 is what a general solver can promise of programs
-// it has never seen; scaled ones, with a few hundred rows, can be had better.
+// Tolerance relative to the scaled program. GLPK's default of 1e-7 suits general programs; scaled
+// ones with a few hundred rows can be solved more accurately.
 constexpr double primal_tolerance = 1e-9;
 constexpr double dual_tolerance = 1e-9;
 
-// GLPK's methods can go round in circles. Ordinary programs take some steps for each row.
+// Limit of steps per row, since GLPK's methods can cycle. Ordinary programs take some steps per
+// row.
 constexpr int steps_a_row = 50;
 constexpr int least_steps = 2000;
 
-// A piece of a solve that may be stopped: so many steps that it takes about a second at most. A
-// step costs no more than reading the program once or twice; but before the first of a piece GLPK
-// copies the program, entry by entry, and forgets its steepest edges.
+// Size of a piece of a solve that may be stopped: a number of steps that take about a second at
+// most. A step costs as much as reading the program once or twice; at the beginning of a piece GLPK
+// copies the program, entry by entry, and discards its steepest-edge weights.
 constexpr double reading_a_piece = 2e8;
 constexpr double least_piece = 500;
 
@@ -43,12 +44,14 @@ double finite_or_zero(double bound) {
   return std::isfinite(bound) ? bound : 0;
 }
 
-int glpk_status(Place place) {
-  return place == Place::basic ? GLP_BS : place == Place::lower ? GLP_NL : GLP_NU;
+int glpk_status(BasisStatus place) {
+  return place == BasisStatus::basic ? GLP_BS : place == BasisStatus::lower ? GLP_NL : GLP_NU;
 }
 
-Place place_of(int status) {
-  return status == GLP_BS ? Place::basic : status == GLP_NU ? Place::upper : Place::lower;
+BasisStatus place_of(int status) {
+  return status == GLP_BS   ? BasisStatus::basic
+         : status == GLP_NU ? BasisStatus::upper
+                            : BasisStatus::lower;
 }
 
 void require(bool holds, const char* what) {
@@ -57,7 +60,7 @@ void require(bool holds, const char* what) {
 
 void require_bounds(double lower, double upper) {
   require(!std::isnan(lower) && !std::isnan(upper), "a bound is not a number");
-  require(lower < infinity && upper > -infinity, "a bound shuts all out");
+  require(lower < infinity && upper > -infinity, "the bounds are contradictory");
 }
 
 }  // namespace
@@ -72,12 +75,12 @@ struct Simplex::Problem {
   }
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
-  // What lay in an environment that GLPK has given up is gone with it.
+  // The objects of a discarded environment are already freed.
   ~Problem() {
     if (environment == glpk_environment()) glp_delete_prob(lp);
   }
 
-  // GLPK's numbers count from 1.
+  // GLPK counts from 1.
   [[nodiscard]] int row(int index) const {
     if (index < 0 || index >= glp_get_num_rows(lp)) throw std::out_of_range("no such row");
     return index + 1;
@@ -88,7 +91,7 @@ struct Simplex::Problem {
   }
 
   void call(const std::function<void()>& what) const {
-    if (environment != glpk_environment()) throw GlpkError("GLPK gave up before");
+    if (environment != glpk_environment()) throw GlpkError("GLPK failed before");
     glpk_call(what);
   }
 };
@@ -124,7 +127,8 @@ Simplex::Simplex(const LinearProgram& program) : problem_(std::make_unique<Probl
     at_column.push_back(column + 1);
     values.push_back(value);
   }
-  // GLPK's scale factors are roots of products: those of numbers out of this range are zero.
+  // GLPK's scale factors are roots of products: those of numbers out of this range underflow to
+  // zero.
   const bool has_scale = std::all_of(values.begin() + 1, values.end(), [](double value) {
     constexpr double largest = 1e100;
     return value == 0 || (std::abs(value) < largest && std::abs(value) > 1 / largest);
@@ -359,8 +363,8 @@ void Simplex::use_slack_basis() {
   refactorise();
 }
 
-// A basis that came about by steps is kept by GLPK as a product of them, which rounds in another
-// way than a fresh factorisation. GLPK throws it away when a basic variable is made nonbasic.
+// GLPK keeps a basis reached by steps as a product form, whose rounding differs from that of a
+// fresh factorisation. GLPK discards it when a basic variable is made nonbasic.
 void Simplex::refactorise() {
   problem_->call([&] {
     for (int i = 1; i <= rows(); ++i) {
@@ -414,8 +418,8 @@ std::vector<double> Simplex::reduced_costs() const {
   return all;
 }
 
-// The basic variable that violates its bound and that no step can bring nearer. Its row of the
-// tableau, e'B^-1 (I | -A) x = 0, is the contradiction.
+// The basic variable that violates its bound and that no step can improve. Its row of the tableau,
+// e'B^-1 (I | -A) x = 0, proves infeasibility.
 std::vector<double> Simplex::farkas() {
   const auto [place, sign] = contradicting();
   if (place < 0) return {};
@@ -444,7 +448,7 @@ std::pair<int, double> Simplex::contradicting() {
   return found;
 }
 
-// A trivial program (no entries, say) is solved without a factorisation.
+// A trivial program, for example without entries, is solved without a factorisation.
 bool Simplex::factorised() {
   bool there = rows() == 0;
   if (there) return true;

@@ -1,9 +1,10 @@
-// Linear programs by the simplex methods of GLPK, warm from any basis: the programs at the nodes of
-// the zero-one tree (the limit paper, Algorithm 4.2 step 1), of the cuts, and of limit analysis.
+// Simplex: linear programs by the simplex methods of GLPK, warm-started from any basis: the
+// programs at the nodes of the zero-one tree (the limit paper, Algorithm 4.2 step 1), of the cuts,
+// and of limit analysis.
 //
-// A result depends on the program and on the basis it starts from, and on nothing that was solved
-// before, to the last bit, if the basis was given by set_basis() or use_slack_basis(): that is what
-// makes a tree the same on any number of ranks.
+// If the basis was given by set_basis() or use_slack_basis(), a result depends on the program and
+// this basis alone, to the last bit, and not on earlier solves; a tree is therefore the same on any
+// number of ranks.
 #pragma once
 
 #include <cstdint>
@@ -20,31 +21,31 @@
 
 namespace kusabi::linear {
 
-/// What a solve found out. The first four are claims of a floating-point method: what they prove is
-/// told by safe_dual_bound().
+/// Result of a solve. The first four are claims of a floating-point method; safe_dual_bound() gives
+/// their proof.
 enum class LinearStatus {
   optimal,      ///< within the tolerances
-  infeasible,   ///< no point satisfies all rows and bounds; farkas() is the reason
+  infeasible,   ///< no point satisfies all rows and bounds; farkas() gives multipliers
   unbounded,    ///< feasible, and the objective has no lower bound
   cut_off,      ///< dual simplex only: the optimum is above `SolveLimits::cutoff`
-  stopped,      ///< `SolveLimits::iterations` were not enough
-  interrupted,  ///< `SolveLimits::stop` said so
-  failed,       ///< GLPK could not tell: a singular basis, lost accuracy
+  stopped,      ///< `SolveLimits::iterations` was reached
+  interrupted,  ///< by `SolveLimits::stop`
+  failed,       ///< numerical failure of GLPK: a singular basis, lost accuracy
 };
 
 struct SolveLimits {
   double cutoff = std::numeric_limits<double>::infinity();  ///< of the objective
   int iterations = std::numeric_limits<int>::max();
-  /// Asked between pieces of a long solve, each a fraction of a second. Where it is given, the
-  /// solve goes in pieces even if it never says stop, so that the result of a completed solve does
-  /// not depend on it.
+  /// Called between pieces of a long solve, each a fraction of a second. If given, the solve is
+  /// split into pieces even if the callback never returns true, so that the result of a completed
+  /// solve does not depend on it.
   support::Stop stop = {};
 };
 
 class Simplex {
  public:
-  /// Loads and scales. @throws std::invalid_argument if an entry is out of range, doubled or not
-  /// finite, or a bound or cost is not a number
+  /// Loads and scales. @throws std::invalid_argument if an entry is out of range, duplicate or not
+  /// finite, or a bound or cost is NaN
   explicit Simplex(const LinearProgram& program);
   Simplex(Simplex&& other) noexcept;
   Simplex& operator=(Simplex&& other) noexcept;
@@ -54,7 +55,7 @@ class Simplex {
   [[nodiscard]] int columns() const;
 
   // ---- changes; the basis stays --------------------------------------------------------------
-  // (in those that take bounds, lower > upper makes the program infeasible)
+  // (bounds with lower > upper make the program infeasible)
 
   void set_column_bounds(int column, double lower, double upper);
   void set_row_bounds(int row, double lower, double upper);
@@ -62,29 +63,29 @@ class Simplex {
   void set_constant(double constant);
   /// The new row is basic. @return its index
   int add_row(double lower, double upper, std::span<const LinearTerm> terms);
-  /// The new column lies at a bound. @return its index
+  /// The new column is at a bound. @return its index
   int add_column(const LinearColumn& column, std::span<const LinearEntry> entries);
-  /// Removes these rows; those behind them move up. If they are not all basic the basis may be
-  /// lost; then the next solve begins with the slack basis.
+  /// Removes these rows; those after them move up. If they are not all basic the basis may be lost;
+  /// the next solve then starts from the slack basis.
   /// @param rows ascending
   void drop_rows(std::span<const int> rows);
   /// Removes the rows from `first` on.
   void drop_rows_from(int first);
-  /// Scales anew, after rows or columns were added.
+  /// Rescales, after rows or columns were added.
   void scale();
 
   // ---- solving ---------------------------------------------------------------------------------
 
-  /// From the present basis, which changing bounds or adding rows leaves dual feasible.
+  /// Starts from the current basis, which stays dual feasible under changes of bounds and new rows.
   LinearStatus solve_dual(const SolveLimits& limits = {});
-  /// From the present basis, which changing costs or adding columns leaves primal feasible.
+  /// Starts from the current basis, which stays primal feasible under changes of costs and new
+  /// columns.
   LinearStatus solve_primal(const SolveLimits& limits = {});
-  /// As solve_dual, and if that fails by other ways: the primal method, then from an advanced
-  /// basis.
+  /// As solve_dual; after a failure the primal method, then an advanced basis.
   LinearStatus solve_robustly(const SolveLimits& limits = {});
 
   [[nodiscard]] Basis basis() const;
-  /// @throws std::invalid_argument if it is of another size, but for rows added since, which become
+  /// @throws std::invalid_argument if the size differs, except for rows added since, which become
   ///   basic
   void set_basis(const Basis& basis);
   void use_slack_basis();
@@ -94,7 +95,7 @@ class Simplex {
   [[nodiscard]] LinearStatus status() const { return status_; }
   [[nodiscard]] double objective() const;
   [[nodiscard]] double value(int column) const;
-  /// Per unit of the row's bound: >= 0 if it presses on the lower, <= 0 on the upper one.
+  /// Per unit of the row's bound: >= 0 if the lower bound is active, <= 0 for the upper one.
   [[nodiscard]] double dual(int row) const;
   /// c - A'dual
   [[nodiscard]] double reduced_cost(int column) const;
@@ -105,18 +106,18 @@ class Simplex {
   /// without its costs is above zero. Empty if GLPK gives none.
   [[nodiscard]] std::vector<double> farkas();
 
-  // ---- the basis matrix, of the columns of (I | -A) that are basic -----------------------------
+  // ---- the basis matrix, of the basic columns of (I | -A) --------------------------------------
 
-  /// What is basic, in the order of the factorisation: rows as their index, columns as rows() plus
+  /// Basic variables in the order of the factorisation: rows as their index, columns as rows() plus
   /// theirs. Empty if there is no factorisation.
   [[nodiscard]] std::vector<int> basis_head();
   /// Replaces b by x with B x = b, in the order of basis_head(). False if there is no
   /// factorisation.
   bool solve_with_basis(std::vector<double>& b);
-  /// Replaces b by x with B'x = b, one number a row.
+  /// Replaces b by x with B'x = b, one number per row.
   bool solve_with_transposed_basis(std::vector<double>& b);
-  /// After `infeasible`: the place in basis_head() of the variable that cannot be brought within
-  /// its bounds, and 1 if it is below, -1 if above. Place -1: GLPK names none.
+  /// After `infeasible`: the position in basis_head() of the variable that cannot satisfy its
+  /// bounds, and 1 if it is below, -1 if above. Position -1: GLPK gives none.
   [[nodiscard]] std::pair<int, double> contradicting();
 
   // ---- counts ----------------------------------------------------------------------------------
@@ -125,7 +126,7 @@ class Simplex {
   [[nodiscard]] std::uint64_t solves() const { return solves_; }
 
  private:
-  struct Problem;  // keeps glpk.h out of our headers
+  struct Problem;  // keeps glpk.h out of this header
 
   [[nodiscard]] bool empty_bounds() const;
   [[nodiscard]] bool factorised();
@@ -134,7 +135,7 @@ class Simplex {
   [[nodiscard]] int steps_a_piece() const;
 
   std::unique_ptr<Problem> problem_;
-  std::vector<bool> row_empty_;     // lower > upper, which GLPK does not take
+  std::vector<bool> row_empty_;     // lower > upper, which GLPK does not accept
   std::vector<bool> column_empty_;  //
   LinearStatus status_ = LinearStatus::failed;
   std::uint64_t iterations_ = 0;

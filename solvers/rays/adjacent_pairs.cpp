@@ -1,4 +1,4 @@
-// The descent in two trees, and the test of adjacency.
+// AdjacentPairs: simultaneous descent in two bit pattern trees, and the test of adjacency.
 #include "solvers/rays/adjacent_pairs.hpp"
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 namespace kusabi::rays {
 namespace {
 
-/// Pairs of leaves looked at between two questions whether to stop: a millisecond or so.
+/// Number of leaf pairs between two calls of `stop`: about a millisecond.
 constexpr std::uint64_t looks_between_stops = 256;
 
-/// Third rays that are remembered: on trusses sixteen answer nine questions of ten.
-constexpr std::size_t most_witnesses = 16;
+/// Number of cached third rays: on trusses sixteen answer nine tests of ten.
+constexpr std::size_t most_third_rays = 16;
 
 std::vector<int> numbers_below(std::size_t count) {
   std::vector<int> numbers(count);
@@ -56,7 +56,7 @@ std::vector<AdjacentPairs::Part> AdjacentPairs::parts(std::uint64_t most_pairs) 
   return found;
 }
 
-/// One search of a part.
+/// Search of one part.
 class AdjacentPairs::Descent {
  public:
   Descent(const AdjacentPairs& pairs, const std::function<void(const AdjacentPair&)>& found,
@@ -85,12 +85,12 @@ class AdjacentPairs::Descent {
     const auto& plus = pairs_.plus_;
     const auto& minus = pairs_.minus_;
     for (int i = a.first; i < a.last; ++i) {
-      const Pattern& above = plus.pattern(i);
+      const BitPattern& above = plus.pattern(i);
       if (!pairs_.may_be_adjacent(common(above, b.all))) continue;
       const bool plain = is_plain(above);
       for (int j = b.first; j < b.last; ++j) {
         ++looked_at_;
-        const Pattern both = common(above, minus.pattern(j));
+        const BitPattern both = common(above, minus.pattern(j));
         if (!pairs_.may_be_adjacent(both)) continue;
         const AdjacentPair pair{plus.member(i), minus.member(j), both.zero};
         if (plain || is_plain(minus.pattern(j)) || !has_third(pair)) found_(pair);
@@ -98,29 +98,30 @@ class AdjacentPairs::Descent {
     }
   }
 
-  /// Whether a ray has no more equalities than it needs. These are independent, and so are those
-  /// that it shares with another; if they are enough, they leave a face of two dimensions.
-  bool is_plain(const Pattern& ray) const { return size(ray.zero) == pairs_.enough_ + 1; }
+  /// True if a ray has the minimum number of equalities. These are independent, and so are those
+  /// that it shares with another ray; if their number suffices, they define a face of two
+  /// dimensions.
+  bool is_plain(const BitPattern& ray) const { return size(ray.zero) == pairs_.enough_ + 1; }
 
-  /// Whether a third ray is on the smallest face of the two.
+  /// True if a third ray is on the smallest face of the two.
   bool has_third(const AdjacentPair& pair) {
-    for (auto it = witnesses_.begin(); it != witnesses_.end(); ++it) {
+    for (auto it = third_rays_.begin(); it != third_rays_.end(); ++it) {
       if (*it == pair.plus || *it == pair.minus) continue;
       if (!contains(pairs_.rays_[static_cast<std::size_t>(*it)], pair.common)) continue;
-      std::rotate(witnesses_.begin(), it, it + 1);
+      std::rotate(third_rays_.begin(), it, it + 1);
       return true;
     }
     const auto third = pairs_.all_.superset(pair.common, {pair.plus, pair.minus});
     if (!third) return false;
-    if (witnesses_.size() == most_witnesses) witnesses_.pop_back();
-    witnesses_.insert(witnesses_.begin(), *third);
+    if (third_rays_.size() == most_third_rays) third_rays_.pop_back();
+    third_rays_.insert(third_rays_.begin(), *third);
     return true;
   }
 
   const AdjacentPairs& pairs_;
   const std::function<void(const AdjacentPair&)>& found_;
   const std::function<bool()>& stop_;
-  std::vector<int> witnesses_;  // the last one to be one first
+  std::vector<int> third_rays_;  // most recent first
   std::uint64_t looked_at_ = 0;
   std::uint64_t looks_ = 0;
   bool stopped_ = false;

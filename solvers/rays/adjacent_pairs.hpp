@@ -1,9 +1,10 @@
-// Which pairs of rays on the two sides of a step are adjacent, by bits alone: two bit pattern trees
-// are descended together, and a pair of parts that cannot hold an adjacent pair is left out whole.
+// AdjacentPairs: adjacent pairs of rays on the two sides of a step, by bit operations: two bit
+// pattern trees are descended together, and a pair of subtrees that cannot contain an adjacent pair
+// is skipped.
 //
-// Most pairs that share enough equalities are not adjacent, and a third ray on their face shows it.
-// It often shows the same of the next pairs, so the last such rays are tried before the tree of all
-// rays is searched.
+// Most pairs that share enough equalities are not adjacent, which a third ray on their face proves.
+// The same ray often applies to the next pairs, so the most recent ones are tried before the tree
+// of all rays is searched.
 #pragma once
 
 #include <cstdint>
@@ -30,31 +31,31 @@ class AdjacentPairs {
     const BitPatternTree::Node* minus;
   };
 
-  /// @param rays all of the list, which must outlive this
-  /// @param plus, minus the numbers of those on either side; neither is empty
+  /// @param rays the whole list, which must outlive this
+  /// @param plus, minus indices of the rays on either side; neither is empty
   /// @param processed the candidates at which rays must be cross-complementary
-  /// @param enough equalities that two adjacent rays share at least: 2m - 2
+  /// @param enough minimum number of shared equalities of two adjacent rays: 2m - 2
   AdjacentPairs(std::span<const ZeroSet> rays, const std::vector<int>& plus,
                 const std::vector<int>& minus, Candidates processed, int enough);
 
   Part whole() const { return {&plus_.root(), &minus_.root()}; }
 
-  /// Parts that together are the whole, in its order, of at most so many pairs each unless they are
-  /// pairs of leaves. Those without adjacent pairs may be missing.
+  /// Partition of the search, in its order, into parts of at most `most_pairs` pairs each unless
+  /// they are pairs of leaves. Parts without adjacent pairs may be omitted.
   std::vector<Part> parts(std::uint64_t most_pairs) const;
 
   /// Calls `found` for each adjacent pair of a part.
-  /// @param stop asked now and then whether to end; empty: never  @return false if it said so
+  /// @param stop called now and then; empty: never  @return false if it returned true
   bool search(const Part& part, const std::function<void(const AdjacentPair&)>& found,
               const std::function<bool()>& stop, std::uint64_t& looked_at) const;
 
  private:
   class Descent;
 
-  bool may_be_adjacent(const Pattern& common) const {
+  bool may_be_adjacent(const BitPattern& common) const {
     return (processed_ & ~(common.zero.u | common.r)) == 0 && size(common.zero) >= enough_;
   }
-  /// The two parts that a part consists of; none of a pair of leaves.
+  /// The two halves of a part; none for a pair of leaves.
   std::vector<Part> halves(const Part& part) const;
 
   BitPatternTree plus_;

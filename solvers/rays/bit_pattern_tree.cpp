@@ -1,4 +1,4 @@
-// Where a bit pattern tree is split, and the query for supersets.
+// Construction of a bit pattern tree, and the query for supersets.
 #include "solvers/rays/bit_pattern_tree.hpp"
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 namespace kusabi::rays {
 namespace {
 
-/// A leaf has at most so many members: a few comparisons cost no more than one level of the tree.
+/// Maximum number of members of a leaf: a few comparisons cost no more than one level of the tree.
 constexpr int leaf_size = 8;
 
-/// The bit to split by is chosen from so many members: enough to see which one halves them.
+/// Sample size for the choice of the splitting bit.
 constexpr int most_sampled = 128;
 
 constexpr int bits_in_word = 64;
@@ -21,13 +21,13 @@ constexpr int bits_in_word = 64;
 using Word = Candidates ZeroSet::*;
 constexpr std::array<Word, 3> words{&ZeroSet::p, &ZeroSet::q, &ZeroSet::u};
 
-Pattern either(const Pattern& a, const Pattern& b) {
+BitPattern either(const BitPattern& a, const BitPattern& b) {
   return {{a.zero.p | b.zero.p, a.zero.q | b.zero.q, a.zero.u | b.zero.u}, a.r | b.r};
 }
 
 struct Split {
   Word word = words[0];
-  Candidates mask = 0;  // none: all members are alike
+  Candidates mask = 0;  // no bit: all members are equal
 };
 
 Split best_split(std::span<const ZeroSet> sets, std::span<const int> members) {
@@ -43,7 +43,7 @@ Split best_split(std::span<const ZeroSet> sets, std::span<const int> members) {
     }
   }
   Split best;
-  int least = sampled;  // what no bit that splits the sample has
+  int least = sampled;  // above the count of any splitting bit
   for (std::size_t word = 0; word < words.size(); ++word) {
     for (int place = 0; place < bits_in_word; ++place) {
       const int unevenness = std::abs(2 * counts[word][static_cast<std::size_t>(place)] - sampled);
@@ -86,7 +86,7 @@ void BitPatternTree::grow(std::span<const ZeroSet> sets, std::size_t node) {
       return;
     }
   }
-  Pattern all;
+  BitPattern all;
   for (int at = first; at < last; ++at) {
     const auto place = static_cast<std::size_t>(at);
     patterns_[place] = pattern_of(sets[static_cast<std::size_t>(members_[place])]);

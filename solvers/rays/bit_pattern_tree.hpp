@@ -1,7 +1,6 @@
-// Sets of bits in a tree, each inner node of which knows the union of what is below it: whether any
-// of many zero sets can contain a given one is seen near the root (M. Terzer and J. Stelling,
-// Large-scale computation of elementary flux modes with bit pattern trees, Bioinformatics 24,
-// 2008).
+// BitPatternTree: sets of bits in a tree whose inner nodes store the union of the sets below, for
+// superset queries (M. Terzer and J. Stelling, Large-scale computation of elementary flux modes
+// with bit pattern trees, Bioinformatics 24, 2008).
 #pragma once
 
 #include <array>
@@ -13,14 +12,14 @@
 
 namespace kusabi::rays {
 
-/// A zero set, and `r`: where p and q are both zero (of a union: where they are in one of its
+/// A zero set, and `r`: the candidates where p and q are both zero (in a union: in one of its
 /// sets).
-struct Pattern {
+struct BitPattern {
   ZeroSet zero;
   Candidates r = 0;
 };
 
-inline Pattern pattern_of(const ZeroSet& zero) {
+inline BitPattern pattern_of(const ZeroSet& zero) {
   return {zero, zero.p & zero.q};
 }
 
@@ -28,7 +27,7 @@ inline ZeroSet common(const ZeroSet& a, const ZeroSet& b) {
   return {a.p & b.p, a.q & b.q, a.u & b.u};
 }
 
-inline Pattern common(const Pattern& a, const Pattern& b) {
+inline BitPattern common(const BitPattern& a, const BitPattern& b) {
   return {common(a.zero, b.zero), a.r & b.r};
 }
 
@@ -38,10 +37,10 @@ inline bool contains(const ZeroSet& larger, const ZeroSet& smaller) {
 
 class BitPatternTree {
  public:
-  /// A part of the tree: the members from `first` on, before `last`, split into `left` and
-  /// `left + 1` unless left < 0.
+  /// A subtree: the members `first` to `last` - 1, split into `left` and `left + 1` unless left <
+  /// 0.
   struct Node {
-    Pattern all;  ///< the union of the zero sets below
+    BitPattern all;  ///< union of the zero sets below
     int first;
     int last;
     int left;
@@ -50,18 +49,19 @@ class BitPatternTree {
     int size() const { return last - first; }
   };
 
-  /// @param sets what the members are numbers of
+  /// @param sets indexed by the members
   BitPatternTree(std::span<const ZeroSet> sets, std::vector<int> members);
 
   const Node& root() const { return nodes_.front(); }
   const Node& child(const Node& node, int which) const {
     return nodes_[static_cast<std::size_t>(node.left + which)];
   }
-  /// The pattern and the number of the member at a place between a node's `first` and `last`.
-  const Pattern& pattern(int place) const { return patterns_[static_cast<std::size_t>(place)]; }
+  /// Pattern and index of the member at a position between a node's `first` and `last`.
+  const BitPattern& pattern(int place) const { return patterns_[static_cast<std::size_t>(place)]; }
   int member(int place) const { return members_[static_cast<std::size_t>(place)]; }
 
-  /// The number of a member that contains `smaller`, but for two; nothing if there is none.
+  /// Index of a member that contains `smaller`, except the two in `but_for`; nothing if there is
+  /// none.
   std::optional<int> superset(const ZeroSet& smaller, std::array<int, 2> but_for) const;
 
  private:
@@ -70,7 +70,7 @@ class BitPatternTree {
                               const std::array<int, 2>& but_for) const;
 
   std::vector<int> members_;
-  std::vector<Pattern> patterns_;  // of the members, side by side as they are looked at
+  std::vector<BitPattern> patterns_;  // of the members, in the order of the tree
   std::vector<Node> nodes_;
 };
 

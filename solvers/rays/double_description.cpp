@@ -1,4 +1,5 @@
-// One cut after another, cheapest first, with bit patterns in place of linear algebra.
+// Double description: one cut after another, cheapest first, with bit patterns instead of rank
+// tests.
 #include "solvers/rays/double_description.hpp"
 
 #include <algorithm>
@@ -13,29 +14,29 @@
 namespace kusabi::rays {
 namespace {
 
-/// What a cut by u_ni leaves.
+/// Result of a cut by u_ni.
 enum class Keep {
   zero,           ///< u_ni = 0
   nonnegative,    ///< u_ni >= 0
   complementary,  ///< u_ni >= 0, and u_ni = 0 where r_ni > 0
 };
 
-/// Rays whose displacements are computed at one time: their coordinates stay in the cache.
+/// Number of rays whose displacements are computed at a time: their coordinates fit in the cache.
 constexpr Eigen::Index block_size = 256;
 
-/// A ray between two is a sum weighted by their displacements, with as many digits as these have.
-/// If one is smaller than this, relative to what cancels in it, the ray is computed from its zero
-/// set instead: errors would add up from step to step, and fill the gap between what is zero and
-/// what is not.
+/// A ray between two others is a sum weighted by their displacements, and has as many correct
+/// digits as these. If one displacement is smaller than this, relative to the terms that cancel in
+/// it, the ray is computed from its zero set instead; otherwise errors would accumulate from step
+/// to step, and fill the gap between zero and nonzero values.
 constexpr double exact_enough = 1e-2;
 
-/// A step with fewer pairs of rays, adjacent or not, is not shared: it takes some milliseconds.
+/// Number of pairs, adjacent or not, below which a step is not shared: it takes some milliseconds.
 constexpr std::uint64_t pairs_worth_sharing = 1'000'000;
 
-/// Pieces of a step that is shared, about: so many that none of them holds up the others for long.
+/// Approximate number of pieces of a shared step: enough to balance the load.
 constexpr std::uint64_t pieces_of_cut = 512;
 
-/// At which candidate to divide a list: what follows costs a part about the cube of its length.
+/// The candidate at which a list is divided: the cost of a part is about cubic in its length.
 std::optional<int> division(const RayList& list) {
   std::optional<int> best;
   double least = std::numeric_limits<double>::infinity();
@@ -58,7 +59,7 @@ std::optional<int> division(const RayList& list) {
   return best;
 }
 
-/// The part of a list whose zero sets `within` says yes to.
+/// The rays of a list whose zero sets satisfy `within`.
 template <class Within>
 RayList part_of(const RayList& list, const Within& within) {
   RayList part{list.done, list.contact, list.separated, {}, {}};
@@ -76,18 +77,18 @@ RayList part_of(const RayList& list, const Within& within) {
 
 class DoubleDescription {
  public:
-  /// Starts with the cone x >= 0 of the candidates `active`; all others have no reaction. Motions
-  /// that lift are held at their pivots first.
-  /// @param touching candidates at which u_n = 0 is asked for
+  /// Starts with the cone x >= 0 of the candidates `active`; all others have no reaction. Modes
+  /// with a normal part are first fixed at their pivots.
+  /// @param touching candidates at which u_n = 0 is required
   DoubleDescription(const ReactionCone& cone, Candidates active, Candidates touching,
                     Conduct conduct = {});
 
-  /// Goes on with a list of rays that may have a reaction anywhere.
+  /// Resumes with a list of rays that may have a reaction anywhere.
   DoubleDescription(const ReactionCone& cone, RayList list, Conduct conduct);
 
-  /// Cuts by all rows of `rows`, and by the equations of equilibrium, in the order that makes the
-  /// fewest pairs. @return false if it was stopped, or there came to be too many rays; `give_up`
-  /// and these leave it such that it can go on
+  /// Cuts by all rows of `rows`, and by the equations of equilibrium, in the order that gives the
+  /// fewest pairs. @return false if it was stopped, or there are too many rays; after `give_up` or
+  /// too many rays it can be resumed
   bool cut_by(Candidates rows, Keep keep);
   const Effort& effort() const { return effort_; }
   Steps steps() const { return {effort_, health_, stopped_}; }
@@ -104,11 +105,11 @@ class DoubleDescription {
   DoubleDescription(const ReactionCone& cone, std::vector<int> columns, Conduct conduct);
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(list_.zeros.size()); }
-  /// Adds the motion that lifts candidate `row`, and leaves those before it alone, to every ray
-  /// such that u_n = 0 there.
+  /// Adds the mode that displaces candidate `row`, and not those before it, to every ray such that
+  /// u_n = 0 there.
   void hold(int row, Eigen::Index motion, bool touches);
   bool is_gap(int row) const { return row < cone_.candidates(); }
-  /// The stage after a cut by this row.
+  /// Stage after a cut by this row.
   ReactionCone::Stage after(int row) const {
     auto stage = list_.done;
     if (is_gap(row)) {
@@ -118,12 +119,12 @@ class DoubleDescription {
     }
     return stage;
   }
-  /// Equalities that two adjacent rays share at least.
+  /// Minimum number of equalities shared by two adjacent rays.
   int enough() const {
     return static_cast<int>(cone_.unknowns()) - std::popcount(list_.done.balanced) - 2;
   }
   int cheapest(const std::vector<int>& rows);
-  /// u of every ray at one row; relative ones go to `relative_`.
+  /// u of every ray at one row; relative values go to `relative_`.
   void displacements(int row);
   void cut(int row, Keep keep);
   void add_between(int row, const std::vector<int>& plus, const std::vector<int>& minus);
@@ -132,13 +133,13 @@ class DoubleDescription {
                NewRays& into) const;
 
   const ReactionCone& cone_;
-  std::vector<int> columns_;    // of the active candidates, and of motions
-  Eigen::Index reactions_ = 0;  // of the columns
-  Eigen::MatrixXd gaps_;        // (A H) over (E 0), these columns of it
-  Eigen::MatrixXd magnitudes_;  // their sizes
+  std::vector<int> columns_;    // of the active candidates, and of modes
+  Eigen::Index reactions_ = 0;  // number of columns of reactions
+  Eigen::MatrixXd gaps_;        // these columns of (A H) over (E 0)
+  Eigen::MatrixXd magnitudes_;  // absolute values of gaps_
   RayList list_;
-  Eigen::VectorXd values_;    // of the row looked at, a ray
-  Eigen::VectorXd relative_;  // the same without unit
+  Eigen::VectorXd values_;    // of the current row, one per ray
+  Eigen::VectorXd relative_;  // relative displacements
   NewRays next_;              // the list after the cut
   Effort effort_;
   Health health_;
@@ -146,7 +147,7 @@ class DoubleDescription {
   Conduct conduct_;
 };
 
-/// The unknowns of these candidates, and of motions.
+/// The unknowns of these candidates, and of modes.
 std::vector<int> columns_of(const ReactionCone& cone, Candidates active) {
   std::vector<int> columns;
   for (Candidates rest = active; rest != 0; rest &= rest - 1) {
@@ -217,8 +218,8 @@ bool DoubleDescription::cut_by(Candidates rows, Keep keep) {
     const int row = cheapest(left);
     left.erase(std::find(left.begin(), left.end(), row));
     cut(row, is_gap(row) ? keep : Keep::zero);
-    const bool told = next_.stopped || (conduct_.stop && conduct_.stop());
-    stopped_ = conduct_.agree ? conduct_.agree(told) : told;
+    const bool stop_asked = next_.stopped || (conduct_.stop && conduct_.stop());
+    stopped_ = conduct_.agree ? conduct_.agree(stop_asked) : stop_asked;
     if (stopped_) return false;
     effort_ += std::exchange(next_.effort, {});
     if (list_.zeros.size() > conduct_.most_rays && division(list_)) return false;
@@ -349,7 +350,8 @@ void DoubleDescription::combine(const AdjacentPair& pair, const ZeroSet& zero,
     const Eigen::Map<const Eigen::VectorXd> below(list_.coordinates.data() + width * minus, width);
     between = -values_(minus) * above + values_(plus) * below;
     const double load = between.head(reactions_).sum();
-    between /= load > 0 ? load : between.cwiseAbs().maxCoeff();  // that of two motions is a motion
+    // the combination of two modes is a mode
+    between /= load > 0 ? load : between.cwiseAbs().maxCoeff();
   }
   into.zeros.push_back(zero);
 }
@@ -407,8 +409,8 @@ Enumeration complementary_rays(const ReactionCone& cone) {
 }
 
 std::uint64_t bytes_for(std::uint64_t rays, int candidates) {
-  // Those of before a cut and those of after it, in vectors that grow by doubling, and the trees
-  // that they are matched with: ten times the ray itself, measured on a million.
+  // Rays before and after a cut, in vectors that grow by doubling, and the trees of the pairing:
+  // ten times the ray itself, measured on a million.
   const auto ray = sizeof(ZeroSet) + 2 * sizeof(double) * static_cast<std::uint64_t>(candidates);
   return 10 * ray * rays;
 }

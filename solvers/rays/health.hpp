@@ -1,10 +1,10 @@
-// How far apart the numbers taken for zero and those taken for something else were.
+// Health: the gap between numbers taken for zero and numbers taken for nonzero.
 //
-// Whether a normal displacement u_n = sum_k a_k x_k (x >= 0) vanishes decides which rays there are.
-// The quantity that is compared is |u_n| / sum_k |a_k| x_k, the share of the sum that cancellation
-// leaves: a number from 0 to 1 that units and scale do not change. On sound data zeros are at 1e-15
-// or so and everything else is far above. The answer is right only if there is such a gap; it is
-// reported, and where it is too small the answer is marked.
+// The rays depend on whether a normal displacement u_n = sum_k a_k x_k (x >= 0) vanishes. The test
+// compares |u_n| / sum_k |a_k| x_k, the share of the sum that remains after cancellation: a number
+// from 0 to 1 that does not depend on units and scale. On sound data zeros are at about 1e-15 and
+// all other values far above. The answer is right only if there is such a gap; the gap is reported,
+// and an answer with too small a gap is marked.
 #pragma once
 
 #include <algorithm>
@@ -13,21 +13,20 @@
 
 namespace kusabi::rays {
 
-/// A relative displacement up to this is zero. On trusses of up to 16 rows what rounding leaves of
-/// zeros is below 1e-12 (1e-9 would be too little without extended precision), and the least of
-/// the others, which falls tenfold with every row or two, above 1e-10.
+/// Threshold of a zero relative displacement. On trusses of up to 16 rows the rounding of zeros is
+/// below 1e-12 (in doubles it would exceed 1e-9), and the least nonzero value, which decreases
+/// tenfold with every row or two, above 1e-10.
 inline constexpr double zero_tolerance = 1e-11;
 
-/// A relative displacement within this factor of the tolerance, to either side, is too close to
-/// say.
+/// Factor around the threshold within which a relative displacement is numerically undecided.
 inline constexpr double doubtful_factor = 10;
 
 struct Health {
-  double largest_zero = 0;      ///< of the relative displacements that were taken for zero
+  double largest_zero = 0;      ///< of the relative displacements taken for zero
   double smallest_nonzero = 1;  ///< of the others
-  std::uint64_t doubtful = 0;   ///< how many were too close to the tolerance to be sure
+  std::uint64_t doubtful = 0;   ///< number of numerically undecided values
 
-  /// Decides on one relative displacement, from -1 to 1, and remembers it. @return -1, 0 or 1
+  /// Classifies one relative displacement, from -1 to 1, and records it. @return -1, 0 or 1
   int sign(double relative) {
     const double size = std::abs(relative);
     if (size > zero_tolerance / doubtful_factor && size < zero_tolerance * doubtful_factor) {
@@ -48,7 +47,7 @@ struct Health {
     return *this;
   }
 
-  /// Whether zero and nonzero can be told apart.
+  /// True if zero and nonzero values are separated.
   bool sound() const { return doubtful == 0; }
 
   template <class Archive>

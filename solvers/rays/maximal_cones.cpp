@@ -1,4 +1,4 @@
-// The walk over sign patterns.
+// Maximal cones by a walk over sign patterns.
 #include "solvers/rays/maximal_cones.hpp"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ bool compatible(const Cone& a, const Cone& b) {
   return (a.reaction & b.separated) == 0 && (a.separated & b.reaction) == 0;
 }
 
-/// Rays differ in what slides, too; for cones only their supports count, of which there are fewer.
+/// Rays also differ in their sliding; for cones only their supports count, of which there are
+/// fewer.
 class Walk {
  public:
   Walk(std::vector<Cone> supports, Candidates all) : supports_(std::move(supports)), all_(all) {}
@@ -41,8 +42,8 @@ class Walk {
     return sum;
   }
 
-  // `list` is all that is compatible with the choices made so far. Only a candidate at which it has
-  // both a reaction and a gap asks for a choice.
+  // `list` contains all rays compatible with the choices so far. Only a candidate at which it has
+  // both a reaction and a gap requires a choice.
   void descend(const std::vector<int>& list) {
     if (list.empty()) return;
     const Cone sum = together(list);
@@ -63,8 +64,8 @@ class Walk {
     }
   }
 
-  // The list has all that is compatible with the choices; a family is maximal if nothing else is
-  // compatible with what it has come to.
+  // True if the family is maximal, that is, if no other ray is compatible with its sum. The list
+  // contains all rays compatible with the choices.
   bool is_maximal(const Cone& sum, std::size_t size) const {
     if ((sum.reaction | sum.separated) == all_) return true;
     const auto count = std::count_if(supports_.begin(), supports_.end(),

@@ -1,9 +1,9 @@
-// The maximal families of cross-complementary rays: the paper's section 4.3 and equation (11).
+// Maximal families of cross-complementary rays: section 4.3 and equation (11) of the wedged paper.
 //
 // Two rays are cross-complementary if at no candidate one has a reaction and the other a gap. The
-// paper looks for the maximal cliques of that graph. A clique leaves to each candidate either no
-// reaction or no gap, so it lies within a sign pattern: going through the candidates one by one
-// finds all cliques without the graph (docs/theory/rays.md).
+// paper computes the maximal cliques of that graph. A clique leaves to each candidate either no
+// reaction or no gap, so it lies within a sign pattern: processing the candidates one by one finds
+// all cliques without the graph (docs/theory/rays.md).
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@
 
 namespace kusabi::rays {
 
-/// One maximal cone: the rays with no reaction on `separated` and no gap on `reaction`, which are
-/// the candidates where one of its rays has a gap, or a reaction.
+/// One maximal cone: the rays with no reaction on `separated` and no gap on `reaction`, the
+/// candidates where one of its rays has a gap, or a reaction.
 struct Cone {
   Candidates reaction = 0;
   Candidates separated = 0;
@@ -22,12 +22,12 @@ struct Cone {
   friend bool operator==(const Cone&, const Cone&) = default;
 };
 
-/// Whether a ray belongs to a cone.
+/// True if a ray belongs to a cone.
 inline bool belongs(const Supports& ray, const Cone& cone) {
   return (ray.reaction() & cone.separated) == 0 && (ray.separated() & cone.reaction) == 0;
 }
 
-/// Whether two rays are cross-complementary.
+/// True if two rays are cross-complementary.
 inline bool cross_complementary(const Supports& a, const Supports& b) {
   return (a.reaction() & b.separated()) == 0 && (a.separated() & b.reaction()) == 0;
 }

@@ -1,4 +1,5 @@
-// Elimination in either precision, and the refinement of what it gives in doubles.
+// Null vector by elimination in either precision, and iterative refinement of the result in
+// doubles.
 #include "solvers/rays/null_vector.hpp"
 
 #include <cmath>
@@ -9,12 +10,11 @@
 namespace kusabi::rays {
 namespace {
 
-/// A correction in doubles is right to about its own size, relative to what it corrects. So after
-/// one that changes no number by more than this share what is left is below the last digit of a
-/// double.
+/// Relative size of a correction after which the error is below the last digit of a double: a
+/// correction in doubles has a relative error of about its own size.
 constexpr double small_correction = 1e-9;
 
-/// Where elimination in doubles has got some digits right, the second correction is small enough.
+/// If elimination in doubles has some correct digits, the second correction is small enough.
 constexpr int most_corrections = 3;
 
 template <class Scalar>
@@ -24,9 +24,9 @@ using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
 /// P A Q = L U, of which the leading n - 1 rows and columns are used.
 template <class Scalar>
-class Elimination {
+class PivotedElimination {
  public:
-  explicit Elimination(Matrix<Scalar> equalities)
+  explicit PivotedElimination(Matrix<Scalar> equalities)
       : lu_(std::move(equalities)),
         rank_(lu_.cols() - 1),
         rows_(static_cast<std::size_t>(lu_.rows())),
@@ -37,15 +37,15 @@ class Elimination {
   }
 
   Eigen::Index rank() const { return rank_; }
-  /// Whether as many pivots were found as there should be.
+  /// True if all expected pivots were found.
   bool complete() const { return pivots_ == rank_; }
-  /// Which row, or column, of A came to a place.
+  /// Row, or column, of A at a position.
   Eigen::Index row(Eigen::Index place) const { return rows_[static_cast<std::size_t>(place)]; }
   Eigen::Index column(Eigen::Index place) const {
     return columns_[static_cast<std::size_t>(place)];
   }
 
-  /// The null vector by places, with 1 at the last.
+  /// The null vector by positions, with 1 at the last.
   Vector<Scalar> null_vector() const {
     Vector<Scalar> x(rank_ + 1);
     x(rank_) = 1;
@@ -53,8 +53,8 @@ class Elimination {
     return x;
   }
 
-  /// What to take from the first numbers of x, by places, so that `residual` of the first rows of
-  /// A x, by places, vanishes.
+  /// Correction to be subtracted from the first numbers of x, by positions, such that `residual` of
+  /// the first rows of A x, by positions, vanishes.
   Vector<Scalar> correction(const Vector<Scalar>& residual) const {
     return upper().solve(square().template triangularView<Eigen::UnitLower>().solve(residual));
   }
@@ -71,7 +71,7 @@ class Elimination {
     Scalar size = 0;
   };
 
-  // The largest of the entries from `step` on, each of which `entry` gives, column by column.
+  // The largest of the entries from `step` on, each given by `entry`, column by column.
   template <class Entry>
   Pivot largest(Eigen::Index step, const Entry& entry) const {
     Pivot pivot;
@@ -110,11 +110,11 @@ class Elimination {
   std::vector<Eigen::Index> columns_;
 };
 
-// From places back to columns, and to size.
+// Reorders from positions to columns, and normalises.
 template <class Scalar>
-PreciseVector in_order(const Elimination<Scalar>& elimination, const PreciseVector& by_place,
-                       Eigen::Index summed) {
-  PreciseVector x(by_place.size());
+LongVector in_order(const PivotedElimination<Scalar>& elimination, const LongVector& by_place,
+                    Eigen::Index summed) {
+  LongVector x(by_place.size());
   for (Eigen::Index place = 0; place < x.size(); ++place) {
     x(elimination.column(place)) = by_place(place);
   }
@@ -126,26 +126,26 @@ PreciseVector in_order(const Elimination<Scalar>& elimination, const PreciseVect
 
 }  // namespace
 
-PreciseVector null_vector(const PreciseMatrix& equalities, Eigen::Index summed) {
-  const Elimination<long double> elimination(equalities);
+LongVector null_vector(const LongMatrix& equalities, Eigen::Index summed) {
+  const PivotedElimination<long double> elimination(equalities);
   return in_order(elimination, elimination.null_vector(), summed);
 }
 
-std::optional<Eigen::VectorXd> rounded_null_vector(const PreciseMatrix& equalities,
+std::optional<Eigen::VectorXd> rounded_null_vector(const LongMatrix& equalities,
                                                    const Eigen::MatrixXd& rounded,
                                                    Eigen::Index summed) {
-  const Elimination<double> elimination(rounded);
+  const PivotedElimination<double> elimination(rounded);
   if (!elimination.complete()) return std::nullopt;
   const Eigen::Index rank = elimination.rank();
-  PreciseVector x = elimination.null_vector().cast<long double>();
-  PreciseMatrix used(rank, rank + 1);
+  LongVector x = elimination.null_vector().cast<long double>();
+  LongMatrix used(rank, rank + 1);
   for (Eigen::Index j = 0; j <= rank; ++j) {
     for (Eigen::Index i = 0; i < rank; ++i) {
       used(i, j) = equalities(elimination.row(i), elimination.column(j));
     }
   }
   for (int done = 0; done < most_corrections; ++done) {
-    const PreciseVector residual = used * x;
+    const LongVector residual = used * x;
     const Eigen::VectorXd correction = elimination.correction(residual.cast<double>());
     x.head(rank) -= correction.cast<long double>();
     const Eigen::ArrayXd size = x.head(rank).cast<double>().array().abs();

@@ -1,4 +1,4 @@
-// From F and mu to A, and from a zero set to a ray.
+// ReactionCone: assembly of A from F and mu, and coordinates of a ray from its zero set.
 #include "solvers/rays/reaction_cone.hpp"
 
 #include <bit>
@@ -8,8 +8,8 @@
 
 namespace kusabi::rays {
 
-ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const double> friction,
-                           const PreciseMatrix& motions)
+ReactionCone::ReactionCone(const LongMatrix& compliance, std::span<const double> friction,
+                           const LongMatrix& motions)
     : compliance_(compliance), friction_(friction.begin(), friction.end()) {
   const auto m = static_cast<Eigen::Index>(friction.size());
   if (m < 1 || m > 64 || compliance.rows() != 2 * m || compliance.cols() != 2 * m ||
@@ -19,10 +19,10 @@ ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const doub
   motions_.moves.resize(2 * m, 0);
   if (motions.cols() > 0) motions_ = combined(motions);
   const Eigen::Index p = motions_.moves.cols();
-  PreciseMatrix by_reaction(m + p, 2 * m);  // u_n and G'r
+  LongMatrix by_reaction(m + p, 2 * m);  // u_n and G'r
   by_reaction.topRows(m) = compliance(Eigen::seqN(0, m, 2), Eigen::all);
   by_reaction.bottomRows(p) = motions_.moves.transpose();
-  gaps_ = PreciseMatrix::Zero(m + p, 2 * m + motions_.lifting());
+  gaps_ = LongMatrix::Zero(m + p, 2 * m + motions_.lifting());
   for (Eigen::Index k = 0; k < m; ++k) {
     const double mu = friction_[static_cast<std::size_t>(k)];
     if (!(mu >= 0) || !std::isfinite(mu)) {
@@ -39,12 +39,12 @@ ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const doub
       gaps_(i, 2 * k + 1) = by_normal + by_tangential;
     }
   }
-  // Motions in a unit such that their numbers are of the size of those of reactions.
+  // Unit of the modes, such that their numbers are of the size of those of reactions.
   unit_ = gaps_.topRows(m).cwiseAbs().maxCoeff();
   gaps_.topRightCorner(m, motions_.lifting()) =
       unit_ * motions_.moves(Eigen::seqN(0, m, 2), Eigen::seqN(0, motions_.lifting()));
-  // Rows of one unit, by the size of all their entries: what is left in the columns of a ray may be
-  // no more than the rounding of zeros, and full pivoting must see that.
+  // Rows are scaled by the magnitude of all their entries: the remaining entries in the columns of
+  // a ray may consist of the rounding of zeros, which full pivoting must recognise.
   scaled_gaps_ = gaps_;
   for (Eigen::Index i = 0; i < gaps_.rows(); ++i) {
     const long double size = gaps_.row(i).lpNorm<Eigen::Infinity>();
@@ -55,12 +55,12 @@ ReactionCone::ReactionCone(const PreciseMatrix& compliance, std::span<const doub
 
 namespace {
 
-/// Which equalities and which unknowns a zero set leaves.
+/// Equalities and unknowns that remain for a zero set.
 struct Remaining {
   std::vector<int> rows;
   std::vector<int> columns;
 
-  Eigen::Index reactions = 0;  ///< of the columns
+  Eigen::Index reactions = 0;  ///< number of columns of reactions
 
   Remaining(const ZeroSet& zero, const ReactionCone& cone, const ReactionCone::Stage& stage) {
     const int m = cone.candidates();
@@ -76,7 +76,7 @@ struct Remaining {
     }
   }
 
-  /// Whether there are enough equalities to leave one unknown free, and not just one unknown.
+  /// True if there are enough equalities to leave one unknown free, and more than one unknown.
   bool determined() const { return columns.size() > 1 && rows.size() + 1 >= columns.size(); }
 };
 
@@ -89,9 +89,9 @@ Vector among_all(const Vector& nonzero, const std::vector<int>& columns, Eigen::
   return x;
 }
 
-/// A motion alone is turned such that it lifts.
+/// Sign of a mode alone, chosen such that it separates.
 template <class Vector>
-Vector turned(Vector x, const Remaining& left, const PreciseMatrix& gaps, const ZeroSet& zero,
+Vector turned(Vector x, const Remaining& left, const LongMatrix& gaps, const ZeroSet& zero,
               Candidates cut) {
   if (left.reactions > 0) return x;
   long double lift = 0;
@@ -103,9 +103,9 @@ Vector turned(Vector x, const Remaining& left, const PreciseMatrix& gaps, const 
 
 }  // namespace
 
-PreciseVector ReactionCone::coordinates(const ZeroSet& zero, const Stage& stage) const {
+LongVector ReactionCone::coordinates(const ZeroSet& zero, const Stage& stage) const {
   const Remaining left(zero, *this, stage);
-  PreciseVector nonzero = PreciseVector::Ones(static_cast<Eigen::Index>(left.columns.size()));
+  LongVector nonzero = LongVector::Ones(static_cast<Eigen::Index>(left.columns.size()));
   if (left.determined())
     nonzero = null_vector(scaled_gaps_(left.rows, left.columns), left.reactions);
   return turned(among_all(nonzero, left.columns, unknowns()), left, gaps_, zero, stage.gaps);
@@ -125,7 +125,7 @@ Eigen::VectorXd ReactionCone::rounded_coordinates(const ZeroSet& zero, const Sta
 
 Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
   const int m = candidates();
-  const PreciseVector x = coordinates(zero);
+  const LongVector x = coordinates(zero);
   for (int i = 0; i < m; ++i) {
     const auto contradicts = [&](Candidates zeros, long double value) {
       return (zeros & bit(i)) == 0 && !(value > 0);
@@ -133,7 +133,7 @@ Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
     if (contradicts(zero.p, x(2 * i)) || contradicts(zero.q, x(2 * i + 1))) ++health.doubtful;
   }
 
-  PreciseVector reaction(2 * m);
+  LongVector reaction(2 * m);
   long double normal_sum = 0;
   for (int i = 0; i < m; ++i) {
     const double mu = friction_[static_cast<std::size_t>(i)];
@@ -143,7 +143,7 @@ Ray ReactionCone::ray(const ZeroSet& zero, Health& health) const {
   }
   const bool loaded = normal_sum > 0;
   if (loaded) reaction /= normal_sum;
-  PreciseVector displacement = compliance_ * reaction;
+  LongVector displacement = compliance_ * reaction;
   if (const auto lifting = motions_.lifting(); lifting > 0) {
     const long double unit = loaded ? unit_ / normal_sum : unit_;
     displacement += unit * motions_.moves.leftCols(lifting) * x.tail(lifting);

@@ -1,12 +1,13 @@
-// What tells one extremal ray from another: which of its coordinates are zero.
+// ZeroSet: the zero coordinates of an extremal ray, which identify it.
 //
 // In the plane the friction cone of a candidate is p >= 0, q >= 0 with
 //
 //   p = mu r_n - r_t,   q = mu r_n + r_t,
 //
-// so C_r of the paper's section 4.2 is {p >= 0, q >= 0, u_n >= 0}, 3m inequalities in 2m unknowns.
-// An extremal ray is known by those that hold as equalities: no two have the same set of them. So
-// rays are found, sent, compared and sorted as sets of bits; numbers are made of them at the end.
+// so C_r of section 4.2 of the wedged paper is {p >= 0, q >= 0, u_n >= 0}, 3m inequalities in 2m
+// unknowns. An extremal ray is determined by those that hold as equalities: no two rays have the
+// same set. Rays are found, sent, compared and sorted as sets of bits; coordinates are computed at
+// the end.
 #pragma once
 
 #include <bit>
@@ -15,10 +16,10 @@
 
 namespace kusabi::rays {
 
-/// A bit for each contact candidate.
+/// One bit per contact candidate.
 using Candidates = std::uint64_t;
 
-/// One word, unlike the sets of sign patterns: pairs of rays are compared by the billion.
+/// One word, unlike the sets of sign patterns: billions of pairs of rays are compared.
 inline constexpr int most_candidates = 64;
 
 inline Candidates bit(int candidate) {
@@ -30,14 +31,14 @@ inline Candidates first_candidates(int count) {
   return count >= most_candidates ? ~Candidates{0} : bit(count) - 1;
 }
 
-/// True if of the first candidate that only one of two sets has, `a` is the one: the order of a
-/// dictionary in which longer words come first.
+/// True if `a` has the lowest candidate that is in only one of the two sets: lexicographic order,
+/// in which longer words come first.
 inline bool before(Candidates a, Candidates b) {
   const Candidates differing = a ^ b;
   return (a & differing & (~differing + 1)) != 0;
 }
 
-/// Where p, q and u_n are zero.
+/// Candidates at which p, q and u_n are zero.
 struct ZeroSet {
   Candidates p = 0;
   Candidates q = 0;
@@ -51,8 +52,9 @@ struct ZeroSet {
   }
 };
 
-/// How many equalities a zero set has. Asked of every pair of rays, so the bits of the three words
-/// are counted side by side: processors that this is built for need not have an instruction for it.
+/// Number of equalities of a zero set. It is needed for every pair of rays, so the bits of the
+/// three words are counted together, without a popcount instruction, which the target processor may
+/// lack.
 inline int size(const ZeroSet& zero) {
   constexpr auto every = [](std::uint64_t byte) { return byte * 0x0101010101010101U; };
   const auto in_nibbles = [&](std::uint64_t word) {
@@ -64,7 +66,7 @@ inline int size(const ZeroSet& zero) {
   return static_cast<int>((in_bytes * every(1)) >> 56U);
 }
 
-/// Which candidates do what in a configuration. `all` are the m candidates.
+/// Candidates by their state in a configuration. `all` are the m candidates.
 class Supports {
  public:
   Supports(const ZeroSet& zero, Candidates all)
@@ -85,8 +87,8 @@ class Supports {
   Candidates reaction_, separated_, up_, down_, all_;
 };
 
-/// The order of every answer: by where there are reactions, then by what is separated, then by what
-/// slides. Bits decide, so rounding cannot change it.
+/// Order of all results: by reactions, then by separated candidates, then by sliding. It depends on
+/// bits only, so rounding cannot change it.
 inline bool comes_before(const ZeroSet& a, const ZeroSet& b) {
   const auto reaction_a = ~(a.p & a.q);
   const auto reaction_b = ~(b.p & b.q);

@@ -13,7 +13,7 @@
 namespace kusabi::wedged {
 namespace {
 
-using conic::Answer;
+using conic::ConicResult;
 using conic::Sign;
 using numbers::Precise;
 using numbers::PreciseMatrix;
@@ -61,20 +61,20 @@ void expect_decided(const testing::TrussKind& kind, double mu, double tolerance,
       if ((contact & open) != 0 || (contact == 0 && open == 0)) continue;
       const std::uint64_t separated = all & ~contact & ~open;
       const conic::StopEarly stop{.when_dead = true, .when_alive = open != 0};
-      const Answer answer = solver.solve(contact, separated, stop);
+      const ConicResult answer = solver.solve(contact, separated, stop);
       SCOPED_TRACE(::testing::Message()
                    << "U = " << contact << ", R = " << separated << ", mu = " << mu << ": ["
                    << answer.lower << ", " << answer.upper << "]");
       ++count.nodes;
       count.alive += answer.sign == Sign::alive;
       count.dead += answer.sign == Sign::dead;
-      count.climbed += answer.rung > 0;
+      count.climbed += answer.precision_level > 0;
       EXPECT_LE(answer.lower, answer.upper);
       EXPECT_TRUE(answer.sign != Sign::marginal || conic::is_tie(answer, tolerances));
       if (answer.sign == Sign::alive && open == 0) {
         EXPECT_LE(answer.upper - answer.lower, 1e-3 * answer.lower);
       }
-      const Answer truth = precise.solve(contact, separated, {true, true});
+      const ConicResult truth = precise.solve(contact, separated, {true, true});
       EXPECT_LE(truth.lower, answer.upper);
       EXPECT_LE(answer.lower, truth.upper);
       if (answer.sign == Sign::dead) {
@@ -167,7 +167,7 @@ TEST(ClosedForm, OneCandidateIsAliveFromItsOwnCoefficientOn) {
     for (const double off : {1e-3, 1e-6, 1e-9, 1e-11}) {
       ContactSolver above(problem, std::vector<double>{8.5 + off}, tight);
       ContactSolver below(problem, std::vector<double>{8.5 - off}, tight);
-      const Answer alive = above.solve(1, 0, {.when_dead = true, .when_alive = false});
+      const ConicResult alive = above.solve(1, 0, {.when_dead = true, .when_alive = false});
       EXPECT_EQ(alive.sign, Sign::alive);
       EXPECT_NEAR(alive.lower, off, 1e-3 * off);
       EXPECT_EQ(below.solve(1, 0, {}).sign, Sign::dead);
@@ -197,7 +197,7 @@ TEST(Frictionless, OneCandidateWithoutFrictionHasItsClosedForm) {
   const auto problem = exact_problem(compliance, 2);
   ContactSolver solver(problem, std::vector<double>{3, 0}, tight);
   const conic::StopEarly never{.when_dead = false, .when_alive = false};
-  const Answer root = solver.solve(0, 0, never);
+  const ConicResult root = solver.solve(0, 0, never);
   EXPECT_NEAR(root.lower, 0.625, 1e-7);
   EXPECT_NEAR(root.upper, 0.625, 1e-7);
   EXPECT_EQ(solver.reaction()[3], 0);

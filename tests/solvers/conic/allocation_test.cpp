@@ -1,5 +1,5 @@
-// The solver allocates nothing after its construction: a rank solves millions of nodes. Eigen's own
-// check does the counting; the sources are compiled into this test with it switched on.
+// Allocation test: NodeSolver allocates nothing after its construction. Eigen's own check counts
+// allocations; the sources are compiled into this test with the check enabled.
 #include <gtest/gtest.h>
 
 #include "solvers/conic/node_solver.hpp"
@@ -8,7 +8,7 @@
 namespace kusabi::conic {
 namespace {
 
-// No Eigen storage may be allocated while one of these lives.
+// Forbids the allocation of Eigen storage during its lifetime.
 class NoAllocation {
  public:
   NoAllocation() { Eigen::internal::set_is_malloc_allowed(false); }

@@ -1,5 +1,5 @@
-// A node's program as a file, against one written down by hand. That other solvers make the same of
-// the files is tested with the command (tests/run/export_command_test.cpp).
+// Tests of the benchmark format: the program of a node as a file, against one written by hand.
+// tests/run/export_command_test.cpp reads the files with other solvers.
 #include "solvers/conic/benchmark_format.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ TEST(BenchmarkFormat, IsTheProgramOfTheNode) {
             "BCOORD\n1\n0 -1\n\n");
 }
 
-// By how much numbers miss the cones that they must be in.
+// Largest violation of the cones by the numbers.
 double missed_by(const std::vector<ConePart>& parts, const Eigen::VectorXd& numbers) {
   double most = 0;
   Eigen::Index first = 0;
@@ -78,7 +78,7 @@ void expect_solution_within(std::mt19937_64& generator) {
   const auto program = node_cone_program(problem.compliance, problem.friction, contact, separated);
   EXPECT_LE(missed_by(program.columns, point), 0);
   EXPECT_LE(missed_by(program.rows, program.matrix * point + program.constants), 1e-9);
-  // A little more is too much: the solver's point has its cones and gaps filled up to there.
+  // A slightly larger t violates a cone or a gap: the solver's point has them active.
   point(5 * D) = answer.upper + 1e-6;
   EXPECT_GT(missed_by(program.rows, program.matrix * point + program.constants), 0);
   EXPECT_EQ(program.costs.dot(point), point(5 * D));

@@ -1,5 +1,5 @@
-// What the solver hands over proves what it says: checked in the original variables of the node
-// program, and against a blunt search that shares no idea with the solver.
+// Certificate tests: both bounds of the solver are checked in the original variables of the node
+// program, and against an ellipsoid method that shares nothing with the solver.
 #include <cmath>
 #include <limits>
 
@@ -17,14 +17,14 @@ using testing::Masks;
 
 constexpr StopEarly never{.when_dead = false, .when_alive = false};
 
-// Equations of a reaction: rounding of F r for data of order one, with room.
+// Equations of a reaction: rounding of F r for data of order one, with a margin.
 constexpr double feasibility = 1e-11;
-// Sums of m products with multipliers of their own size.
+// Sums of m products with multipliers of their own magnitude.
 constexpr double rounding = 1e-12;
-// The width asked of a bracket: ten times what the solver aims at.
+// Required width of a bracket: ten times the solver's goal.
 constexpr double bracket_width = 1e-7;
 
-// (r, lower) meets every line of the node program.
+// Expects that (r, lower) satisfies all constraints of the node program.
 void expect_proved_from_below(const ContactProblem& problem, const Masks& masks,
                               const Eigen::VectorXd& r, double lower) {
   const Eigen::VectorXd u = problem.compliance * r;
@@ -33,8 +33,8 @@ void expect_proved_from_below(const ContactProblem& problem, const Masks& masks,
     const int at = problem.d * i;
     sum += r[at];
     if (contains(masks.first, i)) {
-      // The lower bound has what a miss can cost taken off; where it is negative that may be much,
-      // and nobody asks.
+      // The lower bound includes the cost of the residual; if the bound is negative this cost may
+      // be large and does not matter.
       if (lower > 0) {
         EXPECT_NEAR(u[at], 0, feasibility);
       }
@@ -47,11 +47,12 @@ void expect_proved_from_below(const ContactProblem& problem, const Masks& masks,
   EXPECT_GE(testing::level(problem, masks, r), lower - rounding);
 }
 
-// No (r, t) with t > upper meets the node program. With w = sum_i y_i (row (n, i) of F):
+// Proves that no (r, t) with t > upper satisfies the node program. With w = sum_i y_i (row (n, i)
+// of F):
 //   w'r >= t Y,  Y = sum of y over the rows not in U, all of these y >= 0;
 //   w'r <= tau (1 - omega t) + t sum_C w_n / mu  for any tau >= w_n + mu ||w_t|| on C, since
-//   r_n = x + t / mu and ||r_t|| <= mu x with x >= 0 and sum x = 1 - omega t.
-// Together t (Y + omega tau - sum_C w_n / mu) <= tau.
+//   r_n = x + t / mu and ||r_t|| <= mu x with x >= 0 and sum x = 1 - omega t. Together t (Y + omega
+//   tau - sum_C w_n / mu) <= tau.
 void expect_proved_from_above(const ContactProblem& problem, const Masks& masks,
                               const Eigen::VectorXd& y, double upper) {
   const int d = problem.d, m = problem.candidates();
@@ -73,17 +74,17 @@ void expect_proved_from_above(const ContactProblem& problem, const Masks& masks,
     weighted += w[d * i] / mu;
     tau = std::max(tau, w[d * i] + mu * w.segment(d * i + 1, d - 1).norm());
   }
-  // Without multipliers, y = 0, the cones alone allow no more than t = 1 / omega.
+  // Without multipliers, y = 0, the cones alone give t <= 1 / omega.
   if (upper * omega >= 1 - rounding) return;
   EXPECT_LE(tau, upper * (total + omega * tau - weighted) + rounding * scale * m * m);
 }
 
-// Both proofs, and that the answer says no more than they do.
+// Checks both proofs, and that the sign follows from the bounds.
 template <int D>
-Answer proved(const ContactProblem& problem, NodeSolver<D>& solver, const Masks& masks,
-              StopEarly stop) {
+ConicResult proved(const ContactProblem& problem, NodeSolver<D>& solver, const Masks& masks,
+                   StopEarly stop) {
   const int m = problem.candidates();
-  const Answer answer = solver.solve(masks.first, masks.second, stop);
+  const ConicResult answer = solver.solve(masks.first, masks.second, stop);
   SCOPED_TRACE(::testing::Message() << "m = " << m << ", U = " << hexadecimal(masks.first)
                                     << ", R = " << hexadecimal(masks.second) << ", t* in ["
                                     << answer.lower << ", " << answer.upper << "]");
@@ -110,14 +111,14 @@ void expect_certificates(double least, double most, std::uint64_t seed) {
       NodeSolver<D> solver(problem.compliance, problem.friction);
       const Masks masks = testing::random_masks(m, generator);
       for (const StopEarly stop : {StopEarly{}, never}) {
-        const Answer answer = proved(problem, solver, masks, stop);
+        const ConicResult answer = proved(problem, solver, masks, stop);
         if (!stop.when_dead) {
           alive += answer.sign == Sign::alive;
           dead += answer.sign == Sign::dead;
         }
       }
     }
-  // Both answers must occur, or half of the test is empty.
+  // Both signs must occur, so that the test covers both.
   EXPECT_GT(alive, 20);
   EXPECT_GT(dead, 20);
 }
@@ -151,8 +152,8 @@ TEST(Certificates, HoldForBadlyScaledFrictionInSpace) {
   expect_certificates<3>(0.01, 10, 14);
 }
 
-// The greatest level(r) over the affine set of the equations, by the ellipsoid method: level is
-// concave, so each supergradient cuts off a half of the ellipsoid that holds nothing greater.
+// Maximum of level(r) over the affine set of the equations, by the ellipsoid method: level is
+// concave, so each supergradient cuts off half of the ellipsoid without the maximum.
 double search(const ContactProblem& problem, const Masks& masks) {
   constexpr double radius = 100, enough = 1e-8;
   const Eigen::MatrixXd matrix = testing::equations(problem, masks);
@@ -163,12 +164,12 @@ double search(const ContactProblem& problem, const Masks& masks) {
   Eigen::VectorXd r = matrix.completeOrthogonalDecomposition().solve(right_side);
   Eigen::VectorXd slope;
   double most = testing::level(problem, masks, r, &slope);
-  // The ellipsoid is the image of the unit ball under `axes`, kept as such so that rounding does
-  // not turn it inside out.
+  // The ellipsoid is the image of the unit ball under `axes`; this form stays an ellipsoid under
+  // rounding.
   Eigen::MatrixXd axes = radius * Eigen::MatrixXd::Identity(directions.cols(), directions.cols());
   for (int iteration = 0; iteration < 10000; ++iteration) {
     const Eigen::VectorXd pull = axes.transpose() * (directions.transpose() * slope);
-    if (pull.norm() < enough) break;  // nothing in the ellipsoid is greater by more
+    if (pull.norm() < enough) break;  // no point of the ellipsoid is greater by more
     const Eigen::VectorXd up = pull.normalized();
     const Eigen::VectorXd push = axes * up;
     r += directions * push / (n + 1);
@@ -185,14 +186,14 @@ double search(const ContactProblem& problem, const Masks& masks) {
 
 template <int D>
 void expect_agreement_with_search(int most_candidates, std::uint64_t seed) {
-  constexpr double reach = 1e-6;  // of the ellipsoid method, with its rounding
+  constexpr double reach = 1e-6;  // accuracy of the ellipsoid method, with its rounding
   std::mt19937_64 generator(seed);
   for (int repetition = 0; repetition < 100; ++repetition) {
     const int m = 1 + repetition % most_candidates;
     const ContactProblem problem = testing::random_problem(D, m, 0.3, 1.5, generator);
     const Masks masks = testing::random_masks(m, generator);
     NodeSolver<D> solver(problem.compliance, problem.friction);
-    const Answer answer = solver.solve(masks.first, masks.second, never);
+    const ConicResult answer = solver.solve(masks.first, masks.second, never);
     const double found = search(problem, masks);
     SCOPED_TRACE(::testing::Message() << "m = " << m << ", U = " << hexadecimal(masks.first)
                                       << ", R = " << hexadecimal(masks.second));

@@ -1,4 +1,4 @@
-// The algebra of one cone, by its defining identities, inside the cone and close to its boundary.
+// Cone algebra tests by the defining identities, inside the cone and close to its boundary.
 #include "solvers/conic/cone.hpp"
 
 #include <cmath>
@@ -15,8 +15,8 @@ template <int D>
 using Vector = Eigen::Matrix<double, D, 1>;
 
 template <int D>
-Point<D> point(const Vector<D>& x) {
-  Point<D> values;
+ConePoint<D> point(const Vector<D>& x) {
+  ConePoint<D> values;
   Vector<D>::Map(values.data()) = x;
   return values;
 }
@@ -37,16 +37,16 @@ Vector<D> jordan(const Vector<D>& x, const Vector<D>& y) {
 }
 
 template <int D>
-Eigen::Matrix<double, D, D> matrix(const Scaling<D>& scaling) {
+Eigen::Matrix<double, D, D> matrix(const NesterovToddScaling<D>& scaling) {
   return Eigen::Matrix<double, D, D>::NullaryExpr([&](Eigen::Index i, Eigen::Index j) {
     return scaling.entry(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
   });
 }
 
-// Rounding of a D-vector operation, with room for its constant.
+// Rounding of a D-vector operation, with a margin for its constant.
 constexpr double rounding = 100 * std::numeric_limits<double>::epsilon();
 
-// Points this close to the boundary, relative to their size.
+// Relative distances of the points from the boundary.
 constexpr double depths[] = {1.0, 1e-2, 1e-5, 1e-8};
 
 template <class Dimension>
@@ -54,7 +54,7 @@ class Cone : public ::testing::Test {
  public:
   static constexpr int dimension = Dimension::value;
 
-  /// A point (1 + depth) ||x_1|| deep in the cone, of random size and direction.
+  /// A point at the relative depth `depth` in the cone, of random size and direction.
   Vector<dimension> interior(double depth) {
     Vector<dimension> x = anywhere();
     x[0] = x.template tail<dimension - 1>().norm() * (1 + depth);
@@ -79,7 +79,7 @@ TYPED_TEST(Cone, ScalingTakesBothPointsToTheSamePoint) {
     for (const double deep_z : depths)
       for (int repetition = 0; repetition < 20; ++repetition) {
         const Vector<D> x = this->interior(deep_x), z = this->interior(deep_z);
-        const Scaling<D> scaling(point<D>(x), point<D>(z));
+        const NesterovToddScaling<D> scaling(point<D>(x), point<D>(z));
         // The determinants of x and z carry a relative error of rounding / depth each.
         const double tolerance = rounding * (1 / deep_x + 1 / deep_z);
         const Vector<D> lambda = vector(scaling.lambda());
@@ -98,7 +98,8 @@ TYPED_TEST(Cone, ScalingTakesBothPointsToTheSamePoint) {
 TYPED_TEST(Cone, ScalingIsSymmetricPositiveDefinite) {
   constexpr int D = TestFixture::dimension;
   for (int repetition = 0; repetition < 20; ++repetition) {
-    const Scaling<D> scaling(point<D>(this->interior(0.1)), point<D>(this->interior(1e-4)));
+    const NesterovToddScaling<D> scaling(point<D>(this->interior(0.1)),
+                                         point<D>(this->interior(1e-4)));
     const Eigen::Matrix<double, D, D> w = matrix(scaling);
     EXPECT_LE((w - w.transpose()).norm(), rounding * w.norm());
     EXPECT_EQ(w.llt().info(), Eigen::Success);
@@ -119,7 +120,8 @@ TYPED_TEST(Cone, JordanProductHasItsIdentityAndCommutes) {
 TYPED_TEST(Cone, JordanDivisionUndoesTheProduct) {
   constexpr int D = TestFixture::dimension;
   for (const double depth : depths) {
-    const Scaling<D> scaling(point<D>(this->interior(depth)), point<D>(this->interior(depth)));
+    const NesterovToddScaling<D> scaling(point<D>(this->interior(depth)),
+                                         point<D>(this->interior(depth)));
     const Vector<D> right_side = this->anywhere();
     const Vector<D> quotient = vector(scaling.jordan_divide(point<D>(right_side)));
     const Vector<D> lambda = vector(scaling.lambda());
@@ -133,7 +135,8 @@ TYPED_TEST(Cone, StepEndsOnTheBoundary) {
   int bounded = 0;
   for (const double depth : depths)
     for (int repetition = 0; repetition < 50; ++repetition) {
-      const Scaling<D> scaling(point<D>(this->interior(depth)), point<D>(this->interior(depth)));
+      const NesterovToddScaling<D> scaling(point<D>(this->interior(depth)),
+                                           point<D>(this->interior(depth)));
       const Vector<D> lambda = vector(scaling.lambda());
       const Vector<D> direction = this->anywhere();
       const double inverse = scaling.inverse_step_length(point<D>(direction));
@@ -150,15 +153,16 @@ TYPED_TEST(Cone, StepEndsOnTheBoundary) {
 
 TYPED_TEST(Cone, StepAlongTheConeIsUnbounded) {
   constexpr int D = TestFixture::dimension;
-  const Scaling<D> scaling(point<D>(this->interior(0.3)), point<D>(this->interior(0.01)));
+  const NesterovToddScaling<D> scaling(point<D>(this->interior(0.3)),
+                                       point<D>(this->interior(0.01)));
   EXPECT_LE(scaling.inverse_step_length(point<D>(this->interior(0.5))), 0);
   EXPECT_GT(scaling.inverse_step_length(point<D>(-this->interior(0.5))), 0);
 }
 
 TYPED_TEST(Cone, FourAtOnceHaveTheBitsOfEach) {
   constexpr int D = TestFixture::dimension;
-  Point<D, Pack> x, z;
-  std::array<Point<D>, lanes> each_x, each_z;
+  ConePoint<D, Pack> x, z;
+  std::array<ConePoint<D>, lanes> each_x, each_z;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     each_x[lane] = point<D>(this->interior(depths[lane]));
     each_z[lane] = point<D>(this->interior(depths[lanes - 1 - lane]));
@@ -167,10 +171,10 @@ TYPED_TEST(Cone, FourAtOnceHaveTheBitsOfEach) {
     x[i] = Pack::Lanes{each_x[0][i], each_x[1][i], each_x[2][i], each_x[3][i]};
     z[i] = Pack::Lanes{each_z[0][i], each_z[1][i], each_z[2][i], each_z[3][i]};
   }
-  const Scaling<D, Pack> scaling(x, z);
+  const NesterovToddScaling<D, Pack> scaling(x, z);
   for (int lane = 0; lane < lanes; ++lane) {
     const auto at = static_cast<std::size_t>(lane);
-    const Scaling<D> alone(each_x[at], each_z[at]);
+    const NesterovToddScaling<D> alone(each_x[at], each_z[at]);
     EXPECT_EQ(scaling.inverse_step_length(z)[lane], alone.inverse_step_length(each_z[at]));
     for (std::size_t i = 0; i < x.size(); ++i) {
       EXPECT_EQ(scaling.lambda()[i][lane], alone.lambda()[i]);
@@ -181,9 +185,9 @@ TYPED_TEST(Cone, FourAtOnceHaveTheBitsOfEach) {
 }
 
 TEST(ConeDeterminant, KeepsItsDigitsNearTheBoundary) {
-  // x = (5 + 2^-40, 3, 4): det = 2^-40 (10 + 2^-40), where x_0^2 rounds away what matters.
+  // x = (5 + 2^-40, 3, 4): det = 2^-40 (10 + 2^-40), where x_0^2 loses all significant digits.
   const double little = std::ldexp(1.0, -40);
-  const Point<3> x{5 + little, 3, 4};
+  const ConePoint<3> x{5 + little, 3, 4};
   EXPECT_NEAR(determinant(x) / (little * (10 + little)), 1, 1e-15);
 }
 

@@ -1,5 +1,5 @@
-// Contact problems for the tests of the cone solver, and the node program they define, written down
-// in its original variables. Shares nothing with the solver, so that it can judge it.
+// Contact problems for the tests of the cone solver, and their node program in its original
+// variables. It shares nothing with the solver.
 #pragma once
 
 #include <algorithm>
@@ -51,7 +51,7 @@ inline ContactProblem random_problem(int d, int m, double least, double most,
   return problem;
 }
 
-/// Random disjoint U and R, R not everything.
+/// Random disjoint U and R; R does not contain all candidates.
 inline Masks random_masks(int m, std::mt19937_64& generator) {
   for (;;) {
     Masks masks{0, 0};
@@ -64,7 +64,8 @@ inline Masks random_masks(int m, std::mt19937_64& generator) {
   }
 }
 
-/// The largest t for which (r, t) meets the inequalities of the node program, a concave function.
+/// The largest t for which (r, t) satisfies the inequalities of the node program, a concave
+/// function.
 /// @param slope if not null, receives a supergradient of it at r
 inline double level(const ContactProblem& problem, const Masks& masks, const Eigen::VectorXd& r,
                     Eigen::VectorXd* slope = nullptr) {
@@ -90,8 +91,8 @@ inline double level(const ContactProblem& problem, const Masks& masks, const Eig
   return t;
 }
 
-/// The equations of the node program: u_n = 0 on U, r = 0 on R, sum r_n = 1; and a right-hand side
-/// of them that ends in the one of the sum.
+/// Equations of the node program: u_n = 0 on U, r = 0 on R, sum r_n = 1; their right-hand side is
+/// zero except for the one of the sum.
 inline Eigen::MatrixXd equations(const ContactProblem& problem, const Masks& masks) {
   const int d = problem.d, m = problem.candidates();
   std::vector<Eigen::RowVectorXd> rows;

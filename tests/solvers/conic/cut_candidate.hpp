@@ -1,8 +1,8 @@
-// A cut as a candidate: what judges cuts by programs that have none.
+// A cut as a candidate, so that programs without cuts can check programs with cuts.
 //
-// A separated candidate has a gap row, u_n >= t, and no more. So a cut, divided by its level, is
-// the gap row of one more such candidate, with the cut's numbers in its row of F, and enough in the
-// diagonal that F stays definite.
+// A separated candidate has a gap row, u_n >= t, only. A cut, divided by its level, is therefore
+// the gap row of one further such candidate, with the cut's numbers in its row of F, and a diagonal
+// entry large enough that F stays definite.
 #pragma once
 
 #include <Eigen/Dense>
@@ -12,7 +12,7 @@
 namespace kusabi::conic::testing {
 
 /// F with that candidate after all others.
-/// @param cones how many rows of F are of candidates that were there before any cut, D each
+/// @param cones number of rows of F of the original candidates, D each
 template <int D>
 Eigen::MatrixXd with_candidate_for(const Cut& cut, const Eigen::MatrixXd& compliance,
                                    Eigen::Index cones) {

@@ -1,4 +1,4 @@
-// The normal equations without the rows of cuts, against those with all rows, written out.
+// Tests of the cut elimination against the normal equations with all rows.
 #include "solvers/conic/cut_elimination.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace kusabi::conic {
 namespace {
 
-// Both are solved by Cholesky's method, of matrices whose condition is below 1e8.
+// Both are solved by Cholesky factorisation, with a condition below 1e8.
 constexpr double accuracy = 1e-6;
 
 template <int D>
@@ -42,7 +42,7 @@ struct Iterate {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(padded(program.rows()));
     for (Eigen::Index c = 0; c < cones; ++c)
       for (int d = 0; d < D; ++d) {
-        Points<D> x = Points<D>::Zero(padded(program.most_cones()), D);
+        ConePoints<D> x = ConePoints<D>::Zero(padded(program.most_cones()), D);
         x.row(c) = scalings[static_cast<std::size_t>(c)].col(d).transpose();
         program.multiply(x, sum);
         columns.col(D * c + d) = sum.head(program.rows());
@@ -55,7 +55,7 @@ struct Iterate {
   std::vector<Eigen::Matrix<double, D, D>> scalings;
 };
 
-// What is left after the elimination, factorised.
+// The reduced system, factorised.
 template <int D>
 struct Eliminated {
   explicit Eliminated(const Iterate<D>& at)
@@ -64,7 +64,7 @@ struct Eliminated {
         reduced(Eigen::VectorXd::Zero(padded(at.program.first_cut() + 1))) {
     elimination.start(at.program);
     elimination.begin(at.w);
-    const Columns matrix = at.program.matrix();
+    const PackedColumns matrix = at.program.matrix();
     const int height = padded(elimination.rows());
     columns.setZero(height, D * matrix.stride);
     for (int c = 0; c < matrix.count; ++c) {
@@ -107,7 +107,7 @@ std::vector<Cut> some_cuts(const testing::Masks& node, int m, std::mt19937_64& g
   std::uniform_real_distribution<double> number(0.2, 1.5);
   std::vector<Cut> cuts;
   for (int i = 0; i < m; ++i) {
-    if (number(generator) < 0.5) continue;  // of some candidates, with a sign or without one
+    if (number(generator) < 0.5) continue;  // for some candidates, with or without a sign
     cuts.push_back({.candidate = i,
                     .share = number(generator) - 0.5,
                     .displacement = number(generator) - 0.7,
@@ -147,7 +147,7 @@ TEST(CutElimination, HasTheSolutionOfAllRowsInSpace) {
   expect_the_solution_of_all_rows<3>();
 }
 
-// b'M^-1 b of the columns of each candidate and of its slack, by g and what the cut adds.
+// b'M^-1 b of the columns of each candidate and of its slack, by g and the contribution of the cut.
 template <int D>
 void expect_the_squares_of_all_rows() {
   std::mt19937_64 generator(53 + D);
@@ -196,7 +196,7 @@ TEST(CutElimination, KnowsTheSquaresOfAllRowsInSpace) {
   expect_the_squares_of_all_rows<3>();
 }
 
-// A cut that is nearly an equation, beside one that nothing comes near to.
+// A cut that is nearly an equation, beside an inactive one.
 TEST(CutElimination, HasTheSolutionWhereCutsBind) {
   std::mt19937_64 generator(7);
   const auto problem = testing::random_problem(3, 5, 0.3, 3, generator);

@@ -1,5 +1,5 @@
-// Cuts in node programs: against answers by hand, and against programs without cuts that say the
-// same by a candidate more.
+// Tests of cuts in node programs: against results by hand, and against programs in which a further
+// candidate replaces the cut.
 #include "solvers/conic/cut.hpp"
 
 #include <algorithm>
@@ -22,13 +22,13 @@ using testing::Masks;
 
 constexpr StopEarly to_the_end{.when_dead = false, .when_alive = false};
 
-// What the solver aims at, with room for the rounding of the two bounds.
+// Accuracy goal of the solver, with a margin for the rounding of the two bounds.
 constexpr double accuracy_of_cuts = 2e-8;
 
-/// @param cuts most_of() wants them still to be there
+/// @param cuts most_of() requires them to be present
 template <int D>
-Answer solve_with(NodeSolver<D>& solver, const Masks& node, const std::vector<Cut>& cuts,
-                  StopEarly stop = to_the_end) {
+ConicResult solve_with(NodeSolver<D>& solver, const Masks& node, const std::vector<Cut>& cuts,
+                       StopEarly stop = to_the_end) {
   solver.make_room(static_cast<int>(cuts.size()));
   return solver.solve(node.first, node.second, stop, {}, cuts);
 }
@@ -47,14 +47,14 @@ void expect_the_cut_of_one_candidate(const Eigen::MatrixXd& compliance) {
       EXPECT_NEAR(answer.lower, mu / (1 + 2 * level), accuracy_of_cuts);
       EXPECT_NEAR(answer.upper, mu / (1 + 2 * level), accuracy_of_cuts);
       EXPECT_GT(solver.cut_multiplier(0), 0);
-      // s/2 - u_n >= t wants rho >= 1 + 2 t of mu - t: no configuration is left.
+      // s/2 - u_n >= t requires rho >= 1 + 2 t of mu - t: no configuration is left.
       const auto dead = solve_with(
           solver, {0, 0}, {{.candidate = 0, .share = 0.5, .displacement = 1, .level = 1}}, {});
       EXPECT_EQ(dead.sign, Sign::dead) << mu;
       const auto value = solve_with(
           solver, {0, 0}, {{.candidate = 0, .share = 0.5, .displacement = 1, .level = 1}});
       EXPECT_NEAR(value.upper, (mu - 1) / 3, accuracy_of_cuts);
-      // The same of the reaction, which is one: s/2 - r_n = -1/2.
+      // For the reaction, which is one: s/2 - r_n = -1/2.
       const auto constant =
           solve_with(solver, {0, 0}, {{.candidate = 0, .share = 0.5, .reaction = 1, .level = 2}});
       EXPECT_NEAR(constant.upper, -0.25, accuracy_of_cuts);
@@ -209,9 +209,9 @@ TEST(MostOf, IsTheLargestGapOfASeparatedCandidate) {
   }
 }
 
-// In contact, decoupled from each other: u_n1 = r_n1 - rho_1 / 2 = 0 wants rho_1 = 2 r_n1, which
-// friction above 2 allows; then r_n0 has all the rest or nothing, and r_n1 all of the sum. With
-// the cut r_n0 >= 3/4 s of the other candidate no more than a quarter is left.
+// In contact, decoupled from each other: u_n1 = r_n1 - rho_1 / 2 = 0 requires rho_1 = 2 r_n1, which
+// friction above 2 allows; then r_n0 has all the rest or nothing, and r_n1 all of the sum. With the
+// cut r_n0 >= 3/4 s of the other candidate no more than a quarter is left.
 TEST(MostOf, IsTheLargestReactionOfACandidateInContact) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
   compliance(2, 3) = compliance(3, 2) = -0.5;

@@ -1,4 +1,4 @@
-// The standard form says the same as the node program, and bad input is refused.
+// Tests of the standard form: it is equivalent to the node program, and bad input is refused.
 #include "solvers/conic/node_program.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using testing::ContactProblem;
 using testing::contains;
 using testing::Masks;
 
-// Sums of some dozen products of order one.
+// Sums of about a dozen products of order one.
 constexpr double rounding = 1e-13;
 
 template <int D>
@@ -28,9 +28,9 @@ void expect_same_rows_and_levels() {
     program.select(masks.first, masks.second);
     const auto count = static_cast<Eigen::Index>(program.cones().size());
 
-    // Any x at all: r and t follow from it, and row i of A x - b is u_n - t, or u_n on U.
-    const Columns matrix = program.matrix();
-    Points<D> x = Points<D>::Zero(matrix.stride, D);
+    // Any x determines r and t, and row i of A x - b is u_n - t, or u_n on U.
+    const PackedColumns matrix = program.matrix();
+    ConePoints<D> x = ConePoints<D>::Zero(matrix.stride, D);
     x.topRows(count).setRandom();
     Eigen::VectorXd r(D * m);
     program.reaction(x, r);

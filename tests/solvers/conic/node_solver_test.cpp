@@ -1,4 +1,4 @@
-// Answers that can be worked out by hand, ties, and what solve() promises about its stopping.
+// NodeSolver tests: closed forms, degenerate nodes, and the early stop of solve().
 #include "solvers/conic/node_solver.hpp"
 
 #include <array>
@@ -18,17 +18,17 @@ using testing::Masks;
 constexpr StopEarly never{.when_dead = false, .when_alive = false};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The accuracy the solver aims at, with room for the rounding of the two bounds.
+// Accuracy goal of the solver, with a margin for the rounding of the two bounds.
 constexpr double accuracy = 2e-8;
 
 template <int D>
 void expect_optimum(NodeSolver<D>& solver, std::uint64_t contact, std::uint64_t separated,
                     double optimum) {
-  const Answer full = solver.solve(contact, separated, never);
+  const ConicResult full = solver.solve(contact, separated, never);
   EXPECT_TRUE(full.has_point);
   EXPECT_NEAR(full.lower, optimum, accuracy);
   EXPECT_NEAR(full.upper, optimum, accuracy);
-  const Answer early = solver.solve(contact, separated);
+  const ConicResult early = solver.solve(contact, separated);
   const Sign sign = optimum > 1e-6 ? Sign::alive : optimum < -1e-6 ? Sign::dead : Sign::marginal;
   EXPECT_EQ(full.sign, sign);
   EXPECT_EQ(early.sign, sign);
@@ -57,8 +57,8 @@ TEST(OneCandidate, HasItsClosedFormInSpace) {
   }
 }
 
-// Nodes that do not interact, normal and tangents neither: t = min_i c_i r_n with
-// c_i = min(mu_i, F_ii) and sum r_n = 1, so t* = 1 / sum 1 / c_i.
+// Decoupled candidates, normal and tangents too: t = min_i c_i r_n with c_i = min(mu_i, F_ii) and
+// sum r_n = 1, so t* = 1 / sum 1 / c_i.
 TEST(DecoupledCandidates, ShareTheReaction) {
   Eigen::VectorXd diagonal(6);
   diagonal << 0.5, 1, 1.5, 1, 1, 1;
@@ -68,8 +68,8 @@ TEST(DecoupledCandidates, ShareTheReaction) {
   EXPECT_NEAR(solver.reaction().sum(), 1, 1e-12);
 }
 
-// One node that does not interact with its neighbours, wedged with room to spare; the separated
-// ones do not move, so their u_n = 0 holds t* at zero exactly: a tie by structure.
+// One candidate decoupled from its neighbours, wedged with a margin; the separated ones do not
+// move, so their u_n = 0 gives t* = 0 exactly: a structurally degenerate node.
 TEST(Tie, OfASeparatedCandidateThatDoesNotMoveIsMarginal) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(6, 6);
   compliance(0, 1) = compliance(1, 0) = 0.5;
@@ -83,7 +83,7 @@ TEST(Tie, AtTheCriticalFrictionIsMarginal) {
   compliance << 1, 0.5, 0.5, 1;
   NodeSolver<2> solver(compliance, std::array{2.0});  // t* = mu - F_nn / a = 0
   expect_optimum(solver, 1, 0, 0);
-  // Just outside of the tolerance it is not.
+  // Just outside of the tolerance the sign is proved.
   NodeSolver<2> above(compliance, std::array{2 + 2e-6}), below(compliance, std::array{2 - 2e-6});
   EXPECT_EQ(above.solve(1, 0).sign, Sign::alive);
   EXPECT_EQ(below.solve(1, 0).sign, Sign::dead);
@@ -91,7 +91,7 @@ TEST(Tie, AtTheCriticalFrictionIsMarginal) {
 
 TEST(Everything, SeparatedIsDeadAtOnce) {
   NodeSolver<3> solver(Eigen::MatrixXd::Identity(6, 6), std::array{1.0, 1.0});
-  const Answer answer = solver.solve(0, 0b11);
+  const ConicResult answer = solver.solve(0, 0b11);
   EXPECT_EQ(answer.sign, Sign::dead);
   EXPECT_EQ(answer.upper, -infinity);
   EXPECT_EQ(answer.iterations, 0);
@@ -109,14 +109,14 @@ TEST(Everything, InContactHasNoGapRow) {
   }
 }
 
-// No reaction has u_n = F_nn r_n = 0 and sum 1: t* is minus infinity, and y shows it.
+// No reaction has u_n = F_nn r_n = 0 and sum 1: t* is minus infinity, and y proves it.
 TEST(Infeasible, ContactWithoutCouplingIsDead) {
   const std::vector<double> friction(5, 0.7);
   Eigen::VectorXd diagonal = Eigen::VectorXd::LinSpaced(15, 0.4, 1.7);
   NodeSolver<3> solver(diagonal.asDiagonal(), friction);
   for (const Masks& masks : {Masks{0b11111, 0}, Masks{0b00100, 0b11011}, Masks{0b10001, 0b01110}})
     for (const StopEarly stop : {StopEarly{}, never}) {
-      const Answer answer = solver.solve(masks.first, masks.second, stop);
+      const ConicResult answer = solver.solve(masks.first, masks.second, stop);
       EXPECT_EQ(answer.sign, Sign::dead);
       EXPECT_LT(answer.upper, stop.when_dead ? 0 : -1e9);
       EXPECT_FALSE(answer.has_point);
@@ -132,12 +132,12 @@ TEST(StopEarly, AgreesOnTheSignAndNeverTakesLonger) {
     const ContactProblem problem = testing::random_problem(3, m, 0.2, 2, generator);
     NodeSolver<3> solver(problem.compliance, problem.friction);
     const Masks masks = testing::random_masks(m, generator);
-    const Answer full = solver.solve(masks.first, masks.second, never);
+    const ConicResult full = solver.solve(masks.first, masks.second, never);
     for (const StopEarly stop : {StopEarly{}, StopEarly{true, false}, StopEarly{false, true}}) {
-      const Answer early = solver.solve(masks.first, masks.second, stop);
+      const ConicResult early = solver.solve(masks.first, masks.second, stop);
       EXPECT_EQ(early.sign, full.sign);
       EXPECT_LE(early.iterations, full.iterations);
-      // What is taken off for rounding differs from point to point.
+      // The margin for rounding differs from point to point.
       constexpr double rounding = 1e-12;
       EXPECT_LE(early.lower, full.lower + rounding);
       EXPECT_GE(early.upper, full.upper - rounding);
@@ -151,7 +151,7 @@ TEST(StopEarly, OnDeadOnlyStillGivesTheFullValueOfTheLiving) {
   Eigen::MatrixXd compliance(2, 2);
   compliance << 1, 0.5, 0.5, 1;
   NodeSolver<2> solver(compliance, std::array{3.0});
-  const Answer answer = solver.solve(1, 0, {.when_dead = true, .when_alive = false});
+  const ConicResult answer = solver.solve(1, 0, {.when_dead = true, .when_alive = false});
   EXPECT_NEAR(answer.lower, 1, accuracy);
   EXPECT_NEAR(answer.upper, 1, accuracy);
 }
@@ -160,7 +160,7 @@ TEST(Limit, OfIterationsLeavesADoubtADoubt) {
   Eigen::MatrixXd compliance = Eigen::MatrixXd::Identity(4, 4);
   compliance(0, 1) = compliance(1, 0) = 0.5;
   NodeSolver<2> solver(compliance, std::array{3.0, 0.1}, Tolerances{.iterations = 1});
-  const Answer answer = solver.solve(0b01, 0b10, never);  // t* = 0
+  const ConicResult answer = solver.solve(0b01, 0b10, never);  // t* = 0
   EXPECT_EQ(answer.iterations, 1);
   EXPECT_EQ(answer.sign, Sign::marginal);
   EXPECT_LE(answer.lower, 0);
@@ -178,9 +178,9 @@ TEST(NodeSolver, GivesTheSameBitsWhateverItSolvedBefore) {
   for (const Masks& other : nodes)
     for (const Masks& masks : nodes) {
       used.solve(other.first, other.second, never);
-      const Answer again = used.solve(masks.first, masks.second);
+      const ConicResult again = used.solve(masks.first, masks.second);
       NodeSolver<3> fresh(problem.compliance, problem.friction);
-      const Answer first = fresh.solve(masks.first, masks.second);
+      const ConicResult first = fresh.solve(masks.first, masks.second);
       EXPECT_EQ(first.sign, again.sign);
       EXPECT_EQ(first.lower, again.lower);
       EXPECT_EQ(first.upper, again.upper);

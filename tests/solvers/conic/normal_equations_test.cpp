@@ -1,5 +1,5 @@
-// The small dense kernels against Eigen, at every size up to the largest: products with padded
-// columns, the rank update, and Cholesky with right sides that ride along.
+// Tests of the small dense kernels against Eigen, at every size up to the largest: products with
+// padded columns, the rank update, and Cholesky factorisation with appended right sides.
 #include "solvers/conic/normal_equations.hpp"
 
 #include <limits>
@@ -29,7 +29,7 @@ struct Sample {
   }
 
   Eigen::MatrixXd padded_matrix, matrix;
-  Columns columns;
+  PackedColumns columns;
 };
 
 Eigen::VectorXd random_padded(int size) {
@@ -38,7 +38,7 @@ Eigen::VectorXd random_padded(int size) {
   return numbers;
 }
 
-TEST(Columns, ProductsAreThoseOfTheMatrix) {
+TEST(PackedColumns, ProductsAreThoseOfTheMatrix) {
   for (int rows = 1; rows <= largest_size; ++rows) {
     const int count = 1 + rows * 7 % 30;
     const Sample sample(rows, 3, count);

@@ -1,5 +1,5 @@
-// Agreement with another solver and another formulation: the optimal values that
-// tests/reference/cvxopt_node_programs.py computed.
+// Comparison with another solver and another formulation: the optimal values computed by
+// tests/reference/cvxopt_node_programs.py.
 #include <cmath>
 #include <fstream>
 
@@ -11,7 +11,7 @@
 namespace kusabi::conic {
 namespace {
 
-// conelp stops at 1e-9 and we at 1e-8; the rest is room for its conditioning.
+// conelp stops at 1e-9 and NodeSolver at 1e-8; the margin covers the conditioning.
 constexpr double agreement = 1e-6;
 
 std::uint64_t mask(const nlohmann::json& list) {
@@ -34,7 +34,8 @@ void expect_agreement(const nlohmann::json& program) {
   const std::uint64_t contact = mask(program.at("contact"));
   const std::uint64_t separated = mask(program.at("separated"));
 
-  const Answer full = solver.solve(contact, separated, {.when_dead = false, .when_alive = false});
+  const ConicResult full =
+      solver.solve(contact, separated, {.when_dead = false, .when_alive = false});
   EXPECT_NEAR(full.lower, optimum, agreement);
   EXPECT_NEAR(full.upper, optimum, agreement);
   if (std::abs(optimum) > agreement) {

@@ -1,4 +1,4 @@
-// MPS files: each rule of docs/mps.md, read right or refused with the line.
+// Tests of the MPS reader: each rule of docs/mps.md, with accepted and refused files.
 #include <filesystem>
 #include <fstream>
 #include <string>

@@ -1,4 +1,4 @@
-// What is written is what is read, by our own reader (other readers: tests/run/export).
+// Tests of the MPS writer: round trips through the own reader (other readers: tests/run/export).
 #include "solvers/linear/mps_writer.hpp"
 
 #include <random>
@@ -51,7 +51,7 @@ void expect_same(const MixedProgram& read, const MixedProgram& mixed) {
   EXPECT_EQ(dense(after), dense(before));
 }
 
-// Every kind of bound and of row; ends of ranges are dyadic, so that their difference is exact.
+// Every kind of bound and of row; bounds of ranges are dyadic, so that their difference is exact.
 MixedProgram random_program(std::mt19937& random) {
   std::normal_distribution<double> number;
   const auto chance = [&](int one_in) { return random() % static_cast<unsigned>(one_in) == 0; };

@@ -1,5 +1,5 @@
-// Sums and products rounded down and up, against rational numbers: on the safe side of the truth
-// always, and nowhere two numbers away from it.
+// Tests of directed rounding against rational numbers: always on the safe side, and within two
+// units of the last place.
 #include "solvers/linear/rounded.hpp"
 
 #include <bit>
@@ -18,7 +18,8 @@ constexpr double largest = std::numeric_limits<double>::max();
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Whether `down` is the truth rounded down: not above it, and the next number but one is.
+// Expects that `down` is the truth rounded down: not above it, and, if tight, the second number
+// above it is.
 void expect_down(double down, const mpq_class& truth, bool tight) {
   if (down == -infinity) {
     EXPECT_LT(truth, mpq_class(-largest));
@@ -71,7 +72,7 @@ TEST(Rounded, IsOnTheSafeSideOfTheTruthForNumbersOfAllSizes) {
     expect_safe(huge(), huge());
     expect_safe(huge(), ordinary());
     const double number = any();
-    expect_safe(number, -std::nextafter(number, 0.0));  // what cancels
+    expect_safe(number, -std::nextafter(number, 0.0));  // complete cancellation
   }
 }
 

@@ -1,6 +1,5 @@
-// Linear programs: answers known by hand, both methods against each other on random programs,
-// bounds and contradictions that must hold in spite of rounding, and a result that forgets what was
-// solved before.
+// Simplex tests: results known by hand, both methods against each other on random programs,
+// rigorous bounds and infeasibility proofs, and independence of earlier solves.
 #include "solvers/linear/simplex.hpp"
 
 #include <algorithm>
@@ -112,7 +111,7 @@ TEST(Simplex, ForgetsWhatItSolvedBefore) {
     Simplex used(program);
     if (used.solve_dual() != LinearStatus::optimal) continue;
     const auto basis = used.basis();
-    for (int j = 0; j < used.columns(); ++j) {  // wander about
+    for (int j = 0; j < used.columns(); ++j) {  // random steps
       used.set_column_bounds(j, 0, 0.5);
       used.solve_dual();
       used.set_column_bounds(j, -1, 2);
@@ -139,21 +138,21 @@ TEST(Simplex, GoesOnFromItsBasisAfterRowsAndColumnsWereAdded) {
   ASSERT_EQ(simplex.solve_dual(), LinearStatus::optimal);
   EXPECT_NEAR(simplex.objective(), -33, 1e-9);
   EXPECT_EQ(simplex.iterations(), steps + 1);
-  // A third product that takes one unit of the third plant: 10 each, up to one of them.
+  // A third product that takes one unit of the third plant: profit 10 each, at most one of them.
   simplex.add_column({.cost = -10, .upper = 1}, {{{2, 0, 1}}});
   ASSERT_EQ(simplex.solve_primal(), LinearStatus::optimal);
   EXPECT_NEAR(simplex.objective(), -43, 1e-9);
   simplex.drop_rows_from(3);
   ASSERT_EQ(simplex.solve_robustly(), LinearStatus::optimal);
-  // Of the 18 hours 17 are left: 3x + 2y <= 17, so x = 5/3.
+  // 17 of the 18 hours are left: 3x + 2y <= 17, so x = 5/3.
   EXPECT_NEAR(simplex.objective(), -45, 1e-9);
 }
 
 TEST(Simplex, StaysAtItsOptimumWhenRowsThatDoNotPressAreDropped) {
   Simplex simplex(window_factory());
-  simplex.add_row(-infinity, 100, {{{0, 1}, {1, 1}}});  // row 3: far away
-  simplex.add_row(-infinity, 7, {{{0, 1}, {1, 1}}});    // row 4: presses, at x = 1, y = 6
-  simplex.add_row(-infinity, 200, {{{1, 1}}});          // row 5: far away
+  simplex.add_row(-infinity, 100, {{{0, 1}, {1, 1}}});  // row 3: inactive
+  simplex.add_row(-infinity, 7, {{{0, 1}, {1, 1}}});    // row 4: active, at x = 1, y = 6
+  simplex.add_row(-infinity, 200, {{{1, 1}}});          // row 5: inactive
   ASSERT_EQ(simplex.solve_dual(), LinearStatus::optimal);
   const auto steps = simplex.iterations();
   simplex.drop_rows(std::array{3, 5});
@@ -161,7 +160,7 @@ TEST(Simplex, StaysAtItsOptimumWhenRowsThatDoNotPressAreDropped) {
   ASSERT_EQ(simplex.solve_dual(), LinearStatus::optimal);
   EXPECT_EQ(simplex.iterations(), steps);
   EXPECT_NEAR(simplex.objective(), -33, 1e-9);
-  // What was row 4 is row 3 now.
+  // Row 4 has become row 3.
   simplex.set_row_bounds(3, -infinity, 6);
   ASSERT_EQ(simplex.solve_dual(), LinearStatus::optimal);
   EXPECT_NEAR(simplex.objective(), -30, 1e-9);  // x = 0, y = 6
@@ -228,14 +227,14 @@ TEST(SafeBound, IsMinusInfinityWhereAColumnHasNoBoundAndAResidual) {
 }
 
 TEST(SafeBound, RoundsDownWhereNearestWouldRoundUp) {
-  // 1/3 + 1/3 + 1/3 of doubles is less than one; nearest rounding says one.
+  // 1/3 + 1/3 + 1/3 of doubles is less than one; rounding to nearest gives one.
   LinearProgram program;
   const int x = program.add_column({.cost = 0, .lower = 1, .upper = 1});
   for (int i = 0; i < 3; ++i) program.add_row({.lower = 1.0 / 3}, {{{x, 0}}});
   EXPECT_LT(safe_dual_bound(program, std::vector<double>(3, 1.0)), 1.0);
 }
 
-// A program that takes many steps: to cover rows by dense columns.
+// A program that takes many steps: covering rows by dense columns.
 LinearProgram long_one() {
   constexpr int size = 800;
   std::mt19937 draw(5);

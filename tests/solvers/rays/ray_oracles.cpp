@@ -1,4 +1,4 @@
-// Brute force, and the textbook algorithm for cliques.
+// Brute-force enumeration of rays, and the Bron-Kerbosch algorithm.
 #include "ray_oracles.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace kusabi::rays::test {
 namespace {
 
-// Far above rounding and far below the numbers of the small examples it is used for.
+// Tolerance far above rounding and far below the numbers of the small examples.
 constexpr double tolerance = 1e-9;
 
 struct Inequalities {
@@ -26,7 +26,7 @@ void add_if_new(Reactions& list, const Eigen::VectorXd& ray) {
   if (!known) list.push_back(ray);
 }
 
-// Rays of one pattern: `equal` holds already, `inequalities` are those that may become equalities.
+// Rays of one pattern: `equal` are its equalities, `inequalities` may become equalities.
 void add_rays_of_pattern(const Eigen::MatrixXd& equal, const Eigen::MatrixXd& inequalities,
                          const Inequalities& all, Reactions& list) {
   const Eigen::Index size = equal.cols();

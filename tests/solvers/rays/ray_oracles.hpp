@@ -1,4 +1,4 @@
-// Other ways to the rays and the cones: slow, and without anything of solvers/rays.
+// Independent methods for rays and cones: slow, and without code of solvers/rays.
 #pragma once
 
 #include <random>
@@ -13,11 +13,11 @@ namespace kusabi::rays::test {
 /// A ray as its reaction, 2m, with normal parts that sum to 1.
 using Reactions = std::vector<Eigen::VectorXd>;
 
-/// All complementary extremal rays, by the definition: for each sign pattern, each choice of as
-/// many more equalities as leave one direction, if it satisfies all that is left. m <= 6 or so.
+/// All complementary extremal rays, by definition: for each sign pattern, each choice of additional
+/// equalities that leaves one direction, if it satisfies the remaining inequalities. m <= 6 or so.
 Reactions rays_by_brute_force(const Eigen::MatrixXd& compliance, std::span<const double> friction);
 
-/// Whether both lists have the same rays, in whatever order.
+/// True if both lists have the same rays, in any order.
 bool same_rays(const Reactions& a, const Reactions& b);
 
 /// All maximal cliques (C. Bron and J. Kerbosch, Algorithm 457, with a pivot).

@@ -1,4 +1,5 @@
-// Rays and cones against the reference, brute force, lrs, Bron and Kerbosch, and the definition.
+// Ray and cone tests against stored references, brute force, lrs, Bron-Kerbosch, and the
+// definition.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -65,7 +66,8 @@ TEST_P(PlaneTrussTable, HasTheRaysAndConesOfTheReference) {
   EXPECT_EQ(maximal_cones(found.rays, cone.all()).size(), known["cones"].get<std::size_t>());
 }
 
-// The numbers of rays and cones that the paper prints, but for the cones of N = 15: it prints 30.
+// Numbers of rays and cones printed in the wedged paper, except the cones of N = 15, for which it
+// prints 30.
 TEST(PaperPlaneTruss, HasTheRaysAndConesOfThePaper) {
   const auto table = reference("paper-plane-truss.json")["rays"];
   for (const auto& [mu, by_rows] : table.items()) {
@@ -79,7 +81,7 @@ TEST(PaperPlaneTruss, HasTheRaysAndConesOfThePaper) {
   }
 }
 
-TEST(DoubleDescription, EndsWhenItHasTooManyRaysOrIsTold) {
+TEST(DoubleDescription, EndsWithTooManyRaysOrWhenStopped) {
   const auto cone = cone_of(problems::paper_plane_truss(9), 0.65);
   const auto whole = complementary_rays(cone);
   const auto peak = whole.effort.peak_rays;
@@ -88,18 +90,18 @@ TEST(DoubleDescription, EndsWhenItHasTooManyRaysOrIsTold) {
   EXPECT_TRUE(ends({.most_rays = peak - 1}));
   EXPECT_TRUE(ends({.stop = [] { return true; }}));
   EXPECT_FALSE(ends({.stop = [] { return false; }}));
-  // What those who share the work agree on counts, whatever one was told.
+  // The agreed result counts, whatever the own `stop` returned.
   EXPECT_TRUE(ends({.agree = [](bool) { return true; }}));
   EXPECT_FALSE(ends({.stop = [] { return true; }, .agree = [](bool) { return false; }}));
   EXPECT_LT(bytes_for(1000, 10), bytes_for(1000, 20));
 }
 
-// A part of a list that goes on by itself has in the end just those rays that lie on its face.
+// A part of a list, resumed separately, ends with exactly those rays that lie on its face.
 TEST(DoubleDescription, GoesOnWithAPartAsOnItsFace) {
   const auto cone = cone_of(plane_truss({.rows = 8}), 0.8);
   const auto whole = complementary_rays(cone);
   auto list = first_list(cone);
-  EXPECT_FALSE(divided(list).has_value());  // nothing has been cut by
+  EXPECT_FALSE(divided(list).has_value());  // there was no cut yet
   go_on(list, cone, {.most_rays = 100});
   ASSERT_FALSE(has_ended(list, cone));
   auto parts = divided(list);
@@ -121,7 +123,7 @@ TEST(DoubleDescription, GoesOnWithAPartAsOnItsFace) {
   }
 }
 
-// Pieces done in any order and by themselves give the list that comes of the whole, in its order.
+// Pieces computed separately in any order give the list of the unshared step, in its order.
 TEST(DoubleDescription, MayBeSharedWithoutATrace) {
   const auto cone = cone_of(problems::paper_plane_truss(21), 0.65);
   const auto whole = complementary_rays(cone);
@@ -268,7 +270,7 @@ TEST(Rays, AreThoseOfLrsOnIntegerData) {
   for (const auto& known : reference("lrs_rays.json")) {
     const auto rows = known["compliance"].get<std::vector<std::vector<long double>>>();
     const auto size = static_cast<Eigen::Index>(rows.size());
-    PreciseMatrix compliance(size, size);
+    LongMatrix compliance(size, size);
     for (Eigen::Index i = 0; i < size; ++i) {
       for (Eigen::Index j = 0; j < size; ++j) {
         compliance(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
@@ -285,8 +287,8 @@ TEST(Rays, AreThoseOfLrsOnIntegerData) {
   }
 }
 
-// What the tree of sign patterns relies on: of the small cones of all leaves, each ray is reported
-// by exactly one, to the same bits.
+// Property used by the tree of sign patterns: among the small cones of all leaves, each ray is
+// reported by exactly one, with equal bits.
 TEST(Rays, OfAllPatternsTogetherAreTheComplementaryOnes) {
   for (const double mu : {0.65, 1.0}) {
     const auto cone = cone_of(plane_truss({.rows = 7}), mu);
@@ -333,10 +335,10 @@ TEST(Rays, SolveTheWedgedProblemExactlyWhereTheyAreZero) {
   EXPECT_TRUE(health.sound());
 }
 
-// One candidate that wedges with r_t = -r_n, and a second one that it moves away by `relative` of
-// what cancels in that displacement.
+// One candidate that wedges with r_t = -r_n, and a second one that it displaces by `relative` of
+// the terms that cancel.
 ReactionCone almost_idle(double relative) {
-  PreciseMatrix compliance = PreciseMatrix::Identity(4, 4);
+  LongMatrix compliance = LongMatrix::Identity(4, 4);
   compliance(0, 1) = compliance(1, 0) = 1;
   compliance(1, 1) = 2;
   compliance(2, 0) = compliance(0, 2) = 0.1L;
@@ -344,11 +346,11 @@ ReactionCone almost_idle(double relative) {
   return {compliance, std::vector<double>{1.5, 1.5}};
 }
 
-TEST(Health, SaysWhenASmallNumberCannotBeToldFromZero) {
+TEST(Health, CountsNumbersThatAreUndecidedNearZero) {
   for (const double relative : {1e-3, 1e-8}) {
     const auto found = complementary_rays(almost_idle(relative));
     EXPECT_TRUE(found.health.sound());
-    // p = 2.5 and q = 0.5 for r_n = 1; of |A_p| p + |A_q| q = 1 / 12 is left 0.2 times `relative`.
+    // p = 2.5 and q = 0.5 for r_n = 1; 0.2 times `relative` is left of |A_p| p + |A_q| q = 1 / 12.
     EXPECT_NEAR(found.health.smallest_nonzero, 2.4 * relative, 0.01 * relative);
   }
   EXPECT_FALSE(complementary_rays(almost_idle(zero_tolerance)).health.sound());
@@ -361,16 +363,17 @@ TEST(Health, SaysWhenTheNumbersContradictTheZeroSet) {
   Health health;
   cone.ray({.p = bit(1), .q = bit(1), .u = bit(0)}, health);  // separates at the second candidate
   EXPECT_TRUE(health.sound());
-  cone.ray({.p = bit(1), .q = bit(1), .u = bit(0) | bit(1)}, health);  // it does not touch there
+  // the second candidate has no contact there
+  cone.ray({.p = bit(1), .q = bit(1), .u = bit(0) | bit(1)}, health);
   EXPECT_FALSE(health.sound());
 }
 
 TEST(ReactionCone, RefusesWhatIsNoProblem) {
   const std::vector<double> friction{1.0};
-  EXPECT_THROW(ReactionCone(PreciseMatrix::Identity(4, 4), friction), std::invalid_argument);
-  EXPECT_THROW(ReactionCone(PreciseMatrix::Identity(2, 2), std::vector<double>{-1.0}),
+  EXPECT_THROW(ReactionCone(LongMatrix::Identity(4, 4), friction), std::invalid_argument);
+  EXPECT_THROW(ReactionCone(LongMatrix::Identity(2, 2), std::vector<double>{-1.0}),
                std::invalid_argument);
-  EXPECT_THROW(ReactionCone(PreciseMatrix(0, 0), std::vector<double>{}), std::invalid_argument);
+  EXPECT_THROW(ReactionCone(LongMatrix(0, 0), std::vector<double>{}), std::invalid_argument);
 }
 
 // Cones as sets of ray numbers.

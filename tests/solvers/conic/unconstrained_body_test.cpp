@@ -1,5 +1,5 @@
-// Node programs of bodies that nothing holds: both sides of duality meet, and a wedge in a groove
-// does what equilibrium alone says of it.
+// Tests of node programs of unconstrained bodies: strong duality, and a wedge in a groove with a
+// closed form from equilibrium.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -17,13 +17,13 @@ namespace {
 using support::IndexSet;
 using testing::random_masks;
 
-struct LooseProblem {
+struct UnconstrainedProblem {
   Eigen::MatrixXd compliance;
   Eigen::MatrixXd motions;
   std::vector<double> friction;
 };
 
-/// Frames and places of candidates all around a body, and its rigid motions in these frames.
+/// Frames and positions of candidates all around a body, and its rigid-body modes in these frames.
 template <int D>
 Eigen::MatrixXd rigid_motions(int m, std::mt19937_64& generator) {
   std::normal_distribution<double> normal;
@@ -54,21 +54,21 @@ Eigen::MatrixXd rigid_motions(int m, std::mt19937_64& generator) {
 }
 
 template <int D>
-LooseProblem random_loose(int m, std::mt19937_64& generator) {
+UnconstrainedProblem random_unconstrained(int m, std::mt19937_64& generator) {
   auto held = testing::random_problem(D, m, 0.1, 1.0, generator);
   return {held.compliance, rigid_motions<D>(m, generator), held.friction};
 }
 
 template <int D>
-NodeSolver<D> solver_of(const LooseProblem& problem, Tolerances tolerances = {}) {
+NodeSolver<D> solver_of(const UnconstrainedProblem& problem, Tolerances tolerances = {}) {
   std::vector<int> owners(problem.friction.size());
   for (std::size_t i = 0; i < owners.size(); ++i) owners[i] = static_cast<int>(i);
   return NodeSolver<D>(problem.compliance, problem.friction, owners, tolerances, 0,
                        ordered_motions<D, double>(problem.motions, 0));
 }
 
-// The two sides of duality, computed anew from what the solver hands out: a point of the program
-// and multipliers of it, whose values meet.
+// Both sides of duality, recomputed from the solver's output: a point of the program and
+// multipliers, whose values coincide.
 template <int D>
 struct Sides {
   double below, above;
@@ -76,7 +76,7 @@ struct Sides {
 };
 
 template <int D>
-Sides<D> both_sides(const LooseProblem& problem, const NodeSolver<D>& solver,
+Sides<D> both_sides(const UnconstrainedProblem& problem, const NodeSolver<D>& solver,
                     const Motions<double>& motions, const IndexSet& contact,
                     const IndexSet& separated) {
   const auto m = static_cast<int>(problem.friction.size());
@@ -124,14 +124,14 @@ void expect_both_sides_to_meet(int m, int nodes) {
   std::mt19937_64 generator(static_cast<unsigned>(100 * D + m));
   int alive = 0, dead = 0, met = 0;
   for (int trial = 0; trial < nodes; ++trial) {
-    const auto problem = random_loose<D>(m, generator);
+    const auto problem = random_unconstrained<D>(m, generator);
     const auto [contact, separated] = random_masks(m, generator);
     auto solver = solver_of<D>(problem);
     const auto answer = solver.solve(contact, separated, {.when_dead = false, .when_alive = false});
     ASSERT_LE(answer.lower, answer.upper);
     alive += answer.sign == Sign::alive ? 1 : 0;
     dead += answer.sign == Sign::dead ? 1 : 0;
-    // Equilibrium can leave a candidate of U without a reaction: then the node is a tie.
+    // Equilibrium can leave a candidate of U without a reaction: the node is then degenerate.
     if (answer.sign == Sign::marginal) {
       EXPECT_NEAR(answer.lower, 0, 1e-9) << trial;
       EXPECT_NEAR(answer.upper, 0, 1e-9) << trial;
@@ -150,22 +150,23 @@ void expect_both_sides_to_meet(int m, int nodes) {
   EXPECT_GT(met, nodes / 5) << alive << " alive, " << dead << " dead";
 }
 
-TEST(LooseBody, HasAPointAndMultipliersWhoseValuesMeetInThePlane) {
+TEST(UnconstrainedBody, HasAPointAndMultipliersWhoseValuesMeetInThePlane) {
   expect_both_sides_to_meet<2>(5, 100);
   expect_both_sides_to_meet<2>(9, 100);
   expect_both_sides_to_meet<2>(20, 40);
 }
 
-TEST(LooseBody, HasAPointAndMultipliersWhoseValuesMeetInSpace) {
+TEST(UnconstrainedBody, HasAPointAndMultipliersWhoseValuesMeetInSpace) {
   expect_both_sides_to_meet<3>(6, 60);
   expect_both_sides_to_meet<3>(12, 60);
   expect_both_sides_to_meet<3>(24, 20);
 }
 
-// Of u_n = F_n r + H alpha a cut has both parts.
+// The coefficients of a cut multiply both parts of u_n = F_n r + H alpha.
 template <int D>
-LooseProblem with_candidates_for(const LooseProblem& problem, const std::vector<Cut>& cuts) {
-  LooseProblem larger = problem;
+UnconstrainedProblem with_candidates_for(const UnconstrainedProblem& problem,
+                                         const std::vector<Cut>& cuts) {
+  UnconstrainedProblem larger = problem;
   for (const Cut& cut : cuts) {
     const Eigen::Index size = larger.compliance.rows();
     larger.compliance =
@@ -185,7 +186,7 @@ void expect_cuts_to_be_rows_of_further_candidates(int m, int nodes) {
   std::uniform_real_distribution<double> number(0.2, 1.5);
   int compared = 0, binding = 0;
   for (int trial = 0; trial < nodes; ++trial) {
-    const auto problem = random_loose<D>(m, generator);
+    const auto problem = random_unconstrained<D>(m, generator);
     const auto [contact, separated] = random_masks(m, generator);
     std::vector<Cut> cuts;
     for (int i = 0; i < m; ++i) {
@@ -208,7 +209,7 @@ void expect_cuts_to_be_rows_of_further_candidates(int m, int nodes) {
     auto judge = solver_of<D>(larger);
     const auto expected = judge.solve(contact, all, to_the_end);
     ASSERT_LE(answer.lower, answer.upper);
-    // Both are brackets of one number.
+    // Both are brackets of the same number.
     EXPECT_LE(answer.lower, expected.upper + 1e-9) << trial;
     EXPECT_GE(answer.upper, expected.lower - 1e-9) << trial;
     const double size = std::max(1e-3, std::abs(answer.upper));
@@ -221,22 +222,22 @@ void expect_cuts_to_be_rows_of_further_candidates(int m, int nodes) {
   EXPECT_GT(binding, nodes / 10);
 }
 
-TEST(LooseBody, TakesCutsAsRowsOfFurtherCandidatesInThePlane) {
+TEST(UnconstrainedBody, TakesCutsAsRowsOfFurtherCandidatesInThePlane) {
   expect_cuts_to_be_rows_of_further_candidates<2>(5, 60);
   expect_cuts_to_be_rows_of_further_candidates<2>(9, 40);
 }
 
-TEST(LooseBody, TakesCutsAsRowsOfFurtherCandidatesInSpace) {
+TEST(UnconstrainedBody, TakesCutsAsRowsOfFurtherCandidatesInSpace) {
   expect_cuts_to_be_rows_of_further_candidates<3>(7, 40);
   expect_cuts_to_be_rows_of_further_candidates<3>(12, 20);
 }
 
-// Two candidates on the walls of a groove of half angle theta, at one height: their reactions are
+// Two candidates on the walls of a groove with half angle theta, at one height: their reactions are
 // opposite, at theta from the normals.
-TEST(LooseBody, WedgesInAGrooveFromTheTangentOfItsHalfAngle) {
+TEST(UnconstrainedBody, WedgesInAGrooveFromTheTangentOfItsHalfAngle) {
   for (const double degrees : {5.0, 15.0, 30.0}) {
     const double theta = degrees * std::numbers::pi / 180;
-    LooseProblem problem;
+    UnconstrainedProblem problem;
     problem.motions.resize(4, 3);
     for (int i = 0; i < 2; ++i) {
       const double side = i == 0 ? 1 : -1;  // the normal of the left wall points to the right
@@ -261,8 +262,8 @@ TEST(LooseBody, WedgesInAGrooveFromTheTangentOfItsHalfAngle) {
   }
 }
 
-// A block between two parallel walls: what slides along both is no unknown.
-TEST(LooseBody, SlidesBetweenParallelWalls) {
+// A block between two parallel walls: the mode that slides along both is not an unknown.
+TEST(UnconstrainedBody, SlidesBetweenParallelWalls) {
   Eigen::MatrixXd motions(4, 3);
   motions << 1, 0, -0.5, 0, -1, 1, -1, 0, 0.5, 0, 1, 1;
   const auto ordered = ordered_motions<2, double>(motions, 0);

@@ -1,4 +1,4 @@
-// Rays of bodies that nothing holds, against the definition: every choice of equalities.
+// Tests of rays of unconstrained bodies against the definition: every choice of equalities.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -13,7 +13,7 @@
 namespace kusabi::rays {
 namespace {
 
-struct LooseProblem {
+struct UnconstrainedProblem {
   Eigen::MatrixXd compliance;  // F, 2m x 2m
   Eigen::MatrixXd motions;     // G, 2m x p
   std::vector<double> friction;
@@ -35,9 +35,9 @@ void add_if_new(States& list, const Eigen::VectorXd& state) {
   if (!known) list.push_back(state);
 }
 
-// In (r, alpha): equilibrium and as many of the 3m inequalities as leave one direction. All motions
-// lift something.
-States by_brute_force(const LooseProblem& problem) {
+// In (r, alpha): equilibrium and as many of the 3m inequalities as leave one direction. All modes
+// have a normal part.
+States by_brute_force(const UnconstrainedProblem& problem) {
   const auto m = static_cast<Eigen::Index>(problem.friction.size());
   const Eigen::Index p = problem.motions.cols();
   Eigen::MatrixXd displacements(2 * m, 2 * m + p);
@@ -89,17 +89,17 @@ States states(const ReactionCone& cone, const std::vector<ZeroSet>& rays) {
   return list;
 }
 
-LooseProblem random_problem(int m, int p, std::mt19937& bits) {
+UnconstrainedProblem random_problem(int m, int p, std::mt19937& bits) {
   std::normal_distribution<double> number;
   std::uniform_real_distribution<double> friction(0.3, 2);
-  LooseProblem problem;
+  UnconstrainedProblem problem;
   problem.compliance = test::random_compliance(m, bits);
   problem.motions = Eigen::MatrixXd::NullaryExpr(2 * m, p, [&] { return number(bits); });
   for (int i = 0; i < m; ++i) problem.friction.push_back(friction(bits));
   return problem;
 }
 
-TEST(LooseRays, AreThoseOfTheDefinition) {
+TEST(UnconstrainedRays, AreThoseOfTheDefinition) {
   std::mt19937 bits(5);
   std::size_t loaded = 0;
   std::size_t alone = 0;
@@ -123,8 +123,8 @@ TEST(LooseRays, AreThoseOfTheDefinition) {
   EXPECT_GT(alone, 100U);
 }
 
-// Of each sign pattern by itself, those of the whole that are in its cone.
-TEST(LooseRays, OfAPatternAreThoseOfTheWholeInItsCone) {
+// Rays of each sign pattern computed separately equal those of the whole in its cone.
+TEST(UnconstrainedRays, OfAPatternAreThoseOfTheWholeInItsCone) {
   std::mt19937 bits(6);
   for (int trial = 0; trial < 20; ++trial) {
     const auto cone = random_problem(4, 3, bits).cone();
@@ -144,9 +144,9 @@ TEST(LooseRays, OfAPatternAreThoseOfTheWholeInItsCone) {
   }
 }
 
-// A motion along all surfaces is no unknown, however its direction was rounded.
-TEST(LooseMotions, ThatSlideOnlyAskForEquilibrium) {
-  PreciseMatrix motions(4, 2);
+// A mode that slides along all surfaces is not an unknown, for any rounding of its direction.
+TEST(RigidModes, ThatSlideOnlyAskForEquilibrium) {
+  LongMatrix motions(4, 2);
   motions << 1, 1 + 1e-16L, 2, 3, -1, -1, 4, 5;
   const auto both = combined(motions);
   EXPECT_EQ(both.pivots, std::vector<int>{0});

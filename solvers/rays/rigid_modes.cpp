@@ -1,5 +1,5 @@
-// Column operations.
-#include "solvers/rays/loose_motions.hpp"
+// Elimination of rigid-body modes by column operations.
+#include "solvers/rays/rigid_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 namespace kusabi::rays {
 
-LooseMotions combined(PreciseMatrix motions) {
+RigidModes combined(LongMatrix motions) {
   const Eigen::Index count = motions.cols();
-  LooseMotions result;
+  RigidModes result;
   long double largest = 0;
   for (Eigen::Index done = 0; done < count; ++done) {
     const auto normals = motions(Eigen::seq(0, Eigen::last, 2), Eigen::seq(done, Eigen::last));
@@ -27,7 +27,7 @@ LooseMotions combined(PreciseMatrix motions) {
     }
     result.pivots.push_back(static_cast<int>(pivot));
   }
-  // What directions with sixteen digits leave of zeros.
+  // Rounding of zeros, from directions with sixteen digits.
   for (auto& entry : motions.reshaped()) {
     if (std::abs(entry) <= sliding * largest) entry = 0;
   }
