@@ -1,4 +1,4 @@
-// What a contact candidate does in an answer.
+// ContactState: state of a contact candidate in an answer.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 namespace kusabi::pictures {
 
 enum class ContactState : std::int8_t {
-  none = 0,  ///< no candidate, or one that this answer says nothing of
+  none = 0,  ///< no candidate, or one that the answer does not cover
   contact = 1,
   separated = 2,
   at_rest = 3,  ///< neither a reaction nor a gap

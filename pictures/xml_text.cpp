@@ -1,4 +1,4 @@
-// UTF-8 letter by letter.
+// XML escaping of UTF-8, character by character.
 #include "pictures/xml_text.hpp"
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 namespace kusabi::pictures {
 namespace {
 
-// How many bytes the letter at the beginning has; 0: it is none, or none that XML permits.
+// Number of bytes of the first character; 0: not a character that XML permits.
 std::size_t letter_size(std::string_view text) {
   const auto byte = [&](std::size_t i) -> std::uint32_t {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -24,13 +24,13 @@ std::size_t letter_size(std::string_view text) {
     if ((byte(i) & 0xC0U) != 0x80U) return 0;
     code = code << 6U | (byte(i) & 0x3FU);
   }
-  // Longer than it need be, half of a pair of UTF-16, beyond the last, or not a letter at all.
+  // Overlong encoding, UTF-16 surrogate, beyond the last code point, or not permitted.
   if ((size == 3 && code < 0x800U) || (size == 4 && code < 0x10000U)) return 0;
   if ((code >= 0xD800U && code < 0xE000U) || code > 0x10FFFFU) return 0;
   return code == 0xFFFEU || code == 0xFFFFU ? 0 : size;
 }
 
-// The letter as it may be written.
+// The character as written in XML.
 std::string_view written(std::string_view letter) {
   if (letter == "&") return "&amp;";
   if (letter == "<") return "&lt;";

@@ -1,4 +1,4 @@
-// Names and sentences in XML, whatever bytes they hold.
+// XML text from names and sentences with arbitrary bytes.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace kusabi::pictures {
 
-/// What may stand between tags or quotation marks: &amp; and the like for what XML means otherwise,
-/// U+FFFD for what it does not permit and for bytes that are not UTF-8.
+/// Text for elements and attributes: &amp; and the like for special characters, U+FFFD for
+/// characters that XML does not permit and for bytes that are not UTF-8.
 std::string xml_text(std::string_view text);
 
-/// The same as a comment, which may not hold two dashes in a row; empty if the text is.
+/// A comment, which must not contain two dashes in a row; empty if the text is.
 std::string xml_comment(std::string_view text);
 
 }  // namespace kusabi::pictures

@@ -1,4 +1,4 @@
-// FNV-1a, 64 bits, least significant byte first.
+// FNV-1a hash, 64 bits, least significant byte first.
 #include "support/fingerprint.hpp"
 
 #include <bit>

@@ -1,6 +1,5 @@
-// A 64-bit number that tells one problem from another: a checkpoint or a result that belongs to
-// another problem is refused by it. FNV-1a over bytes in a fixed order, so the same on every
-// machine.
+// Fingerprint: 64-bit hash that identifies a problem; a checkpoint or a result of another problem
+// is refused by it. FNV-1a over bytes in a fixed order, hence the same on every machine.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +7,14 @@
 
 namespace kusabi::support {
 
-/// Takes in values one after the other.
+/// Accumulates values in sequence.
 class Fingerprint {
  public:
   void add(std::uint64_t value);
   void add(int value);
-  /// The bits of the number; -0 counts as 0.
+  /// Adds the bits of the number; -0 counts as 0.
   void add(double value);
-  /// Length first, so that "a", "bc" differs from "ab", "c".
+  /// Adds the length first, so that "a", "bc" differs from "ab", "c".
   void add(std::string_view text);
 
   std::uint64_t value() const { return hash_; }
@@ -23,7 +22,7 @@ class Fingerprint {
  private:
   void add_byte(unsigned char byte);
 
-  std::uint64_t hash_ = 0xCBF29CE484222325U;  // the offset basis of FNV-1a, 64 bits
+  std::uint64_t hash_ = 0xCBF29CE484222325U;  // offset basis of FNV-1a, 64 bits
 };
 
 }  // namespace kusabi::support

@@ -1,4 +1,4 @@
-// Hexadecimal digits of any number of words.
+// IndexSet as hexadecimal text, of any length.
 #include "support/index_set.hpp"
 
 #include <iterator>

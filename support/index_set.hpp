@@ -1,5 +1,6 @@
-// A set of small numbers, such as contact candidates. As long as all of them are below 64 it is one
-// word and allocates nothing, which is what most searches need; there is no largest number.
+// IndexSet: a set of small non-negative integers, such as contact candidates. While all of them are
+// below 64 it is one word without allocation, which covers most searches; larger numbers are
+// permitted.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@ class IndexSet {
 
   IndexSet() = default;
 
-  /// The places of the ones: 0b101 is {0, 2}.
+  /// The positions of the one bits: 0b101 is {0, 2}.
   IndexSet(Word ones) : first_(ones) {}  // NOLINT(google-explicit-constructor): a way to write them
 
   static IndexSet single(int index) {
@@ -50,10 +51,10 @@ class IndexSet {
   /// @pre not empty
   [[nodiscard]] int lowest() const { return *begin(); }
 
-  /// Whether `part` has nothing else.
+  /// True if `part` is a subset.
   [[nodiscard]] bool includes(const IndexSet& part) const { return (part - *this).empty(); }
 
-  /// Whether the two have anything in common.
+  /// True if the intersection is not empty.
   [[nodiscard]] bool meets(const IndexSet& other) const {
     if ((first_ & other.first_) != 0) return true;
     const auto common = std::min(rest_.size(), other.rest_.size());
@@ -90,11 +91,11 @@ class IndexSet {
   friend IndexSet operator&(IndexSet a, const IndexSet& b) { return a &= b; }
   friend IndexSet operator-(IndexSet a, const IndexSet& b) { return a -= b; }
   friend bool operator==(const IndexSet&, const IndexSet&) = default;
-  /// Some order, for maps and for leaving out what is there twice: that of `first_` as a number,
-  /// then of what follows.
+  /// A total order for maps and for the removal of duplicates: `first_` as a number, then the
+  /// further words.
   friend auto operator<=>(const IndexSet&, const IndexSet&) = default;
 
-  /// The numbers in increasing order, for `for (const int index : set)`.
+  /// Iterates over the numbers in increasing order: `for (const int index : set)`.
   class Iterator {
    public:
     using value_type = int;
@@ -130,19 +131,19 @@ class IndexSet {
 
     const IndexSet* set_ = nullptr;
     std::size_t at_ = 0;
-    Word left_ = 0;  // of the word, what is still to come
+    Word left_ = 0;  // remaining bits of the word
   };
 
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
   [[nodiscard]] Iterator end() const { return {*this, words()}; }
 
-  /// So many words have all numbers, and this is one of them; zero beyond the last.
+  /// Number of words; words beyond the last are zero.
   [[nodiscard]] std::size_t words() const { return 1 + rest_.size(); }
   [[nodiscard]] Word word(std::size_t k) const {
     return k == 0 ? first_ : k <= rest_.size() ? rest_[k - 1] : 0;
   }
   void set_word(std::size_t k, Word value) {
-    if (value == 0 && k >= words()) return;  // a number may begin with many zeros
+    if (value == 0 && k >= words()) return;  // leading zeros
     grown(k) = value;
     trimmed();
   }
@@ -150,7 +151,7 @@ class IndexSet {
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& first_& rest_;
-    trimmed();  // whatever was read
+    trimmed();  // also after an error of reading
   }
 
  private:
@@ -164,7 +165,7 @@ class IndexSet {
     return rest_[k - 1];
   }
 
-  // Sets that are equal have the same words.
+  // Removes zero words at the end, so that equal sets have equal words.
   IndexSet& trimmed() {
     while (!rest_.empty() && rest_.back() == 0) rest_.pop_back();
     return *this;
@@ -174,7 +175,7 @@ class IndexSet {
   std::vector<Word> rest_;  // the numbers from 64 on; its last word is not zero
 };
 
-/// The set as a hexadecimal number, whose ones are its numbers; "0" if it is empty.
+/// The set as a hexadecimal number with a one bit for each element; "0" if it is empty.
 std::string hexadecimal(const IndexSet& set);
 
 }  // namespace kusabi::support

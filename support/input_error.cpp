@@ -1,4 +1,4 @@
-// The text of an input error: always one line, whatever bytes the input held.
+// InputError: message of one line, whatever bytes the input contains.
 #include "support/input_error.hpp"
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 namespace kusabi::support {
 namespace {
 
-/// Longest piece of the input that an error repeats, in bytes: two names and the advice still fit
-/// on one line of a terminal.
+/// Maximum length of quoted input, in bytes, such that two names and the advice fit on one line of
+/// a terminal.
 constexpr std::size_t longest_quotation = 40;
 
 bool is_control(char character) {
@@ -49,7 +49,7 @@ std::string in_quotes(std::string_view text) {
   std::string_view shown = text;
   if (text.size() > longest_quotation) {
     std::size_t end = longest_quotation;
-    while (end > 0 && continues_a_character(text[end])) --end;  // keep UTF-8 characters whole
+    while (end > 0 && continues_a_character(text[end])) --end;  // keeps UTF-8 characters whole
     shown = text.substr(0, end);
   }
   std::string result = "\"";

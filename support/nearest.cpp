@@ -1,4 +1,4 @@
-// A distance between words, row by row.
+// Nearest name by edit distance.
 #include "support/nearest.hpp"
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 namespace kusabi::support {
 namespace {
 
-/// In bytes; what is longer is no misspelt name.
+/// In bytes; longer words are not compared.
 constexpr std::size_t longest_name = 64;
 
-/// Number of characters between two words that are inserted, deleted, replaced, or have changed
-/// places with their neighbour (Damerau and Levenshtein; none is touched twice).
+/// Optimal string alignment distance (Damerau-Levenshtein, restricted): the number of insertions,
+/// deletions, replacements and swaps of neighbours.
 std::size_t edit_distance(std::string_view from, std::string_view to) {
-  std::vector<std::size_t> before(to.size() + 1);  // the row before the last one
+  std::vector<std::size_t> before(to.size() + 1);  // row before the last one
   std::vector<std::size_t> last(to.size() + 1);
   std::vector<std::size_t> row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -37,7 +37,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
 }  // namespace
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& words) {
-  // Two slips, but fewer than half of the word: "x" is not near "y".
+  // At most two edits, and fewer than half of the word: "x" is not near "y".
   std::size_t best = std::min<std::size_t>(3, (word.size() + 1) / 2);
   if (word.size() > longest_name) return {};
   std::string_view found;

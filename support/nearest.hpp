@@ -1,4 +1,4 @@
-// What somebody probably meant who has written a name that does not exist.
+// Spelling suggestions for unknown names.
 #pragma once
 
 #include <string>
@@ -7,12 +7,11 @@
 
 namespace kusabi::support {
 
-/// The one of `words` that `word` was probably meant to be, for a "did you mean": at most two
-/// letters inserted, left out, replaced or swapped with the next, and fewer than half of the word;
-/// empty if none is near.
+/// The nearest of `words` for a "did you mean": at most two insertions, deletions, replacements or
+/// swaps, and fewer than half of the word; empty if none is near.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& words);
 
-/// The end of a message about `word`: "; did you mean ...?", empty if none is near.
+/// Suffix of a message about `word`: "; did you mean ...?", empty if no name is near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& words);
 
 }  // namespace kusabi::support

@@ -1,4 +1,4 @@
-// The compression function and the padding.
+// SHA-1: compression function and padding.
 #include "support/sha1.hpp"
 
 #include <bit>
@@ -7,7 +7,7 @@
 namespace kusabi::support {
 namespace {
 
-using Block = detail::Sha1Block;
+using detail::Sha1Block;
 
 constexpr Sha1Digest initial{0x67452301U, 0xEFCDAB89U, 0x98BADCFEU, 0x10325476U, 0xC3D2E1F0U};
 
@@ -21,7 +21,7 @@ constexpr std::uint32_t majority(std::uint32_t b, std::uint32_t c, std::uint32_t
   return (b & c) | (d & (b | c));
 }
 
-// One round; instead of moving all five words on, each round is called with their names moved on.
+// One round. Instead of rotating the five words, each round is called with rotated names.
 template <auto Function>
 inline void round(std::uint32_t a, std::uint32_t& b, std::uint32_t c, std::uint32_t d,
                   std::uint32_t& e, std::uint32_t addend) {
@@ -29,12 +29,12 @@ inline void round(std::uint32_t a, std::uint32_t& b, std::uint32_t c, std::uint3
   b = std::rotl(b, 30);
 }
 
-// Rounds `From` to `From` + 19. Unrolled, most of the schedule and the words stay in registers:
-// three to four times as fast.
+// Rounds `From` to `From` + 19, unrolled: most of the schedule and the words stay in registers,
+// which is three to four times as fast.
 template <std::size_t From, auto Function, std::uint32_t Constant>
-inline void rounds(Sha1Digest& words, Block& schedule) {
+inline void rounds(Sha1Digest& words, Sha1Block& schedule) {
   auto& [a, b, c, d, e] = words;
-  // The schedule's words 16 to 79 take the place of the word 16 before each.
+  // Each of the schedule's words 16 to 79 replaces the word 16 before it.
   const auto addend = [&](std::size_t t) {
     auto& word = schedule[t % 16];
     if (t >= 16) {
@@ -53,9 +53,9 @@ inline void rounds(Sha1Digest& words, Block& schedule) {
   }
 }
 
-// Takes one block into the chain.
-inline void compress(Sha1Digest& chain, const Block& block) {
-  Block schedule = block;  // a copy nobody else sees, which the compiler need not keep in memory
+// Updates the chaining value by one block.
+inline void compress(Sha1Digest& chain, const Sha1Block& block) {
+  Sha1Block schedule = block;  // a private copy, which the compiler can keep in registers
   auto words = chain;
   rounds<0, choose, 0x5A827999U>(words, schedule);
   rounds<20, parity, 0x6ED9EBA1U>(words, schedule);
@@ -66,9 +66,9 @@ inline void compress(Sha1Digest& chain, const Block& block) {
 
 constexpr std::size_t block_bytes = 64;
 
-// The first 64 bytes of a text.
-Block block_of(std::string_view text) {
-  Block block{};
+// First 64 bytes of a text.
+Sha1Block block_of(std::string_view text) {
+  Sha1Block block{};
   for (std::size_t i = 0; i < block_bytes; ++i) {
     block[i / 4] = (block[i / 4] << 8U) | static_cast<unsigned char>(text[i]);
   }
@@ -77,7 +77,7 @@ Block block_of(std::string_view text) {
 
 }  // namespace
 
-Sha1Digest detail::sha1_of_block(const Block& block) {
+Sha1Digest detail::sha1_of_block(const Sha1Block& block) {
   auto digest = initial;
   compress(digest, block);
   return digest;
@@ -107,7 +107,7 @@ void Sha1Stream::add(std::string_view piece) {
 
 Sha1Digest Sha1Stream::digest() const {
   constexpr std::size_t length_bytes = 8;
-  // A one bit, then zeros until the length in bits ends a block.
+  // A one bit, then zeros, then the length in bits at the end of a block.
   std::string padded = rest_ + '\x80';
   while (padded.size() % block_bytes != block_bytes - length_bytes) padded += '\0';
   const auto bits = 8 * bytes_;

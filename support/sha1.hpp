@@ -1,7 +1,6 @@
-// SHA-1 (FIPS 180-4, section 6.1), which the Unbalanced Tree Search benchmark uses as its random
-// number generator: only with it do the published counts come out. Certificates end with it too, so
-// that damage is noticed. It is long broken as a hash that protects from malice; nothing here uses
-// it so.
+// SHA-1 (FIPS 180-4, section 6.1). The Unbalanced Tree Search benchmark uses it as its random
+// number generator; certificates end with it as a checksum. It is not secure against deliberate
+// collisions and is not used for that.
 #pragma once
 
 #include <array>
@@ -12,13 +11,13 @@
 
 namespace kusabi::support {
 
-/// The 160 bits as five words; the first byte is the upper one of the first word.
+/// The 160 bits as five words; the first byte is the most significant one of the first word.
 using Sha1Digest = std::array<std::uint32_t, 5>;
 
-/// The digest of a message of any length.
+/// Digest of a message of any length.
 Sha1Digest sha1(std::string_view message);
 
-/// The same of a message that comes in pieces.
+/// Digest of a message given in pieces.
 class Sha1Stream {
  public:
   void add(std::string_view piece);
@@ -26,8 +25,8 @@ class Sha1Stream {
 
  private:
   Sha1Digest chain_{0x67452301U, 0xEFCDAB89U, 0x98BADCFEU, 0x10325476U, 0xC3D2E1F0U};
-  std::string rest_;         // less than a block
-  std::uint64_t bytes_ = 0;  // of all pieces
+  std::string rest_;         // incomplete block
+  std::uint64_t bytes_ = 0;  // total length
 };
 
 /// A digest as 40 hexadecimal digits.
@@ -35,13 +34,13 @@ std::string hexadecimal(const Sha1Digest& digest);
 
 namespace detail {
 using Sha1Block = std::array<std::uint32_t, 16>;
-/// The digest of a message of one block, padded already.
+/// Digest of a message of one padded block.
 Sha1Digest sha1_of_block(const Sha1Block& block);
 }  // namespace detail
 
-/// The digest of a message of a few words, each written with its upper byte first.
+/// Digest of a message of a few words, each with its most significant byte first.
 template <std::size_t Count>
-requires(Count <= 13)  // with its end mark and its length it fills one block
+requires(Count <= 13)  // fits into one block with end mark and length
     Sha1Digest sha1(const std::array<std::uint32_t, Count>& words) {
   detail::Sha1Block block{};
   for (std::size_t place = 0; place < Count; ++place) block[place] = words[place];

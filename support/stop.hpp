@@ -1,13 +1,13 @@
-// "Should this end now?", asked by long work that knows nothing of clocks and signals. A stop may
-// only end work; what a completed run gives must not depend on when it was asked.
+// Stop: a callback that ends long computations, which then need no clock or signal handler. The
+// result of a completed computation must not depend on the calls.
 #pragma once
 
 #include <functional>
 
 namespace kusabi::support {
 
-/// True: end soon, with what holds so far. Empty: never. It may be asked often, and by each rank
-/// for itself; once it is true it should stay so.
+/// True: end soon with the result so far. Empty: never. It may be called often, and by each rank
+/// separately; once true it should stay true.
 using Stop = std::function<bool()>;
 
 inline bool asked(const Stop& stop) {

@@ -1,4 +1,5 @@
-// The table. Its counts are those that come with the benchmark's own code (sample_trees.sh).
+// Table of the standard trees, with the counts published in the benchmark's source
+// (sample_trees.sh).
 #include "nodes/benchmark/standard_trees.hpp"
 
 #include <algorithm>

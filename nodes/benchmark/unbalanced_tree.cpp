@@ -1,5 +1,5 @@
-// How many children a node has. The expressions are evaluated as published, operation by operation:
-// a rounding error in one of them would grow another tree.
+// Number of children of a node. The expressions are evaluated as published, operation by operation,
+// since a different rounding would give another tree.
 #include "nodes/benchmark/unbalanced_tree.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ double mean_children(const TreeParameters& tree, std::uint32_t depth) {
   return 0;
 }
 
-// The inverse of the geometric distribution function of the given mean.
+// Inverse of the geometric distribution function of the given mean.
 std::uint32_t geometric_children(double mean, double random) {
   if (mean <= 0) return 0;
   const double p = 1.0 / (1.0 + mean);

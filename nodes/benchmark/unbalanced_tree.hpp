@@ -1,11 +1,12 @@
-// The trees of the Unbalanced Tree Search benchmark (S. Olivier, J. Huan, J. Liu, J. Prins, J.
-// Dinan, P. Sadayappan, C.-W. Tseng: UTS: An Unbalanced Tree Search Benchmark, LCPC 2006).
+// UnbalancedTree: the trees of the Unbalanced Tree Search benchmark (S. Olivier, J. Huan, J. Liu,
+// J. Prins, J. Dinan, P. Sadayappan, C.-W. Tseng: UTS: An Unbalanced Tree Search Benchmark, LCPC
+// 2006).
 //
 // A node is a 160-bit state. The state of child i is the SHA-1 digest of its parent's state and i,
-// and a random number drawn from a node's state says how many children it has. So the tree is known
-// to nobody before it is searched, it is the same for everybody, and its subtrees differ in size as
-// much as chance can make them: the hardest thing to share fairly. Nothing is searched for; the
-// nodes, the leaves and the depth, which are published, tell whether a search saw them all.
+// and a random number derived from a node's state determines the number of its children. The tree
+// is thus unknown before the search, reproducible, and its subtrees have very different sizes,
+// which makes load balancing hard. There are no solutions; the published numbers of nodes and
+// leaves and the depth verify that a search is complete.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +18,22 @@
 
 namespace kusabi::benchmark {
 
-/// How the number of children depends on a node.
+/// Distribution of the number of children.
 enum class TreeType {
   binomial,   ///< m children with probability q, else none; the root has b
-  geometric,  ///< geometrically distributed, with a mean that depends on the depth: see TreeShape
-  hybrid,     ///< geometric above half of the depth d, binomial from there on
+  geometric,  ///< geometric, with a mean that depends on the depth: see TreeShape
+  hybrid,     ///< geometric above half of the depth d, binomial below
 };
 
-/// The mean number of children at a depth h > 0 of a geometric tree; at the root it is b.
+/// Mean number of children at a depth h > 0 of a geometric tree; at the root it is b.
 enum class TreeShape {
   linear,       ///< b (1 - h/d)
   exponential,  ///< b h^(-log b / log d), which is 1 at depth d
   cyclic,       ///< b^sin(2 pi h / d), and 0 below depth 5 d
-  fixed,        ///< b above depth d, 0 from there on
+  fixed,        ///< b above depth d, 0 below
 };
 
-/// What defines a tree, with the letters of the benchmark's options.
+/// Parameters of a tree, with the letters of the benchmark's options.
 struct TreeParameters {
   TreeType type = TreeType::geometric;  ///< -t
   TreeShape shape = TreeShape::linear;  ///< -a, of a geometric or hybrid tree
@@ -43,7 +44,7 @@ struct TreeParameters {
   std::uint32_t seed = 0;               ///< -r
 };
 
-/// What there is to know about a tree.
+/// Counts of a tree.
 struct TreeCounts {
   std::uint64_t nodes = 0;
   std::uint64_t leaves = 0;  ///< nodes without children
@@ -51,7 +52,7 @@ struct TreeCounts {
 
   friend bool operator==(const TreeCounts&, const TreeCounts&) = default;
 
-  /// Adds what was counted in another part of the same tree.
+  /// Adds the counts of another part of the same tree.
   TreeCounts& operator+=(const TreeCounts& other) {
     nodes += other.nodes;
     leaves += other.leaves;
@@ -65,7 +66,7 @@ struct TreeCounts {
   }
 };
 
-/// The problem type that engine::search searches.
+/// The tree as a problem of engine::search.
 class UnbalancedTree {
  public:
   struct Node {
@@ -78,7 +79,7 @@ class UnbalancedTree {
     }
   };
 
-  /// Never reported.
+  /// There are no solutions.
   struct Solution {
     template <class Archive>
     void serialize(Archive& /*archive*/, unsigned /*version*/) {}
@@ -86,7 +87,7 @@ class UnbalancedTree {
 
   using Tally = TreeCounts;
 
-  /// @param work how often a child's state is computed; above 1 it only makes nodes more expensive
+  /// @param work number of times that a child's state is computed; above 1 nodes cost more
   explicit UnbalancedTree(const TreeParameters& parameters, unsigned work = 1)
       : parameters_(parameters), work_(work) {}
 
@@ -94,10 +95,10 @@ class UnbalancedTree {
     return {support::sha1(std::array<std::uint32_t, 5>{0, 0, 0, 0, parameters_.seed}), 0};
   }
 
-  /// How many children a node has; at most 100, but for the root of a binomial tree.
+  /// Number of children of a node; at most 100, except at the root of a binomial tree.
   [[nodiscard]] std::uint32_t children(const Node& node) const;
 
-  /// Child number `number` of a node, the first being 0.
+  /// Child number `number` of a node, from 0.
   [[nodiscard]] Node child(const Node& parent, std::uint32_t number) const {
     const auto& s = parent.state;
     const std::array<std::uint32_t, 6> message{s[0], s[1], s[2], s[3], s[4], number};
@@ -114,7 +115,7 @@ class UnbalancedTree {
     for (std::uint32_t number = 0; number < count; ++number) out.branch(child(node, number));
   }
 
-  /// What this object has expanded.
+  /// Counts of the nodes expanded by this object.
   [[nodiscard]] Tally tally() const { return seen_; }
 
  private:

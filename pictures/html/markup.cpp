@@ -1,4 +1,4 @@
-// What XML escapes, HTML does.
+// HTML elements and escaped text; HTML escapes the same characters as XML.
 #include "pictures/html/markup.hpp"
 
 #include <iterator>
@@ -23,7 +23,7 @@ Markup& Markup::open(std::string_view tag, Attributes attributes) {
 }
 
 Markup& Markup::close() {
-  // A line's end is a space to who reads: none within a line of numbers.
+  // Line breaks separate elements, except within an element that contains numbers.
   const bool within_words = open_.back() == "data";
   fmt::format_to(std::back_inserter(text_), "</{}>{}", open_.back(), within_words ? "" : "\n");
   open_.pop_back();

@@ -1,5 +1,4 @@
-// HTML, element by element: whatever is put into it comes out as text, and what is opened is
-// closed in order.
+// Markup: HTML element by element. Content is escaped, and elements are closed in order.
 #pragma once
 
 #include <initializer_list>
@@ -18,14 +17,14 @@ class Markup {
   using Attributes = std::initializer_list<Attribute>;
 
   Markup& open(std::string_view tag, Attributes attributes = {});
-  /// The innermost element that is open. @pre there is one
+  /// Closes the innermost open element. @pre an element is open
   Markup& close();
-  /// An element with nothing but a text.
+  /// An element with text only.
   Markup& element(std::string_view tag, std::string_view text, Attributes attributes = {});
-  /// One that has no end: meta, input.
+  /// An element without an end tag: meta, input.
   Markup& single(std::string_view tag, Attributes attributes);
   Markup& words(std::string_view text);
-  /// What is markup already, or the contents of style and script.
+  /// Adds markup, or the content of style and script, unescaped.
   Markup& verbatim(std::string_view markup);
 
   [[nodiscard]] const std::string& text() const { return text_; }

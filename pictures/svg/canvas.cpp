@@ -1,4 +1,4 @@
-// Hundredths of a pixel are more than anybody sees.
+// SVG elements with coordinates rounded to hundredths of a pixel.
 #include "pictures/svg/canvas.hpp"
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 namespace kusabi::pictures {
 namespace {
 
-std::string coordinates(const std::vector<Point>& points) {
+std::string coordinates(const std::vector<PixelPoint>& points) {
   std::string text;
-  for (const Point& point : points)
+  for (const PixelPoint& point : points)
     fmt::format_to(std::back_inserter(text), "{:.2f},{:.2f} ", point.x(), point.y());
   if (!text.empty()) text.pop_back();
   return text;
@@ -21,48 +21,49 @@ std::string coordinates(const std::vector<Point>& points) {
 
 }  // namespace
 
-void Canvas::line(std::string_view kind, const Point& from, const Point& to) {
+void Canvas::line(std::string_view kind, const PixelPoint& from, const PixelPoint& to) {
   fmt::format_to(std::back_inserter(text_),
                  "<line class=\"{}\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>\n",
                  kind, from.x(), from.y(), to.x(), to.y());
 }
 
-void Canvas::polyline(std::string_view kind, const std::vector<Point>& points) {
+void Canvas::polyline(std::string_view kind, const std::vector<PixelPoint>& points) {
   fmt::format_to(std::back_inserter(text_), "<polyline class=\"{}\" points=\"{}\"/>\n", kind,
                  coordinates(points));
 }
 
-void Canvas::polygon(std::string_view kind, const std::vector<Point>& points) {
+void Canvas::polygon(std::string_view kind, const std::vector<PixelPoint>& points) {
   fmt::format_to(std::back_inserter(text_), "<polygon class=\"{}\" points=\"{}\"/>\n", kind,
                  coordinates(points));
 }
 
-void Canvas::circle(std::string_view kind, const Point& centre, double radius) {
+void Canvas::circle(std::string_view kind, const PixelPoint& centre, double radius) {
   fmt::format_to(std::back_inserter(text_),
                  "<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n", kind,
                  centre.x(), centre.y(), radius);
 }
 
-void Canvas::rectangle(std::string_view kind, const Point& corner, const Point& size) {
+void Canvas::rectangle(std::string_view kind, const PixelPoint& corner, const PixelPoint& size) {
   fmt::format_to(
       std::back_inserter(text_),
       "<rect class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n", kind,
       corner.x(), corner.y(), size.x(), size.y());
 }
 
-void Canvas::arrow(std::string_view kind, const Point& from, const Point& to, double head) {
-  const Point way = to - from;
+void Canvas::arrow(std::string_view kind, const PixelPoint& from, const PixelPoint& to,
+                   double head) {
+  const PixelPoint way = to - from;
   const double length = way.norm();
   if (!(length > 0)) return;
   const double size = std::min(head, length / 3);
-  const Point along = way / length;
-  const Point across(-along.y(), along.x());
-  const Point neck = to - size * along;
+  const PixelPoint along = way / length;
+  const PixelPoint across(-along.y(), along.x());
+  const PixelPoint neck = to - size * along;
   line(kind, from, neck);
   polygon(kind, {to, neck + 0.42 * size * across, neck - 0.42 * size * across});
 }
 
-void Canvas::words(std::string_view kind, const Point& at, std::string_view anchor,
+void Canvas::words(std::string_view kind, const PixelPoint& at, std::string_view anchor,
                    std::string_view text) {
   fmt::format_to(std::back_inserter(text_),
                  "<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n",

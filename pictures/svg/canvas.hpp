@@ -1,4 +1,4 @@
-// Lines, areas and words of an SVG image. How they look is told by classes (svg/style.hpp).
+// Canvas: lines, areas and text of an SVG image. Classes determine the style (svg/style.hpp).
 #pragma once
 
 #include <string>
@@ -9,21 +9,22 @@
 
 namespace kusabi::pictures {
 
-using Point = Eigen::Vector2d;  ///< in pixels, y downwards
+using PixelPoint = Eigen::Vector2d;  ///< pixels, y downwards
 
 class Canvas {
  public:
-  void line(std::string_view kind, const Point& from, const Point& to);
-  void polyline(std::string_view kind, const std::vector<Point>& points);
-  void polygon(std::string_view kind, const std::vector<Point>& points);
-  void circle(std::string_view kind, const Point& centre, double radius);
-  void rectangle(std::string_view kind, const Point& corner, const Point& size);
-  /// A line with a head at its end, no longer than a third of it; nothing if it has no length.
-  void arrow(std::string_view kind, const Point& from, const Point& to, double head);
+  void line(std::string_view kind, const PixelPoint& from, const PixelPoint& to);
+  void polyline(std::string_view kind, const std::vector<PixelPoint>& points);
+  void polygon(std::string_view kind, const std::vector<PixelPoint>& points);
+  void circle(std::string_view kind, const PixelPoint& centre, double radius);
+  void rectangle(std::string_view kind, const PixelPoint& corner, const PixelPoint& size);
+  /// A line with a head at its end, no longer than a third of the line; nothing if the line has no
+  /// length.
+  void arrow(std::string_view kind, const PixelPoint& from, const PixelPoint& to, double head);
   /// @param anchor "start", "middle" or "end"
-  void words(std::string_view kind, const Point& at, std::string_view anchor,
+  void words(std::string_view kind, const PixelPoint& at, std::string_view anchor,
              std::string_view text);
-  /// What is drawn until `end_group` has a class in common, and a title that browsers show.
+  /// Begins a group with a common class, and a title that browsers show; `end_group` ends it.
   void begin_group(std::string_view kind, std::string_view title = {});
   void end_group();
 

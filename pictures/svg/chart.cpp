@@ -1,4 +1,4 @@
-// From the top: title, lines, axes with what is drawn between them, legend.
+// Chart layout from the top: title, lines, axes and curves, legend.
 #include "pictures/svg/chart.hpp"
 
 #include <algorithm>
@@ -21,13 +21,13 @@ constexpr double chart_width = 960;
 constexpr double inline_width = 640;
 constexpr double chart_margin = 36;
 constexpr double left_of_plot = 84;
-constexpr double plot_shape = 380 / chart_width;  ///< its height, relative to all of the width
+constexpr double plot_shape = 380 / chart_width;  ///< height, relative to the whole width
 constexpr double row = 20;
 
-/// Of the numbers along an axis: what is nearer to each other is one place.
+/// Minimum span of an axis; closer numbers are drawn as one.
 constexpr double least_span = 1e-9;
 
-/// The numbers along an axis: multiples of 1, 2 or 5 times a power of ten.
+/// Ticks of an axis: multiples of 1, 2 or 5 times a power of ten.
 struct Axis {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
@@ -38,7 +38,7 @@ struct Axis {
     most = std::max(most, value);
   }
 
-  /// @param about how many steps @param smallest no step is smaller
+  /// @param about approximate number of steps @param smallest minimum step
   void settle(int about, double smallest) {
     const double size = std::max(std::abs(least), std::abs(most));
     if (!(most - least > least_span * size))
@@ -53,7 +53,7 @@ struct Axis {
   }
 
   [[nodiscard]] int count() const { return static_cast<int>(std::lround((most - least) / step)); }
-  /// With the digits of the step, so that no rounding shows.
+  /// Number with the digits of the step, so that rounding is not visible.
   [[nodiscard]] std::string text(int number) const {
     const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step))));
     const double value = least + number * step;
@@ -64,7 +64,7 @@ struct Axis {
 
 class Plot {
  public:
-  Plot(const Chart& chart, const Point& corner, const Point& size)
+  Plot(const Chart& chart, const PixelPoint& corner, const PixelPoint& size)
       : chart_(chart), corner_(corner), size_(size) {
     for (const auto& series : chart.series) {
       for (const auto& point : series.line) take(point.x(), point.y());
@@ -86,31 +86,31 @@ class Plot {
     y_.take(y);
   }
 
-  [[nodiscard]] Point place(double x, double y) const {
-    return corner_ + Point(size_.x() * x_.share(x), size_.y() * (1 - y_.share(y)));
+  [[nodiscard]] PixelPoint place(double x, double y) const {
+    return corner_ + PixelPoint(size_.x() * x_.share(x), size_.y() * (1 - y_.share(y)));
   }
 
   void draw_axes(Canvas& canvas) const {
-    const Point bottom = corner_ + Point(0, size_.y());
+    const PixelPoint bottom = corner_ + PixelPoint(0, size_.y());
     for (int i = 0; i <= x_.count(); ++i) {
-      const Point at = bottom + Point(size_.x() * i / x_.count(), 0);
-      canvas.line("grid", at, at - Point(0, size_.y()));
-      canvas.words("line", at + Point(0, row), "middle", x_.text(i));
+      const PixelPoint at = bottom + PixelPoint(size_.x() * i / x_.count(), 0);
+      canvas.line("grid", at, at - PixelPoint(0, size_.y()));
+      canvas.words("line", at + PixelPoint(0, row), "middle", x_.text(i));
     }
     for (int i = 0; i <= y_.count(); ++i) {
-      const Point at = bottom - Point(0, size_.y() * i / y_.count());
-      canvas.line("grid", at, at + Point(size_.x(), 0));
-      canvas.words("line", at + Point(-9, 4.5), "end", y_.text(i));
+      const PixelPoint at = bottom - PixelPoint(0, size_.y() * i / y_.count());
+      canvas.line("grid", at, at + PixelPoint(size_.x(), 0));
+      canvas.words("line", at + PixelPoint(-9, 4.5), "end", y_.text(i));
     }
-    canvas.line("frame", bottom, bottom + Point(size_.x(), 0));
+    canvas.line("frame", bottom, bottom + PixelPoint(size_.x(), 0));
     canvas.line("frame", bottom, corner_);
-    canvas.words("word", bottom + Point(size_.x() / 2, 2.3 * row), "middle", chart_.x_name);
-    canvas.words("word", corner_ + Point(-chart_margin, -14), "start", chart_.y_name);
+    canvas.words("word", bottom + PixelPoint(size_.x() / 2, 2.3 * row), "middle", chart_.x_name);
+    canvas.words("word", corner_ + PixelPoint(-chart_margin, -14), "start", chart_.y_name);
   }
 
   void draw_series(Canvas& canvas, std::size_t number) const {
     const auto& series = chart_.series[number];
-    std::vector<Point> line;
+    std::vector<PixelPoint> line;
     for (const auto& point : series.line) line.push_back(place(point.x(), point.y()));
     if (!line.empty())
       canvas.polyline(fmt::format("curve s{}{}", number % 4, series.dashed ? " dashed" : ""), line);
@@ -122,29 +122,29 @@ class Plot {
   }
 
   const Chart& chart_;
-  Point corner_, size_;
+  PixelPoint corner_, size_;
   Axis x_, y_;
 };
 
-/// A row a series. @return how far down it reaches
+/// One row per series. @return y of the lower edge
 double draw_chart_legend(Canvas& canvas, const Chart& chart, double y) {
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const auto& series = chart.series[i];
-    const Point left(chart_margin, y);
+    const PixelPoint left(chart_margin, y);
     if (!series.line.empty())
       canvas.polyline(fmt::format("curve s{}{}", i % 4, series.dashed ? " dashed" : ""),
-                      {left, left + Point(30, 0)});
+                      {left, left + PixelPoint(30, 0)});
     if (!series.marks.empty())
-      canvas.circle(fmt::format("mark s{}", i % 4), left + Point(15, 0), 4);
-    canvas.words("word", left + Point(40, 4.5), "start", series.name);
+      canvas.circle(fmt::format("mark s{}", i % 4), left + PixelPoint(15, 0), 4);
+    canvas.words("word", left + PixelPoint(40, 4.5), "start", series.name);
     y += row + 4;
   }
   return y;
 }
 
-/// Axes, curves and legend. @return how far down they reach
+/// Axes, curves and legend. @return y of the lower edge
 double draw_chart(Canvas& canvas, const Chart& chart, double top, double across) {
-  const Point size(across - left_of_plot - chart_margin, plot_shape * across);
+  const PixelPoint size(across - left_of_plot - chart_margin, plot_shape * across);
   Plot(chart, {left_of_plot, top}, size).draw(canvas);
   return draw_chart_legend(canvas, chart, top + size.y() + 3.8 * row);
 }

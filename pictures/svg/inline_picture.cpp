@@ -1,4 +1,4 @@
-// Like a card of a sheet, or a picture in detail.
+// Inline pictures: a card of a sheet, or a picture in detail.
 #include "pictures/svg/inline_picture.hpp"
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 
 namespace kusabi::pictures {
 
-std::string svg_element(const InlinePicture& picture, const Point& size, const Canvas& canvas) {
+std::string svg_element(const InlinePicture& picture, const PixelPoint& size,
+                        const Canvas& canvas) {
   return fmt::format(
       "<svg id=\"{0}\" class=\"picture\" viewBox=\"0 0 {1:g} {2:g}\" width=\"{1:g}\" "
       "height=\"{2:g}\" role=\"img\" aria-labelledby=\"{0}-title {0}-desc\">\n"

@@ -1,4 +1,5 @@
-// A scene as a part of a page of HTML: no title, lines or legend of its own, and one style for all.
+// InlinePicture: a scene as a part of an HTML page, without title, lines and legend of its own; one
+// style applies to all.
 #pragma once
 
 #include <string>
@@ -11,23 +12,23 @@
 namespace kusabi::pictures {
 
 struct InlinePicture {
-  std::string id;           ///< of the element; no other on the page begins with it and a dash
-  std::string title;        ///< its name for those who do not see it
-  std::string description;  ///< what is to be seen, in a sentence
-  bool large = false;       ///< with names and hatches
+  std::string id;           ///< of the element; no other id on the page begins with it and a dash
+  std::string title;        ///< name for readers who cannot see the picture
+  std::string description;  ///< text alternative, in a sentence
+  bool large = false;       ///< true: with names and hatches
 };
 
 /// An svg element of the class "picture".
 std::string inline_svg(const InlinePicture& picture, const Scene& scene);
 
-/// What the marks mean of all the scenes, likewise. @pre at least one
+/// Legend of all scenes, as such an element. @pre at least one
 std::string inline_legend(const InlinePicture& picture, const std::vector<Scene>& scenes);
 
-/// What has been drawn, as such an element. @param size in pixels
-std::string svg_element(const InlinePicture& picture, const Point& size, const Canvas& canvas);
+/// Content of a canvas, as such an element. @param size in pixels
+std::string svg_element(const InlinePicture& picture, const PixelPoint& size, const Canvas& canvas);
 
-/// The style of svg/style.hpp, charts included, for `svg.picture` alone, so that a page may use its
-/// class names.
+/// The style of svg/style.hpp, charts included, restricted to `svg.picture`, so that a page may use
+/// the same class names.
 std::string inline_style();
 
 }  // namespace kusabi::pictures

@@ -1,4 +1,4 @@
-// One list of marks: who has them, what they look like, what is said of them.
+// Legend: one list of marks with their condition, sample and text.
 #include "pictures/svg/legend.hpp"
 
 #include <algorithm>
@@ -13,83 +13,84 @@
 namespace kusabi::pictures {
 namespace {
 
-using Sample = std::function<void(Canvas&, const Point&)>;
+using LegendSample = std::function<void(Canvas&, const PixelPoint&)>;
 
 constexpr double half_sample = 13;
 
-Sample line_of(const char* group, const char* kind) {
-  return [=](Canvas& canvas, const Point& middle) {
+LegendSample line_of(const char* group, const char* kind) {
+  return [=](Canvas& canvas, const PixelPoint& middle) {
     canvas.begin_group(group);
-    canvas.line(kind, middle - Point(half_sample, 0), middle + Point(half_sample, 0));
+    canvas.line(kind, middle - PixelPoint(half_sample, 0), middle + PixelPoint(half_sample, 0));
     canvas.end_group();
   };
 }
 
-Sample area_of(const char* group) {
-  return [=](Canvas& canvas, const Point& middle) {
+LegendSample area_of(const char* group) {
+  return [=](Canvas& canvas, const PixelPoint& middle) {
     canvas.begin_group(group);
-    canvas.rectangle("face", middle - Point(half_sample, 6), Point(2 * half_sample, 12));
+    canvas.rectangle("face", middle - PixelPoint(half_sample, 6), PixelPoint(2 * half_sample, 12));
     canvas.end_group();
   };
 }
 
-Sample arrow_of(const char* kind) {
-  return [=](Canvas& canvas, const Point& middle) {
-    canvas.arrow(kind, middle - Point(half_sample, 0), middle + Point(half_sample, 0), 9);
+LegendSample arrow_of(const char* kind) {
+  return [=](Canvas& canvas, const PixelPoint& middle) {
+    canvas.arrow(kind, middle - PixelPoint(half_sample, 0), middle + PixelPoint(half_sample, 0), 9);
   };
 }
 
-Sample mark_of(const char* kind) {
-  return [=](Canvas& canvas, const Point& middle) { canvas.circle(kind, middle, 4.5); };
+LegendSample mark_of(const char* kind) {
+  return [=](Canvas& canvas, const PixelPoint& middle) { canvas.circle(kind, middle, 4.5); };
 }
 
-void cone_sample(Canvas& canvas, const Point& middle) {
+void cone_sample(Canvas& canvas, const PixelPoint& middle) {
   canvas.begin_group("cone");
-  canvas.polygon("cone", {middle - Point(half_sample, 0), middle + Point(half_sample, -7),
-                          middle + Point(half_sample, 7)});
+  canvas.polygon("cone", {middle - PixelPoint(half_sample, 0), middle + PixelPoint(half_sample, -7),
+                          middle + PixelPoint(half_sample, 7)});
   canvas.end_group();
 }
 
-void support_sample(Canvas& canvas, const Point& middle) {
+void support_sample(Canvas& canvas, const PixelPoint& middle) {
   canvas.begin_group("support");
-  canvas.polygon("held", {middle - Point(0, 5), middle + Point(6, 5), middle + Point(-6, 5)});
+  canvas.polygon(
+      "held", {middle - PixelPoint(0, 5), middle + PixelPoint(6, 5), middle + PixelPoint(-6, 5)});
   canvas.end_group();
 }
 
-void inclined_sample(Canvas& canvas, const Point& middle) {
-  const Point back(std::sin(0.5), std::cos(0.5));
+void inclined_sample(Canvas& canvas, const PixelPoint& middle) {
+  const PixelPoint back(std::sin(0.5), std::cos(0.5));
   canvas.begin_group("support");
   draw_roller(canvas, middle - 6 * back, back, 9);
   canvas.end_group();
 }
 
-void spring_sample(Canvas& canvas, const Point& middle) {
+void spring_sample(Canvas& canvas, const PixelPoint& middle) {
   canvas.begin_group("support");
-  draw_spring(canvas, middle - Point(half_sample, 0), Point(1, 0), 2 * half_sample);
+  draw_spring(canvas, middle - PixelPoint(half_sample, 0), PixelPoint(1, 0), 2 * half_sample);
   canvas.end_group();
 }
 
-void obstacle_sample(Canvas& canvas, const Point& middle) {
+void obstacle_sample(Canvas& canvas, const PixelPoint& middle) {
   canvas.begin_group("obstacle");
-  canvas.line("surface", middle - Point(half_sample, 3), middle + Point(half_sample, -3));
+  canvas.line("surface", middle - PixelPoint(half_sample, 3), middle + PixelPoint(half_sample, -3));
   for (double x = -half_sample; x < half_sample; x += 6)
-    canvas.line("hatch", middle + Point(x + 5, -3), middle + Point(x, 5));
+    canvas.line("hatch", middle + PixelPoint(x + 5, -3), middle + PixelPoint(x, 5));
   canvas.end_group();
 }
 
-// The same in space.
-void support_sample_in_space(Canvas& canvas, const Point& middle) {
+// Samples for structures in space.
+void support_sample_in_space(Canvas& canvas, const PixelPoint& middle) {
   canvas.begin_group("support");
-  canvas.rectangle("held", middle - Point(5, 5), Point(10, 10));
+  canvas.rectangle("held", middle - PixelPoint(5, 5), PixelPoint(10, 10));
   canvas.end_group();
 }
 
-void obstacle_sample_in_space(Canvas& canvas, const Point& middle) {
+void obstacle_sample_in_space(Canvas& canvas, const PixelPoint& middle) {
   constexpr int points_of_ellipse = 24;
-  std::vector<Point> ellipse;
+  std::vector<PixelPoint> ellipse;
   for (int i = 0; i < points_of_ellipse; ++i) {
     const double turn = 2 * std::numbers::pi * i / points_of_ellipse;
-    ellipse.emplace_back(middle + Point(12 * std::cos(turn), 5 * std::sin(turn)));
+    ellipse.emplace_back(middle + PixelPoint(12 * std::cos(turn), 5 * std::sin(turn)));
   }
   canvas.begin_group("obstacle");
   canvas.polygon("disc", ellipse);
@@ -100,7 +101,7 @@ long count_of(const Scene& scene, ContactState state) {
   return std::ranges::count(scene.candidates, state, &DrawnCandidate::state);
 }
 
-long count_of(const Scene& scene, Yield yield) {
+long count_of(const Scene& scene, BarYield yield) {
   return std::ranges::count(scene.bars, yield, &DrawnBar::yield);
 }
 
@@ -108,7 +109,7 @@ bool has(const Scene& scene, DrawnLoad::Kind kind) {
   return std::ranges::count(scene.loads, kind, &DrawnLoad::kind) > 0;
 }
 
-// "mu 0.65", or from the least to the largest of those in contact.
+// "mu 0.65", or the range of mu over the candidates in contact.
 std::string friction_text(const Scene& scene) {
   double least = HUGE_VAL;
   double most = 0;
@@ -141,7 +142,7 @@ void add_obstacle(std::vector<LegendEntry>& entries, const Scene& scene) {
 }
 
 void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const Scales& scales,
-                   const Units& units) {
+                   const UnitNames& units) {
   const bool bodies = !scene.faces.empty();
   const bool moves = scales.displacement > 0;
   const char* const kind = moves ? "rest" : "rest still";
@@ -154,10 +155,10 @@ void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const 
                                      scales.largest_displacement, units.length);
     entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"), text});
   }
-  if (const auto count = count_of(scene, Yield::tension); count > 0)
+  if (const auto count = count_of(scene, BarYield::tension); count > 0)
     entries.push_back(
         {line_of("moved", "bar tension"), fmt::format("yields in tension ({})", count)});
-  if (const auto count = count_of(scene, Yield::compression); count > 0) {
+  if (const auto count = count_of(scene, BarYield::compression); count > 0) {
     entries.push_back(
         {line_of("moved", "bar compression"), fmt::format("yields in compression ({})", count)});
   }
@@ -165,7 +166,7 @@ void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const 
 }
 
 void add_contact(std::vector<LegendEntry>& entries, const Scene& scene, const Scales& scales,
-                 const Units& units) {
+                 const UnitNames& units) {
   add_obstacle(entries, scene);
   const auto add_count = [&](ContactState state, const char* kind, const char* text) {
     if (const auto count = count_of(scene, state); count > 0)
@@ -184,7 +185,7 @@ void add_contact(std::vector<LegendEntry>& entries, const Scene& scene, const Sc
 
 }  // namespace
 
-std::vector<LegendEntry> legend(const Scene& scene, const Units& units) {
+std::vector<LegendEntry> legend(const Scene& scene, const UnitNames& units) {
   const auto scales = scales_of(scene);
   std::vector<LegendEntry> entries;
   add_structure(entries, scene, scales, units);
@@ -214,9 +215,9 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
     entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"),
                        "moved, each by a factor of its own"});
   }
-  if (any([](const Scene& its) { return count_of(its, Yield::tension) > 0; }))
+  if (any([](const Scene& its) { return count_of(its, BarYield::tension) > 0; }))
     entries.push_back({line_of("moved", "bar tension"), "yields in tension"});
-  if (any([](const Scene& its) { return count_of(its, Yield::compression) > 0; }))
+  if (any([](const Scene& its) { return count_of(its, BarYield::compression) > 0; }))
     entries.push_back({line_of("moved", "bar compression"), "yields in compression"});
   add_supports(entries, scenes.front());  // all are of one structure
   add_obstacle(entries, scenes.front());
@@ -243,15 +244,16 @@ double legend_height(const std::vector<LegendEntry>& entries, int columns) {
   return rows * legend_row;
 }
 
-void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, const Point& corner,
+void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, const PixelPoint& corner,
                  double width, int columns) {
   const auto rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
   for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
     const int column = i / rows;
-    const Point place = corner + Point(width / columns * column, legend_row * (i % rows + 0.5));
+    const PixelPoint place =
+        corner + PixelPoint(width / columns * column, legend_row * (i % rows + 0.5));
     const auto& [sample, text] = entries[static_cast<std::size_t>(i)];
-    sample(canvas, place + Point(half_sample + 2, 0));
-    canvas.words("word", place + Point(2 * half_sample + 14, 4.5), "start", text);
+    sample(canvas, place + PixelPoint(half_sample + 2, 0));
+    canvas.words("word", place + PixelPoint(2 * half_sample + 14, 4.5), "start", text);
   }
 }
 

@@ -1,4 +1,4 @@
-// What the marks of a picture mean, and how large what they stand for is.
+// Legend: meaning and scale of the marks of a picture.
 #pragma once
 
 #include <functional>
@@ -11,24 +11,24 @@
 namespace kusabi::pictures {
 
 struct LegendEntry {
-  /// Draws a sample of 30 pixels' width with its middle at a point.
-  std::function<void(Canvas&, const Point&)> sample;
+  /// Draws a sample 30 pixels wide, centred at a point.
+  std::function<void(Canvas&, const PixelPoint&)> sample;
   std::string text;
 };
 
-/// Of one scene, with its numbers.
-std::vector<LegendEntry> legend(const Scene& scene, const Units& units);
+/// Legend of one scene, with its numbers.
+std::vector<LegendEntry> legend(const Scene& scene, const UnitNames& units);
 
-/// Of several on a sheet: all marks that one of them has, without numbers.
+/// Legend of several scenes on a sheet: all marks that occur, without numbers.
 std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes);
 
 inline constexpr double legend_row = 24;  ///< height, pixels
 
-/// How high it is in so many columns.
+/// Height of the legend in a given number of columns.
 double legend_height(const std::vector<LegendEntry>& entries, int columns);
 
-/// Draws it column by column. @param corner top left
-void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, const Point& corner,
+/// Draws the legend column by column. @param corner top left
+void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, const PixelPoint& corner,
                  double width, int columns);
 
 }  // namespace kusabi::pictures

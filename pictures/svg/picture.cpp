@@ -1,4 +1,4 @@
-// From the top: title, lines, what is drawn, legend.
+// Picture layout from the top: title, lines, scenes, legend.
 #include "pictures/svg/picture.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void write(std::ostream& out, const std::string& title, double height, const Can
              width, height, xml_text(title), style, canvas.text());
 }
 
-// @return how far down they reach
+// @return y of the lower edge
 double draw_head(Canvas& canvas, const std::string& title, const std::vector<std::string>& lines) {
   double y = margin + 10;
   canvas.words("title", {margin, y}, "start", title);
@@ -43,7 +43,7 @@ double draw_head(Canvas& canvas, const std::string& title, const std::vector<std
   return y;
 }
 
-// A rule and the legend below it. @return the height of the paper
+// Draws a rule and the legend below it. @return height of the paper
 double draw_foot(Canvas& canvas, const std::vector<LegendEntry>& entries, double y, int columns) {
   canvas.line("rule", {margin, y}, {width - margin, y});
   draw_legend(canvas, entries, {margin, y + 12}, width - 2 * margin, columns);
@@ -53,7 +53,7 @@ double draw_foot(Canvas& canvas, const std::vector<LegendEntry>& entries, double
 struct SheetLayout {
   int columns;
   int rows;
-  Point card;  // size, with its caption
+  PixelPoint card;  // size, with its caption
 
   SheetLayout(std::size_t count, double shape) {
     constexpr int most_columns = 5;
@@ -61,22 +61,23 @@ struct SheetLayout {
                          1, std::min(most_columns, std::max(2, static_cast<int>(count))));
     rows = (static_cast<int>(count) + columns - 1) / columns;
     const double across = (width - 2 * margin + gap) / columns - gap;
-    card = Point(across, std::clamp(across * shape, 0.45 * across, 1.25 * across) + caption);
+    card = PixelPoint(across, std::clamp(across * shape, 0.45 * across, 1.25 * across) + caption);
   }
 
   static constexpr double gap = 12;
   static constexpr double caption = 26;
 };
 
-void draw_card(Canvas& canvas, const Scene& scene, const Point& corner, const Point& size) {
+void draw_card(Canvas& canvas, const Scene& scene, const PixelPoint& corner,
+               const PixelPoint& size) {
   canvas.begin_group("small", scene.name + (scene.note.empty() ? "" : ": " + scene.note));
   canvas.rectangle("card", corner, size);
-  canvas.words("caption", corner + Point(9, 18), "start", scene.name);
-  canvas.words("note", corner + Point(size.x() - 9, 18), "end", scene.note);
+  canvas.words("caption", corner + PixelPoint(9, 18), "start", scene.name);
+  canvas.words("note", corner + PixelPoint(size.x() - 9, 18), "end", scene.note);
   constexpr double inner = 16;
   draw_scene(canvas, scene,
-             {corner + Point(inner, SheetLayout::caption + inner / 2),
-              size - Point(2 * inner, SheetLayout::caption + 1.5 * inner)},
+             {corner + PixelPoint(inner, SheetLayout::caption + inner / 2),
+              size - PixelPoint(2 * inner, SheetLayout::caption + 1.5 * inner)},
              small_detail);
   canvas.end_group();
 }
@@ -112,9 +113,9 @@ void write_sheet(std::ostream& out, const Picture& picture, const std::vector<Sc
   for (std::size_t i = 0; i < count; ++i) {
     const auto row = static_cast<int>(i) / layout.columns;
     const auto column = static_cast<int>(i) % layout.columns;
-    const Point step = layout.card + Point(SheetLayout::gap, SheetLayout::gap);
-    draw_card(canvas, scenes[i], Point(margin, top) + Point(column * step.x(), row * step.y()),
-              layout.card);
+    const PixelPoint step = layout.card + PixelPoint(SheetLayout::gap, SheetLayout::gap);
+    draw_card(canvas, scenes[i],
+              PixelPoint(margin, top) + PixelPoint(column * step.x(), row * step.y()), layout.card);
   }
   const double bottom = top + layout.rows * (layout.card.y() + SheetLayout::gap) + 6;
   write(out, picture.title, draw_foot(canvas, common_legend(scenes), bottom, 3), canvas);

@@ -1,5 +1,4 @@
-// The paper that scenes are drawn on: one alone, or many small ones on a sheet, with a title and a
-// legend.
+// Picture: one scene, or a sheet of many small scenes, with a title and a legend.
 #pragma once
 
 #include <iosfwd>
@@ -10,19 +9,19 @@
 
 namespace kusabi::pictures {
 
-/// A sheet has no more scenes than that.
+/// Maximum number of scenes on a sheet.
 inline constexpr std::size_t most_on_a_sheet = 60;
 
 struct Picture {
   std::string title;
-  std::vector<std::string> lines;  ///< below it
-  Units units;
+  std::vector<std::string> lines;  ///< below the title
+  UnitNames units;
 };
 
-/// A scene in all detail; its name follows the title, its lines follow those of the picture.
+/// Draws a scene in all detail; its name follows the title, its lines follow those of the picture.
 void write_svg(std::ostream& out, const Picture& picture, const Scene& scene);
 
-/// The first of the scenes, up to `most_on_a_sheet`, small, each with its name and its note.
+/// Draws the first scenes, up to `most_on_a_sheet`, small, each with its name and its note.
 /// @pre at least one
 void write_sheet(std::ostream& out, const Picture& picture, const std::vector<Scene>& scenes);
 

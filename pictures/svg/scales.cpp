@@ -1,4 +1,5 @@
-// What moves most does so by a twelfth of the structure's size; the longest arrow has a sixth.
+// Scales: the largest displacement is drawn as a twelfth of the structure's size, the longest arrow
+// as a sixth.
 #include "pictures/svg/scales.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr double longest_arrow = 0.16;
 constexpr double cone_side = 0.13;
 constexpr int rim_points = 24;
 
-// The next below of 1, 2, 5, 10, ...
+// The nearest of 1, 2, 5, 10, ... below.
 double round_below(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   const double digit = value / power;
@@ -26,7 +27,7 @@ double largest_column(const Eigen::Matrix3Xd& vectors) {
   return vectors.cols() == 0 ? 0 : vectors.colwise().norm().maxCoeff();
 }
 
-// The longest arrow is for the largest load of a kind; 0 if there is none.
+// Scale such that the largest load of a kind has the longest arrow; 0 if there is no load.
 double load_scale(const Scene& scene, DrawnLoad::Kind kind, double size) {
   double largest = 0;
   for (const auto& load : scene.loads) {
@@ -54,8 +55,8 @@ Scales scales_of(const Scene& scene) {
   scales.largest_support_reaction = largest_column(scene.support_reactions);
   const double force = std::max(scales.largest_reaction, scales.largest_support_reaction);
   if (force > 0) scales.force = longest_arrow * scales.size / force;
-  // Each kind in its own: a reference load is multiplied, so its size beside the dead one's says
-  // nothing.
+  // One scale per kind: a reference load is multiplied by a factor, so its magnitude is not
+  // comparable with that of a dead load.
   scales.dead_load = load_scale(scene, DrawnLoad::Kind::dead, scales.size);
   scales.reference_load = load_scale(scene, DrawnLoad::Kind::reference, scales.size);
   scales.cone = cone_side * scales.size;

@@ -1,4 +1,4 @@
-// How large what is no length is drawn: displacements and forces, by the size of the structure.
+// Scales: drawn lengths of displacements and forces, relative to the size of the structure.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,11 @@
 namespace kusabi::pictures {
 
 struct Scales {
-  double size = 1;          ///< of the structure, length
-  double displacement = 0;  ///< drawn per real: 1, 2 or 5 times a power of ten; 0: there is none
-  double force = 0;         ///< length per force, one for all arrows but those of a load
-  double dead_load = 0;     ///< likewise of dead loads
+  double size = 1;  ///< of the structure, length
+  /// drawn length per displacement: 1, 2 or 5 times a power of ten; 0: no displacements
+  double displacement = 0;
+  double force = 0;      ///< length per force, for all arrows except those of loads
+  double dead_load = 0;  ///< length per force of dead loads
   double reference_load = 0;
   double cone = 0;  ///< length of a friction cone's sides
   double largest_displacement = 0;
@@ -23,16 +24,16 @@ struct Scales {
 
 Scales scales_of(const Scene& scene);
 
-/// Of this load's kind: length per force.
+/// Length per force for loads of this kind.
 double scale_of(const DrawnLoad& load, const Scales& scales);
 
-/// All places that something is drawn at.
+/// All positions of drawn objects.
 std::vector<Eigen::Vector3d> extent(const Scene& scene, const Scales& scales);
 
-/// Where a node is drawn when it has moved.
+/// Drawn position of a displaced node.
 Eigen::Vector3d moved(const Scene& scene, const Scales& scales, int node);
 
-/// The friction cone at its node: the apex, and then its rim; in the plane two sides.
+/// Friction cone at its node: the apex, then the rim; in the plane two sides.
 std::vector<Eigen::Vector3d> friction_cone(const Scene& scene, const Scales& scales,
                                            const DrawnCandidate& candidate);
 

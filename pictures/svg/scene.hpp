@@ -1,5 +1,5 @@
-// One answer as it is drawn: a structure, how it moves, what acts on it. Plain data, all vectors
-// with three components in global axes, the third zero in the plane.
+// Scene: one answer as plain data for drawing: structure, displacements, loads and reactions. All
+// vectors have three components in global axes; the third is zero in the plane.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 
 namespace kusabi::pictures {
 
-/// How a bar yields.
-enum class Yield { none, tension, compression };
+/// Yield state of a bar.
+enum class BarYield { none, tension, compression };
 
 struct DrawnBar {
   std::array<int, 2> nodes;
-  Yield yield = Yield::none;
+  BarYield yield = BarYield::none;
 };
 
 struct DrawnSupport {
@@ -25,7 +25,7 @@ struct DrawnSupport {
   std::array<bool, 3> fixed;
 };
 
-/// A support that holds along a direction that is no axis.
+/// A support along a direction that is not an axis.
 struct DrawnInclined {
   int node;
   Eigen::Vector3d direction;  ///< any length but zero
@@ -36,7 +36,7 @@ struct DrawnSpring {
   int axis;  ///< 0, 1 or 2
 };
 
-/// A node that follows others.
+/// A dependent node of a multi-point constraint.
 struct DrawnTie {
   int node;
   std::vector<int> followed;
@@ -45,9 +45,9 @@ struct DrawnTie {
 struct DrawnCandidate {
   int node;
   std::string name;
-  Eigen::Vector3d normal;  ///< out of the obstacle, unit
+  Eigen::Vector3d normal;  ///< out of the obstacle, unit vector
   double friction = 0;     ///< mu_i
-  bool rigid = true;       ///< the obstacle, or else another body
+  bool rigid = true;       ///< true: obstacle; false: another body
   ContactState state = ContactState::none;
   Eigen::Vector3d reaction = Eigen::Vector3d::Zero();  ///< force
 };
@@ -63,7 +63,7 @@ struct Scene {
   int dimension = 2;
   Eigen::Matrix3Xd positions;  ///< of the nodes
   std::vector<DrawnBar> bars;
-  std::vector<std::vector<int>> faces;  ///< of bodies, their nodes going round
+  std::vector<std::vector<int>> faces;  ///< of bodies, with their nodes in cyclic order
   std::vector<DrawnSupport> supports;
   std::vector<DrawnInclined> inclined;
   std::vector<DrawnSpring> springs;
@@ -71,14 +71,14 @@ struct Scene {
   std::vector<DrawnCandidate> candidates;
   std::vector<DrawnLoad> loads;
   Eigen::Matrix3Xd displacements;      ///< of all nodes; no columns: not known
-  Eigen::Matrix3Xd support_reactions;  ///< likewise
-  bool collapse = false;               ///< whether `displacements` are velocities of a collapse
+  Eigen::Matrix3Xd support_reactions;  ///< as displacements
+  bool collapse = false;               ///< true if `displacements` are velocities of a collapse
   std::string name;                    ///< "pattern 3"
-  std::string note;                    ///< a few words beside it: "t* 1.2e-03"
-  std::vector<std::string> lines;      ///< sentences below the title where it is drawn alone
+  std::string note;                    ///< short text beside the name: "t* 1.2e-03"
+  std::vector<std::string> lines;      ///< sentences below the title if the scene is drawn alone
 };
 
-struct Units {
+struct UnitNames {
   std::string length;
   std::string force;
 };

@@ -1,4 +1,4 @@
-// Layer by layer.
+// Drawing of a scene, layer by layer.
 #include "pictures/svg/scene_drawing.hpp"
 
 #include <algorithm>
@@ -10,22 +10,22 @@
 namespace kusabi::pictures {
 namespace {
 
-/// More names than that would lie on each other.
+/// Maximum number of names; more would overlap.
 constexpr std::size_t most_names = 32;
 
-double turn(const Point& o, const Point& a, const Point& b) {
+double turn(const PixelPoint& o, const PixelPoint& a, const PixelPoint& b) {
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
 }
 
-// The convex hull, by the monotone chain of Andrew.
-std::vector<Point> hull(std::vector<Point> points) {
-  std::ranges::sort(points, [](const Point& a, const Point& b) {
+// Convex hull by Andrew's monotone chain.
+std::vector<PixelPoint> hull(std::vector<PixelPoint> points) {
+  std::ranges::sort(points, [](const PixelPoint& a, const PixelPoint& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });
-  std::vector<Point> chain;
+  std::vector<PixelPoint> chain;
   for (int half = 0; half < 2; ++half) {
     const std::size_t start = chain.size();
-    for (const Point& point : points) {
+    for (const PixelPoint& point : points) {
       while (chain.size() >= start + 2 && turn(chain[chain.size() - 2], chain.back(), point) <= 0)
         chain.pop_back();
       chain.push_back(point);
@@ -38,7 +38,7 @@ std::vector<Point> hull(std::vector<Point> points) {
 
 class SceneDrawing {
  public:
-  SceneDrawing(Canvas& canvas, const Scene& scene, const Frame& frame, const Detail& detail)
+  SceneDrawing(Canvas& canvas, const Scene& scene, const PixelFrame& frame, const Detail& detail)
       : canvas_(canvas),
         scene_(scene),
         detail_(detail),
@@ -57,18 +57,18 @@ class SceneDrawing {
   }
 
  private:
-  [[nodiscard]] Point at(int node) const { return view_(scene_.positions.col(node)); }
-  [[nodiscard]] Point moved_at(int node) const { return view_(moved(scene_, scales_, node)); }
+  [[nodiscard]] PixelPoint at(int node) const { return view_(scene_.positions.col(node)); }
+  [[nodiscard]] PixelPoint moved_at(int node) const { return view_(moved(scene_, scales_, node)); }
 
   template <class Place>
-  static std::vector<Point> outline(const std::vector<int>& nodes, const Place& place) {
-    std::vector<Point> points(nodes.size());
+  static std::vector<PixelPoint> outline(const std::vector<int>& nodes, const Place& place) {
+    std::vector<PixelPoint> points(nodes.size());
     std::ranges::transform(nodes, points.begin(), place);
     return points;
   }
 
   void at_rest() {
-    // What nothing is drawn over is not to be pale.
+    // The undeformed structure is drawn pale only if the deformed one is drawn over it.
     canvas_.begin_group(scales_.displacement > 0 ? "rest" : "rest still");
     for (const auto& face : scene_.faces) {
       canvas_.polygon("face", outline(face, [this](int node) { return at(node); }));
@@ -77,7 +77,7 @@ class SceneDrawing {
     canvas_.end_group();
   }
 
-  // In space the faces that are farther away first: those before hide them.
+  // In space farther faces are drawn first, since nearer ones hide them.
   void moved_bodies() {
     canvas_.begin_group("moved");
     std::vector<std::pair<double, const std::vector<int>*>> order;
@@ -92,15 +92,15 @@ class SceneDrawing {
       canvas_.polygon("face", outline(*face, [this](int node) { return moved_at(node); }));
     }
     for (const auto& bar : scene_.bars) {
-      const auto* const kind = bar.yield == Yield::tension       ? "bar tension"
-                               : bar.yield == Yield::compression ? "bar compression"
-                                                                 : "bar";
+      const auto* const kind = bar.yield == BarYield::tension       ? "bar tension"
+                               : bar.yield == BarYield::compression ? "bar compression"
+                                                                    : "bar";
       canvas_.line(kind, moved_at(bar.nodes[0]), moved_at(bar.nodes[1]));
     }
     canvas_.end_group();
   }
 
-  // In the plane a piece of its surface with hatches behind it, in space a disc.
+  // In the plane a piece of the obstacle's surface with hatches behind it, in space a disc.
   void obstacles() {
     canvas_.begin_group("obstacle");
     for (const auto& candidate : scene_.candidates) {
@@ -115,15 +115,15 @@ class SceneDrawing {
   }
 
   void surface_piece(const DrawnCandidate& candidate) {
-    const Point middle = at(candidate.node);
-    const Point out(candidate.normal.x(), -candidate.normal.y());
-    const Point along(-out.y(), out.x());
+    const PixelPoint middle = at(candidate.node);
+    const PixelPoint out(candidate.normal.x(), -candidate.normal.y());
+    const PixelPoint along(-out.y(), out.x());
     const double half = 4.8 * detail_.mark;
     canvas_.line("surface", middle - half * along, middle + half * along);
     if (!detail_.hatch) return;
     constexpr int hatches = 5;
     for (int i = 0; i < hatches; ++i) {
-      const Point from = middle + half * (2.0 * (i + 0.5) / hatches - 1) * along;
+      const PixelPoint from = middle + half * (2.0 * (i + 0.5) / hatches - 1) * along;
       canvas_.line("hatch", from, from - 1.6 * detail_.mark * (out + 0.7 * along));
     }
   }
@@ -132,9 +132,9 @@ class SceneDrawing {
     auto flat = candidate;
     flat.friction = 1;
     auto cone = friction_cone(scene_, scales_, flat);
-    // The rim of a cone of half a right angle, moved back into the plane of its apex.
+    // Rim of a cone with a half angle of 45 degrees, moved into the plane of its apex.
     const Eigen::Vector3d apex = cone.front();
-    std::vector<Point> points;
+    std::vector<PixelPoint> points;
     for (std::size_t i = 1; i < cone.size(); ++i) {
       const Eigen::Vector3d way = cone[i] - apex;
       points.push_back(view_(apex + 0.4 * (way - candidate.normal * candidate.normal.dot(way))));
@@ -146,7 +146,7 @@ class SceneDrawing {
     canvas_.begin_group("cone");
     for (const auto& candidate : scene_.candidates) {
       if (candidate.state != ContactState::contact || candidate.friction <= 0) continue;
-      std::vector<Point> points;
+      std::vector<PixelPoint> points;
       for (const auto& point : friction_cone(scene_, scales_, candidate))
         points.push_back(view_(point));
       canvas_.polygon("cone", scene_.dimension == 2 ? points : hull(points));
@@ -155,7 +155,7 @@ class SceneDrawing {
   }
 
   void forces() {
-    // Dead loads end at their node and reference loads begin there, so that both can be seen.
+    // Dead loads end at their node and reference loads begin there, so that both are visible.
     for (const auto& load : scene_.loads) {
       const Eigen::Vector3d place = scene_.positions.col(load.node);
       const Eigen::Vector3d way = scale_of(load, scales_) * load.force;
@@ -167,13 +167,13 @@ class SceneDrawing {
     }
     for (int node = 0; node < static_cast<int>(scene_.support_reactions.cols()); ++node) {
       const Eigen::Vector3d to = scene_.positions.col(node);
-      const Point from = view_(to - scales_.force * scene_.support_reactions.col(node));
+      const PixelPoint from = view_(to - scales_.force * scene_.support_reactions.col(node));
       if ((from - view_(to)).norm() > visible)
         canvas_.arrow("holding", from, view_(to), detail_.head);
     }
     for (const auto& candidate : scene_.candidates) {
       const Eigen::Vector3d from = scene_.positions.col(candidate.node);
-      const Point to = view_(from + scales_.force * candidate.reaction);
+      const PixelPoint to = view_(from + scales_.force * candidate.reaction);
       if ((to - view_(from)).norm() > visible)
         canvas_.arrow("reaction", view_(from), to, detail_.head);
     }
@@ -182,7 +182,7 @@ class SceneDrawing {
   void candidates() {
     const bool names = detail_.names && scene_.candidates.size() <= most_names;
     for (const auto& candidate : scene_.candidates) {
-      const Point place = at(candidate.node);
+      const PixelPoint place = at(candidate.node);
       canvas_.begin_group("candidate", candidate.name);
       canvas_.circle(state_class(candidate.state), place, detail_.mark);
       canvas_.end_group();
@@ -204,17 +204,17 @@ class SceneDrawing {
     return "other";
   }
 
-  // On the side of the obstacle, where nothing else is.
-  void name(const DrawnCandidate& candidate, const Point& place) {
+  // Names are drawn on the side of the obstacle, which is empty.
+  void name(const DrawnCandidate& candidate, const PixelPoint& place) {
     const Eigen::Vector3d from = scene_.positions.col(candidate.node);
-    Point away = view_(from - scales_.size * candidate.normal) - view_(from);
-    away = away.norm() > 0 ? Point(away.normalized()) : Point(0, 1);
-    const Point middle = place + 4.2 * detail_.mark * away + Point(0, 4);
+    PixelPoint away = view_(from - scales_.size * candidate.normal) - view_(from);
+    away = away.norm() > 0 ? PixelPoint(away.normalized()) : PixelPoint(0, 1);
+    const PixelPoint middle = place + 4.2 * detail_.mark * away + PixelPoint(0, 4);
     const auto* const anchor = away.x() > 0.4 ? "start" : away.x() < -0.4 ? "end" : "middle";
-    // A name that would lie on another is left out; the mark's title has it.
+    // A name that would overlap another is omitted; the title of the mark contains it.
     const double across = name_letter * static_cast<double>(candidate.name.size());
     const double left = away.x() > 0.4 ? 0 : away.x() < -0.4 ? across : across / 2;
-    const Box box{middle - Point(left, name_height), middle + Point(across - left, 0)};
+    const Box box{middle - PixelPoint(left, name_height), middle + PixelPoint(across - left, 0)};
     const auto on_it = [&](const Box& other) {
       return (box.from.array() < other.to.array()).all() &&
              (other.from.array() < box.to.array()).all();
@@ -224,15 +224,15 @@ class SceneDrawing {
     canvas_.words("name", middle, anchor, candidate.name);
   }
 
-  /// Shorter arrows are no more than a point.
+  /// Shorter arrows would be points.
   static constexpr double visible = 0.5;
-  /// What a name takes, more or less, pixels: its height, and the width of a letter.
+  /// Approximate size of a name, pixels: its height, and the width of a letter.
   static constexpr double name_height = 12;
   static constexpr double name_letter = 6.5;
 
   struct Box {
-    Point from;
-    Point to;
+    PixelPoint from;
+    PixelPoint to;
   };
 
   Canvas& canvas_;
@@ -240,25 +240,26 @@ class SceneDrawing {
   const Detail& detail_;
   Scales scales_;
   View view_;
-  std::vector<Box> named_;  // where names are
+  std::vector<Box> named_;  // boxes of the names drawn so far
 };
 
 }  // namespace
 
-void draw_scene(Canvas& canvas, const Scene& scene, const Frame& frame, const Detail& detail) {
+void draw_scene(Canvas& canvas, const Scene& scene, const PixelFrame& frame, const Detail& detail) {
   SceneDrawing(canvas, scene, frame, detail).draw();
 }
 
-void draw_axes(Canvas& canvas, const Point& corner) {
+void draw_axes(Canvas& canvas, const PixelPoint& corner) {
   const std::vector<Eigen::Vector3d> ends{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   constexpr double size = 44;
-  const View view(3, ends, {corner, Point(size, size)});
+  const View view(3, ends, {corner, PixelPoint(size, size)});
   constexpr const char* names[] = {"", "x", "y", "z"};
   for (std::size_t axis = 1; axis < ends.size(); ++axis) {
-    const Point from = view(ends[0]);
-    const Point to = view(ends[axis]);
+    const PixelPoint from = view(ends[0]);
+    const PixelPoint to = view(ends[axis]);
     canvas.arrow("axis", from, to, 6);
-    canvas.words("name", to + 9 * (to - from).normalized() + Point(0, 4), "middle", names[axis]);
+    canvas.words("name", to + 9 * (to - from).normalized() + PixelPoint(0, 4), "middle",
+                 names[axis]);
   }
 }
 

@@ -1,12 +1,12 @@
-// How the classes of a picture look, on light and on dark paper.
+// CSS styles of the classes of a picture, for light and dark paper.
 #pragma once
 
 #include <string_view>
 
 namespace kusabi::pictures {
 
-/// The contents of the style element: plain CSS, so that every reader of SVG understands the light
-/// half; browsers take the dark one where their reader prefers it.
+/// Content of the style element: plain CSS, so that every SVG reader uses the light style; browsers
+/// use the dark one if their user prefers it.
 inline constexpr std::string_view style = R"(
 text { font-family: system-ui, -apple-system, "Segoe UI", "DejaVu Sans", Helvetica, Arial, sans-serif; fill: #1f2328; }
 .title { font-size: 21px; font-weight: 600; }
@@ -86,7 +86,7 @@ text { fill: #e6edf3; }
 }
 )";
 
-/// Of charts, beside these classes.
+/// Additional styles of charts.
 inline constexpr std::string_view chart_style = R"(
 .grid { stroke: #d8dee4; stroke-width: 1; }
 .frame { stroke: #6e7781; stroke-width: 1.3; }

@@ -1,4 +1,4 @@
-// Marks of one size, whatever the structure's; only where they point is to scale.
+// Drawing of supports with marks of fixed size; only their directions are to scale.
 #include "pictures/svg/support_drawing.hpp"
 
 #include <vector>
@@ -6,7 +6,7 @@
 namespace kusabi::pictures {
 namespace {
 
-/// A direction that is seen shorter than that points at the eye.
+/// Projected length below which a direction points at the eye.
 constexpr double seen_end_on = 0.15;
 
 class SupportDrawing {
@@ -24,10 +24,11 @@ class SupportDrawing {
       if (scene_.dimension == 3) {
         square(node);
       } else if (fixed[0] && fixed[1]) {
-        const Point tip = at(node);
-        canvas_.polygon("held", {tip, tip + size_ * Point(0.6, 1), tip + size_ * Point(-0.6, 1)});
-      } else {  // below what is held along y, beside what is held along x alone
-        draw_roller(canvas_, at(node), fixed[1] ? Point(0, 1) : Point(-1, 0), size_);
+        const PixelPoint tip = at(node);
+        canvas_.polygon("held",
+                        {tip, tip + size_ * PixelPoint(0.6, 1), tip + size_ * PixelPoint(-0.6, 1)});
+      } else {  // below a node fixed along y, beside one fixed along x alone
+        draw_roller(canvas_, at(node), fixed[1] ? PixelPoint(0, 1) : PixelPoint(-1, 0), size_);
       }
     }
     for (const auto& [node, direction] : scene_.inclined) {
@@ -45,14 +46,14 @@ class SupportDrawing {
   }
 
  private:
-  [[nodiscard]] Point at(int node) const { return view_(scene_.positions.col(node)); }
+  [[nodiscard]] PixelPoint at(int node) const { return view_(scene_.positions.col(node)); }
 
   void square(int node) {
-    canvas_.rectangle("held", at(node) - Point(size_, size_) / 2, Point(size_, size_));
+    canvas_.rectangle("held", at(node) - PixelPoint(size_, size_) / 2, PixelPoint(size_, size_));
   }
 
-  // What is seen of a direction or its opposite, whichever leads out of the structure's box.
-  [[nodiscard]] Point seen(int node, Eigen::Vector3d direction) const {
+  // Projection of a direction or its opposite, whichever points out of the structure's box.
+  [[nodiscard]] PixelPoint seen(int node, Eigen::Vector3d direction) const {
     const Eigen::Vector3d place = scene_.positions.col(node);
     if (direction.dot(place - middle_) < 0) direction = -direction;
     return (view_(place + direction) - view_(place)) / view_.scale();
@@ -65,24 +66,24 @@ class SupportDrawing {
   Eigen::Vector3d middle_;
 };
 
-void ground(Canvas& canvas, const Point& middle, const Point& side, double half) {
+void ground(Canvas& canvas, const PixelPoint& middle, const PixelPoint& side, double half) {
   canvas.line("ground", middle + half * side, middle - half * side);
 }
 
 }  // namespace
 
-void draw_roller(Canvas& canvas, const Point& node, const Point& back, double size) {
-  const Point side(back.y(), -back.x());
+void draw_roller(Canvas& canvas, const PixelPoint& node, const PixelPoint& back, double size) {
+  const PixelPoint side(back.y(), -back.x());
   canvas.polygon("rolling", {node, node + size * back + 0.6 * size * side,
                              node + size * back - 0.6 * size * side});
   ground(canvas, node + 1.3 * size * back, side, 0.8 * size);
 }
 
-void draw_spring(Canvas& canvas, const Point& node, const Point& back, double length) {
+void draw_spring(Canvas& canvas, const PixelPoint& node, const PixelPoint& back, double length) {
   constexpr int turns = 6;
-  const Point side(back.y(), -back.x());
+  const PixelPoint side(back.y(), -back.x());
   const double half = length / 6;
-  std::vector<Point> points{node, node + 0.15 * length * back};
+  std::vector<PixelPoint> points{node, node + 0.15 * length * back};
   for (int turn = 0; turn < turns; ++turn) {
     const double along = 0.15 + 0.7 * (turn + 0.5) / turns;
     points.emplace_back(node + along * length * back + (turn % 2 == 0 ? half : -half) * side);
@@ -102,9 +103,9 @@ void draw_supports(Canvas& canvas, const Scene& scene, const View& view, const D
 void draw_ties(Canvas& canvas, const Scene& scene, const Scales& scales, const View& view) {
   canvas.begin_group("support");
   for (const auto& [node, followed] : scene.ties) {
-    const Point from = view(moved(scene, scales, node));
+    const PixelPoint from = view(moved(scene, scales, node));
     for (const int other : followed) {
-      const Point to = view(moved(scene, scales, other));
+      const PixelPoint to = view(moved(scene, scales, other));
       if (from != to) canvas.line("tie", from, to);
     }
   }

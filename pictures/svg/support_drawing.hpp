@@ -1,4 +1,5 @@
-// What holds a structure, as engineers draw it: triangles, rollers, springs, ties.
+// Drawing of supports and multi-point constraints with the usual symbols: triangles, rollers,
+// springs, dashed lines.
 #pragma once
 
 #include "pictures/svg/canvas.hpp"
@@ -9,17 +10,18 @@
 
 namespace kusabi::pictures {
 
-/// Supports, inclined ones in their direction, and springs, all on the side of their node where the
-/// structure is not, at rest.
+/// Draws supports, inclined ones in their direction, and springs at the undeformed position, on the
+/// outer side of their node.
 void draw_supports(Canvas& canvas, const Scene& scene, const View& view, const Detail& detail);
 
-/// A dashed line from each tied node to each node that it follows, where they have moved.
+/// Draws a dashed line from each dependent node to each of its master nodes, at their displaced
+/// positions.
 void draw_ties(Canvas& canvas, const Scene& scene, const Scales& scales, const View& view);
 
-/// A roller that holds along a direction. @param back from the node to the ground, of length 1
-void draw_roller(Canvas& canvas, const Point& node, const Point& back, double size);
+/// A roller along a direction. @param back from the node to the ground, of length 1
+void draw_roller(Canvas& canvas, const PixelPoint& node, const PixelPoint& back, double size);
 
-/// A spring and the ground that it stands on. @param length from the node to the ground
-void draw_spring(Canvas& canvas, const Point& node, const Point& back, double length);
+/// A spring and its ground. @param length from the node to the ground
+void draw_spring(Canvas& canvas, const PixelPoint& node, const PixelPoint& back, double length);
 
 }  // namespace kusabi::pictures

@@ -1,4 +1,4 @@
-// The eye is at (1, -1, 1): x goes down to the right, y up to the right, z up.
+// Isometric view: the eye is at (1, -1, 1): x goes down to the right, y up to the right, z up.
 #include "pictures/svg/view.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ Eigen::Matrix3d axes_of(int dimension) {
   return axes;
 }
 
-// Least and largest, to the right and up.
+// Bounding box: minimum and maximum to the right and up.
 Eigen::Matrix2d bounds(const Eigen::Matrix3d& axes, const std::vector<Eigen::Vector3d>& points) {
   Eigen::Matrix2d box;
   box.col(0) = box.col(1) = (axes * points.front()).head<2>();
@@ -30,7 +30,7 @@ Eigen::Matrix2d bounds(const Eigen::Matrix3d& axes, const std::vector<Eigen::Vec
 
 }  // namespace
 
-View::View(int dimension, const std::vector<Eigen::Vector3d>& points, const Frame& frame)
+View::View(int dimension, const std::vector<Eigen::Vector3d>& points, const PixelFrame& frame)
     : axes_(axes_of(dimension)) {
   const auto box = bounds(axes_, points);
   const Eigen::Vector2d size = box.col(1) - box.col(0);
@@ -42,12 +42,12 @@ View::View(int dimension, const std::vector<Eigen::Vector3d>& points, const Fram
     }
   }
   const Eigen::Vector2d middle = box.rowwise().mean();
-  shift_ = frame.corner + frame.size / 2 - scale_ * Point(middle.x(), -middle.y());
+  shift_ = frame.corner + frame.size / 2 - scale_ * PixelPoint(middle.x(), -middle.y());
 }
 
-Point View::operator()(const Eigen::Vector3d& point) const {
+PixelPoint View::operator()(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d seen = axes_ * point;
-  return shift_ + scale_ * Point(seen.x(), -seen.y());
+  return shift_ + scale_ * PixelPoint(seen.x(), -seen.y());
 }
 
 double View::nearness(const Eigen::Vector3d& point) const {

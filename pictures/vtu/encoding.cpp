@@ -1,4 +1,4 @@
-// Three bytes make four letters; blocks are those of VTK's own writer.
+// Base64 and zlib compression, in blocks as those of VTK's own writer.
 #include "pictures/vtu/encoding.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::vector<char> bytes_of(const std::vector<std::uint64_t>& numbers) {
   return bytes;
 }
 
-// Appends the packed block. @return its size
+// Appends the compressed block. @return its size
 std::uint64_t pack(std::span<const char> block, std::vector<char>& packed) {
   auto size = compressBound(static_cast<uLong>(block.size()));
   const auto begin = packed.size();

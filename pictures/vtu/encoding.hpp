@@ -1,5 +1,5 @@
-// Numbers as bytes in the text of an XML file of VTK: base64 (RFC 4648), as they are or packed by
-// zlib block by block.
+// Binary arrays in VTK's XML files: base64 (RFC 4648), uncompressed or compressed by zlib block by
+// block.
 #pragma once
 
 #include <span>
@@ -10,13 +10,13 @@ namespace kusabi::pictures {
 /// Base64 of the bytes, with padding.
 std::string base64(std::span<const char> bytes);
 
-/// The text of a DataArray of format "binary" in a file whose header_type is UInt64: the number of
-/// bytes and the bytes, as one text.
+/// Text of a DataArray of format "binary" in a file whose header_type is UInt64: the number of
+/// bytes, then the bytes, in one base64 text.
 std::string plain_array(std::span<const char> bytes);
 
-/// The same in a file with compressor="vtkZLibDataCompressor": first the number of blocks, the size
-/// of each, that of the last one (0: it is whole) and what each has been packed into; as a text of
-/// its own the packed blocks.
+/// As plain_array, in a file with compressor="vtkZLibDataCompressor": the number of blocks, the
+/// block size, the size of the last block (0: it is full) and the compressed size of each block;
+/// then, as a separate base64 text, the compressed blocks.
 /// @throws std::runtime_error if zlib fails
 std::string packed_array(std::span<const char> bytes);
 

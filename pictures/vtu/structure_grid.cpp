@@ -1,5 +1,6 @@
-// VTK counts the nodes of all these shapes as Abaqus does, and so as structures do: corners, then
-// the middles of edges, of hexahedra those of the face below, of that above, and those between.
+// Conversion of a structure to a VTK grid. VTK, Abaqus and Kusabi order the nodes of all these
+// shapes alike: corners, then mid-edge nodes; for hexahedra those of the lower face, of the upper
+// face, and those between.
 #include "pictures/vtu/structure_grid.hpp"
 
 #include <algorithm>
@@ -75,7 +76,7 @@ SmallNumbers fixed_flags(const Structure& structure) {
   return flags;
 }
 
-// f_D or f_R, node by node.
+// f_D or f_R by node.
 Eigen::MatrixXd loads(const Structure& structure, problems::Load::Kind kind) {
   auto vectors = no_vectors(structure);
   for (const auto& load : structure.loads) {
@@ -84,7 +85,7 @@ Eigen::MatrixXd loads(const Structure& structure, problems::Load::Kind kind) {
   return vectors;
 }
 
-// Where nothing is said of what is uncertain: each free component without a load, by 1.
+// Default uncertain loads: 1 on each free component without a load.
 Eigen::MatrixXd unloaded_components(const Structure& structure) {
   auto vectors = no_vectors(structure);
   if (structure.loads.empty()) return vectors;
@@ -95,7 +96,7 @@ Eigen::MatrixXd unloaded_components(const Structure& structure) {
   return (fixed.topRows(vectors.rows()).array() != 0).select(0, vectors);
 }
 
-// The sizes of all parameters' parts of a component, added up.
+// Sum of the magnitudes of all parameters' contributions to a component.
 Eigen::MatrixXd uncertain_loads(const Structure& structure) {
   if (!structure.uncertain) return unloaded_components(structure);
   auto vectors = no_vectors(structure);
@@ -110,7 +111,7 @@ void add_if_any(UnstructuredGrid& grid, const std::string& name, const Eigen::Ma
   if (!vectors.isZero(0)) grid.point_data.push_back(node_vectors(name, vectors));
 }
 
-// What holds nodes besides fixed axes, and which follow others.
+// Adds point data of inclined supports, springs and dependent nodes.
 void add_holds(UnstructuredGrid& grid, const Structure& structure) {
   auto inclined = no_vectors(structure);
   for (const auto& support : structure.inclined)
@@ -133,7 +134,7 @@ void add_friction(UnstructuredGrid& grid, const Structure& structure) {
   grid.point_data.push_back({"friction", std::move(friction)});
 }
 
-// Numbers of the members as given by `number_of`, if any of them has one.
+// Adds member numbers given by `number_of`, if any member has one.
 template <class NumberOf>
 void add_if_any(UnstructuredGrid& grid, const Structure& structure, const std::string& name,
                 const NumberOf& number_of) {

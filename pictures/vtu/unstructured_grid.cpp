@@ -1,4 +1,4 @@
-// The tags around the arrays.
+// Writer of VTU and PVD files: XML tags around the arrays.
 #include "pictures/vtu/unstructured_grid.hpp"
 
 #include <bit>
@@ -16,7 +16,7 @@
 namespace kusabi::pictures {
 namespace {
 
-/// Below this many bytes of numbers it is not worth while to pack them.
+/// Array size, in bytes, below which compression is not worthwhile.
 constexpr std::size_t worth_packing = std::size_t{1} << 15U;
 
 constexpr const char* byte_order =
@@ -30,7 +30,7 @@ constexpr std::string_view type_name() {
   return "Int8";
 }
 
-// The cells as VTK wants them: one after the other, and where each ends.
+// Cells in VTK's format: all point indices in sequence, and the end offset of each cell.
 struct CellArrays {
   std::vector<std::int64_t> connectivity;
   std::vector<std::int64_t> offsets;

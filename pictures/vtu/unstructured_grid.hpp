@@ -1,5 +1,5 @@
-// A mesh with numbers at its points and cells, as VTK has it, and its file: VTU, the XML format of
-// VTK's "unstructured grid", for ParaView and all that reads VTK.
+// UnstructuredGrid: a mesh with point and cell data, and its file: VTU, the XML format of VTK's
+// unstructured grid, for ParaView and other readers of VTK.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace kusabi::pictures {
 
-/// Types of cells by VTK's numbers.
+/// Cell types with VTK's numbers.
 enum class CellType : std::uint8_t {
   vertex = 1,
   line = 3,
@@ -31,7 +31,7 @@ struct Cell {
   std::vector<int> points;  ///< in VTK's order
 };
 
-/// Small whole numbers: states, flags. Components x tuples.
+/// Small integers: states, flags. Components x tuples.
 using SmallNumbers = Eigen::Matrix<std::int8_t, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// A tuple of numbers for each point or each cell. Vectors have three components, also in the
@@ -42,24 +42,24 @@ struct Field {
 };
 
 struct UnstructuredGrid {
-  std::string remark;       ///< what it shows: a comment at the head of the file; may be empty
+  std::string remark;       ///< a comment at the head of the file; may be empty
   Eigen::Matrix3Xd points;  ///< third coordinate zero in the plane
   std::vector<Cell> cells;
   std::vector<Field> point_data;
   std::vector<Field> cell_data;
 };
 
-/// The grid as a VTU file; arrays in base64, packed by zlib if there is much of them.
+/// Writes the grid as a VTU file; arrays in base64, compressed by zlib if they are large.
 /// @pre the fields have a column for each point or cell
 void write_vtu(std::ostream& out, const UnstructuredGrid& grid);
 
-/// A file of a series, as ParaView shows it: a step of time each.
+/// A file of a time series in ParaView.
 struct SeriesEntry {
-  std::string file;  ///< beside that of the series
+  std::string file;  ///< relative to the folder of the series file
   double time;
 };
 
-/// A PVD file, which lists others; ParaView opens them as one.
+/// Writes a PVD file, which lists others; ParaView opens them as one series.
 void write_pvd(std::ostream& out, const std::vector<SeriesEntry>& entries,
                const std::string& remark);
 

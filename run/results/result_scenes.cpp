@@ -207,8 +207,8 @@ class SceneReader {
       const std::array<int, 2> nodes{node_named(ends[0]), node_named(ends[1])};
       for (auto& bar : scene.bars) {
         if (bar.nodes != nodes) continue;
-        bar.yield = reader_.text(yielding, "in") == "tension" ? pictures::Yield::tension
-                                                              : pictures::Yield::compression;
+        bar.yield = reader_.text(yielding, "in") == "tension" ? pictures::BarYield::tension
+                                                              : pictures::BarYield::compression;
       }
     }
     const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");

@@ -1,7 +1,8 @@
-// Numbers of 104 bits, and how far each kind of number that is computed with may be trusted.
+// Precise: double-double numbers of 104 bits (QD library of Hida, Li and Bailey), and the unit
+// roundoff of each scalar type.
 //
-// They are sums of two doubles (the QD library of Hida, Li and Bailey). A product costs 14 ns where
-// one of long doubles costs 7, one of __float128 70 and one of boost's cpp_bin_float_quad 110.
+// A product takes 14 ns; one of long doubles takes 7 ns, one of __float128 70 ns and one of boost's
+// cpp_bin_float_quad 110 ns.
 #pragma once
 
 #include <cmath>
@@ -12,7 +13,7 @@
 
 namespace Eigen {
 
-/// What Eigen asks of a scalar.
+/// Scalar traits for Eigen.
 template <>
 struct NumTraits<dd_real> : GenericNumTraits<dd_real> {
   using Real = dd_real;
@@ -37,7 +38,7 @@ struct NumTraits<dd_real> : GenericNumTraits<dd_real> {
 
 namespace internal {
 
-/// Rounds to the nearest double: the first of the two.
+/// Rounds to the nearest double, which is the first component.
 template <>
 struct cast_impl<dd_real, double> {
   static double run(const dd_real& number) { return number.x[0]; }
@@ -67,22 +68,23 @@ using Precise = dd_real;
 using PreciseMatrix = Eigen::Matrix<Precise, Eigen::Dynamic, Eigen::Dynamic>;
 using PreciseVector = Eigen::Matrix<Precise, Eigen::Dynamic, 1>;
 
-/// A sum of two numbers is wrong by at most this much of the sum of their sizes, a product, a
-/// quotient or a root by at most this much of itself. (QD adds without a last carry: where numbers
-/// cancel, the error is relative to what is added.)
+/// Bound of relative rounding errors. A sum of two numbers has an error of at most this times the
+/// sum of their absolute values; a product, a quotient or a root at most this times the result.
+/// (The addition of QD omits the last carry: with cancellation its error is relative to the
+/// summands.)
 template <class Real>
 inline constexpr double unit_roundoff = 0;
 template <>
 inline constexpr double unit_roundoff<double> = 0x1p-53;
-/// A double's, should the machine have no more.
+/// Equal to that of double on machines where long double is double.
 template <>
 inline constexpr double unit_roundoff<long double> =
     static_cast<double>(std::numeric_limits<long double>::epsilon()) / 2;
-/// Of 2^-104 with three bits to spare: products leave out the least of their four parts.
+/// 2^-104 with a margin of three bits: products omit the least of their four partial products.
 template <>
 inline constexpr double unit_roundoff<Precise> = 0x1p-101;
 
-/// Rounded to the nearest double, or almost.
+/// Nearest double, up to the rounding of the scalar.
 inline double rounded(double number) {
   return number;
 }

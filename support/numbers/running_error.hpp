@@ -1,7 +1,6 @@
-// How wrong a computation in 104 bits may be, found by doing it once more: Wilkinson's running
-// error analysis. Code that is a template of its scalar is run in `Precise` for the numbers and in
-// `RunningError` for their bounds, so there is nothing to be derived by hand, and nothing that
-// becomes wrong when the code changes.
+// RunningError: Wilkinson's running error analysis of a computation in 104 bits. Code templated on
+// its scalar is run in `Precise` for the values and in `RunningError` for their error bounds, so
+// that no bound is derived by hand.
 #pragma once
 
 #include <cmath>
@@ -11,10 +10,10 @@
 
 namespace kusabi::numbers {
 
-/// A number x, known as `value`. What the same operations give in `Precise` is within `error` times
-/// unit_roundoff<Precise> of x, and `value` within `error` times that of doubles: both kinds of
-/// number keep the rules at `unit_roundoff`. The bounds themselves are rounded to nearest: a few
-/// thousand operations make them less than a thousandth too small.
+/// A number x with error bounds. The same operations in `Precise` give a result within `error`
+/// times unit_roundoff<Precise> of x, and `value` is within `error` times unit_roundoff<double>.
+/// The bounds themselves are rounded to nearest: a few thousand operations make them too small by
+/// less than a thousandth.
 struct RunningError {
   double value = 0;
   double error = 0;
@@ -23,9 +22,9 @@ struct RunningError {
   RunningError(double exact) : value(exact) {}  // NOLINT(google-explicit-constructor): as Precise
   RunningError(double number, double bound) : value(number), error(bound) {}
 
-  /// Not below |x|, its value in `Precise`, and |value|.
+  /// Upper bound of |x|, of its value in `Precise`, and of |value|.
   [[nodiscard]] double most() const { return std::abs(value) + 0x1p-52 * error; }
-  /// Not above these.
+  /// Lower bound of the same.
   [[nodiscard]] double least() const { return std::abs(value) - 0x1p-52 * error; }
 
   RunningError& operator+=(const RunningError& other);
@@ -47,13 +46,13 @@ inline RunningError operator*(const RunningError& a, const RunningError& b) {
   const double y = b.most();
   return {a.value * b.value, x * b.error + y * a.error + x * y};
 }
-/// Of no bound where b may be zero.
+/// Infinite error if b may be zero.
 inline RunningError operator/(const RunningError& a, const RunningError& b) {
   const double y = b.least();
   if (!(y > 0)) return {a.value / b.value, std::numeric_limits<double>::infinity()};
   return {a.value / b.value, (a.error + a.most() + a.most() * b.error / y) / y};
 }
-/// Of no bound where a may be zero.
+/// Infinite error if a may be zero.
 inline RunningError sqrt(const RunningError& a) {
   const double x = a.least();
   if (!(x > 0)) return {std::sqrt(a.value), std::numeric_limits<double>::infinity()};
@@ -73,12 +72,12 @@ inline RunningError& RunningError::operator*=(const RunningError& other) {
   return *this = *this * other;
 }
 
-/// a - b of two doubles, which two doubles hold exactly.
+/// a - b of two doubles, exact as the sum of two doubles.
 template <class Real>
 Real difference(double a, double b) {
   return Real(a) - Real(b);
 }
-/// One rounding, that of its own double.
+/// With the rounding of its one double.
 template <>
 inline RunningError difference<RunningError>(double a, double b) {
   return {a - b, std::abs(a - b)};

@@ -1,5 +1,5 @@
-"""That the page of kusabi report is what it should be in a real browser: on a phone, in the dark, on paper, with the
-keyboard, and when it is large. Headless Chromium opens copies of pages, each in a frame as wide as a phone, with a
+"""Tests of the page of kusabi report in a real browser: on a phone, in dark mode, printed, with the keyboard, and
+with many patterns. Headless Chromium opens copies of pages, each in a frame as wide as a phone, with a
 script that looks at them from within (page_probe.js).
 
     python3 browser_test.py KUSABI SOURCES
@@ -25,7 +25,7 @@ if BROWSER is None:
 PROBE = (pathlib.Path(__file__).resolve().parent / "page_probe.js").read_text()
 PHONE = 360
 PAPER = 700  # A4 between its margins
-# Cards that are not in view are laid out, too.
+# Cards outside of the viewport are laid out, too.
 ALL_LAID_OUT = "<style>li.answer { content-visibility: visible !important; }</style>"
 HARNESS = """<!DOCTYPE html><meta charset="utf-8"><title>frames</title><body><script>
 const found = {};
@@ -59,7 +59,7 @@ class Pages(unittest.TestCase):
             page = page.replace("<html ", f'<html data-look="{"briefly" if brief else "closely"}" ', 1)
             page = page.replace("<meta charset", f"<script>{PROBE}</script>{'' if brief else ALL_LAID_OUT}<meta charset", 1)
             (cls.folder / f"{name}.html").write_text(page)
-            # What is for paper, on the screen.
+            # Print styles, applied on the screen.
             (cls.folder / f"{name}-printed.html").write_text(page.replace("@media print", "@media screen"))
         cls.light = cls.visit(["patterns", "body", "limit", "sweep", "patterns-printed", "limit-printed", "many-250", "many-10000"], [])
         cls.dark = cls.visit(["patterns", "body", "limit", "sweep"], ["--blink-settings=preferredColorScheme=0"])
@@ -83,7 +83,7 @@ class Pages(unittest.TestCase):
 
     @classmethod
     def many(cls, count):
-        """A page of so many patterns: those of a small truss again and again."""
+        """A page of `count` patterns: those of a small truss, repeated."""
         result = cls.folder / "few.json"
         cls.kusabi("patterns", SOURCES / "examples/plane-truss.toml", "--mu", 0.8, "--output", result)
         document = json.loads(result.read_text())
@@ -103,7 +103,7 @@ class Pages(unittest.TestCase):
 
     @classmethod
     def visit(cls, names, words):
-        """What the probes in these pages find, by name."""
+        """Findings of the probes in these pages, by name."""
         frames = "".join(f'<iframe name="{name}" width="{width(name)}" height="800" src="{name}.html" style="border: 0">'
                          '</iframe>' for name in names)
         harness = cls.folder / "harness.html"
@@ -165,7 +165,7 @@ class Pages(unittest.TestCase):
         sheets = re.findall(rb"/Type\s*/Page\b", paper.read_bytes())
         self.assertGreater(len(sheets), 2)
 
-    # A browser takes in so much within a second or so on any machine of these years.
+    # Limit: a browser loads a page of this size within about a second.
     def test_many_patterns(self):
         for count, elements, megabytes in ((250, 60e3, 8), (10000, 250e3, 24)):
             name = f"many-{count}"

@@ -18,7 +18,8 @@ std::uint64_t number_at(const std::string& bytes, std::size_t index) {
 }
 
 std::string unpacked(const std::string& text) {
-  // Blocks, their size, that of the last; then one number a block. Their text ends with itself.
+  // Number of blocks, block size, size of the last block; then one number per block, in a base64
+  // text of its own.
   const auto blocks = number_at(from_base64(text.substr(0, 32)), 0);
   const std::size_t header_size = 8 * (3 + blocks);
   const std::size_t header_text = (header_size + 2) / 3 * 4;
@@ -57,7 +58,7 @@ std::string from_base64(std::string text) {
 }
 
 std::string array_bytes(const std::string& vtu, const std::string& name) {
-  // No regular expression over all of it: libstdc++'s recurse once a letter.
+  // A regular expression over the whole file is avoided: libstdc++ recurses once per character.
   const auto tag = vtu.find("Name=\"" + name + "\"");
   EXPECT_NE(tag, std::string::npos) << name;
   if (tag == std::string::npos) return {};

@@ -1,5 +1,5 @@
-// The numbers in the text of a VTU file, decoded by other means than it was written by:
-// Boost's base64, zlib's one-call decompression.
+// Decoder of the arrays in a VTU file, by other means than the writer's: Boost's base64, zlib's
+// one-call decompression.
 #pragma once
 
 #include <cstring>
@@ -8,10 +8,10 @@
 
 namespace kusabi::pictures::test {
 
-/// The bytes that a base64 text stands for.
+/// Decodes base64.
 std::string from_base64(std::string text);
 
-/// The bytes of the array of that name; an error of the test if there is none, or it is malformed.
+/// Bytes of the array of this name; a test failure if it is missing or malformed.
 std::string array_bytes(const std::string& vtu, const std::string& name);
 
 template <class Number>

@@ -1,4 +1,4 @@
-"""That what kusabi draw writes is XML, and what is drawn where is what the result file says.
+"""Tests of kusabi draw: the output is XML, and drawn positions match the result file.
 
     python3 draw_test.py KUSABI SOURCES
 """
@@ -14,7 +14,7 @@ from kusabi_case import KusabiCase, main, nested, without  # noqa: E402: beside 
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-# A triangle on a hinge, a roller and a spring, and a bar whose far end follows the roller.
+# A triangle on a hinge, a roller and a spring, and a bar whose far end is tied to the roller.
 HELD = """
 name = "held in many ways"
 dimension = 2
@@ -66,7 +66,7 @@ class Draw(KusabiCase):
         return xml.etree.ElementTree.parse(place).getroot()
 
     def marks(self, root):
-        """The mark of each candidate by its name: its class and place."""
+        """Class and position of each candidate's mark, by name."""
         found = {}
         for each in with_class(root, "g", "candidate"):
             circle = each.find(SVG + "circle")
@@ -86,7 +86,7 @@ class Draw(KusabiCase):
         self.assertEqual({name for name, (kind, _) in marks.items() if kind == "contact"}, set(pattern["contact"]))
         self.assertEqual({name for name, (kind, _) in marks.items() if kind == "separated"}, set(pattern["separated"]))
 
-        # The paper is a picture of the plane: one factor and one shift.
+        # Plane structures are drawn with one factor and one shift.
         places = [complex(*place) for place in structure["positions"]]
         bars = [(point(line, "x1", "y1"), point(line, "x2", "y2")) for line in group(root, "rest").iter(SVG + "line")]
         self.assertEqual(len(bars), len(structure["members"]))
@@ -99,7 +99,7 @@ class Draw(KusabiCase):
             self.assertLess(abs(scale * places[a] + shift - ends[0]), 0.5)
             self.assertLess(abs(scale * places[b] + shift - ends[1]), 0.5)
 
-        # Displacements are multiplied by what the legend says.
+        # Displacements are multiplied by the factor in the legend.
         factor = float(re.search(r"displacements × (\S+),", self.text(root))[1])
         moved = [complex(*pattern["all_displacements"][name]) for name in structure["node_names"]]
         lines = list(group(root, "moved").iter(SVG + "line"))
@@ -108,7 +108,7 @@ class Draw(KusabiCase):
         largest = max(map(abs, moved))
         self.assertIn(f"largest {largest:.4g} {problem['units']['length']}", self.text(root))
 
-        # Reactions are in one scale, and each within its friction cone.
+        # Reactions have one scale, and each lies within its friction cone.
         frames = {each["node"]: (complex(*each["n"]), complex(*each["t1"])) for each in problem["contact"]}
         tips = [polygon.get("points").split()[0].split(",") for polygon in with_class(root, "polygon", "reaction")]
         tips = [complex(float(x), -float(y)) for x, y in tips]
@@ -135,7 +135,8 @@ class Draw(KusabiCase):
         place = {names[member[i]]: points[k] for k, member in enumerate(members) for i, points in enumerate((drawn, ends))}
         corners = lambda each: [complex(float(x), -float(y)) for x, y in
                                 (corner.split(",") for corner in each.get("points").split())]
-        # A roller behind the node, along (1, 3), and its ground across that; the legend has one more.
+        # A roller behind the node, along (1, 3), and its ground perpendicular to it; the legend has
+        # one more.
         tip, one, other = corners(with_class(root, "polygon", "rolling")[0])
         way = (1 + 3j) / abs(1 + 3j)
         self.assertLess(abs(tip - place["top"]), 0.1)
@@ -147,7 +148,8 @@ class Draw(KusabiCase):
         self.assertLess(abs(zigzag[0] - place["tip"]), 0.1)
         self.assertGreater((zigzag[-1] - zigzag[0]).real, 10)
         self.assertAlmostEqual((zigzag[-1] - zigzag[0]).imag, 0, delta=0.1)
-        # A line between two nodes where they have moved, so as long and as steep as ever.
+        # A line between the displaced positions of two nodes, hence with the original length and
+        # direction.
         tie = with_class(root, "line", "tie")[0]
         self.assertLess(abs(point(tie, "x2", "y2") - point(tie, "x1", "y1") - (place["top"] - place["far"])), 0.5)
         for words in ("inclined support", "spring", "tie"):
@@ -194,7 +196,7 @@ class Draw(KusabiCase):
         self.assertIn(f"λ = {answer['worst_case']['upper']:.10g}", self.text(root))
 
     def check_sweep(self, name, *words):
-        """The chart is the one that the sweep draws, and its curve is what the result says. @return the result"""
+        """The chart equals the one drawn by the sweep, and its curve matches the result. @return the result"""
         result = self.solve("sweep", name, *words, "--svg", self.folder / "own.svg")["result"]
         root = self.draw()
         self.assertEqual((self.folder / "out.svg").read_text(), (self.folder / "own.svg").read_text())
@@ -202,7 +204,7 @@ class Draw(KusabiCase):
         return result, [tuple(map(float, each.split(","))) for each in curve.get("points").split()]
 
     def check_scale(self, drawn, expected):
-        """Drawn places are one scale and one shift of numbers."""
+        """Drawn positions are numbers with one scale and one shift."""
         (a, x), (b, y) = max(zip(drawn, expected), key=lambda pair: pair[1]), min(zip(drawn, expected), key=lambda pair: pair[1])
         for place, number in zip(drawn, expected):
             self.assertAlmostEqual(place, b + (a - b) * (number - y) / (x - y), delta=0.1)

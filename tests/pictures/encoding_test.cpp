@@ -1,4 +1,4 @@
-// Base64 by the examples of RFC 4648.
+// Base64 tests by the examples of RFC 4648.
 #include "pictures/vtu/encoding.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-"""That kusabi draw and report take result files of any size: what is not drawn takes no room.
+"""Tests of kusabi draw and report with large result files: answers that are not drawn take no memory.
 
     python3 large_results_test.py KUSABI SOURCES
 """
@@ -14,8 +14,9 @@ from kusabi_case import KUSABI, KusabiCase, main  # noqa: E402: beside the folde
 
 class LargeResults(KusabiCase):
     def megabytes(self, *words):
-        """The memory that a call takes at its most."""
-        # Nothing is written to a file: it would be synced, and all that is on its way to the disk before it.
+        """Peak memory of a call."""
+        # The output is not written to a file, which would be synced together with all other pending
+        # writes.
         child = subprocess.Popen([KUSABI, *map(str, words), "--serial", "--quiet"], stdout=subprocess.DEVNULL)
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
@@ -43,13 +44,14 @@ class LargeResults(KusabiCase):
             self.result.write_text(json.dumps(result))
             return self.megabytes(words[0], self.result, *words[1:])
 
-        # A picture of one has more than 24 bytes a node; two thousand of them 240 MB.
+        # One pattern in a picture takes more than 24 bytes per node; two thousand of them take 240
+        # MB.
         for words, shown in ((("report",), 300), (("draw",), 60), (("draw", "--pattern", 50), 60)):
             with self.subTest(words):
                 self.assertLess(needed(shown + 2000, *words) - needed(shown, *words), 80)
 
     def test_all_nodes_of_a_body_are_read_in_time(self):
-        # Whoever looks for each name among all others does so 10^10/2 times: ten seconds.
+        # A linear search for each name takes 10^10/2 steps: ten seconds.
         result = self.solve("patterns", "two-bars.toml", "--mu", 2.5)
         structure, pattern = result["problem"]["structure"], result["result"]["patterns"][0]
         names = [f"more {i}" for i in range(100000)]

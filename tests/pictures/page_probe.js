@@ -1,4 +1,4 @@
-// Looks at a page from within, as its reader's browser has it, and hands over what it finds.
+// Probe of a page inside the browser, which reports its findings to the enclosing window.
 "use strict";
 const faults = [];
 addEventListener("error", event => faults.push(event.message));
@@ -38,7 +38,7 @@ const worst_contrast = () => {
   return worst;
 };
 
-// What one works with: has a name, and takes the focus of the keyboard.
+// Interactive elements: each has a name and can have the keyboard focus.
 const controls = () => [...document.querySelectorAll("input, select, button, summary, a[href], [tabindex]")].filter(shown);
 const name_of = element => (element.getAttribute("aria-label") || [...(element.labels || [])].map(each => each.textContent).join() ||
   (["BUTTON", "SUMMARY", "A"].includes(element.tagName) ? element.textContent : "")).trim();
@@ -52,7 +52,7 @@ const out_of_reach = () => {
   return wrong;
 };
 
-// The first candidate, typed; then the last order, by the size of contact.
+// Types the name of the first candidate; then chooses the last order, by the size of contact.
 const work_with_the_gallery = () => {
   const form = document.getElementById("controls");
   if (!form) return null;

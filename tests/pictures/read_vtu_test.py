@@ -1,4 +1,4 @@
-"""That VTK, or meshio, reads what --vtu writes, and the numbers in it are those of the JSON and of statics.
+"""Tests of --vtu with VTK or meshio as reader: the numbers match the JSON and statics.
 
     python3 read_vtu_test.py vtk|meshio KUSABI SOURCES
 
@@ -96,7 +96,7 @@ read = read_by_vtk if READER == "vtk" else read_by_meshio
 
 
 def forces_of_bars(grid):
-    """What bars pull their nodes with: nodes x 3."""
+    """Forces of bars on their nodes: nodes x 3."""
     forces = np.zeros_like(grid.points)
     for (kind, nodes), force in zip(grid.cells, grid.at_cells["axial_force"]):
         if kind != 3:
@@ -321,10 +321,11 @@ class ReadVtu(unittest.TestCase):
                            f'[[contact]]\nnodes = ["{contact}"]\nexcept = ["{supports}"]\nnormal = "surface"\n')
         return problem
 
-    # That the stress at the centre of each element is the one that goes with the forces at its nodes, where this can be
-    # told without the shape functions: if the stress varies linearly and the sides are straight, the one at the centre is
-    # the mean, and the means times volumes add up to the sum of x f^T over all nodes. If it does not vary within
-    # simplices, V sigma grad N of all elements are the forces at each node.
+    # The stress at the centre of each element must be in equilibrium with the forces at its nodes.
+    # This is tested where it does not need the shape functions: if the stress varies linearly and
+    # the sides are straight, the one at the centre is the mean, and the means times volumes add up
+    # to the sum of x f^T over all nodes. If it is constant within simplices, V sigma grad N of all
+    # elements are the forces at each node.
     def test_stresses_are_in_equilibrium(self):
         mesh = lambda name: f"file = {json.dumps(str(SOURCES / 'tests/meshes' / name))}"
         leaning = "corners = [[0, 0], [2, 0.2], [2.5, 1.5], [0.5, 1.3]]\ndivisions = [4, 3]"
@@ -366,8 +367,8 @@ class ReadVtu(unittest.TestCase):
         _, grids = self.series("patterns", SOURCES / "examples/brick-by-calculix.toml", "--mu", 0.9)
         self.assertNotIn("stress", grids[0].at_cells)
 
-    # Each mesh fills a body whose size is known by hand (tests/meshes/*.geo), and the nodes between two
-    # corners are where VTK looks for them.
+    # Each mesh fills a body of known volume (tests/meshes/*.geo), and mid-edge nodes are where VTK
+    # expects them.
     def test_orders_of_nodes(self):
         if READER != "vtk":
             self.skipTest("meshio computes no volumes")

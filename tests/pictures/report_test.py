@@ -1,5 +1,4 @@
-"""That the page which kusabi report writes is well-formed, whole in itself, labelled, and says what the
-result file says.
+"""Tests of the page of kusabi report: well-formed, self-contained, labelled, and with the numbers of the result file.
 
     python3 report_test.py KUSABI SOURCES
 """
@@ -40,7 +39,7 @@ class Element:
 
 
 class Page(html.parser.HTMLParser):
-    """A tree of elements; whatever is not closed in order is an error."""
+    """A tree of elements; an element not closed in order is an error."""
 
     def __init__(self, text):
         super().__init__()
@@ -57,7 +56,7 @@ class Page(html.parser.HTMLParser):
             self.errors.append(f"<{tag}> has an attribute twice")
         element = self.inner.add(Element(tag, attrs, self.inner))
         self.named.setdefault(element.attributes.get("id"), element)
-        # An option is closed by the next, or has its text and an end.
+        # The next option closes an option, or it has a text and an end tag.
         if tag not in VOID or (tag == "option" and self.inner.tag == "select"):
             self.inner = element
 
@@ -91,14 +90,14 @@ class Report(KusabiCase):
         return page
 
     def check(self, page, text):
-        """What holds of all pages."""
+        """Expectations common to all pages."""
         self.assertEqual(page.errors, [])
         self.assertTrue(text.startswith("<!DOCTYPE html>"))
         everything = list(page.root.all())
         ids = [element.attributes["id"] for element in everything if "id" in element.attributes]
         self.assertEqual(len(ids), len(set(ids)))
 
-        # Nothing is from elsewhere, and nothing may be.
+        # The page loads nothing from elsewhere, and its policy forbids it.
         for element in everything:
             self.assertNotIn(element.tag, ("link", "img", "iframe", "object", "embed", "base"))
             for name, value in element.attributes.items():
@@ -110,7 +109,7 @@ class Report(KusabiCase):
         policy = next(each for each in everything if each.attributes.get("http-equiv") == "Content-Security-Policy")
         self.assertIn("default-src 'none'", policy.attributes["content"])
 
-        # One style for all pictures, which touches nothing else.
+        # One style for all pictures, restricted to them.
         self.assertEqual(sum(element.tag == "style" for element in everything), 1)
         drawn = styles[styles.index("svg.picture text"):]
         for selectors in re.findall(r"^([^@}\n][^{]*)\{", drawn, re.MULTILINE):
@@ -155,11 +154,11 @@ class Report(KusabiCase):
             self.assertEqual(int(card.attributes["data-size"]), len(pattern["contact"]))
             margin = next(each for each in card.all("dd") if "margin" in each.kinds())
             self.assertEqual(self.numbers(margin), [pattern["margin"]])
-            # What is seen is the same number, in six digits.
+            # The displayed number is the same, with six digits.
             self.assertAlmostEqual(float(margin.text()) / pattern["margin"], 1, delta=1e-5)
-            told = {term.text(): definition.text() for term, definition in zip(card.all("dt"), card.all("dd"))}
-            self.assertEqual(told["in contact"], ", ".join(pattern["contact"]))
-            self.assertEqual(told["separated"], ", ".join(pattern["separated"]) or "–")
+            shown_terms = {term.text(): definition.text() for term, definition in zip(card.all("dt"), card.all("dd"))}
+            self.assertEqual(shown_terms["in contact"], ", ".join(pattern["contact"]))
+            self.assertEqual(shown_terms["separated"], ", ".join(pattern["separated"]) or "–")
             rows = {next(row.all("th")).text(): self.numbers(row) for row in next(card.all("tbody")).all("tr")}
             self.assertEqual(rows, {name: force for name, force in zip(names, pattern["reaction"]) if any(force)})
             self.assertEqual(len(list(card.all("svg"))), 1)
@@ -171,7 +170,7 @@ class Report(KusabiCase):
         origin = page.with_id("origin").text()
         for known in (result["version"], result["result"]["tree"]["fingerprint"], str(result["result"]["tree"]["opened"])):
             self.assertIn(known, origin)
-        # Without a script it is a list, and no control is there that would do nothing.
+        # Without a script the page is a list, and its controls are hidden.
         self.assertIn("hidden", page.with_id("controls").attributes)
         self.assertFalse(any("hidden" in card.attributes for card in cards))
 
@@ -223,13 +222,13 @@ class Report(KusabiCase):
         bracket = self.solve("critical", "plane-truss.toml")["result"]["critical_friction"]
         page = self.page()
         lower, upper = map(float, re.findall(r"\d+\.\d+", self.verdict(page)))
-        # Five digits, and still an enclosure.
+        # Rounded outwards to five digits, so that it is still an enclosure.
         self.assertLessEqual(lower, bracket["lower"])
         self.assertGreaterEqual(upper, bracket["upper"])
         self.assertLess(upper - lower, bracket["upper"] - bracket["lower"] + 2.1e-5)
         self.assertEqual(self.numbers(page.with_id("bracket")), [bracket["lower"], bracket["upper"]])
         self.assertEqual(page.with_id("bracket").text().count("yes"), 2)
-        # Both ends are told apart on the page, too.
+        # Both bounds are distinguished on the page, too.
         shown = [each.text() for each in page.with_id("bracket").all("data")]
         self.assertEqual(len(set(shown)), 2)
         self.assertEqual(len(page.with_class("answer")), 1)
@@ -261,7 +260,7 @@ class Report(KusabiCase):
         self.assertIn("as the simplex method finds it", self.page().with_id("reservations").text())
 
     def rows(self, page, caption):
-        """The numbers of the table with that caption, row by row."""
+        """Numbers of the table with this caption, row by row."""
         table = next(each for each in page.root.all("table") if each.children[0].text() == caption)
         return [self.numbers(row) for row in next(table.all("tbody")).all("tr")]
 

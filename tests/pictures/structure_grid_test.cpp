@@ -1,4 +1,4 @@
-// Structures cell by cell and node by node.
+// Tests of structure grids, cell by cell and node by node.
 #include "pictures/vtu/structure_grid.hpp"
 
 #include <cmath>
@@ -19,7 +19,7 @@ using namespace kusabi::pictures;
 using kusabi::problems::ElementShape;
 using kusabi::problems::Structure;
 
-// Two bars from a support to a tip at which a load may pull, and a node that nothing hangs on.
+// Two bars from a support to a tip that may have a load, and an unconnected node.
 Structure corner() {
   Structure structure;
   structure.name = "corner";
@@ -125,7 +125,7 @@ TEST(UnsolvedGrid, HasLoadsAndStrengths) {
   EXPECT_EQ(values(grid.point_data, "dead_load").col(2), Eigen::Vector3d(0, -4, 0));
   EXPECT_EQ(values(grid.point_data, "reference_load").col(2), Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(values(grid.point_data, "friction")(0, 2), 0.5);
-  // What is neither fixed nor loaded: x of "side", and both of "far".
+  // Components neither fixed nor loaded: x of "side", and both of "far".
   Eigen::MatrixXd uncertain(3, 4);
   uncertain << 0, 1, 0, 1,  //
       0, 0, 0, 1,           //
@@ -138,8 +138,8 @@ TEST(UnsolvedGrid, HasLoadsAndStrengths) {
   EXPECT_EQ(values(grid.cell_data, "yield_compression")(0, 0), 5);
 }
 
-// The numbers of the types are those of the VTK file formats (vtkCellType.h); what their orders of
-// nodes mean is tested with VTK itself.
+// The type numbers are those of the VTK file formats (vtkCellType.h); the orders of nodes are
+// tested with VTK itself.
 TEST(StructureGrid, KnowsTheTypeOfEveryShape) {
   const std::map<ElementShape, int> types{
       {ElementShape::triangle3, 5},      {ElementShape::triangle6, 22},

@@ -1,4 +1,4 @@
-// What is in a file is what was put in, packed or not.
+// VTU writer tests: arrays decode to the original data, compressed or not.
 #include "pictures/vtu/unstructured_grid.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string text_of(const UnstructuredGrid& grid) {
   return out.str();
 }
 
-// Random bits: no number is like another, and zlib has nothing to gain.
+// Random bits, which zlib cannot compress.
 UnstructuredGrid random_grid(int points) {
   std::mt19937 bits(7);
   std::normal_distribution<double> normal;
@@ -75,7 +75,7 @@ TEST(VtuFile, PacksManyInBlocks) {
   expect_all_of(text, grid);
 }
 
-// 4096 numbers of eight bytes are one block to the last byte: there is no rest.
+// 4096 numbers of eight bytes fill one block exactly: the last block is full.
 TEST(VtuFile, PacksWhatFillsItsBlocks) {
   UnstructuredGrid grid;
   grid.points = Eigen::Matrix3Xd::Zero(3, 4096);

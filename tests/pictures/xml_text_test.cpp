@@ -1,4 +1,4 @@
-// Names that XML could not hold as they are.
+// XML escaping tests.
 #include "pictures/xml_text.hpp"
 
 #include <gtest/gtest.h>
@@ -21,9 +21,9 @@ TEST(XmlText, ReplacesWhatIsNoLetter) {
   EXPECT_EQ(xml_text("\x01"), none);
   EXPECT_EQ(xml_text("\xE6\xA5"
                      "x"),
-            std::string(none) + none + "x");                             // cut off
-  EXPECT_EQ(xml_text("\xC0\xAF"), std::string(none) + none);             // longer than need be
-  EXPECT_EQ(xml_text("\xED\xA0\x80"), std::string(none) + none + none);  // half of a pair
+            std::string(none) + none + "x");                             // truncated
+  EXPECT_EQ(xml_text("\xC0\xAF"), std::string(none) + none);             // overlong encoding
+  EXPECT_EQ(xml_text("\xED\xA0\x80"), std::string(none) + none + none);  // surrogate
 }
 
 TEST(XmlText, CommentsHoldNoTwoDashes) {

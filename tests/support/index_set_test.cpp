@@ -1,4 +1,4 @@
-// Against std::set, on both sides of where a word ends.
+// IndexSet tests against std::set, on both sides of word boundaries.
 #include "support/index_set.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using Numbers = std::set<int>;
 
-// Few numbers, so that sets meet and shrink; most of them next to a border of words.
+// Few numbers, so that sets intersect and shrink; most of them next to a boundary of words.
 constexpr int borders[] = {0, 1, 62, 63, 64, 65, 126, 127, 128, 129, 191, 192, 200};
 
 class Dice {
@@ -76,7 +76,7 @@ TEST(IndexSet, DoesWhatASetDoes) {
     EXPECT_EQ(x.meets(y), !common.empty());
     EXPECT_EQ(x.includes(y), std::ranges::includes(a, b));
     EXPECT_EQ(x == y, a == b);
-    // What is left of a larger set is the set that never was larger.
+    // A set reduced from a larger one equals the set constructed directly.
     EXPECT_EQ(x - y, made(rest));
     EXPECT_EQ(x & y, made(common));
     EXPECT_EQ((x | y) - y, made(rest));
@@ -94,7 +94,7 @@ TEST(IndexSet, HasAnOrderThatMapsCanUse) {
   }
 }
 
-// That of the words in which sets of fewer than 64 were once kept.
+// Order of single-word sets, as in earlier versions.
 TEST(IndexSet, OfOneWordHasTheOrderOfItsNumber) {
   for (IndexSet::Word a = 0; a < 16; ++a) {
     for (IndexSet::Word b = 0; b < 16; ++b) EXPECT_EQ(IndexSet(a) < IndexSet(b), a < b);

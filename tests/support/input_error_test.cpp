@@ -1,4 +1,4 @@
-// An input error is one line, whatever it quotes.
+// InputError tests: the message is one line, whatever it quotes.
 #include "support/input_error.hpp"
 
 #include <string>
@@ -29,7 +29,7 @@ TEST(InQuotes, EscapesQuotesBackslashesAndControlCharacters) {
 TEST(InQuotes, CutsLongTextBetweenCharacters) {
   EXPECT_EQ(in_quotes(std::string(40, 'x')), '"' + std::string(40, 'x') + '"');
   EXPECT_EQ(in_quotes(std::string(41, 'x')), '"' + std::string(40, 'x') + "...\"");
-  // The second byte of the Greek letter would be the 41st: the letter goes as a whole.
+  // The second byte of the Greek letter would be the 41st: the whole letter is dropped.
   EXPECT_EQ(in_quotes(std::string(39, 'x') + "\u03BC" + "tail"),
             '"' + std::string(39, 'x') + "...\"");
 }

@@ -1,4 +1,4 @@
-// Which name is taken for the one that was meant.
+// Tests of spelling suggestions.
 #include "support/nearest.hpp"
 
 #include <gtest/gtest.h>

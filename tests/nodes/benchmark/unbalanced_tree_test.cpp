@@ -1,5 +1,5 @@
-// The Unbalanced Tree Search trees: the hash they grow from, their published counts, and the same
-// counts on many simulated ranks.
+// Unbalanced Tree Search tests: the hash, the published counts, and the same counts on many
+// simulated ranks.
 #include "nodes/benchmark/unbalanced_tree.hpp"
 
 #include <algorithm>
@@ -17,14 +17,14 @@
 
 namespace kusabi::benchmark {
 
-// What a failing test prints.
+// Printed by a failing test.
 std::ostream& operator<<(std::ostream& out, const TreeCounts& counts) {
   return out << counts.nodes << " nodes, " << counts.leaves << " leaves, depth " << counts.depth;
 }
 
 namespace {
 
-// The examples that came with FIPS 180 and the digest of nothing.
+// Examples of FIPS 180, and the digest of the empty message.
 TEST(Sha1, GivesTheDigestsOfTheStandard) {
   EXPECT_EQ(support::sha1(""),
             (support::Sha1Digest{0xDA39A3EE, 0x5E6B4B0D, 0x3255BFEF, 0x95601890, 0xAFD80709}));
