@@ -8,6 +8,7 @@ otherwise or stays open, writes its file to --found, and counts. Exit code 0: no
 
 import argparse
 import json
+import math
 import os
 import random
 import subprocess
@@ -50,7 +51,12 @@ def _plant(rng, program):
         lower, upper = row.ends()
         if (lower is None or lower <= activity) and (upper is None or activity <= upper):
             continue
+        if row.sense == "E" and Fraction(float(activity)) != activity:
+            row.sense = rng.choice("LG")  # no double is equal to it
+        toward = math.inf if row.sense == "L" else -math.inf
         row.right = float(activity) + {"E": 0, "L": 1, "G": -1}[row.sense] * rng.choice([0, 0, 0, 1, 3])
+        if row.sense != "E" and Fraction(row.right) != activity:
+            row.right = math.nextafter(row.right, toward)
 
 
 def big_m(rng):
