@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "nodes/zero_one/bound_tightening.hpp"
+#include "nodes/zero_one/big_m.hpp"
 #include "nodes/zero_one/cut_rounds.hpp"
 
 namespace kusabi::zero_one {
@@ -94,16 +94,17 @@ bool safe_bound_is_of_use(ZeroOneRoot& root) {
 // allow for smaller ones.
 void tighten(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
   constexpr int most_times = 3;
+  BigMs big_ms(root.relaxation.mixed());
   for (int time = 0; time < most_times && root.point && !support::asked(options.stop); ++time) {
     const double before = root.point->objective;
     const double step = root.relaxation.steps().width(before);
     auto mixed = root.relaxation.mixed();
-    const auto done = tighten_big_m(mixed, before + step, root.relaxation.proves(), options.stop);
-    root.counts.tightened += done.coefficients;
+    const auto done = big_ms.tighten(mixed, before + step, root.relaxation.proves(), options.stop);
+    root.counts.tightened = big_ms.smaller();
     root.counts.tighten_programs += done.programs;
     root.counts.fixed += done.fixed;
     root.counts.proved = root.counts.proved && done.proved;
-    if (done.coefficients == 0 && done.fixed == 0) return;
+    if (!done.changed) return;
     const std::uint64_t programs = root.relaxation.programs();
     root.relaxation = Relaxation(std::move(mixed));
     root.relaxation.end_when(options.stop);

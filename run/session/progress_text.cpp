@@ -34,6 +34,18 @@ double bound(const ProgressState& state) {
   return state.shown.unit * std::min(std::max(state.progress.bound, state.shown.below), best);
 }
 
+// Nothing better is left: what waits is only thrown away.
+bool proof_is_over(const ProgressState& state) {
+  const double best = std::min(state.progress.objective, state.shown.above);
+  return state.minimising && std::isfinite(best) && state.progress.bound >= best;
+}
+
+// The guess of the time left, or the last steps of a search by their names.
+std::string left(const ProgressState& state) {
+  if (state.progress.open == 0) return "ending";
+  return proof_is_over(state) ? "closing" : duration(state.remaining);
+}
+
 }  // namespace
 
 std::string duration(std::optional<double> seconds) {
@@ -91,7 +103,7 @@ std::string progress_row(const ProgressState& state) {
                                      number(bound(state)), gap(objective(state), bound(state)))
                        : fmt::format(" {:>7}", count(static_cast<double>(progress.found)));
   return fmt::format("{}{} {:>9} {:>7} {:>9}", common, answer, idle(progress),
-                     percent(progress.closed), duration(state.remaining));
+                     percent(progress.closed), left(state));
 }
 
 std::string progress_explained(bool minimising) {
@@ -117,11 +129,14 @@ std::string progress_explained(bool minimising) {
       "{}"
       "  idle    how many of the ranks have no work\n"
       "  done    the share of the tree that is closed: each node is half of the one above it\n"
-      "  left    a guess, from how that share has grown",
+      "  left    a guess, from how that share has grown{}\n"
+      "          ending: no node waits, and the ranks agree that all is done",
       progress_header(minimising), progress_row(example),
       minimising ? "  objective, bound, gap   the best so far, what nothing is better than, and "
                    "between them\n"
-                 : "  found   solutions so far\n");
+                 : "  found   solutions so far\n",
+      minimising ? "\n          closing: the proof is complete, and open nodes are thrown away"
+                 : "");
 }
 
 std::string progress_bar(const ProgressState& state, std::size_t width) {
@@ -130,7 +145,9 @@ std::string progress_bar(const ProgressState& state, std::size_t width) {
   const auto full = static_cast<int>(std::clamp(progress.closed, 0.0, 1.0) * bar_width);
   std::vector<std::string> fields{
       percent(progress.closed),
-      duration(state.remaining) + " left",
+      state.progress.open == 0 ? "ending: ranks agree that all is done"
+      : proof_is_over(state)   ? "closing: the proof is complete"
+                               : duration(state.remaining) + " left",
       state.minimising ? fmt::format("best {}, gap {}", number(objective(state)),
                                      gap(objective(state), bound(state)))
                        : count(static_cast<double>(progress.found)) + " found",

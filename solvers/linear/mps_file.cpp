@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "solvers/linear/mps_lines.hpp"
+#include "solvers/linear/unsupported.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::linear {
@@ -132,6 +133,9 @@ class MpsReader {
     const auto found = std::find_if(known.begin(), known.end(),
                                     [&](const auto& entry) { return entry.first == word; });
     if (found == known.end()) {
+      if (const auto feature = unsupported_feature(word); !feature.empty()) {
+        refuse_unsupported(file_, line_.number, line_.fields.front(), feature);
+      }
       refuse(fmt::format("section {}, which is not read", in_quotes(line_.fields.front())),
              "NAME, OBJSENSE, OBJNAME, ROWS, COLUMNS, RHS, RANGES, BOUNDS or ENDATA");
     }
@@ -255,6 +259,9 @@ class MpsReader {
     }
     if (word != "'MARKER'" && (word != "MARKER" || number(what))) return false;
     if (what.size() > 2 && what.front() == '\'') what = what.substr(1, what.size() - 2);
+    if (what == "SOSORG" || what == "SOSEND") {
+      refuse_unsupported(file_, line_.number, what, "special ordered sets");
+    }
     const bool begins = what == "INTORG";
     if (!begins && what != "INTEND") {
       refuse(fmt::format("a marker of {}", in_quotes(what)), "'INTORG' or 'INTEND'");
@@ -372,6 +379,9 @@ class MpsReader {
     const auto type = capitals(fields.front());
     static constexpr std::array<std::string_view, 9> known{"LO", "UP", "FX", "FR", "MI",
                                                            "PL", "BV", "LI", "UI"};
+    if (type == "SC" || type == "SI" || type == "SN") {
+      refuse_unsupported(file_, line_.number, type, "semi-continuous columns");
+    }
     if (std::find(known.begin(), known.end(), type) == known.end()) {
       refuse(fmt::format("a bound of type {}", in_quotes(fields.front())),
              "LO, UP, FX, FR, MI, PL, BV, LI or UI");

@@ -12,6 +12,8 @@
 
 #include <Eigen/LU>
 
+#include "solvers/linear/precise_bound.hpp"
+
 namespace kusabi::linear {
 namespace {
 
@@ -81,10 +83,12 @@ class Refinement {
       result.basis = given_basis();
       if (result.status == LinearStatus::infeasible) {
         if (auto reason = contradiction()) result.duals = *std::move(reason);
-        return result;
+        if (contradicts(result.duals)) return result;
+        // Infeasible by less than GLPK's tolerance, if at all: the next round magnifies it.
+      } else {
+        if (result.status != LinearStatus::optimal) return result;
+        result.status = LinearStatus::failed;
       }
-      if (result.status != LinearStatus::optimal) return result;
-      result.status = LinearStatus::failed;
       if (!take_basis()) return result;
       if (fits()) {
         result.status = LinearStatus::optimal;
@@ -258,6 +262,10 @@ class Refinement {
       simplex_.set_column_bounds(at, std::min(lower, far), std::max(upper, -far));
       simplex_.set_cost(at, std::clamp(reduced_[k].x[0] * cost_scale_, -dear, dear));
     }
+    for (std::size_t i = 0; i < rows_; ++i) {
+      const double missing = std::clamp(-missed_[i].x[0] * value_scale_, -far, far);
+      simplex_.set_row_bounds(static_cast<int>(i), missing, missing);
+    }
   }
 
   [[nodiscard]] Precise resting(std::size_t k, BasisStatus place) const {
@@ -288,9 +296,13 @@ class Refinement {
     const auto basic = solve_basis(right);
     if (!basic) return false;
     Vector costs(rows_, 0.0);
+    missed_.assign(rows_, 0.0);
     for (std::size_t p = 0; p < rows_; ++p) {
       const auto k = static_cast<std::size_t>(head_[p]);
-      if (k < rows_) continue;
+      if (k < rows_) {
+        missed_[k] = (*basic)[p];
+        continue;
+      }
       values_[k - rows_] = (*basic)[p];
       costs[p] = extended_.columns[k - rows_].cost;
     }
@@ -322,6 +334,13 @@ class Refinement {
     double value_size = 0;
     for (const auto& value : values_) value_size = std::max(value_size, size(value));
     worst_value_ = worst_cost_ = 0;
+    for (auto& missing : missed_) {
+      if (size(missing) <= on_it * value_size) {
+        missing = 0.0;
+      } else {
+        worst_value_ = std::max(worst_value_, size(missing));
+      }
+    }
     for (std::size_t k = 0; k < values_.size(); ++k) {
       const auto& [cost, lower, upper, name] = extended_.columns[k];
       if (place_[k] == BasisStatus::basic) {
@@ -376,6 +395,18 @@ class Refinement {
     return solve_transposed(unit);
   }
 
+  // Whether no point satisfies all rows and bounds, by these multipliers.
+  [[nodiscard]] bool contradicts(const Vector& duals) const {
+    if (duals.empty()) return false;
+    std::vector<double> lower;
+    std::vector<double> upper;
+    for (std::size_t j = 0; j < columns_; ++j) {
+      lower.push_back(given_.columns[j].lower);
+      upper.push_back(given_.columns[j].upper);
+    }
+    return safe_infeasibility(given_, duals, lower, upper, Residuals::forgiven) > 0;
+  }
+
   void conclude(PreciseSolution& result) const {
     result.values.assign(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(columns_));
     result.duals = duals_;
@@ -396,6 +427,7 @@ class Refinement {
   std::vector<int> head_;
   std::vector<BasisStatus> place_;
   Vector values_;  // of the columns, then of the activities
+  Vector missed_;  // Ax - s, which is to be zero: rows that are basic themselves may miss it
   Vector duals_;
   Vector reduced_;  // reduced costs
   std::vector<double> reduced_size_;

@@ -16,6 +16,7 @@
 
 #include "solvers/linear/glpk_call.hpp"
 #include "solvers/linear/mps_file.hpp"
+#include "solvers/linear/unsupported.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::linear {
@@ -194,6 +195,7 @@ ProgramFile read_program(const std::filesystem::path& file) {
         name, {}, "the file cannot be read; expected a linear program in MPS or CPLEX LP format");
   }
   if (format_of(file) == Format::mps) return parse_mps(unpacked(name), name);
+  refuse_unsupported_lp(unpacked(name), name);
   const Loaded loaded;
   load(loaded.get(), name);
   auto* const lp = loaded.get();

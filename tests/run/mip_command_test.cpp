@@ -81,6 +81,36 @@ TEST_F(MipCommand, IsRightWhereItOnceWasWrong) {
   EXPECT_THAT(none.said, Not(HasSubstr("not proved")));
 }
 
+// Rounds of bound tightening once took M from 1000 to 1e-117. By hand: y = z = 1 and w = 4/9 in
+// bigm_tiny; in bigm_open_a x14 is 4 by r2 if x6 = x9 = 1, and then r5 leaves x0 = 0: -28 - 3, with
+// x9 = 0 no more than -9 - 15.75.
+TEST_F(MipCommand, KeepsTheScaleOfABigM) {
+  for (const auto& way : ways) {
+    const auto open = solve(source("cases/bigm_open_a.mps"), way);
+    EXPECT_EQ(open.exit_code, 0) << way << open.said;
+    EXPECT_EQ(open.result["answer"], "optimal") << way;
+    EXPECT_NEAR(open.result["objective"], -31, 1e-9) << way;
+    const auto tiny = solve(source("cases/bigm_tiny.mps"), way);
+    EXPECT_EQ(tiny.exit_code, 0) << way << tiny.said;
+    EXPECT_NEAR(tiny.result["objective"], -8 + 4.0 / 9, 1e-9) << way;
+    if (way.find("--no-tighten") != std::string::npos || way.find("--no-dive") != way.npos)
+      continue;
+    EXPECT_EQ(tiny.result["root"]["tightened"], 1) << way;
+  }
+}
+
+// The truth of both is of rational arithmetic (bench/hostile/exact_program.py).
+TEST_F(MipCommand, LooksAgainAtWhatTheSimplexMethodCallsInfeasible) {
+  // x0 = 0, x3 = x4 = 1: r1 is tight to the last digit, and no basis in doubles has that point.
+  const auto tight = solve(source("cases/tight_rows.lp"));
+  EXPECT_EQ(tight.exit_code, 0) << tight.said;
+  EXPECT_NEAR(tight.result["objective"], -301.3, 1e-9);
+  // By r2, x6 is 1.2e11 at most, and x7 hangs on it by r0: no direction lowers the objective.
+  const auto bounded = solve(source("cases/bounded_by_a_binary.mps"));
+  EXPECT_NE(bounded.result["answer"], "unbounded");
+  EXPECT_NE(bounded.result["answer"], "infeasible");
+}
+
 TEST_F(MipCommand, SolvesSmallProgramsOfTheClassicKinds) {
   struct Known {
     const char* name;

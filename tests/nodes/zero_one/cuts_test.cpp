@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "nodes/zero_one/big_m.hpp"
 #include "nodes/zero_one/bound_tightening.hpp"
 #include "nodes/zero_one/cut_rounds.hpp"
 #include "nodes/zero_one/disjunctive_cuts.hpp"
@@ -168,7 +169,7 @@ TEST(BoundTightening, SaysWhenNoPointMatters) {
   EXPECT_TRUE(range.proved);
 }
 
-TEST(BoundTightening, MakesABigMAsSmallAsItNeedsToBe) {
+TEST(BigMs, BecomeAsSmallAsTheyNeedToBe) {
   // gamma <= |u| with -3 <= u <= 4 and M = 100, as in (29): gamma - u <= M (1 - tau) needs
   // M = 6 where u = -3 (gamma = 3), gamma + u <= M tau needs 8.
   linear::MixedProgram mixed;
@@ -179,8 +180,9 @@ TEST(BoundTightening, MakesABigMAsSmallAsItNeedsToBe) {
   mixed.binaries = {tau};
   program.add_row({.upper = 100}, {{{gamma, 1}, {u, -1}, {tau, 100}}});
   program.add_row({.lower = 0}, {{{gamma, -1}, {u, -1}, {tau, 100}}});
-  const auto done = tighten_big_m(mixed, 0);
-  EXPECT_GE(done.coefficients, 2U);
+  BigMs big_ms(mixed);
+  const auto done = big_ms.tighten(mixed, 0);
+  EXPECT_EQ(big_ms.smaller(), 2U);
   EXPECT_TRUE(done.proved);
   EXPECT_NEAR(program.rows[0].upper, 6, 1e-9);
   EXPECT_NEAR(program.entries[2].value, 6, 1e-9);
@@ -188,14 +190,50 @@ TEST(BoundTightening, MakesABigMAsSmallAsItNeedsToBe) {
   EXPECT_NEAR(*by_brute_force(mixed), -4, 1e-9);
 }
 
-TEST(BoundTightening, LosesNoOptimum) {
+// t - 1000 y <= 0 with t <= 0 needs no y at all.
+linear::MixedProgram with_an_m_for_nothing(double most) {
+  linear::MixedProgram mixed;
+  auto& program = mixed.program;
+  const int y = program.add_column({.cost = -3, .upper = 1});
+  const int t = program.add_column({.lower = -5, .upper = most});
+  mixed.binaries = {y};
+  program.add_row({.upper = 0}, {{{y, -1000}, {t, 1}}});
+  return mixed;
+}
+
+TEST(BigMs, AreZeroWhereTheRowHoldsWithoutThem) {
+  auto mixed = with_an_m_for_nothing(0);
+  BigMs big_ms(mixed);
+  const auto done = big_ms.tighten(mixed, 0);
+  EXPECT_EQ(mixed.program.entries[0].value, 0);
+  EXPECT_EQ(big_ms.smaller(), 1U);
+  EXPECT_LE(done.rounds, 2U);
+  // Another time, from what the first has left: nothing to do, nothing counted twice.
+  EXPECT_FALSE(big_ms.tighten(mixed, 0).changed);
+  EXPECT_EQ(big_ms.smaller(), 1U);
+}
+
+TEST(BigMs, KeepAShareOfTheRowHoweverOftenTheyAreAskedFor) {
+  // 1e-12 is what the row needs: next to nothing beside t.
+  auto mixed = with_an_m_for_nothing(1e-12);
+  BigMs big_ms(mixed);
+  for (int time = 0; time < 5; ++time) big_ms.tighten(mixed, 0);
+  EXPECT_LE(mixed.program.entries[0].value, -1e-12);
+  EXPECT_LE(-mixed.program.entries[0].value, 1e-5);
+  EXPECT_GE(-mixed.program.entries[0].value, 1e-9);
+  EXPECT_EQ(big_ms.smaller(), 1U);
+}
+
+TEST(BigMs, LoseNoOptimum) {
   std::uint64_t shrunk = 0;
   for (int kind = 2; kind < 5; ++kind) {
     for (unsigned seed = 0; seed < 10; ++seed) {
       auto mixed = random_mixed(seed, kind, 6);
       const auto before = by_brute_force(mixed);
       if (!before) continue;
-      shrunk += tighten_big_m(mixed, *before + 0.5).coefficients;
+      BigMs big_ms(mixed);
+      big_ms.tighten(mixed, *before + 0.5);
+      shrunk += big_ms.smaller();
       const auto after = by_brute_force(mixed);
       ASSERT_TRUE(after.has_value()) << kind << " " << seed;
       EXPECT_NEAR(*after, *before, 1e-8) << kind << " " << seed;

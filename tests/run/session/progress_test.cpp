@@ -13,6 +13,7 @@
 namespace kusabi::run {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -158,6 +159,27 @@ TEST(ProgressText, ARowTellsWhatIsKnown) {
   EXPECT_THAT(progress_row(state), HasSubstr("10            9    10 %"));
   state.progress.bound = infinity;  // no node waits: the objective is its own bound
   EXPECT_THAT(progress_row(state), HasSubstr("10           10     0 %"));
+}
+
+TEST(ProgressText, NamesWhatIsDoneOnceTheProofIsOver) {
+  auto state = some_state();
+  state.progress.objective = 10;
+  state.progress.bound = 10;
+  EXPECT_THAT(progress_row(state), HasSubstr(" 15:00"));  // no bound closes a search for all
+  state.minimising = true;
+  EXPECT_THAT(progress_row(state), EndsWith("  closing"));
+  EXPECT_THAT(progress_bar(state, 199), HasSubstr("closing: the proof is complete"));
+  EXPECT_EQ(progress_row(state).size(), progress_header(true).size());
+  state.progress.bound = 9.99;
+  EXPECT_THAT(progress_row(state), EndsWith(" 15:00"));
+  state.progress.open = 0;
+  EXPECT_THAT(progress_row(state), EndsWith("  ending"));
+  EXPECT_THAT(progress_bar(state, 199), HasSubstr("ending: ranks agree that all is done"));
+  // Without a point there is no proof, whatever the bound.
+  state = some_state();
+  state.minimising = true;
+  state.progress.bound = infinity;
+  EXPECT_THAT(progress_row(state), EndsWith(" 15:00"));
 }
 
 TEST(ProgressText, DoesNotSayThatAllIsDoneBeforeItIs) {

@@ -1,0 +1,298 @@
+"""Random mixed zero-one programs made to be hard for `kusabi mip`, against their exact optimum.
+
+    python3 bench/hostile/programs.py --kusabi build/kusabi --count 900 --seed 1 --found wrong/
+
+Each program is solved in rational arithmetic by a tree search of its own (exact_program.py). Prints each case that comes out
+otherwise or stays open, writes its file to --found, and counts. Exit code 0: no disagreement, nothing open; 1: some.
+"""
+
+import argparse
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
+
+from exact_program import INFEASIBLE, OPTIMAL, UNBOUNDED, Program, exact_optimum
+
+TOLERANCE = Fraction(1, 10**8)  # an answer is optimal within this part of its size (docs/result-files.md)
+
+
+def _rows(rng, program, columns, count, low, high, senses, per_row):
+    for _ in range(count):
+        chosen = rng.sample(columns, min(len(columns), rng.randint(*per_row)))
+        terms = {j: float(rng.choice([-1, 1]) * rng.randint(low, high)) for j in chosen}
+        program.row(rng.choice(senses), float(rng.randint(-high, 4 * high)), terms)
+
+
+def _costs(rng, program, share=0.7):
+    for column in program.columns:
+        if rng.random() < share:
+            column.cost = float(rng.randint(-9, 9))
+
+
+def _plant(rng, program):
+    """Right-hand sides moved such that a random point, near the bounds of its columns, satisfies all rows."""
+    at = []
+    for column in program.columns:
+        lower, upper = column.lower, column.upper
+        ends = [end for end in (lower, upper) if end is not None] or [rng.randint(-4, 4)]
+        inward = rng.choice([0, 0, 1, 2, 0.5]) if not column.binary and lower != upper else 0
+        x = rng.choice(ends)
+        at.append(Fraction(x) + Fraction(inward) * (-1 if x == upper else 1))
+        if lower is not None and upper is not None:
+            at[-1] = min(max(at[-1], Fraction(lower)), Fraction(upper))
+    for row in program.rows:
+        activity = sum(Fraction(value) * at[j] for j, value in row.terms.items())
+        lower, upper = row.ends()
+        if (lower is None or lower <= activity) and (upper is None or activity <= upper):
+            continue
+        if row.sense == "E" and Fraction(float(activity)) != activity:
+            row.sense = rng.choice("LG")  # no double is equal to it
+        toward = math.inf if row.sense == "L" else -math.inf
+        row.right = float(activity) + {"E": 0, "L": 1, "G": -1}[row.sense] * rng.choice([0, 0, 0, 1, 3])
+        if row.sense != "E" and Fraction(row.right) != activity:
+            row.right = math.nextafter(row.right, toward)
+
+
+def big_m(rng):
+    """Rows that a binary switches off, M between 1e2 and 1e9; columns with odd bounds."""
+    program = Program()
+    m = 10.0 ** rng.randint(2, 9)
+    binaries = [program.column(binary=True) for _ in range(rng.randint(2, 7))]
+    others = [program.column(*rng.choice([(0, None), (0, 8), (None, 0), (0, 0), (None, -5), (-3, 9), (None, None)]))
+              for _ in range(rng.randint(2, 6))]
+    for _ in range(rng.randint(1, 5)):
+        terms = {j: float(rng.randint(-9, 9) or 1) for j in rng.sample(others, rng.randint(1, min(3, len(others))))}
+        terms[rng.choice(binaries)] = rng.choice([-1, 1, -1]) * m
+        program.row(rng.choice("LLG"), float(rng.choice([0, 0, rng.randint(-20, 40), m, -m])), terms)
+    _rows(rng, program, binaries + others, rng.randint(1, 4), 1, 9, "LLGE", (1, 4))
+    _costs(rng, program)
+    return program
+
+
+def fixed_charge(rng):
+    """Flows whose arcs cost something once they are used; one M for all, far too large."""
+    program = Program()
+    nodes = rng.randint(3, 5)
+    m = 10.0 ** rng.randint(2, 9)
+    balance = [{} for _ in range(nodes)]
+    for _ in range(rng.randint(nodes, 2 * nodes)):
+        a, b = rng.sample(range(nodes), 2)
+        flow = program.column(0, rng.choice([None, None, 6.0]), cost=float(rng.randint(0, 5)))
+        used = program.column(binary=True, cost=float(rng.choice([4, 4, rng.randint(1, 20)])))
+        balance[a][flow] = balance[a].get(flow, 0.0) + 1.0
+        balance[b][flow] = balance[b].get(flow, 0.0) - 1.0
+        program.row("L", 0.0, {flow: 1.0, used: -m})
+    amount = float(rng.randint(1, 9))
+    for node, terms in enumerate(balance):
+        program.row("E", amount if node == 0 else -amount if node == nodes - 1 else 0.0, terms)
+    return program
+
+
+def knapsack(rng):
+    """Equality knapsacks, and pairs of them, with a continuous column that may make up for little."""
+    program = Program()
+    binaries = [program.column(binary=True, cost=float(rng.randint(-30, 30))) for _ in range(rng.randint(4, 10))]
+    rest = program.column(0, rng.choice([0.5, 2, None]), cost=float(rng.randint(1, 9)))
+    for _ in range(rng.randint(1, 2)):
+        weights = {j: float(rng.randint(3, 40)) for j in binaries}
+        target = sum(weights[j] for j in binaries if rng.random() < 0.5)
+        if rng.random() < 0.7:
+            weights[rest] = rng.choice([-1.0, 1.0])
+        program.row("E", target + rng.choice([0, 0, 1, 0.5]), weights)
+    return program
+
+
+def ties(rng):
+    """Coefficients of 0 and 1, equal costs: many optima, bases that are degenerate."""
+    program = Program()
+    binaries = [program.column(binary=True, cost=float(rng.choice([-1, 1, 1]))) for _ in range(rng.randint(3, 8))]
+    others = [program.column(0, rng.choice([None, 1, 2]), cost=float(rng.choice([-1, 0, 1]))) for _ in range(rng.randint(1, 5))]
+    columns = binaries + others
+    for _ in range(rng.randint(3, 8)):
+        terms = {j: float(rng.choice([-1, 1])) for j in rng.sample(columns, rng.randint(2, min(5, len(columns))))}
+        program.row(rng.choice("LLGE"), float(rng.choice([0, 0, 1, 1, 2])), terms)
+    return program
+
+
+def free(rng):
+    """Columns without bounds, ranges, rows of all kinds."""
+    program = Program()
+    binaries = [program.column(binary=True) for _ in range(rng.randint(2, 6))]
+    others = [program.column(*rng.choice([(None, None), (None, None), (0, None), (None, 4)])) for _ in range(rng.randint(2, 6))]
+    _rows(rng, program, binaries + others, rng.randint(2, 7), 1, 9, "LGE", (2, 5))
+    for row in program.rows:
+        if row.sense in "LG" and rng.random() < 0.2:
+            row.range = float(rng.randint(0, 30))
+    _costs(rng, program)
+    return program
+
+
+def decades(rng):
+    """Coefficients over twelve decades, and decimals that no double is."""
+    program = Program()
+    binaries = [program.column(binary=True) for _ in range(rng.randint(2, 6))]
+    others = [program.column(0, rng.choice([None, 10.0 ** rng.randint(-3, 6)])) for _ in range(rng.randint(1, 5))]
+    columns = binaries + others
+    for _ in range(rng.randint(2, 6)):
+        terms = {j: float(f"{rng.choice([-1, 1]) * rng.randint(1, 99)}e{rng.randint(-6, 6)}")
+                 for j in rng.sample(columns, rng.randint(1, min(4, len(columns))))}
+        program.row(rng.choice("LLGE"), float(f"{rng.randint(-9, 99)}e{rng.randint(-3, 6)}"), terms)
+    for column in program.columns:
+        column.cost = float(f"{rng.randint(-9, 9)}e{rng.randint(-3, 3)}")
+    return program
+
+
+def penalties(rng):
+    """Rows that may be missed at a cost of 1e4 to 1e12 a unit."""
+    program = Program()
+    binaries = [program.column(binary=True) for _ in range(rng.randint(3, 7))]
+    penalty = 10.0 ** rng.randint(4, 12)
+    _rows(rng, program, binaries, rng.randint(2, 5), 1, 9, "LGE", (2, 5))
+    _costs(rng, program, 1)
+    for row in program.rows:
+        for sign in (1.0, -1.0):
+            row.terms[program.column(0, None, cost=penalty)] = sign
+    return program
+
+
+KINDS = {f.__name__: f for f in (big_m, fixed_charge, knapsack, ties, free, decades, penalties)}
+
+
+def make(seed, index, kinds):
+    """(name, program): the same on any machine."""
+    kind = kinds[index % len(kinds)]
+    rng = random.Random(f"programs/{seed}/{index}/{kind}")
+    program = KINDS[kind](rng)
+    if rng.random() < 0.8:
+        _plant(rng, program)
+    if rng.random() < 0.3:
+        program.maximise = True
+        for column in program.columns:
+            column.cost = -column.cost
+    return f"{kind}-{seed}-{index}", program
+
+
+class Judged:
+    """A run of the command beside the truth: `wrong` and `open` say in a line what is the matter, or nothing."""
+
+    def __init__(self, program, truth, code, result, said):
+        self.program, self.truth, self.code, self.result = program, truth, code, result
+        self.wrong, self.open = self._wrong(said), None
+        if not self.wrong and code != 0:
+            self.open = f"{result.get('answer')}: objective {result.get('objective')}, bound {result.get('bound')}"
+
+    def _wrong(self, said):
+        status, value = self.truth
+        if self.code not in (0, 3) or not self.result:
+            return f"exit code {self.code}: {said.strip().splitlines()[-1] if said.strip() else 'nothing said'}"
+        answer = self.result["answer"]
+        if self.code == 0 and answer != status:
+            return f"{answer}, exit code 0"
+        if self.code == 3 and answer not in ("feasible", "unknown"):
+            return f"{answer}, exit code 3"
+        if answer == "feasible" and status != OPTIMAL and status != UNBOUNDED:
+            return "a point of a program that has none"
+        if status == OPTIMAL:
+            return self._wrong_numbers(value)
+        return None
+
+    def _wrong_numbers(self, value):
+        sign = -1 if self.program.maximise else 1
+        size = max(abs(value), min((abs(Fraction(c.cost)) for c in self.program.columns if c.cost), default=Fraction(1)))
+        bound = self.result.get("bound")
+        if bound is not None:
+            room = 0 if self.result.get("proved") else TOLERANCE * size
+            if sign * Fraction(bound) > sign * value + room:
+                return f"bound {bound} beyond the optimum {float(value)!r}"
+        if self.result["answer"] not in ("optimal", "feasible"):
+            return None
+        objective = Fraction(self.result["objective"])
+        if self.result["answer"] == "optimal" and abs(objective - value) > TOLERANCE * size:
+            return f"optimal {float(objective)!r}, but the optimum is {float(value)!r}"
+        if sign * objective < sign * value - TOLERANCE * size:
+            return f"a point of {float(objective)!r}, better than the optimum {float(value)!r}"
+        return self.program.missed(self.result["columns"])
+
+
+def run(kusabi, options, path, ranks):
+    """(exit code, result, what was said)"""
+    output = path + f".{ranks}.json"
+    launcher = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
+    serial = [] if ranks > 1 else ["--serial"]
+    done = subprocess.run([*launcher, kusabi, "mip", path, *serial, *options, "--output", output],
+                          capture_output=True, text=True, timeout=600)
+    result = None
+    if os.path.exists(output):
+        with open(output) as file:
+            result = json.load(file)["result"]
+    return done.returncode, result, done.stdout + done.stderr
+
+
+def examine(arguments, index):
+    """(name, text of the file, [(what, line)])"""
+    name, program = make(arguments.seed, index, arguments.kinds)
+    as_lp = index % 2 == 1
+    text = program.lp() if as_lp else program.mps()
+    truth = exact_optimum(program)
+    findings = []
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, name + (".lp" if as_lp else ".mps"))
+        with open(path, "w") as file:
+            file.write(text)
+        first = None
+        for ranks in arguments.ranks:
+            code, result, said = run(arguments.kusabi, arguments.options, path, ranks)
+            judged = Judged(program, truth, code, result or {}, said)
+            value = "" if truth[1] is None else f" {float(truth[1])!r}"
+            for what, line in (("wrong", judged.wrong), ("open", judged.open)):
+                if line:
+                    findings.append((what, f"{line}; truth: {truth[0]}{value}; {ranks} rank(s)"))
+            told = (code, *((result or {}).get(key) for key in ("answer", "objective", "bound")))
+            if first is None:
+                first = told
+            elif told[:3] != first[:3]:
+                findings.append(("differs", f"{first} on {arguments.ranks[0]}, {told} on {ranks} rank(s)"))
+    return os.path.basename(path), text, truth[0], findings
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="bench/hostile/programs.py", description=__doc__.split("\n")[0])
+    parser.add_argument("--kusabi", default="build/kusabi", help="the command under test")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--first", type=int, default=0, help="number of the first case")
+    parser.add_argument("--count", type=int, default=140)
+    parser.add_argument("--kinds", default=",".join(KINDS), help="some of " + ",".join(KINDS))
+    parser.add_argument("--options", default="", help="further options of mip, in one word")
+    parser.add_argument("--ranks", default="1", help="numbers of ranks whose answers must agree, e.g. 1,2")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--found", help="write cases that are wrong or open to this folder")
+    arguments = parser.parse_args()
+    arguments.kinds = arguments.kinds.split(",")
+    arguments.options = arguments.options.split()
+    arguments.ranks = [int(number) for number in arguments.ranks.split(",")]
+    counts = {}
+    indices = range(arguments.first, arguments.first + arguments.count)
+    with ThreadPoolExecutor(arguments.jobs) as pool:
+        for name, text, status, findings in pool.map(lambda index: examine(arguments, index), indices):
+            counts[status] = counts.get(status, 0) + 1
+            for what, line in findings:
+                counts[what] = counts.get(what, 0) + 1
+                print(f"{what}: {name}: {line}", flush=True)
+            if findings and arguments.found:
+                os.makedirs(arguments.found, exist_ok=True)
+                with open(os.path.join(arguments.found, name), "w") as file:
+                    file.write(text)
+    failed = [what for what in ("wrong", "open", "differs") if counts.get(what)]
+    print(f"{arguments.count} programs: " + ", ".join(f"{counts.get(key, 0)} {key}"
+          for key in (OPTIMAL, INFEASIBLE, UNBOUNDED, "wrong", "open", "differs")))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

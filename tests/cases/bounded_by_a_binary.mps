@@ -1,0 +1,45 @@
+NAME r
+ROWS
+ N cost
+ E r0
+ L r1
+ G r2
+ L r3
+COLUMNS
+ M0 'MARKER' 'INTORG'
+ x0 cost 0.003
+ x0 r1 4000.0
+ x0 r2 260.0
+ x0 r3 5.6e-05
+ x1 cost 90.0
+ x2 cost -0.01
+ x2 r1 0.00037
+ x3 cost -50.0
+ x3 r0 2300000.0
+ x4 cost 600.0
+ x4 r1 -0.068
+ x4 r3 -0.00026
+ x5 cost 900.0
+ x5 r2 63000000.0
+ x5 r3 -0.54
+ M6 'MARKER' 'INTEND'
+ x6 cost -100.0
+ x6 r0 -64000.0
+ x6 r2 -0.00055
+ x7 cost -8000.0
+ x7 r0 990.0
+ x7 r1 -200000.0
+RHS
+ RHS r0 2269980.0
+ RHS r1 1400.0
+ RHS r2 -0.000275
+ RHS r3 64000.0
+RANGES
+BOUNDS
+ UP BND x0 1.0
+ UP BND x1 1.0
+ UP BND x2 1.0
+ UP BND x3 1.0
+ UP BND x4 1.0
+ UP BND x5 1.0
+ENDATA
