@@ -395,7 +395,7 @@ class Refinement {
     return solve_transposed(unit);
   }
 
-  // Whether no point satisfies all rows and bounds, by these multipliers.
+  // True if these multipliers prove that no point satisfies all rows and bounds.
   [[nodiscard]] bool contradicts(const Vector& duals) const {
     if (duals.empty()) return false;
     std::vector<double> lower;
