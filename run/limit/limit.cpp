@@ -23,6 +23,7 @@
 #include "run/limit/limit_cases.hpp"
 #include "run/limit/limit_pictures.hpp"
 #include "run/limit/limit_report.hpp"
+#include "run/limit/limit_words.hpp"
 #include "run/limit/members_csv.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
@@ -57,7 +58,8 @@ class Limit final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  Verdict verdict(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override;
+  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   void take_cases(problems::Structure structure);
@@ -283,36 +285,19 @@ const char* Limit::why_no_certificate() const {
              : "the two ends are not proved";
 }
 
-Verdict Limit::verdict(CommandRun& run) {
-  Verdict verdict{.remarks = {}, .code = all_whole(cases_) ? solved : stopped_early};
-  if (run.wants("--certificate") && !cases_.front().found.certificate) {
-    verdict.code = stopped_early;
-    if (!run.quiet()) {
-      verdict.remarks.push_back(
-          fmt::format("no certificate ({} is as it was): {}", certificate_, why_no_certificate()));
-    }
-  }
-  bool printed = false;  // of the whole tree, and not proved
-  auto ended_by = engine::Status::solved;
-  for (const auto& each : cases_) {
-    const auto& answer = each.found.answer;
-    const auto& worst = answer.worst;
-    const auto stopped =
-        worst && worst->search != engine::Status::solved ? worst->search : answer.rest;
-    if (stopped != engine::Status::solved && ended_by == engine::Status::solved) ended_by = stopped;
-    printed = printed || (worst && worst->as_printed && !worst->proved &&
-                          worst->search == engine::Status::solved);
-  }
-  if (ended_by != engine::Status::solved) {
-    std::ranges::move(run.how_to_go_on(options_.checkpoint, ended_by, false),
-                      std::back_inserter(verdict.remarks));
-  }
-  if (printed && !run.quiet()) {
-    verdict.remarks.emplace_back(
-        "not proved: the ends of (29) are those of the worst case if its M is large enough; "
-        "--certificate FILE has them proved by static cuts");
+Verdict Limit::verdict() const {
+  auto verdict = limit_verdict(options_, cases_);
+  if (!certificate_.empty() && !cases_.front().found.certificate) {
+    verdict.missing.push_back(
+        fmt::format("No certificate ({} is as it was): {}.", certificate_, why_no_certificate()));
   }
   return verdict;
+}
+
+std::vector<std::string> Limit::remarks(CommandRun& run) {
+  const auto ended_by = verdict().ended;
+  if (ended_by == engine::Status::solved) return {};
+  return run.how_to_go_on(options_.checkpoint, ended_by, false);
 }
 
 }  // namespace

@@ -8,14 +8,15 @@
 #include "run/limit/collapse_loads.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_report.hpp"
+#include "run/limit/limit_words.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/limit_problem_json.hpp"
+#include "run/verdict/ending.hpp"
 
 namespace kusabi::run {
 namespace {
 
-using limit::RootStatus;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
 
@@ -89,18 +90,6 @@ ordered_json support_reactions_json(const LimitReport& report, const limit::Limi
           numbers(reactions.col(static_cast<Eigen::Index>(node)));
   }
   return supports;
-}
-
-const char* status_text(RootStatus status) {
-  switch (status) {
-    case RootStatus::closed:
-      return "solved";
-    case RootStatus::not_carried:
-      return "not-carried";
-    default:
-      break;
-  }
-  return "open";
 }
 
 const char* method_name(limit::LimitMethod method) {
@@ -200,29 +189,6 @@ ordered_json result_json(const LimitReport& report) {
   return result;
 }
 
-// What ended the work early comes first.
-std::string status_of(const limit::LimitAnswer& answer) {
-  if (answer.worst && answer.worst->search != engine::Status::solved) {
-    return status_name(answer.worst->search);
-  }
-  if (answer.rest != engine::Status::solved) return status_name(answer.rest);
-  std::string status = answer.nominal ? "solved" : "open";
-  if (answer.status == limit::LoadStatus::not_carried && answer.no_factor_proved) {
-    status = "not-carried";
-  }
-  if (answer.worst) status = answer.worst->proved ? status_text(answer.worst->status) : "open";
-  if (status == "solved" && !answer.whole()) status = "open";  // a curve
-  return status;
-}
-
-// That of the case that governs, unless another one is open.
-std::string status_of(std::span<const LimitCase> cases) {
-  for (const auto& each : cases) {
-    if (!each.found.answer.whole()) return status_of(each.found.answer);
-  }
-  return status_of(governing(cases).found.answer);
-}
-
 ordered_json statistics_json(const LimitReport& report) {
   ordered_json statistics{{"ranks", report.ranks}};
   if (const auto& worst = report.answer.worst) {
@@ -242,7 +208,7 @@ ordered_json LimitReport::json() const {
           {"version", KUSABI_VERSION},
           {"problem", limit_problem_json(problem, truss, options.file)},
           {"options", options_json(options)},
-          {"status", status_of(cases)},
+          {"status", status_text(limit_verdict(options, cases))},
           {"result", result_json(*this)},
           {"statistics", statistics_json(*this)}};
 }

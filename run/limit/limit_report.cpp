@@ -140,9 +140,8 @@ std::string no_nominal(const limit::LimitAnswer& answer) {
 }  // namespace
 
 std::string LimitReport::table(const Page& page) const {
-  const auto verdict = limit_verdict(options, problem, answer, page);
   std::string text = cases.size() > 1 ? cases_text(cases) : std::string();
-  if (!answer.nominal) return text + page.doubtful(no_nominal(answer)) + verdict;
+  if (!answer.nominal) return text + page.doubtful(no_nominal(answer));
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "nominal load factor {:.10g}\n", answer.nominal->factor);
   write_zero(text, "the dead load", *answer.nominal);
@@ -162,7 +161,7 @@ std::string LimitReport::table(const Page& page) const {
     text += page.doubtful(fmt::format("stopped early ({}): not all that was asked for is here\n",
                                       status_name(answer.rest)));
   }
-  return text + verdict;
+  return text;
 }
 
 }  // namespace kusabi::run

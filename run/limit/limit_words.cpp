@@ -17,7 +17,6 @@
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
-#include "run/output/conclusions.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/values.hpp"
 
@@ -52,7 +51,7 @@ std::string yielding_sentence(const LimitProblem& problem, const LimitCollapse& 
     names.resize(most_in_sentence);
     names.push_back(fmt::format("and {} more", all - most_in_sentence));
   }
-  return fmt::format(" {} {} {}: {}.", when, counted(all, "member"), all == 1 ? "yields" : "yield",
+  return fmt::format("{} {} {}: {}.", when, counted(all, "member"), all == 1 ? "yields" : "yield",
                      fmt::join(names, " "));
 }
 
@@ -116,30 +115,50 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
   return text;
 }
 
-std::string limit_verdict(const LimitOptions& options, const LimitProblem& problem,
-                          const LimitAnswer& answer, const Page& page) {
-  const auto said = [&](const std::string& sentence, const std::string& more = {}) {
-    return '\n' + page.strong(sentence) + more + '\n';
+Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases) {
+  const auto& [name, truss, problem, found] = governing(cases);
+  const auto& answer = found.answer;
+  const auto& worst = answer.worst;
+  Verdict verdict;
+  for (const auto& each : cases) {
+    const auto& its = each.found.answer;
+    const auto stopped =
+        its.worst && its.worst->search != engine::Status::solved ? its.worst->search : its.rest;
+    if (verdict.ended == engine::Status::solved) verdict.ended = stopped;
+  }
+  LoadInterval interval;
+  const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
+  const auto yields = [&](const LimitCollapse& collapse, const char* when) {
+    if (auto text = yielding_sentence(problem, collapse, when); !text.empty())
+      verdict.details.push_back(std::move(text));
   };
-  if (const auto& worst = answer.worst) {
-    if (worst->status == limit::RootStatus::not_carried && worst->proved)
-      return said(not_carried_sentence(answer.nominal.has_value()));
-    const auto& ends = worst->ends;
-    const auto lower = std::isfinite(ends.lower) ? std::optional(ends.lower) : std::nullopt;
-    return said(always_carried_sentence(
-                    lower, problems::common_half_width(problem, options.question.alpha.value_or(0)),
-                    unit_of_alpha(problem)),
-                worst->collapse
-                    ? yielding_sentence(problem, *worst->collapse,
-                                        worst->proved ? "In the worst case" : "At the worst known")
-                    : std::string{});
+  if (worst) {
+    interval.uncertain.emplace();
+    interval.uncertain->half_width =
+        problems::common_half_width(problem, options.question.alpha.value_or(0));
+    if (const auto unit = unit_of_alpha(problem)) interval.uncertain->force = std::string(*unit);
+    if (worst->status == limit::RootStatus::not_carried) {
+      interval.carried_at_none = standing(worst->proved);
+    } else {
+      const auto& ends = worst->ends;
+      if (std::isfinite(ends.lower))
+        interval.most.lower = Bound{ends.lower, standing(ends.lower_proved)};
+      if (std::isfinite(ends.upper))
+        interval.most.upper = Bound{ends.upper, standing(ends.upper_proved)};
+      interval.if_big_m = worst->as_printed && !worst->proved;
+      if (worst->collapse)
+        yields(*worst->collapse, worst->proved ? "In the worst case" : "At the worst known");
+    }
+  } else if (answer.nominal) {
+    interval.most.lower = Bound{answer.nominal->factor, Standing::computed};
+    interval.most.upper = interval.most.lower;
+    yields(*answer.nominal, "Then");
+  } else if (answer.status == limit::LoadStatus::not_carried) {
+    interval.carried_at_none = standing(answer.no_factor_proved);
   }
-  if (!answer.nominal) {
-    const bool proved = answer.status == limit::LoadStatus::not_carried && answer.no_factor_proved;
-    return said(proved ? not_carried_sentence(false) : carried_sentence({}));
-  }
-  return said(carried_sentence(answer.nominal->factor),
-              yielding_sentence(problem, *answer.nominal, "Then"));
+  interval.incomplete = !all_whole(cases);
+  verdict.answer = interval;
+  return verdict;
 }
 
 }  // namespace kusabi::run

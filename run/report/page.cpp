@@ -16,8 +16,9 @@
 #include "run/report/page_script.hpp"
 #include "run/report/page_style.hpp"
 #include "run/report/sweep_section.hpp"
-#include "run/report/verdict.hpp"
 #include "run/results/result_scenes.hpp"
+#include "run/results/result_verdict.hpp"
+#include "run/verdict/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -40,12 +41,22 @@ void add_head(Markup& page, const std::string& title) {
   page.close();
 }
 
-void add_verdict(Markup& page, const Conclusion& verdict) {
-  page.element("p", verdict.sentence, {{"id", "verdict"}});
-  if (verdict.reservations.empty()) return;
-  page.open("ul", {{"id", "reservations"}});
-  for (const auto& each : verdict.reservations) page.element("li", each);
+void add_list(Markup& page, const char* id, const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return;
+  page.open("ul", {{"id", id}});
+  for (const auto& each : sentences) page.element("li", each);
   page.close();
+}
+
+void add_verdict(Markup& page, const Verdict& verdict) {
+  page.element("p", headline(verdict), {{"id", "verdict"}});
+  for (const auto& each : verdict.details) page.element("p", each);
+  std::vector<std::string> sentences;
+  for (const auto& each : reservations(verdict)) sentences.push_back(each.sentence);
+  add_list(page, "reservations", sentences);
+  sentences.clear();
+  for (const auto& each : verdict.warnings) sentences.push_back("Warning: " + each);
+  add_list(page, "warnings", sentences);
 }
 
 // Facts on one side, the structure and what the marks mean on the other.
@@ -92,7 +103,7 @@ std::string report_page(const ResultReader& reader) {
   page.verbatim("<!DOCTYPE html>\n").open("html", {{"lang", "en"}});
   add_head(page, scenes.picture.title + " · kusabi " + command);
   page.open("body").open("header").element("h1", scenes.picture.title);
-  add_verdict(page, conclusion(reader));
+  add_verdict(page, result_verdict(reader));
   page.close().open("main");
   if (command == "critical") add_bracket(page, reader);
   if (command == "limit") add_limit(page, reader, scenes);

@@ -12,6 +12,7 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/sweep/swept.hpp"
+#include "run/verdict/ending.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -49,9 +50,10 @@ class FrictionSweep final : public Swept {
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
-  [[nodiscard]] std::string table(const std::string& sentence) const override;
+  [[nodiscard]] std::string table() const override {
+    return points_text() + cones_text() + ranks_text();
+  }
   [[nodiscard]] Verdict verdict() const override;
-  [[nodiscard]] engine::Status status() const override { return found_.status; }
 
  private:
   /// At the points that were asked for; none if the tree was not done.
@@ -126,7 +128,7 @@ ordered_json FrictionSweep::json() const {
       {"version", KUSABI_VERSION},
       {"problem", problem_json(structure_, problem_, options_.file)},
       {"options", std::move(chosen)},
-      {"status", status_name(found_.status)},
+      {"status", status_text(verdict())},
       {"result",
        {{"points", std::move(points)},
         {"at_mu_max",
@@ -200,33 +202,23 @@ std::string FrictionSweep::ranks_text() const {
   return text + "\nDown from there, leaf by leaf:\n" + histories.text();
 }
 
-std::string FrictionSweep::table(const std::string& sentence) const {
-  return points_text() + cones_text() + (sentence.empty() ? "" : '\n' + sentence + '\n') +
-         ranks_text();
-}
-
 Verdict FrictionSweep::verdict() const {
+  FrictionSteps steps{.most = question_.most,
+                      .factor = !problems::uniform_friction(problem_),
+                      .open_patterns = found_.open.size()};
+  if (found_.enumerated) {
+    double infeasible = question_.most;
+    for (const auto& cone : found_.cones) infeasible = std::min(infeasible, cone.begins.lower);
+    for (const auto& leaf : found_.open) infeasible = std::min(infeasible, leaf.lower);
+    steps.infeasible = Bound{infeasible, Standing::computed};
+    const auto last = found_.count_at(found_.most);
+    steps.count = fmt::format("{}", last.known);
+    steps.open_at_most = last.open;
+  }
   const auto list = counts();
-  const bool undecided = std::ranges::any_of(list, [](const auto& each) { return !each.exact(); });
-  Verdict verdict{.remarks = {}, .code = found_.answered() && !undecided ? solved : stopped_early};
-  if (found_.status != engine::Status::solved) {
-    verdict.remarks.push_back(fmt::format(
-        "stopped early ({}): {}", status_name(found_.status),
-        found_.enumerated
-            ? fmt::format("of {} of the patterns it is not known where they begin",
-                          found_.open.size())
-            : "the patterns at the largest coefficient were not all found, so no count is known"));
-  } else if (!found_.open.empty()) {
-    verdict.remarks.push_back(
-        fmt::format("open: of {} it could not be told what they are above a certain coefficient",
-                    counted(found_.open.size(), "pattern")));
-  }
-  if (undecided && found_.answered()) {
-    verdict.remarks.emplace_back(
-        "open: a point lies within the bracket in which a pattern begins; a smaller --width, or "
-        "another point, decides");
-  }
-  return verdict;
+  steps.undecided_points = static_cast<std::uint64_t>(
+      std::ranges::count_if(list, [](const auto& each) { return !each.exact(); }));
+  return {.ended = found_.status, .answer = steps};
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "run/pictures/limit_problem_json.hpp"
 #include "run/session/supervision.hpp"
 #include "run/sweep/swept.hpp"
+#include "run/verdict/ending.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -57,9 +58,8 @@ class LoadSweep final : public Swept {
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
-  [[nodiscard]] std::string table(const std::string& sentence) const override;
+  [[nodiscard]] std::string table() const override;
   [[nodiscard]] Verdict verdict() const override;
-  [[nodiscard]] engine::Status status() const override { return found_.status; }
 
  private:
   /// lambda_min over multiples of the largest alpha; null if it is not known.
@@ -70,7 +70,6 @@ class LoadSweep final : public Swept {
   [[nodiscard]] double alpha_at(double beta) const { return beta * alphas_.back(); }
   [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
   [[nodiscard]] std::string curve_text() const;
-  [[nodiscard]] const char* outcome_name() const;
 
   const SweepOptions& options_;
   problems::Structure truss_;
@@ -92,12 +91,6 @@ ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
           {"factor_from", piece.from.factor},     {"factor_to", piece.factor_at_end},
           {"error", number_or_null(piece.error)}, {"sway", mode.sway},
           {"yielding", std::move(yielding)},      {"tension", std::move(tension)}};
-}
-
-const char* LoadSweep::outcome_name() const {
-  if (found_.status != engine::Status::solved) return status_name(found_.status);
-  if (!found_.whole(alphas_.size())) return "open";
-  return found_.last.status == limit::LoadStatus::not_carried ? "not-carried" : "solved";
 }
 
 ordered_json LoadSweep::json() const {
@@ -127,7 +120,7 @@ ordered_json LoadSweep::json() const {
           {"version", KUSABI_VERSION},
           {"problem", limit_problem_json(problem_, truss_, options_.file)},
           {"options", {{"alpha", alphas_}}},
-          {"status", outcome_name()},
+          {"status", status_text(verdict())},
           {"result", std::move(result)},
           {"statistics", {{"ranks", ranks_}}}};
 }
@@ -173,7 +166,7 @@ std::string LoadSweep::curve_text() const {
   return text;
 }
 
-std::string LoadSweep::table(const std::string& sentence) const {
+std::string LoadSweep::table() const {
   std::string text;
   const auto out = std::back_inserter(text);
   if (!found_.points.empty()) text += "\n       alpha  worst-case load factor\n";
@@ -187,19 +180,33 @@ std::string LoadSweep::table(const std::string& sentence) const {
       fmt::format_to(out, "{:.10g} ... {:.10g}, open\n", worst.ends.lower, worst.ends.upper);
     }
   }
-  return text + curve_text() + '\n' + sentence + '\n';
+  return text + curve_text();
 }
 
 Verdict LoadSweep::verdict() const {
-  Verdict verdict{.remarks = {}, .code = found_.whole(alphas_.size()) ? solved : stopped_early};
-  if (found_.status != engine::Status::solved) {
-    verdict.remarks.push_back(fmt::format("stopped early ({}): {} of {} points were looked at",
-                                          status_name(found_.status), found_.points.size(),
-                                          alphas_.size()));
-  } else if (verdict.code != solved) {
-    verdict.remarks.emplace_back("open: not every point, or not all of the curve, is proved");
+  LoadSteps steps{.points = found_.points.size(), .points_asked = alphas_.size()};
+  const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
+  if (found_.last.nominal) {
+    steps.nominal = Bound{found_.last.nominal->factor, Standing::computed};
+  } else if (found_.last.status == limit::LoadStatus::not_carried) {
+    steps.nominal_at_none = standing(found_.last.no_factor_proved);
   }
-  return verdict;
+  if (problems::alpha_is_force(problem_)) steps.force = problem_.units.force;
+  if (!found_.points.empty()) {
+    const auto& [alpha, worst] = found_.points.back();
+    steps.half_width = alpha;
+    if (worst.status == RootStatus::not_carried) {
+      steps.worst_at_none = standing(worst.proved);
+    } else {
+      const auto& ends = worst.ends;
+      if (std::isfinite(ends.lower))
+        steps.worst.lower = Bound{ends.lower, standing(ends.lower_proved)};
+      if (std::isfinite(ends.upper))
+        steps.worst.upper = Bound{ends.upper, standing(ends.upper_proved)};
+    }
+  }
+  steps.open = !found_.whole(alphas_.size());
+  return {.ended = found_.status, .answer = steps};
 }
 
 }  // namespace

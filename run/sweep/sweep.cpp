@@ -1,8 +1,6 @@
 // The options, and which of the two is swept.
 #include "run/sweep/sweep.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +18,7 @@
 #include "run/session/restart.hpp"
 #include "run/sweep/sweep_points.hpp"
 #include "run/sweep/swept.hpp"
+#include "run/verdict/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -49,7 +48,8 @@ class Sweep final : public Subcommand {
   }
   void search(CommandRun& run) override { swept_->search(run); }
   std::vector<Step> results(CommandRun& run) override;
-  Verdict verdict(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override { return swept_->verdict(); }
+  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   [[nodiscard]] std::vector<double> friction_points() const {
@@ -131,26 +131,23 @@ std::vector<Step> Sweep::results(CommandRun& run) {
   const ResultReader result(swept_->json(), "the result");
   std::vector<Step> steps{run.result([json = result.all()] { return json; }),
                           run.file("--csv", [this](std::ostream& out) { swept_->write_csv(out); })};
-  chart_ = sweep_chart(result);
+  chart_ = sweep_chart(result, headline(verdict()));
   if (chart_) {
     steps.push_back(run.file("--svg", [this](std::ostream& out) { write_chart(out, *chart_); }));
   }
-  steps.push_back(
-      run.answer([this, sentence = sweep_sentence(result)] { return swept_->table(sentence); }));
+  steps.push_back(run.answer([this] { return swept_->table(); }));
   return steps;
 }
 
-Verdict Sweep::verdict(CommandRun& run) {
-  auto verdict = swept_->verdict();
-  if (swept_->status() != engine::Status::solved) {
-    std::ranges::move(run.how_to_go_on(options_.checkpoint, swept_->status(), false),
-                      std::back_inserter(verdict.remarks));
-  }
+std::vector<std::string> Sweep::remarks(CommandRun& run) {
+  std::vector<std::string> remarks;
+  const auto ended = verdict().ended;
+  if (ended != engine::Status::solved)
+    remarks = run.how_to_go_on(options_.checkpoint, ended, false);
   if (run.wants("--svg") && !chart_) {
-    verdict.remarks.push_back(
-        fmt::format("nothing is known that could be drawn: {} is as it was", svg_));
+    remarks.push_back(fmt::format("nothing is known that could be drawn: {} is as it was", svg_));
   }
-  return verdict;
+  return remarks;
 }
 
 }  // namespace

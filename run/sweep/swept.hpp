@@ -42,11 +42,8 @@ class Swept {
   // Of the answer, on rank 0.
   [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
   virtual void write_csv(std::ostream& out) const = 0;
-  /// @param sentence what the answer comes to; may be empty
-  [[nodiscard]] virtual std::string table(const std::string& sentence) const = 0;
+  [[nodiscard]] virtual std::string table() const = 0;
   [[nodiscard]] virtual Verdict verdict() const = 0;
-  /// Whether it was stopped, and by what.
-  [[nodiscard]] virtual engine::Status status() const = 0;
 };
 
 /// @param structure of the file @param points increasing; may be empty @param most the largest

@@ -107,10 +107,9 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   if (structure) {
     auto found = truss_of(certificate, *structure);
     if (const auto* why = std::get_if<std::string>(&found)) {
-      return {.code = failed,
+      return {.check = {.refusals = 1},
               .refusals =
-                  fmt::format("{}: refused: {}: {}\n", options.certificate, options.problem, *why),
-              .verdict = "NOT PROVED\n"};
+                  fmt::format("{}: refused: {}: {}\n", options.certificate, options.problem, *why)};
     }
     auto& agreed = std::get<AgreedTruss>(found);
     truss = std::move(agreed.truss);
@@ -145,8 +144,7 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
     if (!options.checkpoint.state.empty()) kept = run.supervision({});
     engine::Campaign campaign(run.session().transport(), std::move(kept));
     const auto outcome = campaign.search(work, {});
-    if (outcome.status != engine::Status::solved)
-      return {.code = stopped_early, .status = outcome.status};
+    if (outcome.status != engine::Status::solved) return {.status = outcome.status};
     const auto verdicts = engine::from_first_rank(run.session().transport(), [&] {
       std::vector<NodeVerdict> found;
       for (const auto& each : outcome.solutions) found.push_back(each.solution);
@@ -160,15 +158,12 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
       }
     }
   }
-  VerifyFindings findings{.code = refusals.empty() ? solved : failed};
+  VerifyFindings findings{.check = {.refusals = refusals.size()}};
   for (const auto& refusal : refusals) {
     findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, refusal);
   }
   auto& summary = findings.summary;
-  if (!refusals.empty()) {
-    findings.verdict = "NOT PROVED\n";
-    return findings;
-  }
+  if (!refusals.empty()) return findings;
   const double above = verify::rounded_up(std::get<mpq_class>(upper));
   const auto out = std::back_inserter(summary);
   if (structure) {
@@ -185,10 +180,9 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
                  certificate.nodes.size());
   const auto [least, most] = ends_of(certificate.alpha);
   if (least != most) summary += half_widths_text(certificate.alpha);
-  findings.verdict = fmt::format(
-      "PROVED: the least load factor for {} is between {:.17g} and {:.17g}\n",
-      least == most ? fmt::format("alpha = {}", most) : "uncertain loads within these half-widths",
-      std::min(lower, above), above);
+  CertificateCheck::Factor factor{.loads = {}, .lower = std::min(lower, above), .upper = above};
+  if (least == most) factor.loads.half_width = most;
+  findings.check.claim = factor;
   return findings;
 }
 
