@@ -11,6 +11,7 @@
 #include "run/limit/limit_words.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
+#include "run/pictures/guaranteed_interval_report.hpp"
 #include "run/pictures/limit_problem_json.hpp"
 #include "run/verdict/ending.hpp"
 
@@ -157,6 +158,14 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
                         {"rounds", worst.counts.rounds}};
 }
 
+void add_interval(ordered_json& result, const LimitReport& report) {
+  auto& interval = result["guaranteed_interval"];
+  interval = interval_json(guaranteed_interval(report.answer));
+  const auto& reversed = report.answer.reversed;
+  if (!reversed || reversed->zeta.size() == 0) return;
+  interval["lower"]["critical_parameters"] = parameters_json(report.problem, reversed->zeta);
+}
+
 ordered_json samples_json(const LimitReport& report) {
   auto factors = ordered_json::array();
   for (const double factor : report.answer.samples) factors.push_back(number_or_null(factor));
@@ -173,6 +182,9 @@ ordered_json result_json(const LimitReport& report) {
   if (!report.load_case.empty()) {
     result["case"] = report.load_case;
     result["cases"] = cases_json(report.cases);
+    if (report.options.question.alpha) {
+      result["guaranteed_interval_of_all_cases"] = interval_json(interval_of_all(report.cases));
+    }
   }
   result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
   if (answer.nominal) {
@@ -184,6 +196,7 @@ ordered_json result_json(const LimitReport& report) {
         support_reactions_json(report, *answer.nominal, problem.dead);
   }
   if (answer.worst) add_worst_case(result, report, *answer.worst);
+  if (options.question.alpha) add_interval(result, report);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);
   CurveReport{options, problem, answer}.add_to(result);
   return result;

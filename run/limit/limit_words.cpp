@@ -115,46 +115,80 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
   return text;
 }
 
-Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases) {
-  const auto& [name, truss, problem, found] = governing(cases);
-  const auto& answer = found.answer;
-  const auto& worst = answer.worst;
-  Verdict verdict;
-  for (const auto& each : cases) {
-    const auto& its = each.found.answer;
-    const auto stopped =
-        its.worst && its.worst->search != engine::Status::solved ? its.worst->search : its.rest;
-    if (verdict.ended == engine::Status::solved) verdict.ended = stopped;
-  }
+namespace {
+
+Standing standing(bool proved) {
+  return proved ? Standing::proved : Standing::computed;
+}
+
+std::optional<Bound> bound(double value, bool proved) {
+  if (!std::isfinite(value)) return std::nullopt;
+  return Bound{value, standing(proved)};
+}
+
+Bracket bracket(const limit::FactorBracket& found) {
+  return {bound(found.lower, found.lower_proved), bound(found.upper, found.upper_proved)};
+}
+
+// Of the dead load as it is given.
+LoadInterval nominal_interval(const LimitAnswer& answer) {
   LoadInterval interval;
-  const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
-  const auto yields = [&](const LimitCollapse& collapse, const char* when) {
-    if (auto text = yielding_sentence(problem, collapse, when); !text.empty())
-      verdict.details.push_back(std::move(text));
-  };
-  if (worst) {
-    interval.uncertain.emplace();
-    interval.uncertain->half_width =
-        problems::common_half_width(problem, options.question.alpha.value_or(0));
-    if (const auto unit = unit_of_alpha(problem)) interval.uncertain->force = std::string(*unit);
-    if (worst->status == limit::RootStatus::not_carried) {
-      interval.carried_at_none = standing(worst->proved);
-    } else {
-      const auto& ends = worst->ends;
-      if (std::isfinite(ends.lower))
-        interval.most.lower = Bound{ends.lower, standing(ends.lower_proved)};
-      if (std::isfinite(ends.upper))
-        interval.most.upper = Bound{ends.upper, standing(ends.upper_proved)};
-      interval.if_big_m = worst->as_printed && !worst->proved;
-      if (worst->collapse)
-        yields(*worst->collapse, worst->proved ? "In the worst case" : "At the worst known");
+  if (answer.nominal) {
+    interval.most.lower = interval.most.upper = Bound{answer.nominal->factor, Standing::computed};
+    if (const auto& least = answer.nominal->least) {
+      interval.least.lower = interval.least.upper = Bound{*least, Standing::computed};
     }
-  } else if (answer.nominal) {
-    interval.most.lower = Bound{answer.nominal->factor, Standing::computed};
-    interval.most.upper = interval.most.lower;
-    yields(*answer.nominal, "Then");
   } else if (answer.status == limit::LoadStatus::not_carried) {
     interval.carried_at_none = standing(answer.no_factor_proved);
+  }
+  return interval;
+}
+
+// Of all admissible loads in all cases.
+LoadInterval guaranteed(const LimitOptions& options, std::span<const LimitCase> cases) {
+  const auto found = interval_of_all(cases);
+  LoadInterval interval{.uncertain = LoadRange{}, .cases = cases.size()};
+  std::set<std::optional<double>> half_widths;
+  for (const auto& each : cases)
+    half_widths.insert(problems::common_half_width(each.problem, *options.question.alpha));
+  if (half_widths.size() == 1) interval.uncertain->half_width = *half_widths.begin();
+  if (const auto unit = unit_of_alpha(cases.front().problem))
+    interval.uncertain->force = std::string(*unit);
+  if (found.at_none) {
+    interval.carried_at_none = standing(found.at_none_proved);
+    return interval;
+  }
+  interval.least = bracket(found.least);
+  interval.most = bracket(found.largest);
+  interval.if_big_m = std::ranges::any_of(cases, [](const auto& each) {
+    const auto& worst = each.found.answer.worst;
+    return worst && worst->as_printed && !worst->proved;
+  });
+  return interval;
+}
+
+}  // namespace
+
+Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases) {
+  const auto& governs = governing(cases);
+  const auto& answer = governs.found.answer;
+  Verdict verdict;
+  for (const auto& each : cases) {
+    if (verdict.ended == engine::Status::solved) verdict.ended = each.found.answer.ended();
+  }
+  const auto yields = [&](const LimitCollapse& collapse, const char* when) {
+    if (auto text = yielding_sentence(governs.problem, collapse, when); !text.empty())
+      verdict.details.push_back(std::move(text));
+  };
+  const bool of_worst = std::ranges::any_of(
+      cases, [](const auto& each) { return each.found.answer.worst.has_value(); });
+  auto interval = of_worst ? guaranteed(options, cases) : nominal_interval(answer);
+  if (answer.worst) {
+    const auto& worst = *answer.worst;
+    if (worst.collapse && worst.status != limit::RootStatus::not_carried)
+      yields(*worst.collapse, worst.proved ? "In the worst case" : "At the worst known");
+  } else if (answer.nominal) {
+    yields(*answer.nominal, "Then");
   }
   interval.incomplete = !all_whole(cases);
   verdict.answer = interval;

@@ -124,7 +124,8 @@ class WrittenVerdict {
                        .most = bracket(answer, "most"),
                        .carried_at_none = some_standing(answer, "carried_at_none"),
                        .if_big_m = truth(answer, "if_big_m"),
-                       .incomplete = truth(answer, "incomplete")};
+                       .incomplete = truth(answer, "incomplete"),
+                       .cases = count(answer, "cases")};
     if (const auto* const loads = ResultReader::find(answer, "uncertain"))
       found.uncertain = LoadRange{some_number(*loads, "half_width"), some_text(*loads, "force")};
     return found;

@@ -10,9 +10,12 @@
 #include "engine/together.hpp"
 #include "nodes/limit/limit_sweep.hpp"
 #include "problems/limit/collapse_mode.hpp"
+#include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_problem.hpp"
+#include "run/command/group_half_widths.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/pictures/guaranteed_interval_report.hpp"
 #include "run/pictures/limit_problem_json.hpp"
 #include "run/session/supervision.hpp"
 #include "run/sweep/swept.hpp"
@@ -36,6 +39,7 @@ class LoadSweep final : public Swept {
 
   void prepare(CommandRun& run) override {
     problem_ = problems::limit_problem(truss_);
+    fix_groups();
     const auto& uncertain = problem_.uncertain;
     if (!uncertain.empty() && std::ranges::all_of(uncertain, &problems::UncertainColumn::in_file)) {
       throw WrongInput(
@@ -70,6 +74,7 @@ class LoadSweep final : public Swept {
   [[nodiscard]] double alpha_at(double beta) const { return beta * alphas_.back(); }
   [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
   [[nodiscard]] std::string curve_text() const;
+  void fix_groups();
 
   const SweepOptions& options_;
   problems::Structure truss_;
@@ -78,6 +83,14 @@ class LoadSweep final : public Swept {
   int ranks_ = 1;
   limit::LimitSweep found_;
 };
+
+void LoadSweep::fix_groups() {
+  try {
+    problems::fix_half_widths(problem_, group_half_widths(options_.group_alpha));
+  } catch (const problems::UnfitHalfWidths& error) {
+    throw WrongInput(fmt::format("--group-alpha: {}", error.what()));
+  }
+}
 
 ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
   const auto mode = problems::collapse_mode(problem_, piece.from.motion);
@@ -95,11 +108,12 @@ ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
 
 ordered_json LoadSweep::json() const {
   auto points = ordered_json::array();
-  for (const auto& [alpha, worst] : found_.points) {
+  for (const auto& [alpha, worst, interval] : found_.points) {
     points.push_back({{"alpha", alpha},
                       {"lower", number_or_null(worst.ends.lower)},
                       {"upper", number_or_null(worst.ends.upper)},
                       {"proved", worst.proved},
+                      {"guaranteed_interval", interval_json(interval)},
                       {"state", state_of(worst)}});
   }
   ordered_json result{
@@ -132,7 +146,7 @@ std::string finite(double value) {
 
 void LoadSweep::write_csv(std::ostream& out) const {
   out << "row,alpha,lower,upper,proved\n";
-  for (const auto& [alpha, worst] : found_.points) {
+  for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::print(out, "point,{},{},{},{}\n", alpha, finite(worst.ends.lower),
                finite(worst.ends.upper), worst.proved ? 1 : 0);
   }
@@ -170,7 +184,7 @@ std::string LoadSweep::table() const {
   std::string text;
   const auto out = std::back_inserter(text);
   if (!found_.points.empty()) text += "\n       alpha  worst-case load factor\n";
-  for (const auto& [alpha, worst] : found_.points) {
+  for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::format_to(out, "{:>12.8g}  ", alpha);
     if (worst.status == RootStatus::not_carried) {
       fmt::format_to(out, "carried at no factor{}\n", worst.proved ? ", proved" : "");
@@ -193,7 +207,7 @@ Verdict LoadSweep::verdict() const {
   }
   if (problems::alpha_is_force(problem_)) steps.force = problem_.units.force;
   if (!found_.points.empty()) {
-    const auto& [alpha, worst] = found_.points.back();
+    const auto& [alpha, worst, interval] = found_.points.back();
     steps.half_width = alpha;
     if (worst.status == RootStatus::not_carried) {
       steps.worst_at_none = standing(worst.proved);

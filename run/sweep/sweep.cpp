@@ -12,6 +12,7 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/structure/load_cases.hpp"
+#include "run/command/group_half_widths.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"
@@ -78,6 +79,11 @@ void Sweep::describe(OptionTable& table) {
       .unit("in the file's unit of force");
   table.text("--case", options_.load_case, "NAME", "of the load cases of the file, this one")
       .needs("--alpha");
+  table
+      .text("--group-alpha", options_.group_alpha, "NAME=NUMBER,...",
+            "half-widths of the uncertain loads or groups with these names, which are not swept")
+      .unit("in the file's unit of force")
+      .needs("--alpha");
   table.output();
   table.file("--csv", csv_, Role::output, "write the points and the steps to this file");
   table.file("--svg", svg_, Role::output, "draw them to this file");
@@ -89,6 +95,7 @@ void Sweep::describe(OptionTable& table) {
 }
 
 void Sweep::check() const {
+  group_half_widths(options_.group_alpha);
   const bool friction = !options_.mu.empty() || options_.mu_max;
   if (friction == !options_.alpha.empty()) {
     throw WrongInput(friction ? "--alpha: friction is swept already; expected --mu or --alpha"

@@ -24,6 +24,7 @@ struct SweepOptions {
   double width = 1e-8;           ///< of the brackets of friction coefficients
   std::string alpha;             ///< points of the uncertainty; empty: friction is swept
   std::string load_case;         ///< of a truss; empty: the file has one
+  std::string group_alpha;       ///< of a truss: half-widths of some groups, which are not swept
   engine::Limits limits;
   CheckpointChoice checkpoint;
 };

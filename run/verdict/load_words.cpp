@@ -7,10 +7,13 @@
 namespace kusabi::run {
 namespace {
 
-std::string within(const LoadRange& loads) {
-  return loads.half_width ? fmt::format("whatever the dead load is within {}",
-                                        half_width_text(*loads.half_width, loads.force))
-                          : std::string("whatever the dead load is within its bounds");
+std::string within(const LoadInterval& found) {
+  const auto& loads = *found.uncertain;
+  auto text = loads.half_width ? fmt::format("whatever the dead load is within {}",
+                                             half_width_text(*loads.half_width, loads.force))
+                               : std::string("whatever the dead load is within its bounds");
+  if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
+  return text;
 }
 
 const char* if_large(const LoadInterval& found) {
@@ -24,6 +27,10 @@ std::string nominal(const LoadInterval& found) {
   }
   if (!found.most.lower) return "No load factor was found at which it carries its dead load.";
   const auto& [value, standing] = *found.most.lower;
+  if (const auto& from = found.least.upper; from && from->value > 0) {
+    return fmt::format("It carries its dead load only at load factors from {} to {}{}.",
+                       rounded_up(from->value), rounded_down(value), unless_proved(standing));
+  }
   return fmt::format("It carries {} times the reference load, and no more{}.", rounded_down(value),
                      unless_proved(standing));
 }
@@ -36,6 +43,13 @@ std::optional<Standing> empty(const LoadInterval& found) {
   const bool proved =
       above->standing == Standing::proved && below->standing == Standing::proved && !found.if_big_m;
   return proved ? Standing::proved : Standing::computed;
+}
+
+// The ends touch: not empty, and no factor is known to be carried.
+bool is_undecided(const LoadInterval& found) {
+  const auto& from = found.least.upper;
+  const auto& to = found.most.lower;
+  return from && to && from->value > to->value && !empty(found);
 }
 
 }  // namespace
@@ -51,7 +65,7 @@ std::string headline_of(const LoadInterval& found, engine::Status /*ended*/) {
         "There is a dead load within its bounds that it does not carry at any load factor{}.",
         unless_proved(*found.carried_at_none));
   }
-  const auto loads = within(*found.uncertain);
+  const auto loads = within(found);
   if (const auto standing = empty(found)) {
     return fmt::format("No load factor is carried {}{}.", loads, unless_proved(*standing));
   }
@@ -62,6 +76,9 @@ std::string headline_of(const LoadInterval& found, engine::Status /*ended*/) {
     return fmt::format(
         "The largest factor of the reference load that it carries is at least {}{}{}, {}.",
         rounded_down(to->value), if_large(found), unless_proved(to->standing), loads);
+  }
+  if (is_undecided(found)) {
+    return fmt::format("It is numerically undecided whether any load factor is carried {}.", loads);
   }
   return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}.",
                      rounded_up(from->value), unless_proved(from->standing),
@@ -88,6 +105,16 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
       all.push_back({"A lower bound of the largest factor is not proved.", true});
     if (!proved(found.most.upper))
       all.push_back({"An upper bound of the largest factor is not proved.", true});
+    if (!found.if_big_m && !proved(found.least.upper))
+      all.push_back({"It is not proved from which factor on every load is carried.", true});
+    if (is_undecided(found)) {
+      all.push_back({fmt::format("No factor below {} and none above {} is carried.",
+                                 rounded_down(found.least.lower ? found.least.lower->value
+                                                                : found.least.upper->value),
+                                 rounded_up(found.most.upper ? found.most.upper->value
+                                                             : found.most.lower->value)),
+                     true});
+    }
   }
   if (found.if_big_m)
     all.push_back({"The bounds of (29) hold only if its M is large enough.", false});

@@ -29,10 +29,27 @@ std::string of_list(const CertificateCheck::List& list) {
 }
 
 std::string of_factor(const CertificateCheck::Factor& factor) {
-  return fmt::format("PROVED: the least load factor for {} is between {:.17g} and {:.17g}",
-                     factor.loads.half_width ? fmt::format("alpha = {}", *factor.loads.half_width)
-                                             : "uncertain loads within these half-widths",
-                     factor.lower, factor.upper);
+  auto loads = factor.loads.half_width ? fmt::format("alpha = {}", *factor.loads.half_width)
+                                       : std::string("uncertain loads within these half-widths");
+  if (factor.cases > 1) loads += fmt::format(" in these {} load cases", factor.cases);
+  if (factor.at_none) {
+    return fmt::format("PROVED: for {} some admissible load is carried at no load factor", loads);
+  }
+  auto text = fmt::format("PROVED: the least load factor for {} is between {:.17g} and {:.17g}",
+                          loads, factor.lower, factor.upper);
+  if (!factor.least) return text;
+  const auto& [lower, upper] = *factor.least;
+  if (lower > factor.upper) {
+    return text + fmt::format(
+                      "; no load factor is carried under every admissible load: the least "
+                      "factor of one is {:.17g} or more",
+                      lower);
+  }
+  if (upper > factor.lower) return text;
+  return text + fmt::format(
+                    "; every load factor from {:.17g} on up to there is carried under every "
+                    "admissible load, and none below {:.17g} is",
+                    upper, lower);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -82,6 +83,7 @@ struct LoadInterval {
   bool if_big_m = false;
   /// Not all that was asked for was computed, such as a curve.
   bool incomplete = false;
+  std::uint64_t cases = 1;  ///< load cases, in all of which the factors are carried
 };
 
 /// Load factors over the uncertainty of the dead load: `sweep --alpha`.
@@ -119,10 +121,14 @@ struct CertificateCheck {
     std::uint64_t nodes = 0;      ///< of which something is proved
     std::uint64_t undecided = 0;  ///< nodes of which nothing is claimed
   };
-  /// A worst-case load factor.
+  /// Load factors under all admissible loads.
   struct Factor {
     LoadRange loads{};
-    double lower = 0, upper = 0;
+    std::uint64_t cases = 1;
+    bool at_none = false;         ///< some load is carried at no factor: no more is known
+    double lower = 0, upper = 0;  ///< bounds of the least of the largest factors
+    /// Bounds of the greatest of the least factors; absent: nothing is proved of it.
+    std::optional<std::pair<double, double>> least{};
   };
   std::uint64_t refusals = 0;
   std::variant<std::monostate, List, Factor> claim{};

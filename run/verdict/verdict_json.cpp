@@ -74,7 +74,8 @@ ordered_json answer_json(const LoadInterval& found) {
           {"most", bracket_json(found.most)},
           {"carried_at_none", standing_json(found.carried_at_none)},
           {"if_big_m", found.if_big_m},
-          {"incomplete", found.incomplete}};
+          {"incomplete", found.incomplete},
+          {"cases", found.cases}};
 }
 
 ordered_json answer_json(const LoadSteps& found) {

@@ -114,7 +114,7 @@ void Verify::prepare(CommandRun& run) {
 
 // The first line says what it is a certificate of.
 void Verify::search(CommandRun& run) {
-  findings_ = text_.starts_with(verify::limit_first_line)
+  findings_ = text_.starts_with(verify::limit_first_words)
                   ? verify_limit(run, options_, structure_, text_)
                   : verify_patterns(run, options_, structure_, text_);
 }

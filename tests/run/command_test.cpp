@@ -349,7 +349,7 @@ TEST_F(Command, RefusesWrongCalls) {
       {"rays " + plane + " --mu 1 --method double-description --node-limit 9", "expected no limit"},
       {"rays " + truss + " --mu 1", "dimension is 3; expected 2"},
       {"limit " + truss + " --group-alpha wind", "--group-alpha 'wind': expected NAME=NUMBER"},
-      {"limit " + truss + " --group-alpha wind=0", "expected NAME=NUMBER, above 0"},
+      {"limit " + truss + " --group-alpha wind=-1", "expected NAME=NUMBER, not negative"},
       {"limit " + truss + " --alpha 1 --cuts some",
        "--cuts: 'some', expected one of none, disjunctive, tighten, static, all"},
       {"limit " + truss + " --alpha 1 --samples 0",
