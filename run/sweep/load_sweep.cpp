@@ -32,6 +32,14 @@ const char* state_of(const limit::LimitWorstCase& worst) {
   return worst.status == RootStatus::not_carried ? "not-carried" : "solved";
 }
 
+// Which factors below the worst case are carried under every admissible load.
+std::string lower_end_text(const limit::GuaranteedInterval& interval) {
+  const char* const standing = interval.decided() ? "" : ", not proved";
+  if (interval.is_empty()) return fmt::format("; no factor for all loads{}", standing);
+  if (!interval.has_factors()) return "; from where on is open";
+  return fmt::format("; for all loads from {:.10g} on{}", interval.least.upper, standing);
+}
+
 class LoadSweep final : public Swept {
  public:
   LoadSweep(const SweepOptions& options, problems::Structure truss, std::vector<double> points)
@@ -189,9 +197,11 @@ std::string LoadSweep::table() const {
     if (worst.status == RootStatus::not_carried) {
       fmt::format_to(out, "carried at no factor{}\n", worst.proved ? ", proved" : "");
     } else if (worst.proved) {
-      fmt::format_to(out, "{:.10g} ... {:.10g}, proved\n", worst.ends.lower, worst.ends.upper);
+      fmt::format_to(out, "{:.10g} ... {:.10g}, proved{}\n", worst.ends.lower, worst.ends.upper,
+                     lower_end_text(interval));
     } else {
-      fmt::format_to(out, "{:.10g} ... {:.10g}, open\n", worst.ends.lower, worst.ends.upper);
+      fmt::format_to(out, "{:.10g} ... {:.10g}, open{}\n", worst.ends.lower, worst.ends.upper,
+                     lower_end_text(interval));
     }
   }
   return text + curve_text();
