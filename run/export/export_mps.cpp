@@ -118,6 +118,9 @@ void ExportMps::settle_half_widths() {
         fmt::format("{}: {}", group_alpha_.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
   if (!alpha_) throw WrongInput("--program worst-case: of no uncertainty; expected --alpha");
+  // Loads that go nowhere are no part of the program.
+  std::erase_if(one->uncertain,
+                [&](const auto& column) { return *alpha_ * column.half_width == 0; });
 }
 
 void ExportMps::search(CommandRun& run) {
