@@ -21,7 +21,7 @@ ordered_json bracket_json(const FactorBracket& bracket) {
           {"upper_proved", bracket.upper_proved}};
 }
 
-const char* standing(bool proved) {
+const char* proved_word(bool proved) {
   return proved ? "proved" : "not proved";
 }
 
@@ -34,12 +34,12 @@ std::string bound_text(double bound) {
 std::string interval_text(const GuaranteedInterval& interval) {
   if (interval.is_empty()) {
     return fmt::format("no factor is carried under every admissible load, {}",
-                       standing(interval.decided()));
+                       proved_word(interval.decided()));
   }
   const auto& [least, largest, at_none, at_none_proved] = interval;
   if (interval.has_factors()) {
     return fmt::format("factors {:.10g} ... {:.10g} are carried under every admissible load, {}",
-                       least.upper, largest.lower, standing(interval.decided()));
+                       least.upper, largest.lower, proved_word(interval.decided()));
   }
   return fmt::format(
       "open: factors carried under every admissible load lie between {} and {}, and whether there "

@@ -115,6 +115,10 @@ ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
 }
 
 ordered_json LoadSweep::json() const {
+  ordered_json chosen;
+  chosen["alpha"] = alphas_;
+  for (const auto& [name, half_width] : group_half_widths(options_.group_alpha))
+    chosen["group_alpha"][name] = half_width;
   auto points = ordered_json::array();
   for (const auto& [alpha, worst, interval] : found_.points) {
     points.push_back({{"alpha", alpha},
@@ -141,7 +145,7 @@ ordered_json LoadSweep::json() const {
   return {{"command", "sweep"},
           {"version", KUSABI_VERSION},
           {"problem", limit_problem_json(problem_, truss_, options_.file)},
-          {"options", {{"alpha", alphas_}}},
+          {"options", std::move(chosen)},
           {"status", status_text(verdict())},
           {"result", std::move(result)},
           {"statistics", {{"ranks", ranks_}}}};
