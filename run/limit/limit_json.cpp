@@ -110,7 +110,7 @@ const char* method_name(limit::LimitMethod method) {
 }
 
 // The factors at which the load is carried.
-ordered_json interval_json(const limit::LimitCollapse& collapse) {
+ordered_json carried_between(const limit::LimitCollapse& collapse) {
   return {number_or_null(collapse.least), collapse.factor};
 }
 
@@ -144,7 +144,7 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
   if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
   add_critical_load(result, report.problem, worst.zeta);
   if (worst.collapse) {
-    result["critical_interval"] = interval_json(*worst.collapse);
+    result["critical_interval"] = carried_between(*worst.collapse);
     result["collapse_mode"] = mode_json(report.problem, *worst.collapse);
     result["forces"] = numbers(worst.collapse->forces);
     result["utilisation"] = numbers(utilisation(report.problem, worst.collapse->forces));
@@ -188,7 +188,7 @@ ordered_json result_json(const LimitReport& report) {
   }
   result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
   if (answer.nominal) {
-    result["nominal_interval"] = interval_json(*answer.nominal);
+    result["nominal_interval"] = carried_between(*answer.nominal);
     result["nominal_mode"] = mode_json(problem, *answer.nominal);
     result["nominal_forces"] = numbers(answer.nominal->forces);
     result["nominal_utilisation"] = numbers(utilisation(problem, answer.nominal->forces));
