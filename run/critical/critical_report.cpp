@@ -9,6 +9,7 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/verdict/ending.hpp"
+#include "run/verdict/shown_bracket.hpp"
 #include "run/verdict/words.hpp"
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/cuts_words.hpp"
@@ -153,8 +154,9 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
       fmt::format_to(out, "{:>5}  {} more\n", "…", findings.patterns.size() - number);
       break;
     }
-    fmt::format_to(out, "{:>5}  {:>16.12g}  {:>16}  {}\n", ++number, entry.lower,
-                   entry.upper ? fmt::format("{:.12g}", *entry.upper) : "?",
+    const auto shown = entry.upper ? in_table(entry.lower, *entry.upper)
+                                   : ShownBracket{rounded_down(entry.lower, digits_of_table), "?"};
+    fmt::format_to(out, "{:>5}  {:>16}  {:>16}  {}\n", ++number, shown.lower, shown.upper,
                    contact_text(problem, entry.pattern));
   }
   text += '\n' + bracket_line(critical_bracket(options, problem, findings));

@@ -23,7 +23,6 @@
 namespace kusabi::run {
 namespace {
 
-using limit::LimitAnswer;
 using limit::LimitCollapse;
 using problems::LimitProblem;
 

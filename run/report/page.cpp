@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -78,18 +81,19 @@ void add_problem_section(Markup& page, const ResultReader& reader, const ResultS
   page.close();
 }
 
-void add_bracket(Markup& page, const ResultReader& reader) {
-  const auto& bracket = reader.at(reader.at(reader.all(), "result"), "critical_friction");
+// Both bounds and their standing.
+void add_bracket(Markup& page, const CriticalBracket& found) {
   page.open("section", {{"id", "bracket"}}).element("h2", "Critical friction coefficient");
   auto facts = ResultJson::object();
-  const auto take = [&](const char* key, const char* name) {
-    if (const auto* const value = ResultReader::find(bracket, key)) facts[name] = *value;
+  const auto take = [&](const std::optional<Bound>& bound, const std::string& name) {
+    if (!bound) return;
+    facts[name] = bound->value;
+    facts[name + ": standing"] =
+        bound->standing == Standing::proved ? "proved" : "computed, not proved";
   };
-  take("lower", "nothing can stick at");
-  take("lower_proved", "this end is proved");
-  take("upper", "something can at");
-  take("upper_proved", "that end is proved");
-  add_facts(page, "Between what it is", facts);
+  take(found.bracket.lower, "it cannot stick at");
+  take(found.bracket.upper, "it can stick at");
+  add_facts(page, "Bracket", facts);
   page.close();
 }
 
@@ -103,9 +107,11 @@ std::string report_page(const ResultReader& reader) {
   page.verbatim("<!DOCTYPE html>\n").open("html", {{"lang", "en"}});
   add_head(page, scenes.picture.title + " · kusabi " + command);
   page.open("body").open("header").element("h1", scenes.picture.title);
-  add_verdict(page, result_verdict(reader));
+  const auto verdict = result_verdict(reader);
+  add_verdict(page, verdict);
   page.close().open("main");
-  if (command == "critical") add_bracket(page, reader);
+  if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer))
+    add_bracket(page, *found);
   if (command == "limit") add_limit(page, reader, scenes);
   if (command == "sweep") add_sweep(page, reader);
   add_problem_section(page, reader, scenes);

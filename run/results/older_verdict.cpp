@@ -45,9 +45,11 @@ class OlderVerdict {
   }
   [[nodiscard]] std::uint64_t count(const ResultJson& object, const char* key) const {
     const auto* const value = ResultReader::find(object, key);
-    if (value == nullptr) return 0;
-    if (!value->is_number_unsigned()) reader_.refuse(fmt::format("'{}' is no count", key));
-    return value->get<std::uint64_t>();
+    return value == nullptr ? 0 : count(*value);
+  }
+  [[nodiscard]] std::uint64_t count(const ResultJson& value) const {
+    if (!value.is_number_unsigned()) reader_.refuse(value.dump().substr(0, 40) + " is no count");
+    return value.get<std::uint64_t>();
   }
   [[nodiscard]] std::optional<Bound> bound(const ResultJson& object, const char* key,
                                            bool proved) const {
@@ -65,7 +67,7 @@ class OlderVerdict {
     return {.thing = thing,
             .friction = reader_.number(result_, "friction"),
             .factor = factor(),
-            .count = fmt::format("{}", count(result_, "count")),
+            .count = fmt::format("{}", count(reader_.at(result_, "count"))),
             .undecided = count(result_, "marginal") + count(result_, "undecided"),
             .standing =
                 health != nullptr || count(result_, "flat") > 0 || has(problem_, "rigid_motions")
@@ -128,6 +130,8 @@ class OlderVerdict {
     loads.force = unit_of_alpha(reader_);
     found.uncertain = loads;
     if (none) found.carried_at_none = Standing::proved;
+    found.if_big_m = has(*worst, "from") && reader_.text(*worst, "from") == "zero-one" &&
+                     !is_true(*worst, "proved");
     found.most = {bound(*worst, "lower", is_true(*worst, "lower_proved")),
                   bound(*worst, "upper", is_true(*worst, "upper_proved"))};
     return found;

@@ -13,6 +13,7 @@
 #include "run/output/values.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/ending.hpp"
+#include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -174,16 +175,18 @@ std::string FrictionSweep::cones_text() const {
   fmt::format_to(out, "\n{:>5}  {:>14}  {:>14}  {}\n", "", "dead at", "alive at", "in contact (U)");
   std::size_t number = 0;
   for (const auto& cone : found_.cones) {
-    fmt::format_to(out, "{:>5}  {:>14.11g}  {:>14.11g}  {}", ++number, cone.begins.lower,
-                   cone.begins.upper, names(cone.pattern.contact));
+    const auto begins = in_table(cone.begins.lower, cone.begins.upper);
+    fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}", ++number, begins.lower, begins.upper,
+                   names(cone.pattern.contact));
     if (!cone.solid()) fmt::format_to(out, "  at rest: {}", names(cone.pattern.at_rest));
     if (cone.absorbed)
-      fmt::format_to(out, "  part of a larger one from {:.11g} on", cone.absorbed->upper);
+      fmt::format_to(out, "  part of a larger one from {} on",
+                     in_table(cone.absorbed->lower, cone.absorbed->upper).upper);
     text += '\n';
   }
   for (const auto& leaf : found_.open) {
-    fmt::format_to(out, "{:>5}  {:>14.11g}  {:>14}  {}\n", "open", leaf.lower, "?",
-                   names(leaf.pattern.contact));
+    fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}\n", "open",
+                   rounded_down(leaf.lower, digits_of_table), "?", names(leaf.pattern.contact));
   }
   return text;
 }

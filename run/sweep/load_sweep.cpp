@@ -20,6 +20,7 @@
 #include "run/session/supervision.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/ending.hpp"
+#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -200,12 +201,10 @@ std::string LoadSweep::table() const {
     fmt::format_to(out, "{:>12.8g}  ", alpha);
     if (worst.status == RootStatus::not_carried) {
       fmt::format_to(out, "carried at no factor{}\n", worst.proved ? ", proved" : "");
-    } else if (worst.proved) {
-      fmt::format_to(out, "{:.10g} ... {:.10g}, proved{}\n", worst.ends.lower, worst.ends.upper,
-                     lower_end_text(interval));
     } else {
-      fmt::format_to(out, "{:.10g} ... {:.10g}, open{}\n", worst.ends.lower, worst.ends.upper,
-                     lower_end_text(interval));
+      const auto shown = in_table(worst.ends.lower, worst.ends.upper);
+      fmt::format_to(out, "{} ... {}, {}{}\n", shown.lower, shown.upper,
+                     worst.proved ? "proved" : "open", lower_end_text(interval));
     }
   }
   return text + curve_text();

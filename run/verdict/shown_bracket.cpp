@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,11 +14,18 @@ namespace {
 constexpr int most_places = 15;
 /// A double has no more significant digits.
 constexpr int all_digits = 17;
-constexpr int digits_of_table = 12;
 
 int places_of(double number, int digits) {
-  if (number == 0) return 0;
+  if (number == 0 || !std::isfinite(number)) return 0;
   return digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number))));
+}
+
+// Zeros at the end say nothing.
+std::string trimmed(std::string number) {
+  if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.ends_with('.')) number.pop_back();
+  return number;
 }
 
 // @param way -1 down, 1 up
@@ -28,21 +36,12 @@ std::string rounded(double number, int places, int way) {
   const double shown = std::stod(text);
   if (way * (number - shown) > 0)
     text = fmt::format("{:.{}f}", shown + way * std::pow(10, -places), places);
-  return text;
+  return trimmed(std::move(text));
 }
 
 ShownBracket to(double lower, double upper, int digits) {
   const int places = std::max(places_of(lower, digits), places_of(upper, digits));
-  return {lower == 0 ? "0" : rounded(lower, places, -1),
-          upper == 0 ? "0" : rounded(upper, places, 1)};
-}
-
-// Zeros at the end say nothing.
-std::string trimmed(std::string number) {
-  if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
-  number.erase(number.find_last_not_of('0') + 1);
-  if (number.ends_with('.')) number.pop_back();
-  return number;
+  return {rounded(lower, places, -1), rounded(upper, places, 1)};
 }
 
 }  // namespace
@@ -62,8 +61,7 @@ ShownBracket in_sentence(double lower, double upper) {
 ShownBracket in_table(double lower, double upper) {
   for (int digits = digits_of_table; digits < all_digits; ++digits) {
     auto shown = to(lower, upper, digits);
-    if (std::stod(shown.upper) - std::stod(shown.lower) <= 2 * (upper - lower))
-      return {trimmed(shown.lower), trimmed(shown.upper)};
+    if (std::stod(shown.upper) - std::stod(shown.lower) <= 2 * (upper - lower)) return shown;
   }
   return {fmt::format("{}", lower), fmt::format("{}", upper)};
 }

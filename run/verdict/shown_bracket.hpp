@@ -7,6 +7,8 @@ namespace kusabi::run {
 
 /// Five significant digits of a sentence.
 inline constexpr int digits_of_sentence = 5;
+/// At least so many of a table.
+inline constexpr int digits_of_table = 12;
 
 std::string rounded_down(double number, int digits = digits_of_sentence);
 std::string rounded_up(double number, int digits = digits_of_sentence);

@@ -10,6 +10,7 @@
 namespace kusabi::run {
 namespace {
 
+constexpr int digits_of_sweep = 10;
 constexpr const char* coefficient = "friction coefficient";
 
 const char* times(bool factor) {
@@ -126,15 +127,19 @@ std::string bracket_line(const CriticalBracket& found) {
   const auto name = fmt::format("critical {}{}", coefficient, times(found.factor));
   if (lower && upper) {
     const auto shown = in_table(lower->value, upper->value);
+    if (lower->standing == upper->standing) {
+      return fmt::format("{}: between {} and {} ({})\n", name, shown.lower, shown.upper,
+                         standing(*lower));
+    }
     return fmt::format("{}: between {} ({}) and {} ({})\n", name, shown.lower, standing(*lower),
                        shown.upper, standing(*upper));
   }
   if (lower) {
-    return fmt::format("{}: above {} ({})\n", name, rounded_down(lower->value, 12),
+    return fmt::format("{}: above {} ({})\n", name, rounded_down(lower->value, digits_of_table),
                        standing(*lower));
   }
   if (upper) {
-    return fmt::format("{}: at most {} ({})\n", name, rounded_up(upper->value, 12),
+    return fmt::format("{}: at most {} ({})\n", name, rounded_up(upper->value, digits_of_table),
                        standing(*upper));
   }
   return fmt::format("{}: open\n", name);
@@ -150,10 +155,11 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
                        unless_proved(standing));
   }
   return fmt::format(
-      "It cannot stick up to {} {}{}{}; at {} there {} {}{}.", coefficient, rounded_down(value, 10),
-      times(found.factor), unless_proved(standing), found.most, found.count == "1" ? "is" : "are",
-      counted(found.count, "sign pattern"),
-      found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most));
+      "It cannot stick up to {} {}{}; at {} there {} {}{}{}.", coefficient,
+      rounded_down(value, digits_of_sweep), times(found.factor), found.most,
+      found.count == "1" ? "is" : "are", counted(found.count, "sign pattern"),
+      found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most),
+      unless_proved(standing));
 }
 
 void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {

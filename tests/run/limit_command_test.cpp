@@ -367,7 +367,7 @@ TEST_F(LimitCommand, AStoppedSearchSaysWhatIsNotProved) {
   const auto run = shell(command + " limit " + argument("grid.toml") +
                          " --alpha 40 --time-limit 0.2 --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 3) << run.output;
-  EXPECT_THAT(run.output, HasSubstr("stopped early (time-limit)"));
+  EXPECT_THAT(run.output, HasSubstr("Stopped early (time-limit)"));
   EXPECT_THAT(run.output, Not(HasSubstr("proved\n  critical")));
 }
 

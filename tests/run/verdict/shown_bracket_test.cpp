@@ -48,6 +48,8 @@ TEST(ShownBracket, OfEqualBoundsIsEqual) {
 TEST(ShownBracket, KeepsZero) {
   EXPECT_EQ(in_sentence(0, 1e-8).lower, "0");
   EXPECT_EQ(rounded_down(0), "0");
+  EXPECT_EQ(rounded_down(0.5), "0.5");
+  EXPECT_EQ(rounded_up(120), "120");
 }
 
 }  // namespace

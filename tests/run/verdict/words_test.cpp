@@ -151,13 +151,13 @@ Verdict critical(Bracket bracket, engine::Status ended = engine::Status::solved)
 TEST(CriticalWords, QualifyEachEndByItself) {
   const Bound lower{0.5, Standing::proved}, upper{0.6, Standing::computed};
   EXPECT_EQ(headline(critical({lower, upper}, engine::Status::time_limit)),
-            "It cannot stick below friction coefficient 0.50000; at 0.60000 it can (computed, not "
+            "It cannot stick below friction coefficient 0.5; at 0.6 it can (computed, not "
             "proved).");
   EXPECT_EQ(headline(critical({std::nullopt, upper})),
-            "It can stick at friction coefficient 0.60000 (computed, not proved); below, it is not "
+            "It can stick at friction coefficient 0.6 (computed, not proved); below, it is not "
             "known.");
   EXPECT_EQ(headline(critical({lower, std::nullopt})),
-            "It cannot stick up to friction coefficient 0.50000; above, it is not known.");
+            "It cannot stick up to friction coefficient 0.5; above, it is not known.");
 }
 
 TEST(StickingWords, CountBeyondEveryInteger) {
