@@ -23,6 +23,7 @@
 namespace kusabi::run {
 namespace {
 
+using limit::LimitAnswer;
 using limit::LimitCollapse;
 using problems::LimitProblem;
 

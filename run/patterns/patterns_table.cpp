@@ -11,6 +11,7 @@
 #include "run/output/values.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/wedged/pattern_groups.hpp"
+#include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -78,6 +79,7 @@ std::string PatternsReport::list() const {
                           brackets_.empty() ? "" : "  sticks from", head_of_contact);
   for (const std::size_t i : shown) text += row(i);
   if (shown.size() < all) text += fmt::format("{:>5}  {} more\n", "…", all - shown.size());
+  if (!brackets_.empty()) text += begins_explained;
   if (shown.size() > many_lines) {
     text +=
         "       (--sort margin --top 10 lists the firmest; --group 1 those together that differ in "

@@ -15,6 +15,7 @@
 #include "run/verdict/ending.hpp"
 #include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/agreement.hpp"
+#include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -188,7 +189,7 @@ std::string FrictionSweep::cones_text() const {
     fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}\n", "open",
                    rounded_down(leaf.lower, digits_of_table), "?", names(leaf.pattern.contact));
   }
-  return text;
+  return text + begins_explained;
 }
 
 std::string FrictionSweep::ranks_text() const {
