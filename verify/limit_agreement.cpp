@@ -75,29 +75,48 @@ std::optional<std::vector<Near>> true_load(const std::vector<double>& recorded,
   return exact;
 }
 
-// Columns of T, each by displacement, with their half-widths.
-using Columns = std::multimap<Sparse, double>;
+/// Half-width and name of a recorded column.
+struct Recorded {
+  double half_width = 0;
+  std::string name;
+};
+
+// Columns of T, each by displacement.
+using Columns = std::multimap<Sparse, Recorded>;
 
 Columns columns_of(const LimitCertificate& certificate) {
   Columns columns;
   for (std::size_t j = 0; j < certificate.uncertain.size(); ++j) {
     auto column = certificate.uncertain[j];
     std::ranges::sort(column);
-    columns.emplace(std::move(column), certificate.alpha[j]);
+    columns.emplace(std::move(column),
+                    Recorded{certificate.alpha[j],
+                             certificate.names.empty() ? std::string() : certificate.names[j]});
   }
   return columns;
 }
 
-// Takes a column from those of a certificate. @param half_width nothing: whichever it has
-// @return whether there is one
-bool take(Columns& columns, Sparse column, std::optional<double> half_width) {
+// Takes a column from those of a certificate, one of that name if there is one: of equal columns
+// any is as good. @param half_width nothing: whichever it has
+// @return its half-width, if there is one
+std::optional<double> take(Columns& columns, Sparse column, const std::string& name,
+                           std::optional<double> half_width) {
   std::ranges::sort(column);
   const auto [first, last] = columns.equal_range(column);
-  const auto found = std::find_if(
-      first, last, [&](const auto& each) { return !half_width || each.second == *half_width; });
-  if (found == last) return false;
+  auto found = last;
+  for (auto each = first; each != last; ++each) {
+    if (half_width && each->second.half_width != *half_width) continue;
+    if (found == last || each->second.name == name) found = each;
+    if (found->second.name == name) break;
+  }
+  if (found == last) return {};
+  const double taken = found->second.half_width;
   columns.erase(found);
-  return true;
+  return taken;
+}
+
+std::string load_name(const Structure& structure, std::size_t parameter) {
+  return structure.load_names.empty() ? std::string() : structure.load_names[parameter];
 }
 
 // The columns of T. What acts on a support goes to the ground.
@@ -121,25 +140,32 @@ std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom&
   return columns;
 }
 
-// Half-widths that the structure says come first: of columns that are the same they take theirs.
-std::optional<std::string> other_uncertain_loads(const LimitCertificate& certificate,
-                                                 const Structure& structure,
-                                                 const std::vector<Sparse>& columns) {
+// The half-width of each column of a truss, or what is wrong with the recorded ones. Half-widths
+// that the structure says come first: of columns that are the same they take theirs.
+std::variant<std::vector<double>, std::string> half_widths_of(const LimitCertificate& certificate,
+                                                              const Structure& structure,
+                                                              const std::vector<Sparse>& columns) {
   const std::string others = "its uncertain loads are not those of the truss";
   auto recorded = columns_of(certificate);
-  const auto half_width = [&](std::size_t j) {
+  const auto in_file = [&](std::size_t j) {
     return structure.half_widths.empty() ? std::nullopt : structure.half_widths[j];
   };
+  std::vector<double> half_widths(columns.size());
   for (const bool said : {true, false}) {
     for (std::size_t j = 0; j < columns.size(); ++j) {
-      if (half_width(j).has_value() != said || take(recorded, columns[j], half_width(j))) continue;
-      return said && take(recorded, columns[j], {})
+      if (in_file(j).has_value() != said) continue;
+      const auto name = in_one_line(load_name(structure, j));
+      if (const auto taken = take(recorded, columns[j], name, in_file(j))) {
+        half_widths[j] = *taken;
+        continue;
+      }
+      return said && take(recorded, columns[j], name, {})
                  ? "its half-width of an uncertain load is not that of the truss"
                  : others;
     }
   }
   if (!recorded.empty()) return others;
-  return {};
+  return half_widths;
 }
 
 std::optional<std::string> other_bars(const LimitCertificate& certificate,
@@ -183,11 +209,18 @@ std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& ce
   if (!true_reference) return "its reference load is not that of the truss";
   truss.dead = *std::move(true_dead);
   truss.reference = *std::move(true_reference);
-  if (auto why = other_uncertain_loads(certificate, structure,
-                                       uncertain_columns(structure, freedom, dead, reference))) {
-    return *why;
-  }
+  auto half_widths = half_widths_of(certificate, structure,
+                                    uncertain_columns(structure, freedom, dead, reference));
+  if (auto* const why = std::get_if<std::string>(&half_widths)) return std::move(*why);
+  truss.half_widths = std::get<std::vector<double>>(std::move(half_widths));
   return truss;
+}
+
+Structure with_reversed_reference(Structure structure) {
+  for (auto& force : structure.reference) {
+    for (double& component : force.components) component = -component;
+  }
+  return structure;
 }
 
 }  // namespace kusabi::verify

@@ -17,9 +17,14 @@ inline constexpr double cosine_tolerance = 0x1p-48;
 
 /// Compares all numbers that describe the truss: yield forces, weights and the
 /// half-widths that the structure says must be the same, loads
-/// and direction cosines the same but for rounding, by how much is returned.
+/// and direction cosines the same but for rounding, by how much is returned. The half-width of each
+/// uncertain load of the structure is returned as well.
 /// @return a sentence that says where they disagree, if they do
 std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& certificate,
                                                       const Structure& structure);
+
+/// The truss of claims on least factors: those of the largest ones, with the reference load
+/// reversed.
+Structure with_reversed_reference(Structure structure);
 
 }  // namespace kusabi::verify

@@ -1,13 +1,12 @@
-// Writing and reading the file, section by section.
+// Reading the file, section by section.
 #include "verify/limit_certificate.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <functional>
+#include <optional>
+#include <utility>
 
-#include "support/sha1.hpp"
+#include "verify/certificate.hpp"
 #include "verify/lines.hpp"
 
 namespace kusabi::verify {
@@ -15,42 +14,6 @@ namespace {
 
 /// More of anything than this is no truss but a damaged number, and would only cost memory.
 constexpr std::uint64_t most = 10'000'000;
-
-void put(std::string& text, double value) {
-  std::array<char, 64> digits{};
-  const bool negative = value < 0;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::abs(value),
-                                 std::chars_format::hex)
-                       .ptr;
-  text += negative ? " -0x" : " 0x";
-  text.append(digits.data(), end);
-}
-
-void put(std::string& text, std::size_t value) {
-  text += ' ';
-  text += std::to_string(value);
-}
-
-void put(std::string& text, const std::vector<double>& values) {
-  for (const double value : values) put(text, value);
-}
-
-void put(std::string& text, const Sparse& entries) {
-  put(text, entries.size());
-  for (const auto& [place, value] : entries) {
-    put(text, place);
-    put(text, value);
-  }
-}
-
-// One number where they are all the same.
-void put_half_widths(std::string& text, const std::vector<double>& alpha) {
-  if (std::ranges::adjacent_find(alpha, std::not_equal_to()) != alpha.end()) {
-    put(text, alpha);
-  } else {
-    put(text, alpha.empty() ? 0.0 : alpha.front());
-  }
-}
 
 std::size_t count(Lines& lines, const std::string& keyword) {
   const std::string what = "'" + keyword + "' and a number";
@@ -107,8 +70,7 @@ void read_half_widths(Lines& lines, LimitCertificate& certificate) {
   alpha.resize(m, alpha.front());
 }
 
-void read_problem(Lines& lines, LimitCertificate& certificate) {
-  lines.expect(limit_first_line);
+void read_truss(Lines& lines, LimitCertificate& certificate) {
   certificate.displacements = count(lines, "displacements");
   const auto members = count(lines, "members");
   if (members < certificate.displacements) {
@@ -125,8 +87,9 @@ void read_problem(Lines& lines, LimitCertificate& certificate) {
     certificate.columns.push_back(sparse(lines, certificate.displacements, "entries of B"));
     lines.end_of_line(what);
   }
-  certificate.dead = vector(lines, "dead", certificate.displacements);
-  certificate.reference = vector(lines, "reference", certificate.displacements);
+}
+
+void read_columns(Lines& lines, LimitCertificate& certificate) {
   const auto uncertain = count(lines, "uncertain");
   for (std::size_t j = 0; j < uncertain; ++j) {
     lines.next();
@@ -140,6 +103,28 @@ void read_problem(Lines& lines, LimitCertificate& certificate) {
     } while (!lines.remainder().empty());
     lines.end_of_line(what);
   }
+}
+
+void read_names(Lines& lines, LimitCertificate& certificate) {
+  const std::string what = "'name', a column that has none yet, and its name";
+  const auto m = certificate.uncertain.size();
+  const auto named = count(lines, "names");
+  certificate.names.resize(m);
+  for (std::size_t k = 0; k < named; ++k) {
+    lines.next();
+    lines.expect_word("name", what);
+    auto& name = certificate.names[place(lines, m, what)];
+    if (!name.empty() || lines.remainder().empty()) lines.refuse(what);
+    name = lines.remainder();
+  }
+}
+
+// The first version knows no names.
+void read_loads(Lines& lines, LimitCertificate& certificate, bool with_names) {
+  certificate.dead = vector(lines, "dead", certificate.displacements);
+  certificate.reference = vector(lines, "reference", certificate.displacements);
+  read_columns(lines, certificate);
+  if (with_names) read_names(lines, certificate);
   read_half_widths(lines, certificate);
 }
 
@@ -187,75 +172,7 @@ LimitNode read_node(Lines& lines, const LimitCertificate& certificate, std::size
   return node;
 }
 
-}  // namespace
-
-LimitColumn::LimitColumn(const Sparse& load) : direction(load) {
-  if (load.size() != 1) return;
-  weight = std::abs(load.front().second);
-  direction.front().second = std::copysign(1.0, load.front().second);
-}
-
-std::string limit_certificate_text(const LimitCertificate& certificate) {
-  std::string text(limit_first_line);
-  text += "\ndisplacements " + std::to_string(certificate.displacements);
-  text += "\nmembers " + std::to_string(certificate.members());
-  for (std::size_t i = 0; i < certificate.members(); ++i) {
-    text += "\nmember";
-    put(text, certificate.tension[i]);
-    put(text, certificate.compression[i]);
-    put(text, certificate.columns[i]);
-  }
-  text += "\ndead";
-  put(text, certificate.dead);
-  text += "\nreference";
-  put(text, certificate.reference);
-  text += "\nuncertain " + std::to_string(certificate.uncertain.size());
-  for (const auto& column : certificate.uncertain) {
-    text += "\ncolumn";
-    for (const auto& [at, value] : column) {
-      put(text, at);
-      put(text, value);
-    }
-  }
-  text += "\nalpha";
-  put_half_widths(text, certificate.alpha);
-  text += "\nload";
-  put(text, certificate.load);
-  text += "\nmotion";
-  put(text, certificate.motion);
-  text += "\ncuts " + std::to_string(certificate.cuts.size());
-  for (const auto& cut : certificate.cuts) {
-    text += "\ncut";
-    put(text, cut.column);
-    put(text, cut.factor);
-    put(text, cut.forces);
-  }
-  text += "\nnodes " + std::to_string(certificate.nodes.size());
-  for (const auto& node : certificate.nodes) {
-    std::size_t decided = 0;
-    for (const int sign : node.signs) decided += sign == 0 ? 0 : 1;
-    text += "\nnode";
-    put(text, decided);
-    for (std::size_t j = 0; j < node.signs.size(); ++j) {
-      if (node.signs[j] == 0) continue;
-      put(text, j);
-      text += node.signs[j] > 0 ? " +" : " -";
-      put(text, node.one_sided[j]);
-    }
-    put(text, node.shares);
-    put(text, node.factor);
-    put(text, node.forces);
-  }
-  text += "\nend\n";
-  text += "digest " + support::hexadecimal(support::sha1(text)) + "\n";
-  return text;
-}
-
-LimitCertificate read_limit_certificate(std::string_view text, const std::string& file) {
-  Lines(text, file).expect(limit_first_line);
-  Lines lines(without_digest(text, file), file);
-  LimitCertificate certificate;
-  read_problem(lines, certificate);
+void read_evidence(Lines& lines, LimitCertificate& certificate) {
   certificate.load = vector(lines, "load", certificate.uncertain.size());
   certificate.motion = vector(lines, "motion", certificate.displacements);
   const auto cuts = count(lines, "cuts");
@@ -268,12 +185,103 @@ LimitCertificate read_limit_certificate(std::string_view text, const std::string
     lines.next();
     certificate.nodes.push_back(read_node(lines, certificate, nodes));
   }
+}
+
+// The claim of the line at hand. @param before that of the same load case
+LimitClaim read_claim(Lines& lines, std::optional<LimitClaim> before) {
+  const std::string what = before ? "'claim least', 'case' or 'end'"
+                                  : "'claim' and 'largest' or 'none', the first of a case";
+  lines.expect_word("claim", what);
+  const auto word = lines.remainder();
+  for (const auto claim : {LimitClaim::largest, LimitClaim::least, LimitClaim::none}) {
+    if (word != claim_word(claim)) continue;
+    const bool fits = claim == LimitClaim::least ? before == LimitClaim::largest : !before;
+    if (fits) return claim;
+  }
+  lines.refuse(what);
+}
+
+// From the line 'case' to the next, or to 'end': the lines are at that then.
+void read_case(Lines& lines, const LimitCertificate& truss,
+               std::vector<LimitStatement>& statements) {
+  const std::string what = "'case', and a name that no case before it has, or 'end'";
+  lines.expect_word("case", what);
+  const std::string name(lines.remainder());
+  const bool known =
+      std::ranges::find(statements, name, &LimitStatement::load_case) != statements.end();
+  if (known) lines.refuse(what);
+  auto loads = truss;
+  read_loads(lines, loads, true);
+  std::optional<LimitClaim> before;
+  do {
+    if (!before) lines.next();
+    const auto claim = read_claim(lines, before);
+    statements.push_back({name, claim, loads});
+    auto& evidence = statements.back().evidence;
+    if (claim == LimitClaim::least) {
+      for (double& value : evidence.reference) value = -value;
+    }
+    read_evidence(lines, evidence);
+    before = claim;
+    lines.next();
+  } while (lines.text().starts_with("claim"));
+}
+
+std::vector<LimitStatement> read_statements(Lines& lines) {
+  LimitCertificate truss;
+  read_truss(lines, truss);
+  std::vector<LimitStatement> statements;
+  lines.next();
+  do {
+    read_case(lines, truss, statements);
+  } while (lines.text() != "end");
+  return statements;
+}
+
+std::vector<LimitStatement> read_first_version(Lines& lines) {
+  std::vector<LimitStatement> statements(1);
+  auto& certificate = statements.front().evidence;
+  read_truss(lines, certificate);
+  read_loads(lines, certificate, false);
+  read_evidence(lines, certificate);
   lines.expect("end");
+  return statements;
+}
+
+}  // namespace
+
+LimitColumn::LimitColumn(const Sparse& load) : direction(load) {
+  if (load.size() != 1) return;
+  weight = std::abs(load.front().second);
+  direction.front().second = std::copysign(1.0, load.front().second);
+}
+
+std::string_view claim_word(LimitClaim claim) {
+  switch (claim) {
+    case LimitClaim::largest:
+      return "largest";
+    case LimitClaim::least:
+      return "least";
+    case LimitClaim::none:
+      break;
+  }
+  return "none";
+}
+
+std::vector<LimitStatement> read_limit_certificate(std::string_view text, const std::string& file) {
+  Lines first(text, file);
+  first.next();
+  const bool with_cases = first.text() == std::string(limit_first_words) + '2';
+  if (!with_cases && first.text() != std::string(limit_first_words) + '1')
+    first.refuse("'" + std::string(limit_first_words) + "1' or 2");
+  Lines lines(without_digest(text, file), file);
+  lines.next();
+  auto statements = with_cases ? read_statements(lines) : read_first_version(lines);
   if (!lines.done()) {
     lines.next();
     lines.refuse("the line 'digest …', the last one");
   }
-  return certificate;
+  return statements;
 }
 
 }  // namespace kusabi::verify

@@ -64,6 +64,7 @@ LimitTruss recorded_truss(const LimitCertificate& certificate) {
   for (const double reference : certificate.reference) {
     truss.reference.push_back({Dyadic(reference), {}});
   }
+  truss.half_widths = certificate.alpha;
   return truss;
 }
 
@@ -209,12 +210,15 @@ std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
   return motion;
 }
 
-std::variant<mpq_class, std::string> LimitProof::upper() const {
+bool LimitProof::load_is_admissible() const {
   for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    if (std::abs(certificate_.load[j]) > certificate_.alpha[j]) {
-      return "the load is outside of its bounds";
-    }
+    if (std::abs(certificate_.load[j]) > certificate_.alpha[j]) return false;
   }
+  return true;
+}
+
+std::variant<mpq_class, std::string> LimitProof::upper() const {
+  if (!load_is_admissible()) return "the load is outside of its bounds";
   const auto u = still_motion(false);
   Dyadic work;   // of f_R
   Dyadic doubt;  // of that
@@ -306,6 +310,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
 bool LimitProof::shows_no_factor() const {
   const auto& reference = truss_.reference;
   const auto exact = [](const Near& load) { return load.error.sign() == 0; };
+  if (!load_is_admissible()) return false;
   if (certificate_.motion.size() != reference.size() || !std::ranges::all_of(reference, exact)) {
     return false;
   }

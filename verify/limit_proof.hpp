@@ -29,6 +29,7 @@ struct LimitTruss {
   std::vector<std::vector<std::pair<std::size_t, Near>>> columns;  ///< B, by member
   std::vector<Near> dead;                                          ///< f_D
   std::vector<Near> reference;                                     ///< f_R
+  std::vector<double> half_widths{};  ///< of its uncertain loads, in its own order
 };
 
 /// The truss as the certificate has it.
@@ -48,15 +49,16 @@ class LimitProof {
   /// A number that no admissible load of the node has a factor below; or why it is not shown.
   [[nodiscard]] std::variant<mpq_class, std::string> lower(const LimitNode& node) const;
 
-  /// Whether the recorded motion, or its opposite, shows that the recorded load is carried at no
-  /// factor: made free of work of f_R at one displacement, the load does more work on it than the
-  /// members can dissipate.
+  /// Whether the recorded load is within its bounds, and the recorded motion, or its opposite,
+  /// shows that it is carried at no factor: made free of work of f_R at one displacement, the load
+  /// does more work on it than the members can dissipate.
   [[nodiscard]] bool shows_no_factor() const;
 
  private:
   [[nodiscard]] std::vector<Dyadic> defect(const Sparse& forces, std::vector<Dyadic> load,
                                            double factor) const;
   [[nodiscard]] std::vector<Dyadic> still_motion(bool without_work) const;
+  [[nodiscard]] bool load_is_admissible() const;
 
   const LimitCertificate& certificate_;
   LimitTruss truss_;

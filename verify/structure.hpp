@@ -120,6 +120,8 @@ struct Structure {
   std::optional<std::vector<std::vector<UncertainForce>>> uncertain;
   /// By parameter, its half-width if the structure says it; all others are free. Empty: all are.
   std::vector<std::optional<double>> half_widths;
+  /// By parameter, what its group is called, or else itself; empty: it has no name.
+  std::vector<std::string> load_names;
   std::vector<GroundSpring> springs;
   std::vector<GivenStiffness> given;
 };

@@ -108,6 +108,7 @@ verify::Structure verified_structure(const problems::Structure& structure) {
     result.uncertain.emplace();
     for (const auto& parameter : *structure.uncertain) {
       result.half_widths.push_back(parameter.half_width);
+      result.load_names.push_back(parameter.group.empty() ? parameter.name : parameter.group);
       auto& load = result.uncertain->emplace_back();
       for (const auto& [node, axis, weight] : parameter.components) {
         load.push_back({number(node), number(axis), weight});

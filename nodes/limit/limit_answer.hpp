@@ -82,6 +82,10 @@ struct LimitAnswer {
   std::optional<LimitCollapse> nominal;  ///< of `collapses`
   bool no_factor_proved = false;         ///< whether exact arithmetic shows `not_carried`
   std::optional<LimitWorstCase> worst;
+  /// The same with the reference load reversed: its factors are minus the least ones at which loads
+  /// are carried. Nothing: the worst case is carried at no factor, is that of (29) as printed, or
+  /// there was no time.
+  std::optional<LimitWorstCase> reversed;
   std::vector<double> samples;  ///< factors; minus infinity: not carried
   // Curves over beta, those that were asked for; nothing: there was no time or no worst case.
   std::optional<LoadCurve> curve;        ///< lambda*(f_D + beta T zeta), zeta the critical one
@@ -90,7 +94,11 @@ struct LimitAnswer {
   /// Why what else was asked for (the nominal factor, samples, curves) was not done to the end.
   engine::Status rest = engine::Status::solved;
 
-  /// Whether the question is answered, and the answer proved.
+  /// Why the first of its searches that was not done ended; solved: all were.
+  [[nodiscard]] engine::Status ended() const;
+
+  /// Whether the question is answered, and the answer proved: the worst case, and which factors are
+  /// carried under every admissible load.
   [[nodiscard]] bool whole() const;
 };
 

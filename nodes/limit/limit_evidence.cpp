@@ -114,13 +114,14 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
     for (const auto& [degree, value] : column.direction) {
       load.emplace_back(static_cast<std::size_t>(degree), column.weight * value);
     }
+    certificate.names.push_back(column.group.empty() ? column.name : column.group);
   }
   // Exact: where half-widths are not 1, alpha is, but for a place on a curve.
   for (const auto& column : problem.uncertain)
     certificate.alpha.push_back(alpha * column.half_width);
   for (Eigen::Index j = 0; j < worst.zeta.size(); ++j) {
-    certificate.load.push_back(
-        std::copysign(certificate.alpha[static_cast<std::size_t>(j)], worst.zeta(j)));
+    const double most = certificate.alpha[static_cast<std::size_t>(j)];
+    certificate.load.push_back(worst.zeta(j) == 0 ? 0 : std::copysign(most, worst.zeta(j)));
   }
   for (const double u : problems::motion_in_units(model, worst.collapse.motion)) {
     certificate.motion.push_back(u);

@@ -1,38 +1,101 @@
 // The nominal load first, in units that make it sure; then whatever else is asked for.
 #include "nodes/limit/limit_loads.hpp"
 
+#include <functional>
+#include <optional>
 #include <utility>
 
 #include "nodes/evidence/verified_structure.hpp"
 #include "nodes/limit/balanced_model.hpp"
 #include "nodes/limit/compared_loads.hpp"
 #include "nodes/limit/factor_curves.hpp"
+#include "nodes/limit/guaranteed_interval.hpp"
 #include "nodes/limit/proved_ends.hpp"
 #include "nodes/limit/root_search.hpp"
 #include "nodes/limit/worst_case_search.hpp"
+#include "verify/limit_agreement.hpp"
 
 namespace kusabi::limit {
 namespace {
 
-// The nominal load factor, in units that make it sure.
-void find_nominal(RootSearch& search, const verify::Structure& truss, LimitAnswer& answer) {
+using verify::LimitClaim;
+
+// Solves the nominal load, in units that make it sure. @param shown whether a load that is carried
+// at no factor is shown to be
+LoadStatus set_up(RootSearch& search, const std::function<bool()>& shown) {
   const auto& problem = search.problem();
-  const auto shown = [&] {
-    return shows_no_factor(truss, problem, search.model(),
-                           Eigen::VectorXd::Zero(search.model().uncertain_count()),
-                           search.load_factor().overpowering_motion());
-  };
-  answer.status = search.set_up(problems::limit_model(problem));
-  if (search.ended()) return;
-  if (answer.status == LoadStatus::collapses) {
+  auto status = search.set_up(problems::limit_model(problem));
+  if (search.ended()) return status;
+  if (status == LoadStatus::collapses) {
     const double size = dissipation(problem, search.model(), search.nominal().motion);
-    if (!is_out_of_balance(size)) return;
-  } else if (answer.status == LoadStatus::not_carried && shown()) {
-    answer.no_factor_proved = true;
-    return;
+    if (!is_out_of_balance(size)) return status;
+  } else if (status == LoadStatus::not_carried && shown()) {
+    return status;
   }
-  answer.status = search.set_up(balanced_model(problem, 0));
-  answer.no_factor_proved = answer.status == LoadStatus::not_carried && shown();
+  status = search.set_up(balanced_model(problem, 0));
+  if (status == LoadStatus::not_carried) shown();
+  return status;
+}
+
+void find_nominal(RootSearch& search, const verify::Structure& truss, const LimitQuestion& question,
+                  LimitFindings& findings) {
+  const auto shown = [&] {
+    const auto& model = search.model();
+    auto evidence = evidence_of_no_factor(
+        truss, search.problem(), model, question.alpha.value_or(0),
+        Eigen::VectorXd::Zero(model.uncertain_count()), search.load_factor().overpowering_motion());
+    if (!evidence) return false;
+    findings.statements = {{{}, LimitClaim::none, std::move(*evidence)}};
+    return true;
+  };
+  auto& answer = findings.answer;
+  answer.status = set_up(search, shown);
+  answer.no_factor_proved = !findings.statements.empty();
+}
+
+void add_statement(WorstCaseSearch& search, const LimitWorstCase& worst, LimitClaim claim,
+                   LimitFindings& findings) {
+  auto& evidence = search.certificate();
+  if (!evidence) return;
+  if (worst.status == RootStatus::not_carried) {
+    findings.statements.clear();
+    claim = LimitClaim::none;
+  }
+  findings.statements.push_back({{}, claim, std::move(*evidence)});
+}
+
+// The worst case with the reference load reversed, of least factors, by static cuts.
+void find_least_factors(engine::Campaign& campaign, const verify::Structure& truss,
+                        const problems::LimitProblem& problem, double alpha,
+                        LimitFindings& findings) {
+  auto mirrored = problem;
+  mirrored.reference = -problem.reference;
+  const auto mirrored_truss = verify::with_reversed_reference(truss);
+  campaign.say_now_and_then([] {
+    return "the least factors: the search again, with the reference load and the signs of factors "
+           "reversed";
+  });
+  RootSearch search(campaign, mirrored);
+  const auto never = [] { return false; };
+  if (set_up(search, never) == LoadStatus::collapses) {
+    search.settle_for(alpha);
+    const LimitQuestion question{.alpha = alpha};
+    WorstCaseSearch least(search, question, mirrored_truss);
+    const auto& worst = findings.answer.reversed.emplace(least.solve());
+    add_statement(least, worst, LimitClaim::least, findings);
+  } else if (search.ended()) {
+    findings.answer.rest = campaign.budget().why();
+  }
+}
+
+void find_worst_cases(RootSearch& search, const LimitQuestion& question,
+                      const verify::Structure& truss, std::optional<ZeroOneStart> start,
+                      LimitFindings& findings) {
+  WorstCaseSearch largest(search, question, truss, std::move(start));
+  const auto& worst = findings.answer.worst.emplace(largest.solve());
+  add_statement(largest, worst, LimitClaim::largest, findings);
+  if (worst.status == RootStatus::not_carried || worst.as_printed) return;
+  find_least_factors(search.campaign(), truss, search.problem(), *question.alpha, findings);
 }
 
 }  // namespace
@@ -43,7 +106,7 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
   RootSearch search(campaign, problem);
   LimitFindings findings;
   auto& answer = findings.answer;
-  find_nominal(search, truss, answer);
+  find_nominal(search, truss, question, findings);
   if (answer.status != LoadStatus::collapses) {
     if (answer.status == LoadStatus::undetermined && search.ended()) {
       answer.rest = campaign.budget().why();
@@ -70,9 +133,7 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
   const auto model = search.model();
   std::optional<ZeroOneStart> start;
   if (question.of_the_paper()) start = sample();
-  WorstCaseSearch worst_case(search, question, truss, std::move(start));
-  answer.worst = worst_case.solve();
-  findings.certificate = std::move(worst_case.certificate());
+  find_worst_cases(search, question, truss, std::move(start), findings);
   if (!search.is_set_up()) search.set_up(model);  // the last try was in units that did not do
   if (!question.of_the_paper()) sample();
   const bool known = answer.worst->collapse || answer.worst->status == RootStatus::not_carried;
@@ -87,14 +148,22 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
   return findings;
 }
 
+engine::Status LimitAnswer::ended() const {
+  for (const auto* const each : {&worst, &reversed}) {
+    if (*each && (*each)->search != engine::Status::solved) return (*each)->search;
+  }
+  return rest;
+}
+
 bool LimitAnswer::whole() const {
-  if (status == LoadStatus::undetermined || rest != engine::Status::solved) return false;
+  if (status == LoadStatus::undetermined || ended() != engine::Status::solved) return false;
   if (status == LoadStatus::not_carried) return no_factor_proved;
   const auto known = [](const std::optional<LoadCurve>& each) {
     return !each || !each->pieces.empty();
   };
   if (!known(curve) || !known(load_curve) || (worst_curve && !worst_curve->proved())) return false;
-  return !worst || (worst->proved && worst->search == engine::Status::solved);
+  if (!worst) return true;
+  return worst->proved && (!reversed || reversed->proved) && guaranteed_interval(*this).decided();
 }
 
 }  // namespace kusabi::limit

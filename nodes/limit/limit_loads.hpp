@@ -1,8 +1,9 @@
-// The load factor at which a truss collapses, (5) of the limit paper, and the least one that an
-// uncertain dead load can bring about, (13), proved: the question that `kusabi limit` asks.
+// The load factor at which a truss collapses, (5) of the limit paper, the least one that an
+// uncertain dead load can bring about, (13), and the factors that are carried under every
+// admissible load, proved: the question that `kusabi limit` asks.
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "engine/campaign.hpp"
 #include "nodes/limit/limit_answer.hpp"
@@ -15,8 +16,9 @@ namespace kusabi::limit {
 
 struct LimitFindings {
   LimitAnswer answer;  ///< on every rank, but for what only rank 0 is told: counts
-  /// The evidence of both ends, if both are proved; on rank 0.
-  std::optional<verify::LimitCertificate> certificate;
+  /// The claims that are proved, with their evidence, as a certificate wants them; on rank 0. None
+  /// of the least factors without one of the largest.
+  std::vector<verify::LimitStatement> statements;
 };
 
 /// Every rank makes the same call.

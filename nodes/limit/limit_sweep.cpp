@@ -18,13 +18,8 @@ bool has_fixed(const problems::LimitProblem& problem) {
 // Lets those that the file leaves open go up to alpha, beside those that it does not.
 // @return the alpha to search with
 double settle(problems::LimitProblem& problem, double alpha) {
-  problems::AskedHalfWidths asked{.alpha = alpha};
-  if (alpha == 0 && has_fixed(problem)) {
-    std::erase_if(problem.uncertain, [](const auto& column) { return !column.in_file; });
-    asked.alpha.reset();  // of none that is left
-  }
   const std::array cases{&problem};
-  return problems::settle_half_widths(cases, asked).value();
+  return problems::settle_half_widths(cases, {.alpha = alpha}).value();
 }
 
 }  // namespace
@@ -39,11 +34,10 @@ LimitSweep sweep_limit_loads(engine::Campaign& campaign, const problems::Structu
     // The worst curve is that of all uncertain loads in proportion.
     question.curve = !has_fixed(problem) && alpha == alphas.back() && alpha > 0;
     sweep.last = limit_loads(campaign, truss, own, question).answer;
+    sweep.status = sweep.last.ended();
     const auto& worst = sweep.last.worst;
-    sweep.status =
-        worst && worst->search != engine::Status::solved ? worst->search : sweep.last.rest;
     if (!worst) break;  // there is no nominal factor
-    sweep.points.push_back({alpha, *worst});
+    sweep.points.push_back({alpha, *worst, guaranteed_interval(sweep.last)});
     if (sweep.status != engine::Status::solved) break;
   }
   return sweep;
@@ -52,8 +46,9 @@ LimitSweep sweep_limit_loads(engine::Campaign& campaign, const problems::Structu
 bool LimitSweep::whole(std::size_t asked) const {
   if (status != engine::Status::solved || !last.whole()) return false;
   return !last.worst ||
-         (points.size() == asked &&
-          std::ranges::all_of(points, [](const auto& each) { return each.worst.proved; }));
+         (points.size() == asked && std::ranges::all_of(points, [](const auto& each) {
+            return each.worst.proved && each.interval.decided();
+          }));
 }
 
 }  // namespace kusabi::limit

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/campaign.hpp"
+#include "nodes/limit/guaranteed_interval.hpp"
 #include "nodes/limit/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/structure.hpp"
@@ -17,6 +18,7 @@ namespace kusabi::limit {
 struct LimitSweepPoint {
   double alpha = 0;  ///< in the unit of force
   LimitWorstCase worst;
+  GuaranteedInterval interval;
 };
 
 struct LimitSweep {

@@ -123,14 +123,16 @@ std::optional<double> proved_upper(const verify::Structure& truss,
   return verify::rounded_up(*value);
 }
 
-bool shows_no_factor(const verify::Structure& truss, const problems::LimitProblem& problem,
-                     const problems::LimitModel& model, const Eigen::VectorXd& zeta,
-                     const Eigen::VectorXd& motion) {
-  if (motion.size() != model.free_count() || !motion.allFinite()) return false;
-  const double alpha = zeta.size() == 0 ? 0 : zeta.cwiseAbs().maxCoeff() * model.force_unit;
-  const Worst worst{zeta, {0, {}, motion}};
-  const auto evidence = limit_certificate(problem, model, alpha, worst, {}, {});
-  return verify::LimitProof(evidence, meant_truss(evidence, truss)).shows_no_factor();
+std::optional<verify::LimitCertificate> evidence_of_no_factor(const verify::Structure& truss,
+                                                              const problems::LimitProblem& problem,
+                                                              const problems::LimitModel& model,
+                                                              double alpha,
+                                                              const Eigen::VectorXd& zeta,
+                                                              const Eigen::VectorXd& motion) {
+  if (motion.size() != model.free_count() || !motion.allFinite()) return {};
+  auto evidence = limit_certificate(problem, model, alpha, {zeta, {0, {}, motion}}, {}, {});
+  if (!verify::LimitProof(evidence, meant_truss(evidence, truss)).shows_no_factor()) return {};
+  return evidence;
 }
 
 }  // namespace kusabi::limit

@@ -47,10 +47,14 @@ std::optional<double> proved_upper(const verify::Structure& truss,
                                    const problems::LimitModel& model, double alpha,
                                    const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion);
 
-/// Whether a motion shows that a load is carried at no factor.
-/// @param zeta m @param motion n^d, both scaled as in `model`
-bool shows_no_factor(const verify::Structure& truss, const problems::LimitProblem& problem,
-                     const problems::LimitModel& model, const Eigen::VectorXd& zeta,
-                     const Eigen::VectorXd& motion);
+/// The evidence that a load is carried at no factor; nothing if the motion does not show it.
+/// @param alpha in the unit of force @param zeta m: zero, or of size alpha each
+/// @param motion n^d, scaled as in `model` like zeta
+std::optional<verify::LimitCertificate> evidence_of_no_factor(const verify::Structure& truss,
+                                                              const problems::LimitProblem& problem,
+                                                              const problems::LimitModel& model,
+                                                              double alpha,
+                                                              const Eigen::VectorXd& zeta,
+                                                              const Eigen::VectorXd& motion);
 
 }  // namespace kusabi::limit

@@ -83,6 +83,13 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
   worst.proved = near && ends.lower_proved && ends.upper_proved;
 }
 
+// @param zeta scaled, as the motion
+void WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
+                                      LimitWorstCase& worst) {
+  certificate_ = evidence_of_no_factor(truss_, search_.problem(), model(), alpha(), zeta, motion);
+  worst.proved = worst.ends.upper_proved = certificate_.has_value();
+}
+
 // From the root on: the tree, if it is open, and the proof.
 void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
   std::vector<ClosedNode> nodes;
@@ -101,8 +108,7 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
     if (root.overpowering_motion.size() > 0) {
       worst.overpowering_motion = problems::motion_in_units(model(), root.overpowering_motion);
     }
-    worst.proved = worst.ends.upper_proved = shows_no_factor(
-        truss_, search_.problem(), model(), root.overpowering_load, root.overpowering_motion);
+    prove_no_factor(root.overpowering_load, root.overpowering_motion, worst);
     return;
   }
   if (!root.worst) {
@@ -190,8 +196,7 @@ void WorstCaseSearch::show_critical_load(const Eigen::VectorXd& motion, LimitWor
   if (overpowering.size() > 0) {
     worst.overpowering_motion = problems::motion_in_units(model(), overpowering);
   }
-  worst.proved = worst.ends.upper_proved =
-      shows_no_factor(truss_, search_.problem(), model(), zeta, overpowering);
+  prove_no_factor(zeta, overpowering, worst);
 }
 
 // The paper's answer first, by itself; static evidence afterwards, by itself, if it is wanted.

@@ -42,7 +42,8 @@ class WorstCaseSearch {
   /// By the method of the question. @throws BigMTooSmall on every rank
   LimitWorstCase solve();
 
-  /// The evidence of both ends of the last one, if both are proved; on rank 0.
+  /// The evidence of both ends of the last one, if both are proved, on rank 0; or that some load is
+  /// carried at no factor.
   [[nodiscard]] std::optional<verify::LimitCertificate>& certificate() { return certificate_; }
 
  private:
@@ -53,6 +54,8 @@ class WorstCaseSearch {
   void show_critical_load(const Eigen::VectorXd& motion, LimitWorstCase& worst);
   void conclude(RootResult& root, LimitWorstCase& worst);
   void prove(const RootResult& root, std::vector<ClosedNode> nodes, LimitWorstCase& worst);
+  void prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
+                       LimitWorstCase& worst);
   [[nodiscard]] const problems::LimitModel& model() const { return search_.model(); }
   [[nodiscard]] double alpha() const { return *question_.alpha; }
 

@@ -28,10 +28,11 @@ struct Found {
   std::uint64_t nodes = 0;
   std::uint64_t programs = 0;
   engine::Status status = engine::Status::solved;
+  bool infeasible = false;  // the program is shown to have no point
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& motion& lower& upper& nodes& programs& status;
+    archive& motion& lower& upper& nodes& programs& status& infeasible;
   }
 };
 
@@ -73,7 +74,8 @@ linear::MixedProgram printed_program(const LimitModel& model, double alpha, doub
   // There M is for gamma_j = |t_j'u|, which is weight_j |d_j'u|.
   Eigen::VectorXd of_directions(model.uncertain_count());
   for (int j = 0; j < model.uncertain_count(); ++j) {
-    of_directions(j) = big_m / model.uncertain[static_cast<std::size_t>(j)].weight;
+    const double weight = model.uncertain[static_cast<std::size_t>(j)].weight;
+    of_directions(j) = weight == 0 ? big_m : big_m / weight;
   }
   auto mixed = problems::worst_case_program(model, alpha, of_directions, none(model.free_count()),
                                             none(model.member_count()));
@@ -109,10 +111,12 @@ void note_root(const zero_one::ZeroOneRoot& root, double unit, LimitZeroOne& fou
   found.root_programs = counts.programs - counts.cut_programs;
 }
 
-// What the root and the tree of (29) come to.
+// What the root and the tree of (29) come to. With a derived M it has points: none that is found
+// says nothing then.
 ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
                     const linear::MixedProgram& mixed, const ZeroOneRootOptions& options,
-                    const engine::ShownObjective& shown) {
+                    const LimitQuestion& question, const engine::ShownObjective& shown) {
+  const bool m_is_given = question.big_m.has_value();
   ZeroOneWorst result;
   if (options.incumbent) {
     const auto& [objective, values] = *options.incumbent;
@@ -127,7 +131,10 @@ ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
     result.status = campaign.budget().why();
     return result;
   }
-  if (prepared.root.status == linear::LinearStatus::infeasible) throw BigMTooSmall();
+  if (m_is_given && prepared.root.status == linear::LinearStatus::infeasible &&
+      prepared.root.relaxation.contradiction()) {
+    throw BigMTooSmall();
+  }
   if (prepared.unbounded || prepared.root.status != linear::LinearStatus::optimal) return result;
   const auto point = prepared.root.point;
   const auto answer = zero_one::search_tree(campaign, std::move(prepared),
@@ -138,6 +145,7 @@ ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
     known.nodes = answer.outcome.opened();
     known.status = answer.outcome.status;
     known.programs = answer.outcome.tally().programs;
+    known.infeasible = answer.status() == zero_one::MixedStatus::infeasible;
     const auto* const best = answer.point() != nullptr ? answer.point() : point ? &*point : nullptr;
     if (best != nullptr) {
       known.upper = best->objective;
@@ -150,10 +158,8 @@ ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
   result.found.nodes = found.nodes;
   result.found.programs = found.programs;
   result.status = found.status;
-  if (found.motion.empty()) {
-    if (found.status == engine::Status::solved) throw BigMTooSmall();
-    return result;
-  }
+  if (m_is_given && found.infeasible) throw BigMTooSmall();
+  if (found.motion.empty()) return result;
   result.motion = Eigen::Map<const Eigen::VectorXd>(found.motion.data(),
                                                     static_cast<Eigen::Index>(found.motion.size()));
   return result;
@@ -169,7 +175,7 @@ ZeroOneWorst printed_worst(engine::Campaign& campaign, const LimitQuestion& ques
       .cuts = cuts_of(question.method), .tighten = false, .dive = false, .as_printed = true};
   start_from(model, start, options);
   auto result = search(campaign, model, printed_program(model, *question.alpha, *question.big_m),
-                       options, {});
+                       options, question, {});
   result.found.big_m = question.big_m;
   if (start) result.found.start = start->factor;
   return result;
@@ -195,7 +201,7 @@ std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
   }
   if (question.of_the_paper()) start_from(model, start, options);
   auto result =
-      search(campaign, model, *mixed, options, {model.factor_unit, known.factor, root.lower});
+      search(campaign, model, *mixed, options, question, {model.factor_unit, known.factor, root.lower});
   result.found.big_m = question.big_m;
   if (start && question.of_the_paper()) result.found.start = start->factor;
   return result;

@@ -1,6 +1,7 @@
 // Newton's method for the first change, bisection for those after it, which few leaves have.
 #include "nodes/wedged/leaf_history.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -62,6 +63,11 @@ class Bisection {
 };
 
 }  // namespace
+
+const LeafChange* LeafHistory::change_to(const LeafStage& stage) const {
+  const auto found = std::ranges::find(changes, stage, &LeafChange::to);
+  return found == changes.end() ? nullptr : &*found;
+}
 
 LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, const LeafStage& last,
                          std::int64_t most) {

@@ -32,6 +32,9 @@ struct LeafChange {
 struct LeafHistory {
   static constexpr std::int64_t never = INT64_MAX;
 
+  /// The first change to a stage; null: there is none.
+  [[nodiscard]] const LeafChange* change_to(const LeafStage& stage) const;
+
   std::vector<LeafChange> changes;  ///< from dead on, as friction grows
   /// Above this point (x width) it cannot be told what the leaf is.
   std::int64_t open_above = never;

@@ -7,6 +7,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/together.hpp"
+#include "nodes/wedged/sweep_tree.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -45,16 +46,22 @@ std::vector<PatternBracket> pattern_brackets(engine::Campaign& campaign,
   const auto known = engine::from_first_rank(campaign.transport(), [&] { return leaves; });
   if (known.empty()) return {};
   const double width = coefficient / static_cast<double>(cells_to_known);
-  const auto outcome =
-      bracket_patterns(campaign, problem, known, CriticalMethod::newton, width, cells_to_known);
+  const auto blocks = problems::blocks_of(problem);
+  std::vector<SweepTree::Leaf> own;
+  for (const auto& leaf : known) own.push_back(SweepTree::leaf_of(leaf, blocks[leaf.block]));
+  SweepTree tree(problem, width, cells_to_known, own);
+  const auto outcome = campaign.search(tree, {});
   if (!campaign.is_first() || outcome.status != engine::Status::solved) return {};
   const FrictionGrid grid(width);
   std::vector<PatternBracket> brackets(known.size());
   for (const auto& found : outcome.solutions) {
-    const auto& [number, cell] = found.solution;
+    const auto& [number, history] = found.solution;
     auto& bracket = brackets[number];
-    bracket.lower = grid.at(cell.dead);
-    if (cell.alive != CriticalCell::nowhere) bracket.upper = grid.at(cell.alive);
+    if (const auto* const change = history.change_to(own[number].stage)) {
+      bracket = {grid.at(change->before), grid.at(change->after)};
+    } else if (history.open_above != LeafHistory::never) {
+      bracket.lower = grid.at(history.open_above);
+    }
   }
   return brackets;
 }

@@ -22,13 +22,16 @@ engine::Outcome<PatternBisection> bracket_patterns(engine::Campaign& campaign,
                                                    CriticalMethod method, double width,
                                                    std::int64_t start);
 
-/// Where a pattern begins to live.
+/// The least coefficient at which a pattern is feasible as it is: a configuration loads exactly its
+/// candidates in contact and opens exactly those separated. At a smaller one its leaf may be
+/// feasible as a smaller flat pattern, in which more candidates are inactive.
 struct PatternBracket {
-  double lower = 0;             ///< dead here
-  std::optional<double> upper;  ///< alive here; nothing: not known to be anywhere
+  double lower = 0;             ///< infeasible here
+  std::optional<double> upper;  ///< feasible here; nothing: not known to be anywhere
 };
 
-/// Brackets of 1e-8 of the coefficient. Every rank makes the same call.
+/// Brackets of 1e-8 of the coefficient: the same as ConeLife::begins, since both are read from the
+/// history of the leaf. Every rank makes the same call.
 /// @param leaves on rank 0  @param coefficient that they were found at
 /// @returns on rank 0 one a leaf, in their order; empty if the search was stopped, and elsewhere
 std::vector<PatternBracket> pattern_brackets(engine::Campaign& campaign,

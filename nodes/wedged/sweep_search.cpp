@@ -45,17 +45,6 @@ LeavesAtMost leaves_at(engine::Campaign& campaign, const problems::WedgedProblem
   return leaves;
 }
 
-/// In contact are those that are loaded; all others, at rest or not, are called separated.
-SweepTree::Leaf leaf_of(const Configuration& found, const support::IndexSet& block) {
-  SweepTree::Leaf leaf{.place = {.block = found.block, .pattern = own_leaf(found, block)},
-                       .stage = {LeafStage::Kind::open, {}, {}}};
-  if (found.state == LeafState::alive) leaf.stage.kind = LeafStage::Kind::solid;
-  if (found.state == LeafState::flat)
-    leaf.stage = {LeafStage::Kind::flat, leaf.place.pattern.contact,
-                  problems::in_block(found.pattern.separated, block)};
-  return leaf;
-}
-
 /// The first point of the grid that is not below.
 std::int64_t not_below(double friction, const FrictionGrid& grid) {
   auto point = static_cast<std::int64_t>(std::llround(friction / grid.width()));
@@ -84,7 +73,8 @@ SweepFindings sweep_friction(engine::Campaign& campaign, const problems::WedgedP
   findings.enumerated = true;
   findings.blocks = blocks.size();
   std::vector<SweepTree::Leaf> leaves;
-  for (const auto& leaf : at_most.leaves) leaves.push_back(leaf_of(leaf, blocks[leaf.block]));
+  for (const auto& leaf : at_most.leaves)
+    leaves.push_back(SweepTree::leaf_of(leaf, blocks[leaf.block]));
   SweepTree tree(problem, width, top, std::move(leaves));
   auto outcome = campaign.search(tree, {});
   findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });

@@ -50,6 +50,10 @@ class SweepTree {
     LeafStage stage;  ///< not dead
   };
 
+  /// Those that are loaded are in contact, all others separated, inactive or not.
+  /// @param found at the coefficient `most` x width @param block its candidates
+  static Leaf leaf_of(const Configuration& found, const support::IndexSet& block);
+
   SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
             std::vector<Leaf> leaves);
 

@@ -64,10 +64,7 @@ void settle_group(std::vector<Settled>& columns, const std::string& name, double
                   support::in_quotes(name), names_instead(columns, name)));
 }
 
-}  // namespace
-
-std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
-                                         const AskedHalfWidths& asked) {
+std::vector<Settled> columns_of(std::span<LimitProblem* const> cases) {
   std::vector<Settled> columns;
   for (auto* const problem : cases) {
     for (int j = 0; j < problem->uncertain_count(); ++j) {
@@ -75,6 +72,22 @@ std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
       columns.push_back({problem, j, &column, column.in_file});
     }
   }
+  return columns;
+}
+
+}  // namespace
+
+void fix_half_widths(LimitProblem& problem,
+                     std::span<const std::pair<std::string, double>> groups) {
+  LimitProblem* const one = &problem;
+  auto columns = columns_of({&one, 1});
+  for (const auto& [name, half_width] : groups) settle_group(columns, name, half_width);
+  for (auto& each : columns) each.column->in_file = each.known;
+}
+
+std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
+                                         const AskedHalfWidths& asked) {
+  auto columns = columns_of(cases);
   for (const auto& [name, half_width] : asked.groups) settle_group(columns, name, half_width);
   const auto open = std::ranges::find(columns, false, &Settled::known);
   if (std::ranges::find(columns, true, &Settled::known) == columns.end()) return asked.alpha;
@@ -82,10 +95,10 @@ std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
     if (!asked.alpha) return 1;
     throw UnfitHalfWidths("every uncertain load has a half-width of its own; expected no --alpha");
   }
-  if (!asked.alpha || *asked.alpha == 0) {
+  if (!asked.alpha) {
     throw UnfitHalfWidths(
         fmt::format("other uncertain loads have half-widths of their own, but how far {} may go is "
-                    "left open; expected --alpha, above 0, as well",
+                    "left open; expected --alpha as well",
                     open->name()));
   }
   for (auto& each : columns) {

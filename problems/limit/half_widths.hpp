@@ -15,7 +15,7 @@ namespace kusabi::problems {
 /// What is asked of those that the file leaves open, in the unit of force.
 struct AskedHalfWidths {
   std::optional<double> alpha{};                         ///< of all that have none of their own
-  std::vector<std::pair<std::string, double>> groups{};  ///< by the name of a load or a group, > 0
+  std::vector<std::pair<std::string, double>> groups{};  ///< by the name of a load or a group, >= 0
 };
 
 /// What is asked does not fit to the file; says what was expected.
@@ -31,6 +31,10 @@ class UnfitHalfWidths : public std::invalid_argument {
 ///         missing
 std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
                                          const AskedHalfWidths& asked);
+
+/// Gives the columns of these groups half-widths as if the file said them.
+/// @throws UnfitHalfWidths as above
+void fix_half_widths(LimitProblem& problem, std::span<const std::pair<std::string, double>> groups);
 
 /// The half-width that all columns have alike; nothing: they differ.
 /// @param alpha that is searched with

@@ -11,6 +11,7 @@
 #include "run/bench/bench_schedules.hpp"
 #include "run/bench/bench_uts.hpp"
 #include "run/command/command_run.hpp"
+#include "run/output/exit_code.hpp"
 #include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
@@ -24,17 +25,17 @@ class Bench : public Subcommand {
     // A reduction counts, and here it counts the ranks on which something was wrong.
     const auto all =
         engine::all_reduce(run.session().transport(), {.ranks = 1, .found = good ? 0U : 1U});
-    code_ = all.found == 0 ? solved : failed;
+    agrees_ = all.found == 0;
   }
   std::vector<Step> results(CommandRun& /*run*/) final { return {flush_standard_output}; }
-  Verdict verdict(CommandRun& /*run*/) final { return {{}, code_}; }
+  [[nodiscard]] Verdict verdict() const final { return {.answer = Measurement{.agrees = agrees_}}; }
 
  protected:
   /// @return the exit code, of this rank
   virtual int measure(Session& session) = 0;
 
  private:
-  ExitCode code_ = solved;
+  bool agrees_ = true;
 };
 
 class Scaling final : public Bench {

@@ -21,6 +21,10 @@
 #include "run/session/restart.hpp"
 #include "run/session/supervision.hpp"
 #include "run/session/time_limit.hpp"
+#include "run/verdict/conclusion_text.hpp"
+#include "run/verdict/ending.hpp"
+#include "run/verdict/verdict_json.hpp"
+#include "run/verdict/words.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
@@ -60,21 +64,39 @@ int CommandRun::execute() {
     if (!quiet_) {
       for (const auto& name : written_) tell("wrote {}\n", name);
     }
-    const auto verdict = command_.verdict(*this);
-    for (const auto& remark : verdict.remarks) {
-      if (verdict.code == solved) {
+    const auto reached = verdict();
+    const auto exit = exit_code(reached);
+    tell_what_is_open(reached);
+    for (const auto& remark : command_.remarks(*this)) {
+      if (exit == solved) {
         tell("{}\n", remark);
       } else {
         tell_doubt(remark);
       }
     }
-    if (journal_ && verdict.code == solved) journal_->finish();
-    code = static_cast<std::uint64_t>(verdict.code);
+    if (journal_ && exit == solved) journal_->finish();
+    code = static_cast<std::uint64_t>(exit);
   }
   // A reduction adds up, and only rank 0 has something to add; the others sleep until it is
   // written.
   return static_cast<int>(
       engine::all_reduce(session_.transport(), {.ranks = 1, .found = code}).found);
+}
+
+Verdict CommandRun::verdict() const {
+  auto reached = command_.verdict();
+  const auto& warnings = session_.warnings();
+  reached.warnings.insert(reached.warnings.end(), warnings.begin(), warnings.end());
+  return reached;
+}
+
+// A terminal that shows both streams has it beneath the table.
+void CommandRun::tell_what_is_open(const Verdict& verdict) const {
+  const auto is_terminal = [](const Page& page) { return page.width != Page::endless; };
+  if (!quiet_ && is_terminal(page()) && is_terminal(page_of(STDERR_FILENO))) return;
+  for (const auto& [sentence, open] : reservations(verdict)) {
+    if (open) tell_doubt(sentence);
+  }
 }
 
 // What does not go together may be in the call in part only.
@@ -97,7 +119,16 @@ std::string CommandRun::defaults_told() const {
   return text;
 }
 
-// What every result ends with: where its defaults came from, if from anywhere.
+// The verdict, known when the rest is written, and where defaults came from, if from anywhere.
+nlohmann::ordered_json CommandRun::last_members() const {
+  const auto reached = verdict();
+  auto all = nlohmann::ordered_json::object();
+  all["verdict"] = verdict_json(reached);
+  all["warnings"] = reached.warnings;
+  all.update(defaults_json());
+  return all;
+}
+
 nlohmann::ordered_json CommandRun::defaults_json() const {
   auto all = nlohmann::ordered_json::object();
   if (defaults_.taken.empty()) return all;
@@ -260,7 +291,7 @@ Step CommandRun::result(std::function<nlohmann::ordered_json()> make) {
 
 Step CommandRun::result(std::function<void(JsonWriter&)> write) {
   return file("--output", [this, write = std::move(write)](std::ostream& out) {
-    JsonWriter json(out, defaults_json());
+    JsonWriter json(out, [this] { return last_members(); });
     write(json);
     out << '\n';
   });
@@ -285,7 +316,7 @@ Step CommandRun::folder(const std::string& option, std::function<void(OutputFold
 
 Step CommandRun::answer(std::function<std::string()> make) {
   return [this, make = std::move(make)] {
-    if (!quiet_) print_answer(folded(make(), page().width));
+    if (!quiet_) print_answer(folded(make() + conclusion_text(verdict(), page()), page().width));
   };
 }
 

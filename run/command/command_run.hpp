@@ -66,7 +66,8 @@ class CommandRun {
   /// on. @param limits of the call
   engine::Supervision supervision(const engine::Limits& limits);
 
-  /// How a search that stopped early is gone on with, in lines for Verdict::remarks. @param saved
+  /// How a search that stopped early is gone on with, in lines for
+  /// Subcommand::remarks. @param saved
   /// whether its last state is in the checkpoint
   [[nodiscard]] std::vector<std::string> how_to_go_on(const CheckpointChoice& choice,
                                                       engine::Status why, bool saved);
@@ -89,7 +90,7 @@ class CommandRun {
   /// What answers are printed on. The standard output of a job is the launcher's, of which it is
   /// not known what becomes: as endless and plain as a file.
   [[nodiscard]] static Page page();
-  /// Prints the answer, folded for the page, unless quiet.
+  /// Prints the table and below it the verdict, folded for the page, unless quiet.
   Step answer(std::function<std::string()> make);
   /// Prints even if quiet.
   static Step print(std::string text);
@@ -103,6 +104,9 @@ class CommandRun {
   void check() const;
   [[nodiscard]] std::string defaults_told() const;
   [[nodiscard]] nlohmann::ordered_json defaults_json() const;
+  [[nodiscard]] Verdict verdict() const;
+  [[nodiscard]] nlohmann::ordered_json last_members() const;
+  void tell_what_is_open(const Verdict& verdict) const;
 
   Session& session_;
   Subcommand& command_;

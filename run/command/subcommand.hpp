@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "run/command/option_table.hpp"
-#include "run/output/exit_code.hpp"
+#include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
 
@@ -17,12 +17,6 @@ class CommandRun;
 
 /// A thing to do at the end of a run: a file to write, the answer to print.
 using Step = std::function<void()>;
-
-/// What is said when all is written, and the exit code.
-struct Verdict {
-  std::vector<std::string> remarks;  ///< on standard error, a line each: what is left, how to go on
-  ExitCode code = solved;
-};
 
 /// The stages of a run, in their order. All ranks go through them, rank 0 alone through the last
 /// two.
@@ -66,8 +60,13 @@ class Subcommand {
   /// Files first, then the answer; each is done even if one before it has failed.
   virtual std::vector<Step> results(CommandRun& run) = 0;
 
-  /// After these.
-  virtual Verdict verdict(CommandRun& run) = 0;
+  /// The answer, and what of it is open, once the search has ended. Its sentences, the exit code
+  /// and the key `verdict` of the result file are made of it.
+  [[nodiscard]] virtual Verdict verdict() const { return {}; }
+
+  /// Lines on standard error after everything is written: the call that goes on, outputs that were
+  /// shortened.
+  virtual std::vector<std::string> remarks(CommandRun& /*run*/) { return {}; }
 };
 
 }  // namespace kusabi::run

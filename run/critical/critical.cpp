@@ -2,7 +2,6 @@
 #include "run/critical/critical.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "run/command/command_run.hpp"
 #include "run/critical/critical_certificate.hpp"
 #include "run/critical/critical_report.hpp"
+#include "run/critical/critical_verdict.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
@@ -50,7 +50,8 @@ class Critical final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  Verdict verdict(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override;
+  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   void draw(OutputFolder& folder, const WholeStates& states) const;
@@ -180,18 +181,13 @@ std::vector<Step> Critical::results(CommandRun& run) {
           })};
 }
 
-Verdict Critical::verdict(CommandRun& run) {
-  Verdict verdict{.remarks = {}, .code = findings_.answered() ? solved : stopped_early};
-  if (findings_.status != engine::Status::solved) {
-    verdict.remarks.push_back(
-        fmt::format("stopped early ({}): nothing lives below {:.10g}; more is not proved",
-                    status_name(findings_.status), findings_.lower));
-    std::ranges::move(run.how_to_go_on(options_.checkpoint, findings_.status, false),
-                      std::back_inserter(verdict.remarks));
-  }
-  for (const auto& sentence : open_sentences(options_, findings_))
-    verdict.remarks.push_back("open: " + sentence);
-  return verdict;
+Verdict Critical::verdict() const {
+  return critical_verdict(options_, problem_, findings_);
+}
+
+std::vector<std::string> Critical::remarks(CommandRun& run) {
+  if (findings_.status == engine::Status::solved) return {};
+  return run.how_to_go_on(options_.checkpoint, findings_.status, false);
 }
 
 }  // namespace

@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
-#include "run/output/conclusions.hpp"
-#include "run/output/name_ranges.hpp"
+#include "run/critical/critical_verdict.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
+#include "run/verdict/ending.hpp"
+#include "run/verdict/shown_bracket.hpp"
+#include "run/verdict/words.hpp"
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/cuts_words.hpp"
-#include "run/wedged/nearest_failure.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -67,29 +68,6 @@ std::string ranks_text(const wedged::CriticalFindings& findings, const Page& pag
     table.add(statistics, {tally.programs});
   }
   return table.text(page.width);
-}
-
-// Which pattern begins to live first, and who slips there.
-std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first) {
-  auto text = fmt::format(" The first way is number 1 (in contact: {})",
-                          contact_text(problem, first.pattern));
-  if (first.reaction.empty() || !first.upper) return text + '.';
-  const auto nearest = nearest_failure(problem, *first.upper, first.block, first.pattern,
-                                       first.reaction, first.displacement);
-  if (nearest.slips_there.empty()) return text + '.';
-  support::IndexSet slips;
-  for (const int i : nearest.slips_there) slips.insert(i);
-  return fmt::format("{}: with less friction {} would slip.", text,
-                     with_ranges(candidate_names(problem, slips)));
-}
-
-// The answer, as a report has it.
-std::string sentence(const problems::WedgedProblem& problem,
-                     const wedged::CriticalFindings& findings, const Page& page) {
-  auto text = page.strong(critical_sentence(findings.lower, findings.upper));
-  if (findings.upper && !findings.patterns.empty())
-    text += first_way(problem, findings.patterns.front());
-  return text + '\n';
 }
 
 const char* phase_name(wedged::CriticalPhase phase) {
@@ -150,32 +128,17 @@ ordered_json statistics_json(const wedged::CriticalFindings& findings) {
   return statistics;
 }
 
-}  // namespace
-
 std::vector<std::string> open_sentences(const CriticalOptions& options,
+                                        const problems::WedgedProblem& problem,
                                         const wedged::CriticalFindings& findings) {
   std::vector<std::string> sentences;
-  for (const auto doubt : findings.open) {
-    switch (doubt) {
-      case wedged::CriticalDoubt::no_upper_end:
-        sentences.push_back(fmt::format(
-            "between {:.12g} and {:.12g} it could not be told whether anything can wedge",
-            findings.lower, options.question.most.value_or(wedged::usual_most)));
-        break;
-      case wedged::CriticalDoubt::wide_bracket:
-        sentences.push_back(fmt::format(
-            "the bracket is {:.2g} wide, wider than asked for ({:g}): in between, what can wedge "
-            "could not be told from what just cannot",
-            *findings.upper - findings.lower, options.question.width));
-        break;
-      case wedged::CriticalDoubt::lower_not_proved:
-        sentences.push_back(fmt::format(
-            "that nothing wedges at {:.12g} is not proved in exact arithmetic", findings.lower));
-        break;
-    }
+  for (const auto& each : reservations(critical_verdict(options, problem, findings))) {
+    if (each.open) sentences.push_back(each.sentence);
   }
   return sentences;
 }
+
+}  // namespace
 
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
                            const wedged::CriticalFindings& findings, const Page& page) {
@@ -191,34 +154,17 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
       fmt::format_to(out, "{:>5}  {} more\n", "…", findings.patterns.size() - number);
       break;
     }
-    fmt::format_to(out, "{:>5}  {:>16.12g}  {:>16}  {}\n", ++number, entry.lower,
-                   entry.upper ? fmt::format("{:.12g}", *entry.upper) : "?",
+    const auto shown = entry.upper ? in_table(entry.lower, *entry.upper)
+                                   : ShownBracket{rounded_down(entry.lower, digits_of_table), "?"};
+    fmt::format_to(out, "{:>5}  {:>16}  {:>16}  {}\n", ++number, shown.lower, shown.upper,
                    contact_text(problem, entry.pattern));
   }
-  const auto* const times =
-      problems::uniform_friction(problem) ? "" : " (times that of each candidate)";
-  if (findings.upper) {
-    fmt::format_to(out,
-                   "\ncritical friction coefficient{}: between {:.12g} and {:.12g}: nothing can "
-                   "wedge below, something can above\n",
-                   times, findings.lower, *findings.upper);
-  } else if (findings.status == engine::Status::solved) {
-    fmt::format_to(out, "\nnothing can wedge at a friction coefficient{} below {:.12g}\n", times,
-                   findings.lower);
-  }
-  if (findings.upper && findings.status == engine::Status::solved && !findings.upper_proved) {
-    text += page.doubtful(
-        "What wedges at the upper end is a tie: it holds within the rounding of the file's numbers "
-        "and is not proved in exact arithmetic.\n");
-  }
-  for (const auto& doubt : open_sentences(options, findings))
-    text += page.doubtful(fmt::format("Open: {}.\n", doubt));
+  text += '\n' + bracket_line(critical_bracket(options, problem, findings));
   if (!looks_for_smallest(options.question.way) && findings.upper) {
-    fmt::format_to(out, "(of the {} patterns that live at {})\n", findings.patterns.size(),
+    fmt::format_to(out, "(of the {} at {})\n", counted(findings.patterns.size(), "pattern"),
                    options.question.most.value_or(0));
   }
-  return text + '\n' + ranks_text(findings, page) + costs_text(findings) + '\n' +
-         sentence(problem, findings, page);
+  return text + '\n' + ranks_text(findings, page) + costs_text(findings);
 }
 
 ordered_json critical_json(const CriticalOptions& options, const problems::WedgedProblem& problem,
@@ -233,7 +179,7 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
           {"version", KUSABI_VERSION},
           {"problem", problem_json(whole.structure(), problem, options.file)},
           {"options", std::move(chosen)},
-          {"status", status_name(findings.status)},
+          {"status", status_text(critical_verdict(options, problem, findings))},
           {"result",
            {{"critical_friction",
              {{"lower", findings.lower},
@@ -241,7 +187,7 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
               {"lower_proved", findings.lower_proved},
               {"upper_proved", findings.upper_proved}}},
             {"pattern", patterns.empty() ? ordered_json() : patterns.front()},
-            {"open", open_sentences(options, findings)},
+            {"open", open_sentences(options, problem, findings)},
             {"patterns", std::move(patterns)}}},
           {"statistics", statistics_json(findings)}};
 }

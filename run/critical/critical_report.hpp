@@ -3,7 +3,6 @@
 
 #include <ostream>
 #include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -15,11 +14,7 @@
 
 namespace kusabi::run {
 
-/// What the findings leave open, a sentence each.
-std::vector<std::string> open_sentences(const CriticalOptions& options,
-                                        const wedged::CriticalFindings& findings);
-
-/// The result as text.
+/// Patterns, bracket and costs as text.
 /// @param page that it is printed on
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
                            const wedged::CriticalFindings& findings, const Page& page);

@@ -13,7 +13,9 @@
 #include "run/command/command_run.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_scenes.hpp"
+#include "run/results/result_verdict.hpp"
 #include "run/results/sweep_result.hpp"
+#include "run/verdict/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -58,7 +60,6 @@ class Draw final : public Subcommand {
     write(text);
     return {CommandRun::print(text.str())};
   }
-  Verdict verdict(CommandRun& /*run*/) override { return {}; }
 
  private:
   void take_chart(const ResultReader& reader) {
@@ -67,7 +68,7 @@ class Draw final : public Subcommand {
           fmt::format("--pattern {}: {} is of a sweep, which has one chart; expected no --pattern",
                       pattern_, file_));
     }
-    chart_ = sweep_chart(reader);
+    chart_ = sweep_chart(reader, headline(result_verdict(reader)));
     if (!chart_) throw WrongInput(fmt::format("{}: nothing is known that could be drawn", file_));
   }
 

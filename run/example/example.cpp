@@ -34,7 +34,6 @@ class Example : public Subcommand {
     if (!run.wants("--output")) return {CommandRun::print(text_)};
     return {run.file("--output", [this](std::ostream& out) { out << text_; })};
   }
-  Verdict verdict(CommandRun& /*run*/) final { return {}; }
 
  protected:
   /// @throws std::invalid_argument if the size is impossible

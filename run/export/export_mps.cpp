@@ -18,6 +18,7 @@
 #include "problems/limit/program_names.hpp"
 #include "problems/structure/load_cases.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/group_half_widths.hpp"
 #include "run/export/export.hpp"
 #include "run/export/exported_file.hpp"
 #include "run/output/values.hpp"
@@ -59,6 +60,7 @@ class ExportMps final : public ExportedFile {
   Program choice_ = Program::worst_case;
   std::optional<double> alpha_;
   std::string load_case_;
+  std::string group_alpha_;
   std::optional<double> asked_m_;
   std::optional<problems::LimitProblem> problem_;
   Eigen::VectorXd big_m_;  // of the worst case: one an uncertain component
@@ -73,9 +75,13 @@ void ExportMps::describe(OptionTable& table) {
                "the 0-1 program (29) of the worst case, or the linear programs of the dead load as "
                "it is: (15), or (5), whose optimum is minus the load factor");
   table
-      .number("--alpha", &alpha_, above(0),
+      .number("--alpha", &alpha_, at_least(0),
               "of the worst case: the uncertain components of the dead load are known up to +- "
               "this")
+      .unit("in the file's unit of force");
+  table
+      .text("--group-alpha", group_alpha_, "NAME=NUMBER,...",
+            "likewise, of the uncertain loads or groups with these names")
       .unit("in the file's unit of force");
   table.number("--big-m", &asked_m_, above(0),
                "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
@@ -86,9 +92,11 @@ void ExportMps::describe(OptionTable& table) {
 
 void ExportMps::check() const {
   const bool of_worst_case = choice_ == Program::worst_case;
-  if (!of_worst_case && (alpha_ || asked_m_)) {
+  group_half_widths(group_alpha_);
+  if (!of_worst_case && (alpha_ || asked_m_ || !group_alpha_.empty())) {
     throw WrongInput(
-        "--alpha, --big-m: of a program without uncertainty; expected --program worst-case, or "
+        "--alpha, --group-alpha, --big-m: of a program without uncertainty; expected --program "
+        "worst-case, or "
         "neither");
   }
 }
@@ -103,11 +111,16 @@ void ExportMps::prepare(CommandRun& run) {
 void ExportMps::settle_half_widths() {
   problems::LimitProblem* const one = &*problem_;
   try {
-    alpha_ = problems::settle_half_widths({&one, 1}, {.alpha = alpha_});
+    alpha_ = problems::settle_half_widths(
+        {&one, 1}, {.alpha = alpha_, .groups = group_half_widths(group_alpha_)});
   } catch (const problems::UnfitHalfWidths& error) {
-    throw WrongInput(fmt::format("--alpha: {}", error.what()));
+    throw WrongInput(
+        fmt::format("{}: {}", group_alpha_.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
   if (!alpha_) throw WrongInput("--program worst-case: of no uncertainty; expected --alpha");
+  // Loads that go nowhere are no part of the program.
+  std::erase_if(one->uncertain,
+                [&](const auto& column) { return *alpha_ * column.half_width == 0; });
 }
 
 void ExportMps::search(CommandRun& run) {

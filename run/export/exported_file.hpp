@@ -17,7 +17,6 @@ class ExportedFile : public Subcommand {
   /// Most have nothing to search for.
   void search(CommandRun& /*run*/) override {}
   std::vector<Step> results(CommandRun& run) final;
-  Verdict verdict(CommandRun& /*run*/) final { return {}; }
 
  protected:
   /// The rows that all have: first the problem file, last the options of the run.

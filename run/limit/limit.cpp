@@ -17,12 +17,13 @@
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/load_cases.hpp"
 #include "run/command/command_run.hpp"
+#include "run/command/group_half_widths.hpp"
 #include "run/limit/curve_load.hpp"
 #include "run/limit/curve_report.hpp"
-#include "run/limit/group_half_widths.hpp"
 #include "run/limit/limit_cases.hpp"
 #include "run/limit/limit_pictures.hpp"
 #include "run/limit/limit_report.hpp"
+#include "run/limit/limit_words.hpp"
 #include "run/limit/members_csv.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
@@ -57,7 +58,8 @@ class Limit final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  Verdict verdict(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override;
+  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   void take_cases(problems::Structure structure);
@@ -156,7 +158,6 @@ void Limit::refuse_without_worst_case() const {
   if (question.method != limit::LimitMethod::static_cuts) option = "--cuts";
   if (question.samples > 0) option = "--samples";
   if (question.curve) option = "--curve";
-  if (!certificate_.empty()) option = "--certificate";
   if (option == nullptr) return;
   throw WrongInput(
       fmt::format("{}: it is of a worst case, and how far uncertain loads may go is not known; "
@@ -176,7 +177,10 @@ void Limit::settle_half_widths() {
     throw WrongInput(fmt::format(
         "{}: {}", options_.asked.groups.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
-  if (!options_.question.alpha) refuse_without_worst_case();
+  if (options_.question.alpha) return;
+  refuse_without_worst_case();
+  // The dead load exactly as given: the evidence is that of no uncertainty.
+  if (!certificate_.empty()) options_.question.alpha = 0;
 }
 
 void Limit::read(CommandRun& run) {
@@ -190,10 +194,6 @@ void Limit::read(CommandRun& run) {
 void Limit::take_cases(problems::Structure structure) {
   structure = problems::in_chosen_case(std::move(structure), options_.load_case);
   auto names = problems::load_cases(structure);
-  if (names.size() > 1 && !certificate_.empty()) {
-    throw WrongInput("--certificate: it is of one load case; expected --case, one of " +
-                     problems::choice_of_load_cases(structure));
-  }
   if (names.empty()) names.emplace_back();
   for (const auto& name : names) {
     auto truss = name.empty() ? structure : problems::in_load_case(structure, name);
@@ -265,9 +265,9 @@ std::vector<Step> Limit::results(CommandRun& run) {
     CurveReport{report->options, report->problem, report->answer}.write_csv(out);
   }));
   steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
-  if (const auto& certificate = cases_.front().found.certificate) {
-    steps.push_back(run.file("--certificate", [&certificate](std::ostream& out) {
-      out << limit_certificate_text(*certificate);
+  if (have_statements(cases_)) {
+    steps.push_back(run.file("--certificate", [this](std::ostream& out) {
+      out << limit_certificate_text(all_statements(cases_));
     }));
   }
   steps.push_back(run.answer([report] { return report->table(CommandRun::page()); }));
@@ -276,43 +276,23 @@ std::vector<Step> Limit::results(CommandRun& run) {
 
 const char* Limit::why_no_certificate() const {
   const auto& worst = cases_.front().found.answer.worst;
-  if (!worst) return "it would be of a worst case; expected --alpha";
-  if (worst->as_printed) return "the search was stopped before the two ends were proved";
-  return worst->status == limit::RootStatus::not_carried
-             ? "they hold load factors, and here a load is carried at none"
-             : "the two ends are not proved";
+  if (worst && worst->as_printed) return "the search was stopped before the two ends were proved";
+  return "not every load case has its bounds proved";
 }
 
-Verdict Limit::verdict(CommandRun& run) {
-  Verdict verdict{.remarks = {}, .code = all_whole(cases_) ? solved : stopped_early};
-  if (run.wants("--certificate") && !cases_.front().found.certificate) {
-    verdict.code = stopped_early;
-    if (!run.quiet()) {
-      verdict.remarks.push_back(
-          fmt::format("no certificate ({} is as it was): {}", certificate_, why_no_certificate()));
-    }
-  }
-  bool printed = false;  // of the whole tree, and not proved
-  auto ended_by = engine::Status::solved;
-  for (const auto& each : cases_) {
-    const auto& answer = each.found.answer;
-    const auto& worst = answer.worst;
-    const auto stopped =
-        worst && worst->search != engine::Status::solved ? worst->search : answer.rest;
-    if (stopped != engine::Status::solved && ended_by == engine::Status::solved) ended_by = stopped;
-    printed = printed || (worst && worst->as_printed && !worst->proved &&
-                          worst->search == engine::Status::solved);
-  }
-  if (ended_by != engine::Status::solved) {
-    std::ranges::move(run.how_to_go_on(options_.checkpoint, ended_by, false),
-                      std::back_inserter(verdict.remarks));
-  }
-  if (printed && !run.quiet()) {
-    verdict.remarks.emplace_back(
-        "not proved: the ends of (29) are those of the worst case if its M is large enough; "
-        "--certificate FILE has them proved by static cuts");
+Verdict Limit::verdict() const {
+  auto verdict = limit_verdict(options_, cases_);
+  if (!certificate_.empty() && !have_statements(cases_)) {
+    verdict.missing.push_back(
+        fmt::format("No certificate ({} is as it was): {}.", certificate_, why_no_certificate()));
   }
   return verdict;
+}
+
+std::vector<std::string> Limit::remarks(CommandRun& run) {
+  const auto ended_by = verdict().ended;
+  if (ended_by == engine::Status::solved) return {};
+  return run.how_to_go_on(options_.checkpoint, ended_by, false);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "run/output/values.hpp"
+#include "run/pictures/guaranteed_interval_report.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -58,11 +59,35 @@ bool all_whole(std::span<const LimitCase> cases) {
   return std::ranges::all_of(cases, [](const auto& each) { return each.found.answer.whole(); });
 }
 
+bool have_statements(std::span<const LimitCase> cases) {
+  return std::ranges::none_of(cases,
+                              [](const auto& each) { return each.found.statements.empty(); });
+}
+
+std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> cases) {
+  std::vector<verify::LimitStatement> all;
+  for (const auto& each : cases) {
+    for (const auto& statement : each.found.statements) {
+      all.push_back(statement);
+      all.back().load_case = each.name;
+    }
+  }
+  return all;
+}
+
+limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases) {
+  std::vector<limit::GuaranteedInterval> intervals;
+  for (const auto& each : cases) intervals.push_back(guaranteed_interval(each.found.answer));
+  return intersection(intervals);
+}
+
 std::string cases_text(std::span<const LimitCase> cases) {
   std::string text = fmt::format("{} load cases\n", cases.size());
   const auto out = std::back_inserter(text);
   for (const auto& each : cases)
     fmt::format_to(out, "  {}: {}\n", each.name, found_text(each.found.answer));
+  if (cases.front().found.answer.worst)
+    fmt::format_to(out, "in all cases: {}\n", interval_text(interval_of_all(cases)));
   fmt::format_to(out, "{} {}\n\nload case {}\n",
                  all_whole(cases) ? "the least factor is that of" : "the least that is known is of",
                  governing(cases).name, governing(cases).name);
@@ -79,6 +104,7 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
       row["worst_case"] = {{"lower", number_or_null(worst->ends.lower)},
                            {"upper", number_or_null(worst->ends.upper)},
                            {"proved", worst->proved}};
+      row["guaranteed_interval"] = interval_json(guaranteed_interval(answer));
     }
     row["state"] = state_of(answer);
     rows.push_back(std::move(row));

@@ -3,12 +3,15 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "nodes/limit/guaranteed_interval.hpp"
 #include "nodes/limit/limit_loads.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/structure.hpp"
+#include "verify/limit_certificate.hpp"
 
 namespace kusabi::run {
 
@@ -26,6 +29,16 @@ const LimitCase& governing(std::span<const LimitCase> cases);
 
 /// Whether all are answered.
 bool all_whole(std::span<const LimitCase> cases);
+
+/// Whether there is a proved claim on each case, as a certificate wants it.
+bool have_statements(std::span<const LimitCase> cases);
+
+/// The proved claims on all cases, for one certificate. @pre have_statements()
+std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> cases);
+
+/// The factors that are carried in all cases, under every admissible load.
+/// @pre a worst case was asked for
+limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases);
 
 /// A row a case, and which governs.
 std::string cases_text(std::span<const LimitCase> cases);

@@ -8,14 +8,16 @@
 #include "run/limit/collapse_loads.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_report.hpp"
+#include "run/limit/limit_words.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
+#include "run/pictures/guaranteed_interval_report.hpp"
 #include "run/pictures/limit_problem_json.hpp"
+#include "run/verdict/ending.hpp"
 
 namespace kusabi::run {
 namespace {
 
-using limit::RootStatus;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
 
@@ -91,18 +93,6 @@ ordered_json support_reactions_json(const LimitReport& report, const limit::Limi
   return supports;
 }
 
-const char* status_text(RootStatus status) {
-  switch (status) {
-    case RootStatus::closed:
-      return "solved";
-    case RootStatus::not_carried:
-      return "not-carried";
-    default:
-      break;
-  }
-  return "open";
-}
-
 const char* method_name(limit::LimitMethod method) {
   switch (method) {
     case limit::LimitMethod::fixed:
@@ -120,7 +110,7 @@ const char* method_name(limit::LimitMethod method) {
 }
 
 // The factors at which the load is carried.
-ordered_json interval_json(const limit::LimitCollapse& collapse) {
+ordered_json carried_between(const limit::LimitCollapse& collapse) {
   return {number_or_null(collapse.least), collapse.factor};
 }
 
@@ -154,7 +144,7 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
   if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
   add_critical_load(result, report.problem, worst.zeta);
   if (worst.collapse) {
-    result["critical_interval"] = interval_json(*worst.collapse);
+    result["critical_interval"] = carried_between(*worst.collapse);
     result["collapse_mode"] = mode_json(report.problem, *worst.collapse);
     result["forces"] = numbers(worst.collapse->forces);
     result["utilisation"] = numbers(utilisation(report.problem, worst.collapse->forces));
@@ -166,6 +156,14 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
                         {"relaxations", worst.counts.relaxations},
                         {"cuts", worst.counts.pricings},
                         {"rounds", worst.counts.rounds}};
+}
+
+void add_interval(ordered_json& result, const LimitReport& report) {
+  auto& interval = result["guaranteed_interval"];
+  interval = interval_json(guaranteed_interval(report.answer));
+  const auto& reversed = report.answer.reversed;
+  if (!reversed || reversed->zeta.size() == 0) return;
+  interval["lower"]["critical_parameters"] = parameters_json(report.problem, reversed->zeta);
 }
 
 ordered_json samples_json(const LimitReport& report) {
@@ -184,10 +182,13 @@ ordered_json result_json(const LimitReport& report) {
   if (!report.load_case.empty()) {
     result["case"] = report.load_case;
     result["cases"] = cases_json(report.cases);
+    if (report.options.question.alpha) {
+      result["guaranteed_interval_of_all_cases"] = interval_json(interval_of_all(report.cases));
+    }
   }
   result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
   if (answer.nominal) {
-    result["nominal_interval"] = interval_json(*answer.nominal);
+    result["nominal_interval"] = carried_between(*answer.nominal);
     result["nominal_mode"] = mode_json(problem, *answer.nominal);
     result["nominal_forces"] = numbers(answer.nominal->forces);
     result["nominal_utilisation"] = numbers(utilisation(problem, answer.nominal->forces));
@@ -195,32 +196,10 @@ ordered_json result_json(const LimitReport& report) {
         support_reactions_json(report, *answer.nominal, problem.dead);
   }
   if (answer.worst) add_worst_case(result, report, *answer.worst);
+  if (options.question.alpha) add_interval(result, report);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);
   CurveReport{options, problem, answer}.add_to(result);
   return result;
-}
-
-// What ended the work early comes first.
-std::string status_of(const limit::LimitAnswer& answer) {
-  if (answer.worst && answer.worst->search != engine::Status::solved) {
-    return status_name(answer.worst->search);
-  }
-  if (answer.rest != engine::Status::solved) return status_name(answer.rest);
-  std::string status = answer.nominal ? "solved" : "open";
-  if (answer.status == limit::LoadStatus::not_carried && answer.no_factor_proved) {
-    status = "not-carried";
-  }
-  if (answer.worst) status = answer.worst->proved ? status_text(answer.worst->status) : "open";
-  if (status == "solved" && !answer.whole()) status = "open";  // a curve
-  return status;
-}
-
-// That of the case that governs, unless another one is open.
-std::string status_of(std::span<const LimitCase> cases) {
-  for (const auto& each : cases) {
-    if (!each.found.answer.whole()) return status_of(each.found.answer);
-  }
-  return status_of(governing(cases).found.answer);
 }
 
 ordered_json statistics_json(const LimitReport& report) {
@@ -242,7 +221,7 @@ ordered_json LimitReport::json() const {
           {"version", KUSABI_VERSION},
           {"problem", limit_problem_json(problem, truss, options.file)},
           {"options", options_json(options)},
-          {"status", status_of(cases)},
+          {"status", status_text(limit_verdict(options, cases))},
           {"result", result_json(*this)},
           {"statistics", statistics_json(*this)}};
 }

@@ -14,6 +14,7 @@
 #include "run/limit/limit_words.hpp"
 #include "run/limit/zero_one_report.hpp"
 #include "run/output/values.hpp"
+#include "run/pictures/guaranteed_interval_report.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -80,8 +81,19 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
   }
 }
 
+// The factors of all loads, and the load at their lower end where zero is not among them.
+void write_interval(std::string& text, const LimitProblem& problem,
+                    const limit::LimitAnswer& answer) {
+  const auto interval = guaranteed_interval(answer);
+  text += "  " + interval_text(interval) + '\n';
+  const auto& reversed = answer.reversed;
+  if (!reversed || reversed->zeta.size() == 0 || interval.least.upper <= 0) return;
+  text += "  the load of the largest least factor:\n" + critical_load_text(problem, reversed->zeta);
+}
+
 void write_worst(std::string& text, const LimitOptions& options, const LimitProblem& problem,
-                 const limit::LimitWorstCase& worst) {
+                 const limit::LimitAnswer& answer) {
+  const auto& worst = *answer.worst;
   const auto out = std::back_inserter(text);
   const auto unit = unit_of_alpha(problem);
   const auto alpha = problems::common_half_width(problem, *options.question.alpha);
@@ -110,6 +122,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
       text += utilisation_text(problem, *worst.collapse);
     }
     if (worst.zeta.size() > 0) text += critical_load_text(problem, worst.zeta);
+    if (!worst.as_printed) write_interval(text, problem, answer);
   }
   if (worst.zero_one) text += zero_one_text(worst);
   if (worst.search != engine::Status::solved) {
@@ -140,15 +153,14 @@ std::string no_nominal(const limit::LimitAnswer& answer) {
 }  // namespace
 
 std::string LimitReport::table(const Page& page) const {
-  const auto verdict = limit_verdict(options, problem, answer, page);
   std::string text = cases.size() > 1 ? cases_text(cases) : std::string();
-  if (!answer.nominal) return text + page.doubtful(no_nominal(answer)) + verdict;
+  if (!answer.nominal) return text + page.doubtful(no_nominal(answer));
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "nominal load factor {:.10g}\n", answer.nominal->factor);
   write_zero(text, "the dead load", *answer.nominal);
   write_mode(text, problem, *answer.nominal);
   text += utilisation_text(problem, *answer.nominal);
-  if (answer.worst) write_worst(text, options, problem, *answer.worst);
+  if (answer.worst) write_worst(text, options, problem, answer);
   if (!answer.samples.empty()) {
     const auto [least, greatest] = std::ranges::minmax(answer.samples);
     double sum = 0;
@@ -162,7 +174,7 @@ std::string LimitReport::table(const Page& page) const {
     text += page.doubtful(fmt::format("stopped early ({}): not all that was asked for is here\n",
                                       status_name(answer.rest)));
   }
-  return text + verdict;
+  return text;
 }
 
 }  // namespace kusabi::run

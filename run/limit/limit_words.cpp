@@ -17,7 +17,6 @@
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
-#include "run/output/conclusions.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/values.hpp"
 
@@ -52,7 +51,7 @@ std::string yielding_sentence(const LimitProblem& problem, const LimitCollapse& 
     names.resize(most_in_sentence);
     names.push_back(fmt::format("and {} more", all - most_in_sentence));
   }
-  return fmt::format(" {} {} {}: {}.", when, counted(all, "member"), all == 1 ? "yields" : "yield",
+  return fmt::format("{} {} {}: {}.", when, counted(all, "member"), all == 1 ? "yields" : "yield",
                      fmt::join(names, " "));
 }
 
@@ -116,30 +115,84 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
   return text;
 }
 
-std::string limit_verdict(const LimitOptions& options, const LimitProblem& problem,
-                          const LimitAnswer& answer, const Page& page) {
-  const auto said = [&](const std::string& sentence, const std::string& more = {}) {
-    return '\n' + page.strong(sentence) + more + '\n';
+namespace {
+
+Standing standing(bool proved) {
+  return proved ? Standing::proved : Standing::computed;
+}
+
+std::optional<Bound> bound(double value, bool proved) {
+  if (!std::isfinite(value)) return std::nullopt;
+  return Bound{value, standing(proved)};
+}
+
+Bracket bracket(const limit::FactorBracket& found) {
+  return {bound(found.lower, found.lower_proved), bound(found.upper, found.upper_proved)};
+}
+
+// Of the dead load as it is given.
+LoadInterval nominal_interval(const LimitAnswer& answer) {
+  LoadInterval interval;
+  if (answer.nominal) {
+    interval.most.lower = interval.most.upper = Bound{answer.nominal->factor, Standing::computed};
+    if (const auto& least = answer.nominal->least) {
+      interval.least.lower = interval.least.upper = Bound{*least, Standing::computed};
+    }
+  } else if (answer.status == limit::LoadStatus::not_carried) {
+    interval.carried_at_none = standing(answer.no_factor_proved);
+  }
+  return interval;
+}
+
+// Of all admissible loads in all cases.
+LoadInterval guaranteed(const LimitOptions& options, std::span<const LimitCase> cases) {
+  const auto found = interval_of_all(cases);
+  LoadInterval interval{.uncertain = LoadRange{}, .cases = cases.size()};
+  std::set<std::optional<double>> half_widths;
+  for (const auto& each : cases)
+    half_widths.insert(problems::common_half_width(each.problem, *options.question.alpha));
+  if (half_widths.size() == 1) interval.uncertain->half_width = *half_widths.begin();
+  if (const auto unit = unit_of_alpha(cases.front().problem))
+    interval.uncertain->force = std::string(*unit);
+  if (found.at_none) {
+    interval.carried_at_none = standing(found.at_none_proved);
+    return interval;
+  }
+  interval.least = bracket(found.least);
+  interval.most = bracket(found.largest);
+  interval.if_big_m = std::ranges::any_of(cases, [](const auto& each) {
+    const auto& worst = each.found.answer.worst;
+    return worst && worst->as_printed && !worst->proved;
+  });
+  return interval;
+}
+
+}  // namespace
+
+Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases) {
+  const auto& governs = governing(cases);
+  const auto& answer = governs.found.answer;
+  Verdict verdict;
+  for (const auto& each : cases) {
+    if (verdict.ended == engine::Status::solved) verdict.ended = each.found.answer.ended();
+  }
+  const auto yields = [&](const LimitCollapse& collapse, const char* when) {
+    if (auto text = yielding_sentence(governs.problem, collapse, when); !text.empty())
+      verdict.details.push_back(std::move(text));
   };
-  if (const auto& worst = answer.worst) {
-    if (worst->status == limit::RootStatus::not_carried && worst->proved)
-      return said(not_carried_sentence(answer.nominal.has_value()));
-    const auto& ends = worst->ends;
-    const auto lower = std::isfinite(ends.lower) ? std::optional(ends.lower) : std::nullopt;
-    return said(always_carried_sentence(
-                    lower, problems::common_half_width(problem, options.question.alpha.value_or(0)),
-                    unit_of_alpha(problem)),
-                worst->collapse
-                    ? yielding_sentence(problem, *worst->collapse,
-                                        worst->proved ? "In the worst case" : "At the worst known")
-                    : std::string{});
+  const bool of_worst = std::ranges::any_of(
+      cases, [](const auto& each) { return each.found.answer.worst.has_value(); });
+  auto interval = of_worst ? guaranteed(options, cases) : nominal_interval(answer);
+  if (answer.worst) {
+    const auto& worst = *answer.worst;
+    if (worst.collapse && worst.status != limit::RootStatus::not_carried)
+      yields(*worst.collapse, worst.proved ? "In the worst case" : "At the worst known");
+  } else if (answer.nominal) {
+    yields(*answer.nominal, "Then");
   }
-  if (!answer.nominal) {
-    const bool proved = answer.status == limit::LoadStatus::not_carried && answer.no_factor_proved;
-    return said(proved ? not_carried_sentence(false) : carried_sentence({}));
-  }
-  return said(carried_sentence(answer.nominal->factor),
-              yielding_sentence(problem, *answer.nominal, "Then"));
+  interval.incomplete = !all_whole(cases);
+  verdict.answer = interval;
+  return verdict;
 }
 
 }  // namespace kusabi::run

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,7 +11,8 @@
 #include "nodes/limit/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/limit/limit.hpp"
-#include "run/output/page.hpp"
+#include "run/limit/limit_cases.hpp"
+#include "run/verdict/verdict.hpp"
 
 namespace kusabi::run {
 
@@ -25,8 +27,7 @@ std::string utilisation_text(const problems::LimitProblem& problem,
 /// @param zeta m, in multiples of them
 std::string critical_load_text(const problems::LimitProblem& problem, const Eigen::VectorXd& zeta);
 
-/// The answer as a report has it, and which members yield.
-std::string limit_verdict(const LimitOptions& options, const problems::LimitProblem& problem,
-                          const limit::LimitAnswer& answer, const Page& page);
+/// The factors that are carried, and which members yield where they end.
+Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases);
 
 }  // namespace kusabi::run

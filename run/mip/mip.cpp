@@ -77,7 +77,8 @@ class Mip final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  Verdict verdict(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override;
+  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   MipOptions options_;
@@ -169,16 +170,14 @@ std::vector<Step> Mip::results(CommandRun& run) {
           run.answer([report] { return report->table(CommandRun::page()); })};
 }
 
-Verdict Mip::verdict(CommandRun& run) {
-  Verdict verdict{.remarks = {}, .code = found_->answered() ? solved : stopped_early};
+Verdict Mip::verdict() const {
+  return MipReport{options_, program_, fingerprint_, *found_}.verdict();
+}
+
+std::vector<std::string> Mip::remarks(CommandRun& run) {
   const auto& outcome = found_->outcome;
-  if (outcome.status != engine::Status::solved) {
-    verdict.remarks = run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
-    verdict.remarks.insert(verdict.remarks.begin(),
-                           fmt::format("stopped early ({}): {} open nodes are left",
-                                       status_name(outcome.status), outcome.open));
-  }
-  return verdict;
+  if (outcome.status == engine::Status::solved) return {};
+  return run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
 }
 
 }  // namespace

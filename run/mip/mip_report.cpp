@@ -11,6 +11,7 @@
 #include "run/output/csv.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
+#include "run/verdict/ending.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -59,57 +60,32 @@ double MipReport::gap() const {
   return objective() == 0 ? difference : difference / std::abs(objective());
 }
 
-std::string MipReport::verdict() const {
+Verdict MipReport::verdict() const {
+  using State = MixedOptimum::State;
+  MixedOptimum answer{.maximise = program.maximise, .unproved = found.outcome.tally().unproved};
   switch (found.status()) {
-    case MixedStatus::infeasible:
-      return "infeasible: no point satisfies all rows, bounds and binaries\n";
-    case MixedStatus::unbounded:
-      return fmt::format("unbounded: there are points, and the objective has no {} bound\n",
-                         program.maximise ? "upper" : "lower");
-    case MixedStatus::unknown:
-      return fmt::format(
-          "no point was found, and it is not known that there is none; {} bound {}\n",
-          program.maximise ? "upper" : "lower", bound());
     case MixedStatus::optimal:
+      answer.state = State::optimal;
+      break;
     case MixedStatus::feasible:
+      answer.state = State::feasible;
+      break;
+    case MixedStatus::infeasible:
+      answer.state = State::infeasible;
+      break;
+    case MixedStatus::unbounded:
+      answer.state = State::unbounded;
+      break;
+    case MixedStatus::unknown:
       break;
   }
-  return fmt::format("{} objective {}; {} bound {} ({}), gap {:.2g} %\n",
-                     found.status() == MixedStatus::optimal ? "optimal:" : "best point so far:",
-                     objective(), program.maximise ? "upper" : "lower", bound(),
-                     found.proved() ? "safe against rounding" : "without a proof", 100 * gap());
-}
-
-// What stands between the answer and a proof.
-std::string MipReport::doubts() const {
-  std::string text;
-  auto out = std::back_inserter(text);
-  const auto status = found.status();
-  const bool whole = found.outcome.status == engine::Status::solved;
-  const auto unproved = found.outcome.tally().unproved;
-  if (whole && !found.answered()) {
-    fmt::format_to(
-        out,
-        "not answered: the search is done, but {} nodes were closed without a proof that "
-        "nothing is left in them{}\n",
-        unproved,
-        status == MixedStatus::feasible && unproved == 0 ? ", and the bounds of others are too weak"
-                                                         : "");
-  } else if (unproved != 0) {
-    fmt::format_to(
-        out,
-        "{} nodes were closed without a proof that nothing is left in them; their bounds "
-        "say that nothing better is\n",
-        unproved);
+  if (has_point()) {
+    answer.objective = objective();
+    answer.gap = gap();
   }
-  // That nothing satisfies the rows is shown by a contradiction of theirs, whatever the bounds.
-  if (status != MixedStatus::unbounded && status != MixedStatus::infeasible && !found.proved()) {
-    text +=
-        "the bound is not proved: columns without bounds leave no room for rounding; it was "
-        "computed "
-        "in 30 digits\n";
-  }
-  return text;
+  if (std::isfinite(bound()))
+    answer.bound = Bound{bound(), found.proved() ? Standing::proved : Standing::computed};
+  return {.ended = found.outcome.status, .nodes_left = found.outcome.open, .answer = answer};
 }
 
 std::string MipReport::table(const Page& page) const {
@@ -145,7 +121,7 @@ std::string MipReport::table(const Page& page) const {
   for (const auto& rank : found.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
   for (const auto& rank : found.outcome.earlier)
     ranks.add_earlier(rank.statistics, own(rank.tally));
-  text += '\n' + ranks.text(page.width) + '\n' + page.strong(verdict()) + page.doubtful(doubts());
+  text += '\n' + ranks.text(page.width);
   return text;
 }
 
@@ -209,7 +185,7 @@ ordered_json MipReport::json() const {
              options.branching == zero_one::ZeroOneBranching::paper ? "paper" : "look-ahead"},
             {"tighten", options.tighten},
             {"dive", options.dive}}},
-          {"status", status_name(found.outcome.status)},
+          {"status", status_text(verdict())},
           {"result", std::move(result)},
           {"statistics",
            {{"opened", found.outcome.opened()},

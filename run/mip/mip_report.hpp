@@ -10,6 +10,7 @@
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/mip/mip.hpp"
 #include "run/output/page.hpp"
+#include "run/verdict/verdict.hpp"
 #include "solvers/linear/program_file.hpp"
 
 namespace kusabi::run {
@@ -26,7 +27,9 @@ struct MipReport {
   /// |objective - bound| / |objective|; the difference itself if the objective is zero.
   [[nodiscard]] double gap() const;
 
-  /// The answer, the point, the ranks' shares and the times, as text.
+  [[nodiscard]] Verdict verdict() const;
+
+  /// The point, the ranks' shares and the times, as text.
   [[nodiscard]] std::string table(const Page& page) const;
 
   /// The result file; its schema is in docs/result-files.md.
@@ -39,8 +42,6 @@ struct MipReport {
  private:
   [[nodiscard]] double in_the_files_sense(double objective) const;
   [[nodiscard]] bool has_point() const;  // that is told
-  [[nodiscard]] std::string verdict() const;
-  [[nodiscard]] std::string doubts() const;
 };
 
 }  // namespace kusabi::run

@@ -55,8 +55,9 @@ void JsonWriter::end(char bracket) {
 }
 
 void JsonWriter::end_object() {
-  if (open_.size() == 1) {
-    for (const auto& [name, its_value] : last_.items()) member(name, its_value);
+  if (open_.size() == 1 && last_) {
+    const auto members = last_();
+    for (const auto& [name, its_value] : members.items()) member(name, its_value);
   }
   end('}');
 }

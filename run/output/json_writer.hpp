@@ -2,6 +2,7 @@
 // results: one line for a list of numbers or names and for a matrix, one line a member elsewhere.
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -25,9 +26,9 @@ namespace kusabi::run {
 ///   json.end_object();
 class JsonWriter {
  public:
-  /// @param last an object: members that the root, if it is one, ends with
-  explicit JsonWriter(std::ostream& out,
-                      nlohmann::ordered_json last = nlohmann::ordered_json::object())
+  /// @param last makes an object when the rest is written: members that the root, if it is one,
+  /// ends with
+  explicit JsonWriter(std::ostream& out, std::function<nlohmann::ordered_json()> last = {})
       : out_(out), last_(std::move(last)) {}
 
   void begin_object() { begin('{'); }
@@ -54,7 +55,7 @@ class JsonWriter {
   void before_value();
 
   std::ostream& out_;
-  nlohmann::ordered_json last_;
+  std::function<nlohmann::ordered_json()> last_;
   std::vector<bool> open_;  // for each object or list that is open: whether it has anything in it
   bool after_key_ = false;
 };

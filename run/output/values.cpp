@@ -35,7 +35,11 @@ std::string hexadecimal(std::uint64_t fingerprint) {
 }
 
 std::string counted(std::uint64_t count, std::string_view thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+  return counted(std::to_string(count), thing);
+}
+
+std::string counted(std::string_view count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == "1" ? "" : "s");
 }
 
 }  // namespace kusabi::run

@@ -27,6 +27,8 @@ std::string hexadecimal(std::uint64_t fingerprint);
 
 /// "1 rank", "2 ranks".
 std::string counted(std::uint64_t count, std::string_view thing);
+/// The same of a count in decimal digits, which may exceed any integer type.
+std::string counted(std::string_view count, std::string_view thing);
 
 /// The numbers of a vector, in its order.
 template <class Vector>

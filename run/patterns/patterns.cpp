@@ -2,7 +2,6 @@
 #include "run/patterns/patterns.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -58,7 +57,8 @@ class Patterns final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  Verdict verdict(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override;
+  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   [[nodiscard]] std::uint64_t tree_fingerprint() const;
@@ -299,36 +299,20 @@ std::vector<Step> Patterns::results(CommandRun& run) {
           run.answer([report] { return report->table(); })};
 }
 
-Verdict Patterns::verdict(CommandRun& run) {
-  const auto open = findings_->open();
+Verdict Patterns::verdict() const {
+  return PatternsReport{options_, problem_, *findings_, brackets_, CommandRun::page()}.verdict();
+}
+
+std::vector<std::string> Patterns::remarks(CommandRun& run) {
+  std::vector<std::string> remarks;
   const auto& outcome = findings_->outcome;
-  Verdict verdict{.remarks = {}, .code = whole() && open == 0 ? solved : stopped_early};
-  auto& remarks = verdict.remarks;
-  if (!whole()) {
-    remarks.push_back(
-        fmt::format("stopped early ({}): {} open nodes are left, the list is not complete",
-                    status_name(outcome.status), outcome.open));
-    std::ranges::move(run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved),
-                      std::back_inserter(remarks));
-  }
-  if (open != 0) {
-    remarks.push_back(fmt::format(
-        "open: of {} sign pattern{} it could not be told whether anything wedges: the list is "
-        "complete but for {}",
-        open, open == 1 ? "" : "s", open == 1 ? "it" : "them"));
-  }
-  if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_->leaves.empty()) {
-    verdict.code = stopped_early;
-    remarks.emplace_back(
-        "--sort critical: stopped before it was known where each pattern begins "
-        "to live; the table is as found");
-  }
+  if (!whole()) remarks = run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
   const auto drawn = series_remark(findings_->leaves.size(), "patterns");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
   if (!options_.certificate.empty() && !(whole() && run.quiet())) {
     remarks.push_back(what_became_of_the_certificate());
   }
-  return verdict;
+  return remarks;
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "run/output/conclusions.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
+#include "run/verdict/ending.hpp"
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/cuts_words.hpp"
 #include "run/wedged/nearest_failure.hpp"
@@ -70,18 +70,24 @@ ordered_json PatternsReport::candidates_json() const {
   return list;
 }
 
-// With a whole search behind it, or what is known without.
-std::string PatternsReport::sentence() const {
-  const auto open = static_cast<double>(findings_.open());
-  auto text =
-      '\n' + page_.strong(sticking_sentence({.thing = "way",
-                                             .friction = options_.friction,
-                                             .count = static_cast<double>(findings_.count()),
-                                             .doubtful = open,
-                                             .whole = findings_.whole()}));
-  text += firmest() + '\n';
-  if (open > 0) text += page_.doubtful(doubtful_sentence(open)) + '\n';
-  return text;
+Verdict PatternsReport::verdict() const {
+  // Ties are found by cut-offs, and so is what unconstrained bodies do.
+  const bool proved = findings_.flat == 0 && problem_.loose_bodies.empty();
+  Verdict verdict{.ended = findings_.outcome.status,
+                  .nodes_left = findings_.outcome.open,
+                  .answer = Sticking{.friction = options_.friction,
+                                     .factor = !problems::uniform_friction(problem_),
+                                     .count = fmt::format("{}", findings_.count()),
+                                     .undecided = findings_.open(),
+                                     .standing = proved ? Standing::proved : Standing::computed}};
+  if (auto text = firmest(); !text.empty()) verdict.details.push_back(std::move(text));
+  if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
+    verdict.missing.emplace_back(
+        "The coefficients from which on the patterns stick (--sort critical) were not all "
+        "computed; "
+        "the table is as found.");
+  }
+  return verdict;
 }
 
 // The pattern with the largest margin, and what would be the first to go wrong there.
@@ -90,11 +96,11 @@ std::string PatternsReport::firmest() const {
   if (leaves.empty()) return {};
   const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
   if (best->state == wedged::LeafState::flat)
-    return " None has a margin: in each, some inequality is an equality.";
+    return "None has a margin: in each, some inequality is an equality.";
   if (best->state != wedged::LeafState::alive) return {};
   const auto nearest = nearest_failure(problem_, options_.friction, best->block, best->pattern,
                                        best->reaction, best->displacement);
-  return fmt::format(" The largest margin, {:.3g}, has number {} (in contact: {}). {}", best->lower,
+  return fmt::format("The largest margin, {:.3g}, has number {} (in contact: {}). {}", best->lower,
                      best - leaves.begin() + 1, contact_text(problem_, best->pattern),
                      nearest_failure_text(problem_, nearest));
 }
@@ -152,7 +158,7 @@ std::string PatternsReport::table() const {
   for (const auto& rank : findings_.outcome.earlier)
     ranks.add_earlier(rank.statistics, own(rank.tally));
   const auto listed = options_.group > 0 ? groups() : is_overview() ? overview() : list();
-  return listed + candidates() + details() + '\n' + ranks.text(page_.width) + sentence();
+  return listed + candidates() + details() + '\n' + ranks.text(page_.width);
 }
 
 void PatternsReport::write_csv(std::ostream& out) const {
@@ -240,7 +246,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
           {"version", KUSABI_VERSION},
           {"problem", problem_json(whole.structure(), problem_, options_.file)},
           {"options", std::move(chosen)},
-          {"status", status_name(findings_.outcome.status)},
+          {"status", status_text(verdict())},
           {"result", std::move(result)},
           {"statistics",
            {{"ranks", rank_reports(findings_.outcome.ranks, counts_json<wedged::SignPatternTally>)},

@@ -13,6 +13,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/page.hpp"
 #include "run/patterns/patterns.hpp"
+#include "run/verdict/verdict.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
 namespace kusabi::run {
@@ -29,6 +30,8 @@ class PatternsReport {
         findings_(findings),
         brackets_(brackets),
         page_(page) {}
+
+  [[nodiscard]] Verdict verdict() const;
 
   /// The patterns, the ranks' shares and the times, as text.
   [[nodiscard]] std::string table() const;
@@ -50,8 +53,6 @@ class PatternsReport {
   [[nodiscard]] std::string overview() const;
   [[nodiscard]] std::string row(std::size_t number) const;
   [[nodiscard]] std::string names(const support::IndexSet& candidates) const;
-  /// The answer in a sentence, and what its margin is of.
-  [[nodiscard]] std::string sentence() const;
   [[nodiscard]] std::string firmest() const;
   /// What the sentence rests on.
   [[nodiscard]] std::string details() const;

@@ -11,6 +11,7 @@
 #include "run/output/values.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/wedged/pattern_groups.hpp"
+#include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -64,7 +65,7 @@ std::string PatternsReport::names(const support::IndexSet& candidates) const {
 std::string PatternsReport::row(std::size_t number) const {
   const auto& leaf = findings_.leaves[number];
   const auto from =
-      brackets_.empty() ? std::string{} : fmt::format("  {:>10}", start_text(brackets_[number]));
+      brackets_.empty() ? std::string{} : fmt::format("  {:>11}", start_text(brackets_[number]));
   return fmt::format("{:>5}  {:>10}{}  {}\n", number + 1, margin_text(leaf), from,
                      contact_text(problem_, leaf.pattern));
 }
@@ -75,9 +76,10 @@ std::string PatternsReport::list() const {
   if (all == 0) return {};
   shown.resize(std::min<std::size_t>(all, options_.top));
   auto text = fmt::format("\n{:>5}  {:>10}{}  {}\n", "", "margin t*",
-                          brackets_.empty() ? "" : "  lives from", head_of_contact);
+                          brackets_.empty() ? "" : "  sticks from", head_of_contact);
   for (const std::size_t i : shown) text += row(i);
   if (shown.size() < all) text += fmt::format("{:>5}  {} more\n", "…", all - shown.size());
+  if (!brackets_.empty()) text += begins_explained;
   if (shown.size() > many_lines) {
     text +=
         "       (--sort margin --top 10 lists the firmest; --group 1 those together that differ in "

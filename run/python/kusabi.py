@@ -58,12 +58,26 @@ class Result(dict):
     """A result file: a dict with its keys, and a few ways to look at it.
 
     remarks: what the command said besides, a line each: warnings, what is left open, how to go on.
+    sentence, reservations, warnings: the answer, its limitations and the warnings of the input, as the table and the
+      report have them; empty of files that version 0.1 has written.
     """
 
     def __init__(self, content, partial=None, remarks=()):
         super().__init__(content)
         self.partial = _is_partial(content) if partial is None else partial
         self.remarks = list(remarks)
+
+    @property
+    def sentence(self):
+        return self.get("verdict", {}).get("sentence", "")
+
+    @property
+    def reservations(self):
+        return self.get("verdict", {}).get("reservations", [])
+
+    @property
+    def warnings(self):
+        return self.get("warnings", [])
 
     @property
     def answer(self):
@@ -228,7 +242,9 @@ def _stamp(path):
 
 def _is_partial(content):
     """What exit code 3 says, from the file alone."""
-    answer = content["result"]
+    if "verdict" in content:
+        return not content["verdict"]["answered"]
+    answer = content["result"]  # of version 0.1
     if content["status"] not in ("solved", "not-carried"):
         return True
     if content["command"] == "patterns":

@@ -66,7 +66,8 @@ class Rays final : public Subcommand {
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  Verdict verdict(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override;
+  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   void check_problem() const;
@@ -209,33 +210,37 @@ std::vector<Step> Rays::results(CommandRun& run) {
           run.answer([table] { return table->str(); })};
 }
 
-Verdict Rays::verdict(CommandRun& run) {
+Verdict Rays::verdict() const {
+  return {.ended = found_.status,
+          .answer = Sticking{.thing = "extremal ray",
+                             .friction = options_.friction,
+                             .factor = !uniform_friction(problem_),
+                             .count = fmt::format("{}", found_.rays.size()),
+                             .standing = Standing::computed,
+                             .ambiguous = !found_.health.sound()}};
+}
+
+std::vector<std::string> Rays::remarks(CommandRun& run) {
   if (!found_.health.sound()) {
-    return {{fmt::format(
-                "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
-                "expected a structure with less cancellation, fewer candidates, or another "
-                "friction coefficient",
-                found_.health.doubtful)},
-            failed};
+    return {fmt::format(
+        "kusabi: {} numbers are too close to zero to tell from it: the lists may be wrong; "
+        "expected a structure with less cancellation, fewer candidates, or another "
+        "friction coefficient",
+        found_.health.doubtful)};
   }
-  Verdict verdict;
+  std::vector<std::string> remarks;
   const auto drawn = series_remark(found_.rays.size(), "rays");
-  if (run.wants("--vtu") && !drawn.empty()) verdict.remarks.push_back(drawn);
+  if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
   if (run.wants("--dot") && found_.rays.size() > most_drawn_rays) {
-    verdict.remarks.push_back(fmt::format(
+    remarks.push_back(fmt::format(
         "--dot: {} rays are more than a graph shows ({}); which rays each cone has is in "
         "the file of --output, and --csv has a line for each ray",
         found_.rays.size(), most_drawn_rays));
   }
-  if (whole()) return verdict;
-  verdict.code = stopped_early;
-  verdict.remarks.push_back(
-      fmt::format("stopped early ({}): the list of rays is not complete, and no cones are "
-                  "made of it",
-                  status_name(found_.status)));
+  if (whole()) return remarks;
   std::ranges::move(run.how_to_go_on(options_.checkpoint, found_.status, false),
-                    std::back_inserter(verdict.remarks));
-  return verdict;
+                    std::back_inserter(remarks));
+  return remarks;
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "run/output/conclusions.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
@@ -161,16 +160,7 @@ std::string RaysReport::summary() const {
                  "relative displacements taken for zero up to {:.1e}, for more from {:.1e} on "
                  "(tolerance {})\n",
                  found_.health.largest_zero, found_.health.smallest_nonzero, rays::zero_tolerance);
-  return text + sentence();
-}
-
-std::string RaysReport::sentence() const {
-  const auto text = sticking_sentence({.thing = "extremal ray",
-                                       .friction = options_.friction,
-                                       .count = static_cast<double>(found_.rays.size()),
-                                       .whole = found_.status == engine::Status::solved});
-  return '\n' + page_.strong(text) + '\n' +
-         (found_.health.sound() ? "" : page_.doubtful(unsound_sentence()) + '\n');
+  return text;
 }
 
 void RaysReport::begin(JsonWriter& json) const {

@@ -57,7 +57,6 @@ class RaysReport {
   [[nodiscard]] std::string states(std::size_t number) const;
   /// The last lines of the table: cones, counts, health, and the answer.
   [[nodiscard]] std::string summary() const;
-  [[nodiscard]] std::string sentence() const;
   void begin(JsonWriter& json) const;       // up to the list of rays, which is open then
   void end_rays_and_all(JsonWriter& json);  // the rest
   [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;

@@ -59,6 +59,16 @@ class LimitSection {
       take(*worst, "upper_proved", "at most: proved");
       take(*worst, "from", "worst case by");
     }
+    if (const auto* const interval = ResultReader::find(result_, "guaranteed_interval")) {
+      const auto* const empty = ResultReader::find(*interval, "empty");
+      if (empty != nullptr && *empty == true) {
+        facts["carried under every admissible load"] = "no factor";
+      } else {
+        take(reader_.at(*interval, "lower"), "upper", "every admissible load is carried from");
+        take(reader_.at(*interval, "upper"), "lower", "every admissible load is carried up to");
+      }
+      take(*interval, "proved", "carried under every admissible load: proved");
+    }
     take(result_, "critical_interval", "critical load is carried from, to");
     add_facts(page_, "Factors of the reference load", facts);
   }

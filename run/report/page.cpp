@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,8 +19,9 @@
 #include "run/report/page_script.hpp"
 #include "run/report/page_style.hpp"
 #include "run/report/sweep_section.hpp"
-#include "run/report/verdict.hpp"
 #include "run/results/result_scenes.hpp"
+#include "run/results/result_verdict.hpp"
+#include "run/verdict/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -40,12 +44,22 @@ void add_head(Markup& page, const std::string& title) {
   page.close();
 }
 
-void add_verdict(Markup& page, const Conclusion& verdict) {
-  page.element("p", verdict.sentence, {{"id", "verdict"}});
-  if (verdict.reservations.empty()) return;
-  page.open("ul", {{"id", "reservations"}});
-  for (const auto& each : verdict.reservations) page.element("li", each);
+void add_list(Markup& page, const char* id, const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return;
+  page.open("ul", {{"id", id}});
+  for (const auto& each : sentences) page.element("li", each);
   page.close();
+}
+
+void add_verdict(Markup& page, const Verdict& verdict) {
+  page.element("p", headline(verdict), {{"id", "verdict"}});
+  for (const auto& each : verdict.details) page.element("p", each);
+  std::vector<std::string> sentences;
+  for (const auto& each : reservations(verdict)) sentences.push_back(each.sentence);
+  add_list(page, "reservations", sentences);
+  sentences.clear();
+  for (const auto& each : verdict.warnings) sentences.push_back("Warning: " + each);
+  add_list(page, "warnings", sentences);
 }
 
 // Facts on one side, the structure and what the marks mean on the other.
@@ -67,18 +81,19 @@ void add_problem_section(Markup& page, const ResultReader& reader, const ResultS
   page.close();
 }
 
-void add_bracket(Markup& page, const ResultReader& reader) {
-  const auto& bracket = reader.at(reader.at(reader.all(), "result"), "critical_friction");
+// Both bounds and their standing.
+void add_bracket(Markup& page, const CriticalBracket& found) {
   page.open("section", {{"id", "bracket"}}).element("h2", "Critical friction coefficient");
   auto facts = ResultJson::object();
-  const auto take = [&](const char* key, const char* name) {
-    if (const auto* const value = ResultReader::find(bracket, key)) facts[name] = *value;
+  const auto take = [&](const std::optional<Bound>& bound, const std::string& name) {
+    if (!bound) return;
+    facts[name] = bound->value;
+    facts[name + ": standing"] =
+        bound->standing == Standing::proved ? "proved" : "computed, not proved";
   };
-  take("lower", "nothing can stick at");
-  take("lower_proved", "this end is proved");
-  take("upper", "something can at");
-  take("upper_proved", "that end is proved");
-  add_facts(page, "Between what it is", facts);
+  take(found.bracket.lower, "it cannot stick at");
+  take(found.bracket.upper, "it can stick at");
+  add_facts(page, "Bracket", facts);
   page.close();
 }
 
@@ -92,9 +107,11 @@ std::string report_page(const ResultReader& reader) {
   page.verbatim("<!DOCTYPE html>\n").open("html", {{"lang", "en"}});
   add_head(page, scenes.picture.title + " · kusabi " + command);
   page.open("body").open("header").element("h1", scenes.picture.title);
-  add_verdict(page, conclusion(reader));
+  const auto verdict = result_verdict(reader);
+  add_verdict(page, verdict);
   page.close().open("main");
-  if (command == "critical") add_bracket(page, reader);
+  if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer))
+    add_bracket(page, *found);
   if (command == "limit") add_limit(page, reader, scenes);
   if (command == "sweep") add_sweep(page, reader);
   add_problem_section(page, reader, scenes);

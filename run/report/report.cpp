@@ -41,7 +41,6 @@ class Report final : public Subcommand {
       return {run.file("--output", [this](std::ostream& out) { out << page_; })};
     return {CommandRun::print(page_)};
   }
-  Verdict verdict(CommandRun& /*run*/) override { return {}; }
 
  private:
   std::string file_;

@@ -19,8 +19,9 @@ using pictures::ChartSeries;
 /// Finds what both have.
 class Swept {
  public:
-  explicit Swept(const ResultReader& reader)
+  Swept(const ResultReader& reader, std::string sentence)
       : reader_(reader),
+        sentence_(std::move(sentence)),
         problem_(reader.at(reader.all(), "problem")),
         result_(reader.at(reader.all(), "result")) {}
 
@@ -40,6 +41,7 @@ class Swept {
   }
 
   const ResultReader& reader_;
+  std::string sentence_;
   const ResultJson& problem_;
   const ResultJson& result_;
 };
@@ -48,25 +50,11 @@ class SweptFriction : public Swept {
  public:
   using Swept::Swept;
 
-  [[nodiscard]] std::string sentence() const {
-    const auto* const last = ResultReader::find(result_, "at_mu_max");
-    if (last == nullptr) return {};
-    const double most = number(*last, "mu");
-    if (list("patterns").empty() && list("open").empty()) {
-      return fmt::format("It cannot stick up to a friction coefficient of {}{}.", most, times());
-    }
-    const auto open = count(*last, "open");
-    return fmt::format(
-        "It cannot stick up to a friction coefficient of {:.10g}{}; at {} there are {}{}.",
-        dead_up_to(most), times(), most, counted(count(*last, "known"), "sign pattern"),
-        open == 0 ? "" : fmt::format(" and {} undecided", open));
-  }
-
   [[nodiscard]] std::optional<Chart> chart() const {
     if (list("staircase").empty()) return {};
     Chart chart{.title = problem_name(),
-                .description = sentence(),
-                .lines = {"sign patterns of wedged configurations", sentence()},
+                .description = sentence_,
+                .lines = {"sign patterns of wedged configurations", sentence_},
                 .x_name = fmt::format("friction coefficient{}", times()),
                 .y_name = "sign patterns",
                 .whole_numbers = true,
@@ -108,13 +96,6 @@ class SweptFriction : public Swept {
       reader_.refuse(fmt::format("'{}' is no count", key));
     return value.get<std::uint64_t>();
   }
-  /// Nothing lives up to here.
-  [[nodiscard]] double dead_up_to(double least) const {
-    for (const char* const key : {"patterns", "open"}) {
-      for (const auto& each : list(key)) least = std::min(least, number(each, "lower"));
-    }
-    return least;
-  }
   [[nodiscard]] std::string times() const {
     const bool uniform = std::ranges::all_of(
         reader_.list(problem_, "contact"),
@@ -127,30 +108,13 @@ class SweptLoads : public Swept {
  public:
   using Swept::Swept;
 
-  [[nodiscard]] std::string sentence() const {
-    if (!has(result_, "nominal")) {
-      return reader_.text(reader_.all(), "status") == "not-carried"
-                 ? "The nominal dead load is carried at no load factor, of either sign."
-                 : "The nominal load factor was not found.";
-    }
-    if (list("points").empty()) return {};
-    const auto& last = list("points").back();
-    const auto text =
-        fmt::format("The nominal load factor is {:.8g}; ", number(result_, "nominal"));
-    const auto at = fmt::format("at alpha = {}{}", number(last, "alpha"), alpha_in(" "));
-    const auto state = reader_.text(last, "state");
-    if (state == "not-carried") return text + at + " some load is carried at no factor.";
-    if (state != "solved") return text + at + " the worst case is open.";
-    return text + at + fmt::format(" the worst case is {:.8g}, proved.", number(last, "upper"));
-  }
-
   [[nodiscard]] std::optional<Chart> chart() const {
     auto line = curve();
     auto asked = points();
     if (line.line.empty() && asked.marks.empty()) return {};
     Chart chart{.title = problem_name() + ": worst-case limit load factor",
-                .description = sentence(),
-                .lines = {"worst-case limit load factor", sentence()},
+                .description = sentence_,
+                .lines = {"worst-case limit load factor", sentence_},
                 .x_name = "uncertainty alpha of each load" + alpha_in(", "),
                 .y_name = "limit load factor",
                 .whole_numbers = false,
@@ -192,12 +156,10 @@ bool sweeps_loads(const ResultReader& reader) {
   return ResultReader::find(reader.at(reader.all(), "options"), "alpha") != nullptr;
 }
 
-std::string sweep_sentence(const ResultReader& reader) {
-  return sweeps_loads(reader) ? SweptLoads(reader).sentence() : SweptFriction(reader).sentence();
-}
-
-std::optional<pictures::Chart> sweep_chart(const ResultReader& reader) {
-  return sweeps_loads(reader) ? SweptLoads(reader).chart() : SweptFriction(reader).chart();
+std::optional<pictures::Chart> sweep_chart(const ResultReader& reader,
+                                           const std::string& sentence) {
+  return sweeps_loads(reader) ? SweptLoads(reader, sentence).chart()
+                              : SweptFriction(reader, sentence).chart();
 }
 
 }  // namespace kusabi::run

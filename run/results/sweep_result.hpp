@@ -1,4 +1,4 @@
-// What a result of `kusabi sweep` comes to: a sentence, and a chart.
+// The chart of a result of `kusabi sweep`.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,8 @@ bool is_sweep(const ResultReader& reader);
 /// Of a sweep: whether the uncertainty of loads was swept, or else friction. @throws WrongInput
 bool sweeps_loads(const ResultReader& reader);
 
-/// "It cannot stick up to …", or how the worst case falls; empty if nothing is known.
-/// @throws WrongInput
-std::string sweep_sentence(const ResultReader& reader);
-
 /// The staircase of counts over friction, or the load factor over alpha; nothing if none is known.
-/// @throws WrongInput
-std::optional<pictures::Chart> sweep_chart(const ResultReader& reader);
+/// @param sentence the headline, which it has below its title @throws WrongInput
+std::optional<pictures::Chart> sweep_chart(const ResultReader& reader, const std::string& sentence);
 
 }  // namespace kusabi::run

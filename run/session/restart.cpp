@@ -53,7 +53,10 @@ void warn(const std::string& line) {
 
 void warn_all(Session& session, const std::vector<std::string>& lines) {
   if (!session.speaks()) return;
-  for (const auto& line : lines) warn(line);
+  for (const auto& line : lines) {
+    warn(line);
+    session.note(line);
+  }
 }
 
 std::string restart_from(Session& session, const std::string& checkpoint,

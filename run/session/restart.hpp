@@ -15,7 +15,8 @@ namespace kusabi::run {
 /// One line on standard error.
 void warn(const std::string& line);
 
-/// The same of several, on rank 0 only.
+/// The warnings of what was read, on rank 0 only: on standard error at once, and again beneath the
+/// answer and in the result file.
 void warn_all(Session& session, const std::vector<std::string>& lines);
 
 /// The checkpoint to go on from, found on rank 0 and told to all; empty if none is asked for.

@@ -8,6 +8,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <boost/serialization/string.hpp>
 
@@ -40,6 +41,10 @@ class Session {
   /// Rank 0 is the one that reads files, prints and writes.
   [[nodiscard]] bool speaks() { return transport().rank() == 0; }
 
+  /// The warnings of the input, which belong to its answer.
+  void note(const std::string& warning) { warnings_.push_back(warning); }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
   /// Calls `prepare` on rank 0 and gives its result, if any, to all ranks, so that they agree on
   /// what was read even if their file systems do not. If it throws a WrongInput or a
   /// support::InputError, every rank throws a WrongInput that says the same.
@@ -54,6 +59,7 @@ class Session {
   struct Mpi;  // keeps mpi.h out of the command
   std::unique_ptr<Mpi> mpi_;
   std::unique_ptr<engine::Transport> alone_;
+  std::vector<std::string> warnings_;
 };
 
 template <class Prepare>

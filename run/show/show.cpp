@@ -50,7 +50,6 @@ class Show final : public Subcommand {
                      }),
             run.answer([this] { return structure_summary(structure_); })};
   }
-  Verdict verdict(CommandRun& /*run*/) override { return {}; }
 
  private:
   std::string file_;

@@ -12,7 +12,10 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/sweep/swept.hpp"
+#include "run/verdict/ending.hpp"
+#include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/agreement.hpp"
+#include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -49,9 +52,10 @@ class FrictionSweep final : public Swept {
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
-  [[nodiscard]] std::string table(const std::string& sentence) const override;
+  [[nodiscard]] std::string table() const override {
+    return points_text() + cones_text() + ranks_text();
+  }
   [[nodiscard]] Verdict verdict() const override;
-  [[nodiscard]] engine::Status status() const override { return found_.status; }
 
  private:
   /// At the points that were asked for; none if the tree was not done.
@@ -126,7 +130,7 @@ ordered_json FrictionSweep::json() const {
       {"version", KUSABI_VERSION},
       {"problem", problem_json(structure_, problem_, options_.file)},
       {"options", std::move(chosen)},
-      {"status", status_name(found_.status)},
+      {"status", status_text(verdict())},
       {"result",
        {{"points", std::move(points)},
         {"at_mu_max",
@@ -172,18 +176,20 @@ std::string FrictionSweep::cones_text() const {
   fmt::format_to(out, "\n{:>5}  {:>14}  {:>14}  {}\n", "", "dead at", "alive at", "in contact (U)");
   std::size_t number = 0;
   for (const auto& cone : found_.cones) {
-    fmt::format_to(out, "{:>5}  {:>14.11g}  {:>14.11g}  {}", ++number, cone.begins.lower,
-                   cone.begins.upper, names(cone.pattern.contact));
+    const auto begins = in_table(cone.begins.lower, cone.begins.upper);
+    fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}", ++number, begins.lower, begins.upper,
+                   names(cone.pattern.contact));
     if (!cone.solid()) fmt::format_to(out, "  at rest: {}", names(cone.pattern.at_rest));
     if (cone.absorbed)
-      fmt::format_to(out, "  part of a larger one from {:.11g} on", cone.absorbed->upper);
+      fmt::format_to(out, "  part of a larger one from {} on",
+                     in_table(cone.absorbed->lower, cone.absorbed->upper).upper);
     text += '\n';
   }
   for (const auto& leaf : found_.open) {
-    fmt::format_to(out, "{:>5}  {:>14.11g}  {:>14}  {}\n", "open", leaf.lower, "?",
-                   names(leaf.pattern.contact));
+    fmt::format_to(out, "{:>5}  {:>14}  {:>14}  {}\n", "open",
+                   rounded_down(leaf.lower, digits_of_table), "?", names(leaf.pattern.contact));
   }
-  return text;
+  return text + begins_explained;
 }
 
 std::string FrictionSweep::ranks_text() const {
@@ -200,33 +206,23 @@ std::string FrictionSweep::ranks_text() const {
   return text + "\nDown from there, leaf by leaf:\n" + histories.text();
 }
 
-std::string FrictionSweep::table(const std::string& sentence) const {
-  return points_text() + cones_text() + (sentence.empty() ? "" : '\n' + sentence + '\n') +
-         ranks_text();
-}
-
 Verdict FrictionSweep::verdict() const {
+  FrictionSteps steps{.most = question_.most,
+                      .factor = !problems::uniform_friction(problem_),
+                      .open_patterns = found_.open.size()};
+  if (found_.enumerated) {
+    double infeasible = question_.most;
+    for (const auto& cone : found_.cones) infeasible = std::min(infeasible, cone.begins.lower);
+    for (const auto& leaf : found_.open) infeasible = std::min(infeasible, leaf.lower);
+    steps.infeasible = Bound{infeasible, Standing::computed};
+    const auto last = found_.count_at(found_.most);
+    steps.count = fmt::format("{}", last.known);
+    steps.open_at_most = last.open;
+  }
   const auto list = counts();
-  const bool undecided = std::ranges::any_of(list, [](const auto& each) { return !each.exact(); });
-  Verdict verdict{.remarks = {}, .code = found_.answered() && !undecided ? solved : stopped_early};
-  if (found_.status != engine::Status::solved) {
-    verdict.remarks.push_back(fmt::format(
-        "stopped early ({}): {}", status_name(found_.status),
-        found_.enumerated
-            ? fmt::format("of {} of the patterns it is not known where they begin",
-                          found_.open.size())
-            : "the patterns at the largest coefficient were not all found, so no count is known"));
-  } else if (!found_.open.empty()) {
-    verdict.remarks.push_back(
-        fmt::format("open: of {} it could not be told what they are above a certain coefficient",
-                    counted(found_.open.size(), "pattern")));
-  }
-  if (undecided && found_.answered()) {
-    verdict.remarks.emplace_back(
-        "open: a point lies within the bracket in which a pattern begins; a smaller --width, or "
-        "another point, decides");
-  }
-  return verdict;
+  steps.undecided_points = static_cast<std::uint64_t>(
+      std::ranges::count_if(list, [](const auto& each) { return !each.exact(); }));
+  return {.ended = found_.status, .answer = steps};
 }
 
 }  // namespace

@@ -10,12 +10,17 @@
 #include "engine/together.hpp"
 #include "nodes/limit/limit_sweep.hpp"
 #include "problems/limit/collapse_mode.hpp"
+#include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_problem.hpp"
+#include "run/command/group_half_widths.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/pictures/guaranteed_interval_report.hpp"
 #include "run/pictures/limit_problem_json.hpp"
 #include "run/session/supervision.hpp"
 #include "run/sweep/swept.hpp"
+#include "run/verdict/ending.hpp"
+#include "run/verdict/shown_bracket.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -28,6 +33,14 @@ const char* state_of(const limit::LimitWorstCase& worst) {
   return worst.status == RootStatus::not_carried ? "not-carried" : "solved";
 }
 
+// Which factors below the worst case are carried under every admissible load.
+std::string lower_end_text(const limit::GuaranteedInterval& interval) {
+  const char* const standing = interval.decided() ? "" : ", not proved";
+  if (interval.is_empty()) return fmt::format("; no factor for all loads{}", standing);
+  if (!interval.has_factors()) return "; from where on is open";
+  return fmt::format("; for all loads from {:.10g} on{}", interval.least.upper, standing);
+}
+
 class LoadSweep final : public Swept {
  public:
   LoadSweep(const SweepOptions& options, problems::Structure truss, std::vector<double> points)
@@ -35,6 +48,7 @@ class LoadSweep final : public Swept {
 
   void prepare(CommandRun& run) override {
     problem_ = problems::limit_problem(truss_);
+    fix_groups();
     const auto& uncertain = problem_.uncertain;
     if (!uncertain.empty() && std::ranges::all_of(uncertain, &problems::UncertainColumn::in_file)) {
       throw WrongInput(
@@ -57,9 +71,8 @@ class LoadSweep final : public Swept {
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
-  [[nodiscard]] std::string table(const std::string& sentence) const override;
+  [[nodiscard]] std::string table() const override;
   [[nodiscard]] Verdict verdict() const override;
-  [[nodiscard]] engine::Status status() const override { return found_.status; }
 
  private:
   /// lambda_min over multiples of the largest alpha; null if it is not known.
@@ -70,7 +83,7 @@ class LoadSweep final : public Swept {
   [[nodiscard]] double alpha_at(double beta) const { return beta * alphas_.back(); }
   [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
   [[nodiscard]] std::string curve_text() const;
-  [[nodiscard]] const char* outcome_name() const;
+  void fix_groups();
 
   const SweepOptions& options_;
   problems::Structure truss_;
@@ -79,6 +92,14 @@ class LoadSweep final : public Swept {
   int ranks_ = 1;
   limit::LimitSweep found_;
 };
+
+void LoadSweep::fix_groups() {
+  try {
+    problems::fix_half_widths(problem_, group_half_widths(options_.group_alpha));
+  } catch (const problems::UnfitHalfWidths& error) {
+    throw WrongInput(fmt::format("--group-alpha: {}", error.what()));
+  }
+}
 
 ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
   const auto mode = problems::collapse_mode(problem_, piece.from.motion);
@@ -94,19 +115,18 @@ ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
           {"yielding", std::move(yielding)},      {"tension", std::move(tension)}};
 }
 
-const char* LoadSweep::outcome_name() const {
-  if (found_.status != engine::Status::solved) return status_name(found_.status);
-  if (!found_.whole(alphas_.size())) return "open";
-  return found_.last.status == limit::LoadStatus::not_carried ? "not-carried" : "solved";
-}
-
 ordered_json LoadSweep::json() const {
+  ordered_json chosen;
+  chosen["alpha"] = alphas_;
+  for (const auto& [name, half_width] : group_half_widths(options_.group_alpha))
+    chosen["group_alpha"][name] = half_width;
   auto points = ordered_json::array();
-  for (const auto& [alpha, worst] : found_.points) {
+  for (const auto& [alpha, worst, interval] : found_.points) {
     points.push_back({{"alpha", alpha},
                       {"lower", number_or_null(worst.ends.lower)},
                       {"upper", number_or_null(worst.ends.upper)},
                       {"proved", worst.proved},
+                      {"guaranteed_interval", interval_json(interval)},
                       {"state", state_of(worst)}});
   }
   ordered_json result{
@@ -126,8 +146,8 @@ ordered_json LoadSweep::json() const {
   return {{"command", "sweep"},
           {"version", KUSABI_VERSION},
           {"problem", limit_problem_json(problem_, truss_, options_.file)},
-          {"options", {{"alpha", alphas_}}},
-          {"status", outcome_name()},
+          {"options", std::move(chosen)},
+          {"status", status_text(verdict())},
           {"result", std::move(result)},
           {"statistics", {{"ranks", ranks_}}}};
 }
@@ -139,7 +159,7 @@ std::string finite(double value) {
 
 void LoadSweep::write_csv(std::ostream& out) const {
   out << "row,alpha,lower,upper,proved\n";
-  for (const auto& [alpha, worst] : found_.points) {
+  for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::print(out, "point,{},{},{},{}\n", alpha, finite(worst.ends.lower),
                finite(worst.ends.upper), worst.proved ? 1 : 0);
   }
@@ -173,33 +193,47 @@ std::string LoadSweep::curve_text() const {
   return text;
 }
 
-std::string LoadSweep::table(const std::string& sentence) const {
+std::string LoadSweep::table() const {
   std::string text;
   const auto out = std::back_inserter(text);
   if (!found_.points.empty()) text += "\n       alpha  worst-case load factor\n";
-  for (const auto& [alpha, worst] : found_.points) {
+  for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::format_to(out, "{:>12.8g}  ", alpha);
     if (worst.status == RootStatus::not_carried) {
       fmt::format_to(out, "carried at no factor{}\n", worst.proved ? ", proved" : "");
-    } else if (worst.proved) {
-      fmt::format_to(out, "{:.10g} ... {:.10g}, proved\n", worst.ends.lower, worst.ends.upper);
     } else {
-      fmt::format_to(out, "{:.10g} ... {:.10g}, open\n", worst.ends.lower, worst.ends.upper);
+      const auto shown = in_table(worst.ends.lower, worst.ends.upper);
+      fmt::format_to(out, "{} ... {}, {}{}\n", shown.lower, shown.upper,
+                     worst.proved ? "proved" : "open", lower_end_text(interval));
     }
   }
-  return text + curve_text() + '\n' + sentence + '\n';
+  return text + curve_text();
 }
 
 Verdict LoadSweep::verdict() const {
-  Verdict verdict{.remarks = {}, .code = found_.whole(alphas_.size()) ? solved : stopped_early};
-  if (found_.status != engine::Status::solved) {
-    verdict.remarks.push_back(fmt::format("stopped early ({}): {} of {} points were looked at",
-                                          status_name(found_.status), found_.points.size(),
-                                          alphas_.size()));
-  } else if (verdict.code != solved) {
-    verdict.remarks.emplace_back("open: not every point, or not all of the curve, is proved");
+  LoadSteps steps{.points = found_.points.size(), .points_asked = alphas_.size()};
+  const auto standing = [](bool proved) { return proved ? Standing::proved : Standing::computed; };
+  if (found_.last.nominal) {
+    steps.nominal = Bound{found_.last.nominal->factor, Standing::computed};
+  } else if (found_.last.status == limit::LoadStatus::not_carried) {
+    steps.nominal_at_none = standing(found_.last.no_factor_proved);
   }
-  return verdict;
+  if (problems::alpha_is_force(problem_)) steps.force = problem_.units.force;
+  if (!found_.points.empty()) {
+    const auto& [alpha, worst, interval] = found_.points.back();
+    steps.half_width = alpha;
+    if (worst.status == RootStatus::not_carried) {
+      steps.worst_at_none = standing(worst.proved);
+    } else {
+      const auto& ends = worst.ends;
+      if (std::isfinite(ends.lower))
+        steps.worst.lower = Bound{ends.lower, standing(ends.lower_proved)};
+      if (std::isfinite(ends.upper))
+        steps.worst.upper = Bound{ends.upper, standing(ends.upper_proved)};
+    }
+  }
+  steps.open = !found_.whole(alphas_.size());
+  return {.ended = found_.status, .answer = steps};
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // The options, and which of the two is swept.
 #include "run/sweep/sweep.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,12 +12,14 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/structure/load_cases.hpp"
+#include "run/command/group_half_widths.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"
 #include "run/session/restart.hpp"
 #include "run/sweep/sweep_points.hpp"
 #include "run/sweep/swept.hpp"
+#include "run/verdict/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -49,7 +49,8 @@ class Sweep final : public Subcommand {
   }
   void search(CommandRun& run) override { swept_->search(run); }
   std::vector<Step> results(CommandRun& run) override;
-  Verdict verdict(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override { return swept_->verdict(); }
+  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   [[nodiscard]] std::vector<double> friction_points() const {
@@ -78,6 +79,11 @@ void Sweep::describe(OptionTable& table) {
       .unit("in the file's unit of force");
   table.text("--case", options_.load_case, "NAME", "of the load cases of the file, this one")
       .needs("--alpha");
+  table
+      .text("--group-alpha", options_.group_alpha, "NAME=NUMBER,...",
+            "half-widths of the uncertain loads or groups with these names, which are not swept")
+      .unit("in the file's unit of force")
+      .needs("--alpha");
   table.output();
   table.file("--csv", csv_, Role::output, "write the points and the steps to this file");
   table.file("--svg", svg_, Role::output, "draw them to this file");
@@ -89,6 +95,7 @@ void Sweep::describe(OptionTable& table) {
 }
 
 void Sweep::check() const {
+  group_half_widths(options_.group_alpha);
   const bool friction = !options_.mu.empty() || options_.mu_max;
   if (friction == !options_.alpha.empty()) {
     throw WrongInput(friction ? "--alpha: friction is swept already; expected --mu or --alpha"
@@ -131,26 +138,23 @@ std::vector<Step> Sweep::results(CommandRun& run) {
   const ResultReader result(swept_->json(), "the result");
   std::vector<Step> steps{run.result([json = result.all()] { return json; }),
                           run.file("--csv", [this](std::ostream& out) { swept_->write_csv(out); })};
-  chart_ = sweep_chart(result);
+  chart_ = sweep_chart(result, headline(verdict()));
   if (chart_) {
     steps.push_back(run.file("--svg", [this](std::ostream& out) { write_chart(out, *chart_); }));
   }
-  steps.push_back(
-      run.answer([this, sentence = sweep_sentence(result)] { return swept_->table(sentence); }));
+  steps.push_back(run.answer([this] { return swept_->table(); }));
   return steps;
 }
 
-Verdict Sweep::verdict(CommandRun& run) {
-  auto verdict = swept_->verdict();
-  if (swept_->status() != engine::Status::solved) {
-    std::ranges::move(run.how_to_go_on(options_.checkpoint, swept_->status(), false),
-                      std::back_inserter(verdict.remarks));
-  }
+std::vector<std::string> Sweep::remarks(CommandRun& run) {
+  std::vector<std::string> remarks;
+  const auto ended = verdict().ended;
+  if (ended != engine::Status::solved)
+    remarks = run.how_to_go_on(options_.checkpoint, ended, false);
   if (run.wants("--svg") && !chart_) {
-    verdict.remarks.push_back(
-        fmt::format("nothing is known that could be drawn: {} is as it was", svg_));
+    remarks.push_back(fmt::format("nothing is known that could be drawn: {} is as it was", svg_));
   }
-  return verdict;
+  return remarks;
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ struct SweepOptions {
   double width = 1e-8;           ///< of the brackets of friction coefficients
   std::string alpha;             ///< points of the uncertainty; empty: friction is swept
   std::string load_case;         ///< of a truss; empty: the file has one
+  std::string group_alpha;       ///< of a truss: half-widths of some groups, which are not swept
   engine::Limits limits;
   CheckpointChoice checkpoint;
 };
@@ -42,11 +43,8 @@ class Swept {
   // Of the answer, on rank 0.
   [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
   virtual void write_csv(std::ostream& out) const = 0;
-  /// @param sentence what the answer comes to; may be empty
-  [[nodiscard]] virtual std::string table(const std::string& sentence) const = 0;
+  [[nodiscard]] virtual std::string table() const = 0;
   [[nodiscard]] virtual Verdict verdict() const = 0;
-  /// Whether it was stopped, and by what.
-  [[nodiscard]] virtual engine::Status status() const = 0;
 };
 
 /// @param structure of the file @param points increasing; may be empty @param most the largest

@@ -63,7 +63,8 @@ class Verify final : public Subcommand {
   void prepare(CommandRun& run) override;
   void search(CommandRun& run) override;
   std::vector<Step> results(CommandRun& run) override;
-  Verdict verdict(CommandRun& run) override;
+  [[nodiscard]] Verdict verdict() const override;
+  std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
   VerifyOptions options_;
@@ -113,7 +114,7 @@ void Verify::prepare(CommandRun& run) {
 
 // The first line says what it is a certificate of.
 void Verify::search(CommandRun& run) {
-  findings_ = text_.starts_with(verify::limit_first_line)
+  findings_ = text_.starts_with(verify::limit_first_words)
                   ? verify_limit(run, options_, structure_, text_)
                   : verify_patterns(run, options_, structure_, text_);
 }
@@ -121,18 +122,17 @@ void Verify::search(CommandRun& run) {
 std::vector<Step> Verify::results(CommandRun& run) {
   const auto page = CommandRun::page();
   auto text = page.doubtful(findings_.refusals);
-  if (!run.quiet()) text += findings_.summary + page.strong(findings_.verdict);
-  return {CommandRun::print(folded(text, page.width))};
+  if (!run.quiet()) text += findings_.summary;
+  return {CommandRun::print(folded(text, page.width)), run.answer([] { return std::string(); })};
 }
 
-Verdict Verify::verdict(CommandRun& run) {
-  Verdict verdict{.remarks = {}, .code = findings_.code};
-  if (findings_.status == engine::Status::solved) return verdict;
-  verdict.remarks = run.how_to_go_on(options_.checkpoint, findings_.status, false);
-  verdict.remarks.insert(verdict.remarks.begin(),
-                         fmt::format("stopped early ({}): nothing is proved as long as not all is",
-                                     status_name(findings_.status)));
-  return verdict;
+Verdict Verify::verdict() const {
+  return {.ended = findings_.status, .answer = findings_.check};
+}
+
+std::vector<std::string> Verify::remarks(CommandRun& run) {
+  if (findings_.status == engine::Status::solved) return {};
+  return run.how_to_go_on(options_.checkpoint, findings_.status, false);
 }
 
 }  // namespace

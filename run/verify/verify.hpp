@@ -16,11 +16,10 @@ struct VerifyOptions {
 
 /// What has come of it. The texts are on rank 0.
 struct VerifyFindings {
-  ExitCode code = solved;
+  CertificateCheck check{};
   engine::Status status = engine::Status::solved;  ///< otherwise nothing is said
   std::string refusals = {};                       ///< a line each
   std::string summary = {};                        ///< of what, and how
-  std::string verdict = {};                        ///< what is proved: the last line
 };
 
 std::unique_ptr<Subcommand> verify_subcommand();

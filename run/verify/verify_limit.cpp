@@ -1,49 +1,33 @@
-// The proofs of verify/limit_proof, shared among the ranks, and what is said of them.
+// The sentences of statements on limit loads that were put to the proof.
 #include "run/verify/verify_limit.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include <boost/serialization/string.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "engine/campaign.hpp"
-#include "nodes/evidence/verified_structure.hpp"
-#include "problems/limit/limit_problem.hpp"
 #include "problems/structure/load_cases.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/verify/limit_statements.hpp"
 #include "support/input_error.hpp"
-#include "verify/limit_agreement.hpp"
+#include "verify/certificate.hpp"
 #include "verify/limit_certificate.hpp"
-#include "verify/limit_proof.hpp"
 
 namespace kusabi::run {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using verify::LimitClaim;
 
-// What became of the claim of one node.
-struct NodeVerdict {
-  double lower = -infinity;  // rounded down
-  std::string refusal;       // empty: proved
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& lower& refusal;
-  }
-};
-
-verify::LimitCertificate certificate_in(const std::string& text, const std::string& file) {
+std::vector<verify::LimitStatement> statements_in(const std::string& text,
+                                                  const std::string& file) {
   try {
     return verify::read_limit_certificate(text, file);
   } catch (const verify::CertificateError& error) {
@@ -51,48 +35,122 @@ verify::LimitCertificate certificate_in(const std::string& text, const std::stri
   }
 }
 
-/// What a certificate is proved of.
-struct AgreedTruss {
-  verify::LimitTruss truss;
-  std::uint64_t fingerprint = 0;
-  std::string load_case;  // empty: the file has none
+// The half-width of all uncertain loads; nothing: they differ.
+std::optional<double> common_half_width(const CheckedStatement& statement) {
+  const auto& all = statement.half_widths;
+  if (all.empty()) return 0;
+  const auto [least, most] = std::ranges::minmax(all, {}, &std::pair<std::string, double>::second);
+  if (least.second != most.second) return {};
+  return most.second;
+}
+
+// "wind within +- 5, snow within +- 1, 2 others within +- 30"
+std::string half_widths_text(const CheckedStatement& statement) {
+  std::map<std::pair<std::string, double>, std::size_t> loads;
+  for (const auto& each : statement.half_widths) ++loads[each];
+  std::vector<std::string> parts;
+  std::vector<std::string> unnamed;
+  for (const auto& [load, count] : loads) {
+    const auto& [name, half_width] = load;
+    if (name.empty()) {
+      unnamed.push_back(fmt::format("{} without a name within +- {}", count, half_width));
+    } else {
+      parts.push_back(fmt::format("{}{} within +- {}", support::in_quotes(name),
+                                  count == 1 ? "" : fmt::format(" ({} loads)", count), half_width));
+    }
+  }
+  parts.insert(parts.end(), unnamed.begin(), unnamed.end());
+  return fmt::format("uncertain loads: {}\n", fmt::join(parts, ", "));
+}
+
+std::string summary_of(const CheckedStatement& statement) {
+  switch (statement.claim) {
+    case LimitClaim::largest:
+      return fmt::format("{} cuts, {} nodes cover all loads\n", statement.cuts, statement.nodes);
+    case LimitClaim::least:
+      return fmt::format("of the least factors: {} cuts, {} nodes cover all loads\n",
+                         statement.cuts, statement.nodes);
+    case LimitClaim::none:
+      break;
+  }
+  return {};
+}
+
+// Of each case its name, and once how far its loads may go, where that is not one number.
+std::string summary_of(const std::vector<CheckedStatement>& statements) {
+  std::string text;
+  const CheckedStatement* before = nullptr;
+  for (const auto& statement : statements) {
+    if (before == nullptr || before->load_case != statement.load_case) {
+      if (!statement.load_case.empty())
+        text += "load case " + support::in_quotes(statement.load_case) + "\n";
+      if (!common_half_width(statement)) text += half_widths_text(statement);
+    }
+    text += summary_of(statement);
+    before = &statement;
+  }
+  return text;
+}
+
+/// Bounds of both ends of the factors that are carried in all cases under every load.
+struct ProvedFactors {
+  double least_lower = -std::numeric_limits<double>::infinity(), least_upper = least_lower;
+  double largest_lower = std::numeric_limits<double>::infinity(), largest_upper = largest_lower;
+  bool at_none = false;
+  bool of_least = true;  // of all cases something is known of the least factors
 };
 
-// The first load case that the certificate speaks of; or why there is none.
-// @throws InputError if it is no truss
-std::variant<AgreedTruss, std::string> truss_of(const verify::LimitCertificate& certificate,
-                                                const problems::Structure& structure) {
-  auto names = problems::load_cases(structure);
-  if (names.empty()) names.emplace_back();
-  std::vector<std::string> whys;
-  for (const auto& name : names) {
-    const auto of_case = name.empty() ? structure : problems::in_load_case(structure, name);
-    const auto fingerprint = problems::limit_problem(of_case).fingerprint;
-    auto found = verify::limit_agreement(certificate, evidence::verified_structure(of_case));
-    if (auto* const truss = std::get_if<verify::LimitTruss>(&found))
-      return AgreedTruss{std::move(*truss), fingerprint, name};
-    const auto& why = std::get<std::string>(found);
-    whys.push_back(name.empty() ? why : fmt::format("case {}: {}", support::in_quotes(name), why));
+ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
+  ProvedFactors all;
+  std::set<std::string> largest;
+  std::set<std::string> least;
+  for (const auto& each : statements) {
+    if (each.claim == LimitClaim::none) all.at_none = true;
+    if (each.claim == LimitClaim::largest) {
+      largest.insert(each.load_case);
+      all.largest_lower = std::min(all.largest_lower, each.lower);
+      all.largest_upper = std::min(all.largest_upper, each.upper);
+    }
+    if (each.claim == LimitClaim::least) {
+      least.insert(each.load_case);
+      all.least_lower = std::max(all.least_lower, each.lower);
+      all.least_upper = std::max(all.least_upper, each.upper);
+    }
   }
-  return fmt::format("{}", fmt::join(whys, "; "));
+  all.of_least = least == largest;
+  return all;
 }
 
-// Zeros if there are no columns.
-std::pair<double, double> ends_of(const std::vector<double>& alpha) {
-  if (alpha.empty()) return {};
-  const auto [least, most] = std::ranges::minmax(alpha);
-  return {least, most};
+// What is proved of all cases together.
+CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statements) {
+  const auto all = factors_of(statements);
+  std::set<std::string> cases;
+  std::set<std::optional<double>> half_widths;
+  for (const auto& each : statements) {
+    cases.insert(each.load_case);
+    half_widths.insert(common_half_width(each));
+  }
+  CertificateCheck::Factor factor{.loads = {}, .cases = cases.size(), .at_none = all.at_none};
+  if (half_widths.size() == 1) factor.loads.half_width = *half_widths.begin();
+  if (all.at_none) return factor;
+  factor.lower = all.largest_lower;
+  factor.upper = all.largest_upper;
+  if (all.of_least || all.least_lower > all.largest_upper)
+    factor.least = std::pair(all.least_lower, all.least_upper);
+  return factor;
 }
 
-// "2 uncertain loads within +- 5, 1 within +- 30"
-std::string half_widths_text(const std::vector<double>& alpha) {
-  std::map<double, std::size_t> loads;
-  for (const double half_width : alpha) ++loads[half_width];
-  std::vector<std::string> parts;
-  parts.reserve(loads.size());
-  for (const auto& [half_width, count] : loads)
-    parts.push_back(fmt::format("{} within +- {}", count, half_width));
-  return fmt::format("uncertain loads: {}\n", fmt::join(parts, ", "));
+// The load cases of the file that no statement is of.
+std::string cases_left_text(const std::vector<CheckedStatement>& statements,
+                            const problems::Structure& structure) {
+  std::vector<std::string> left;
+  for (const auto& name : problems::load_cases(structure)) {
+    if (std::ranges::find(statements, name, &CheckedStatement::load_case) == statements.end())
+      left.push_back(support::in_quotes(name));
+  }
+  if (left.empty()) return {};
+  return fmt::format("nothing is said of the load case{} {}\n", left.size() == 1 ? "" : "s",
+                     fmt::join(left, ", "));
 }
 
 }  // namespace
@@ -100,95 +158,29 @@ std::string half_widths_text(const std::vector<double>& alpha) {
 VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
                             const std::optional<problems::Structure>& structure,
                             const std::string& text) {
-  const auto certificate = certificate_in(text, options.certificate);
-  auto truss = verify::recorded_truss(certificate);
-  std::uint64_t fingerprint = 0;
-  std::string load_case;
-  if (structure) {
-    auto found = truss_of(certificate, *structure);
-    if (const auto* why = std::get_if<std::string>(&found)) {
-      return {.code = failed,
-              .refusals =
-                  fmt::format("{}: refused: {}: {}\n", options.certificate, options.problem, *why),
-              .verdict = "NOT PROVED\n"};
-    }
-    auto& agreed = std::get<AgreedTruss>(found);
-    truss = std::move(agreed.truss);
-    fingerprint = agreed.fingerprint;
-    if (!agreed.load_case.empty())
-      load_case = "load case " + support::in_quotes(agreed.load_case) + "\n";
+  const auto recorded = statements_in(text, options.certificate);
+  const auto [statements, status] = check_statements(run, options, structure, recorded);
+  if (status != engine::Status::solved) return {.status = status};
+  VerifyFindings findings;
+  for (const auto& statement : statements) {
+    findings.check.refusals += statement.refusals.size();
+    for (const auto& refusal : statement.refusals)
+      findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, refusal);
   }
-  const verify::LimitProof proof(certificate, std::move(truss));
-  std::vector<std::string> refusals;
-  const auto upper = proof.upper();
-  if (const auto* why = std::get_if<std::string>(&upper)) {
-    refusals.push_back("the upper end: " + *why);
-  } else if (std::isinf(verify::rounded_up(std::get<mpq_class>(upper)))) {
-    refusals.emplace_back("the upper end: it is beyond any number in double precision");
-  }
-  if (const auto flaw = verify::flaw_of_sign_cover(certificate)) refusals.push_back(*flaw);
-  double lower = infinity;
-  if (!certificate.nodes.empty()) {
-    const auto verdict = [&](std::uint64_t number) {
-      const auto bound = proof.lower(certificate.nodes[number]);
-      NodeVerdict found;
-      if (const auto* value = std::get_if<mpq_class>(&bound)) {
-        found.lower = verify::rounded_down(*value);
-      } else {
-        found.refusal = std::get<std::string>(bound);
-      }
-      return found;
-    };
-    engine::SharedWork<NodeVerdict> work(certificate.nodes.size(), verdict);
-    // Stopped by signals only if it can be gone on with.
-    engine::Supervision kept;
-    if (!options.checkpoint.state.empty()) kept = run.supervision({});
-    engine::Campaign campaign(run.session().transport(), std::move(kept));
-    const auto outcome = campaign.search(work, {});
-    if (outcome.status != engine::Status::solved)
-      return {.code = stopped_early, .status = outcome.status};
-    const auto verdicts = engine::from_first_rank(run.session().transport(), [&] {
-      std::vector<NodeVerdict> found;
-      for (const auto& each : outcome.solutions) found.push_back(each.solution);
-      return found;
-    });
-    for (std::size_t i = 0; i < verdicts.size(); ++i) {
-      lower = std::min(lower, verdicts[i].lower);
-      if (!verdicts[i].refusal.empty()) {
-        refusals.push_back(
-            fmt::format("the node of line {}: {}", certificate.nodes[i].line, verdicts[i].refusal));
-      }
-    }
-  }
-  VerifyFindings findings{.code = refusals.empty() ? solved : failed};
-  for (const auto& refusal : refusals) {
-    findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, refusal);
-  }
+  if (findings.check.refusals > 0) return findings;
   auto& summary = findings.summary;
-  if (!refusals.empty()) {
-    findings.verdict = "NOT PROVED\n";
-    return findings;
-  }
-  const double above = verify::rounded_up(std::get<mpq_class>(upper));
-  const auto out = std::back_inserter(summary);
   if (structure) {
-    fmt::format_to(out,
+    fmt::format_to(std::back_inserter(summary),
                    "problem: {}, from {}, fingerprint {}\n"
                    "direction cosines were computed anew from the truss, yield forces and loads "
                    "compared\n",
-                   structure->name, options.problem, hexadecimal(fingerprint));
-    summary += load_case;
+                   structure->name, options.problem, hexadecimal(statements.front().fingerprint));
   } else {
     summary += "the truss is the certificate's own; --problem FILE proves it of a file\n";
   }
-  fmt::format_to(out, "{} cuts, {} nodes cover all loads\n", certificate.cuts.size(),
-                 certificate.nodes.size());
-  const auto [least, most] = ends_of(certificate.alpha);
-  if (least != most) summary += half_widths_text(certificate.alpha);
-  findings.verdict = fmt::format(
-      "PROVED: the least load factor for {} is between {:.17g} and {:.17g}\n",
-      least == most ? fmt::format("alpha = {}", most) : "uncertain loads within these half-widths",
-      std::min(lower, above), above);
+  summary += summary_of(statements);
+  if (structure) summary += cases_left_text(statements, *structure);
+  findings.check.claim = factor_of(statements);
   return findings;
 }
 

@@ -125,27 +125,9 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
     fmt::format_to(std::back_inserter(text), "marginal: {} not proved\n", proved.open());
 }
 
-void write_verdict(std::string& text, bool refused, const Verification::Tally& proved) {
-  if (refused) {
-    fmt::format_to(std::back_inserter(text), "NOT PROVED\n");
-  } else if (proved.open() > 0 && proved.dead + proved.alive + proved.unloaded == 0) {
-    fmt::format_to(std::back_inserter(text),
-                   "NOTHING PROVED: all nodes are marginal, and nothing is claimed of these\n");
-  } else if (proved.open() > 0) {
-    fmt::format_to(std::back_inserter(text),
-                   "PROVED but for {}: the list of {} is complete but for these\n",
-                   counted(proved.open(), "marginal node"), counted(proved.alive, "pattern"));
-  } else {
-    fmt::format_to(std::back_inserter(text), "PROVED: the list of {} is complete{}\n",
-                   counted(proved.alive, "pattern"), proved.alive == 0 ? ": it cannot stick" : "");
-  }
-}
-
 VerifyFindings refusal_of_all(const VerifyOptions& options, const std::string& why) {
-  VerifyFindings findings{.code = failed};
-  findings.refusals = fmt::format("{}: refused: {}\n", options.certificate, why);
-  write_verdict(findings.verdict, true, {});
-  return findings;
+  return {.check = {.refusals = 1},
+          .refusals = fmt::format("{}: refused: {}\n", options.certificate, why)};
 }
 
 // Stopped by signals only if it can be gone on with.
@@ -193,13 +175,17 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   const auto outcome = verified(run, verification, options, search_options);
   progress.reset();
   if (outcome.status != engine::Status::solved) {
-    return {.code = stopped_early, .status = outcome.status};
+    return {.status = outcome.status};
   }
 
   const auto flaw = verify::flaw_of_cover(certificate);
-  const bool refused = flaw.has_value() || !outcome.solutions.empty() || !bounds_refused.empty();
   const auto proved = outcome.tally();
-  VerifyFindings findings{.code = refused ? failed : proved.open() > 0 ? stopped_early : solved};
+  VerifyFindings findings{
+      .check = {
+          .refusals = outcome.solutions.size() + bounds_refused.size() + (flaw ? 1U : 0U),
+          .claim = CertificateCheck::List{.patterns = proved.alive,
+                                          .nodes = proved.dead + proved.alive + proved.unloaded,
+                                          .undecided = proved.open()}}};
   if (!run.session().speaks()) return findings;  // what was refused is known to rank 0 alone
   for (const auto& refusal : bounds_refused) findings.refusals += refusal;
   for (const auto& found : outcome.solutions) {
@@ -209,7 +195,6 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   write_subject(findings.summary, options, certificate, structure, agreement);
   write_summary(findings.summary, certificate, proof, !flaw,
                 certificate.bounds.size() - bounds_refused.size(), proved);
-  write_verdict(findings.verdict, refused, proved);
   return findings;
 }
 

@@ -201,7 +201,7 @@ std::optional<std::string> try_program(const std::string& bytes, const char* nam
 
 std::optional<std::string> try_certificate(const std::string& bytes) {
   return refusal<verify::CertificateError>([&] {
-    if (bytes.starts_with(verify::limit_first_line)) {
+    if (bytes.starts_with(verify::limit_first_words)) {
       verify::read_limit_certificate(bytes, "fuzzed");
     } else {
       static_cast<void>(verify::flaw_of_cover(verify::read_certificate(bytes, "fuzzed")));

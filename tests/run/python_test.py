@@ -115,6 +115,7 @@ class Python(KusabiCase):
 
     def test_what_is_open_is_partial(self):
         result = self.solve("patterns", "two-bars.toml", "--mu", 2)
+        del result["verdict"]  # as version 0.1 writes it
         for key, value, partial in (("undecided", 0, False), ("undecided", 1, True)):
             result["result"][key] = value
             self.result.write_text(json.dumps(result))

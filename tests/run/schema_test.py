@@ -178,7 +178,7 @@ class Schema(KusabiCase):
             with self.subTest(renamed=way):
                 self.assertFalse(self.schema.is_valid(result))
             del inner[key + "_"]
-            other = {} if isinstance(value, list) else "0" if not isinstance(value, str) else 0
+            other = {} if value is None or isinstance(value, list) else "0" if not isinstance(value, str) else 0
             if way != ("statistics",):
                 inner[key] = other
                 with self.subTest(retyped=way):

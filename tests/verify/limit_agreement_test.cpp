@@ -150,6 +150,11 @@ TEST(LimitAgreement, AnEntryMayBeThereOnceOnly) {
   for (const auto& [place, entry] : meant.columns[0]) EXPECT_EQ(entry.error.sign(), 0);
 }
 
+std::string text_of(const LimitCertificate& certificate) {
+  const LimitStatement one{{}, LimitClaim::largest, certificate};
+  return limit_certificate_text({&one, 1});
+}
+
 std::string complaint(const std::string& text) {
   try {
     read_limit_certificate(text, "cert");
@@ -160,7 +165,7 @@ std::string complaint(const std::string& text) {
 }
 
 TEST(LimitCertificate, NoMemoryIsTakenForWhatTheFileCannotHold) {
-  const auto text = limit_certificate_text(evidence());
+  const auto text = text_of(evidence());
   ASSERT_EQ(complaint(text), "");
   struct Wrong {
     const char* what;
@@ -197,9 +202,9 @@ TEST(LimitCertificate, NoMemoryIsTakenForSignsThatNoLineHolds) {
   auto certificate = evidence();
   certificate.uncertain.assign(5000, {{0, 1.0}});
   certificate.load.assign(5000, 0.5);
-  EXPECT_EQ(complaint(limit_certificate_text(certificate)), "");
+  EXPECT_EQ(complaint(text_of(certificate)), "");
   certificate.nodes.assign(1000, certificate.nodes.front());
-  EXPECT_THAT(complaint(limit_certificate_text(certificate)),
+  EXPECT_THAT(complaint(text_of(certificate)),
               HasSubstr("expected a sign or a share for each column of T"));
 }
 
@@ -220,7 +225,7 @@ TEST(LimitCertificate, AnEndBeyondAllDoublesIsRoundedToInfinity) {
 }
 
 TEST(LimitCertificate, NoChangeAnywhereDoesHarm) {
-  const auto text = limit_certificate_text(evidence());
+  const auto text = text_of(evidence());
   std::mt19937_64 generator(5);
   const std::string likely = "0123456789abcdef-+xp \n";
   const std::string extremes[] = {"0x1p-1060",
@@ -247,7 +252,8 @@ TEST(LimitCertificate, NoChangeAnywhereDoesHarm) {
       }
     }
     try {
-      const auto certificate = read_limit_certificate(sealed(altered), "cert");
+      const auto statements = read_limit_certificate(sealed(altered), "cert");
+      const auto& certificate = statements.front().evidence;
       ++read;
       const LimitProof proof(certificate);
       const auto upper = proof.upper();

@@ -1,5 +1,5 @@
 // Between commas, and around the last equals sign.
-#include "run/limit/group_half_widths.hpp"
+#include "run/command/group_half_widths.hpp"
 
 #include <algorithm>
 
@@ -17,9 +17,10 @@ std::vector<std::pair<std::string, double>> group_half_widths(const std::string&
     const auto part = text.substr(from, to - from);
     const auto equals = std::min(part.rfind('='), part.size());
     const auto value = number_in(part.substr(std::min(equals + 1, part.size())));
-    if (equals == 0 || !value || *value <= 0) {
+    if (equals == 0 || !value || *value < 0) {
       throw WrongInput(fmt::format(
-          "--group-alpha '{}': expected NAME=NUMBER, above 0, with commas between them", text));
+          "--group-alpha '{}': expected NAME=NUMBER, not negative, with commas between them",
+          text));
     }
     groups.emplace_back(part.substr(0, equals), *value);
     from = to + 1;

@@ -1,0 +1,307 @@
+"""Random trusses under uncertain loads: the guaranteed interval of load factors against all corners of the load box.
+
+    python3 bench/hostile/trusses.py --kusabi build/kusabi --count 300 --seed 1
+
+Each corner is a known load, whose least and largest factor a simplex method written here finds: in doubles, and in rational
+numbers where the two programs disagree. Cables that take no compression, struts that take no tension, uplift, several load
+cases, groups with half-widths of their own. Exit code 0: no disagreement, and nothing open but loads that are just carried.
+"""
+
+import argparse
+import itertools
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+
+NEAR = 1e-6
+
+
+class Failed(Exception):
+    """The simplex method came to no end."""
+
+
+def _pivot(rows, basis, row, column):
+    pivot = rows[row][column]
+    rows[row] = [value / pivot for value in rows[row]]
+    for other, values in enumerate(rows):
+        factor = values[column]
+        if other == row or factor == 0:
+            continue
+        rows[other] = [value - factor * at for value, at in zip(values, rows[row])]
+    basis[row] = column
+
+
+def _minimise(rows, basis, columns, eps):
+    """Pivots by Bland's rule until the last row, the costs, is not negative. False: unbounded."""
+    for _ in range(5000):
+        costs = rows[-1]
+        entering = next((j for j in columns if costs[j] < -eps), None)
+        if entering is None:
+            return True
+        best = None
+        for i, values in enumerate(rows[:-1]):
+            if values[entering] > eps:
+                key = (values[-1] / values[entering], basis[i])
+                if best is None or key < best[0]:
+                    best = (key, i)
+        if best is None:
+            return False
+        _pivot(rows, basis, best[1], entering)
+    raise Failed
+
+
+def factors(truss, load, number=float):
+    """(least, largest) factor at which the load is carried; None: at none."""
+    eps = 0 if number is Fraction else 1e-9
+    n, members = len(load), len(truss["columns"])
+    # x_i = q_i + c_i >= 0, its slack to c_i + t_i, and the factor as a difference.
+    width = 2 * members + 2
+    rows, wholes = [], []
+    for e in range(n):
+        right = number(load[e])
+        values = [number(0)] * width
+        for i, column in enumerate(truss["columns"]):
+            values[i] = number(column[e])
+            right += number(column[e]) * number(truss["compression"][i])
+        values[-2], values[-1] = -number(truss["reference"][e]), number(truss["reference"][e])
+        if right < 0:
+            values, right = [-value for value in values], -right
+        rows.append(values)
+        wholes.append(right)
+    for i in range(members):
+        values = [number(0)] * width
+        values[i] = values[members + i] = number(1)
+        rows.append(values)
+        wholes.append(number(truss["compression"][i]) + number(truss["tension"][i]))
+    height = len(rows)
+    basis = [width + i for i in range(height)]
+    for i, values in enumerate(rows):
+        values.extend(number(1) if j == i else number(0) for j in range(height))
+        values.append(wholes[i])
+    rows.append([-sum(values[j] for values in rows) for j in range(width)] + [number(0)] * height + [-sum(wholes)])
+    _minimise(rows, basis, range(width), eps)
+    if -rows[-1][-1] > (0 if number is Fraction else 1e-7 * (1 + sum(wholes))):
+        return None
+    for i in range(height):
+        if basis[i] >= width:
+            column = max(range(width), key=lambda j, i=i: abs(rows[i][j]))
+            if abs(rows[i][column]) > eps:
+                _pivot(rows, basis, i, column)
+    ends = []
+    for sign in (1, -1):
+        costs = [number(0)] * len(rows[0])
+        costs[width - 2], costs[width - 1] = number(sign), number(-sign)
+        rows[-1] = costs
+        for i, column in enumerate(basis):
+            if rows[-1][column] != 0:
+                factor = rows[-1][column]
+                rows[-1] = [value - factor * at for value, at in zip(rows[-1], rows[i])]
+        if not _minimise(rows, basis, range(width), eps):
+            raise Failed
+        ends.append(float(-rows[-1][-1] * sign))
+    return tuple(ends)
+
+
+def _case_interval(truss, case, number):
+    """(least, largest, some load is carried at none) over all corners of one load case."""
+    least, largest = -math.inf, math.inf
+    for signs in itertools.product((-1, 1), repeat=len(case["uncertain"])):
+        load = list(case["dead"])
+        for sign, (column, half_width) in zip(signs, case["uncertain"]):
+            load = [value + sign * half_width * part for value, part in zip(load, column)]
+        ends = factors(truss, load, number)
+        if ends is None:
+            return None
+        least, largest = max(least, ends[0]), min(largest, ends[1])
+    return least, largest
+
+
+def make(seed, index):
+    """(text of a problem file, truss, load cases, arguments)."""
+    rng = random.Random(f"truss/{seed}/{index}")
+    count = rng.choice((3, 4, 5, 5))
+    places = [(round(rng.uniform(0, 4), 2), round(rng.uniform(0, 4), 2)) for _ in range(count)]
+    held = rng.sample(range(count), 2)
+    free = [(node, axis) for node in range(count) if node not in held for axis in (0, 1)]
+    pairs = [pair for pair in itertools.combinations(range(count), 2) if not set(pair) <= set(held)]
+    pairs = [pair for pair in pairs if math.dist(places[pair[0]], places[pair[1]]) > 0.3]
+    rng.shuffle(pairs)
+    pairs = pairs[:max(len(free) + 1, rng.randint(len(free), len(pairs)))]
+    lines = ['name = "random"', "dimension = 2", 'units = { length = "m", force = "kN" }', "[nodes]"]
+    lines += [f"n{k} = [{x}, {y}]" for k, (x, y) in enumerate(places)]
+    truss = {"columns": [], "tension": [], "compression": []}
+    for first, second in pairs:
+        kind = rng.random()
+        strong = round(10 ** rng.uniform(-0.3, 0.5), 2)
+        tension = 0.0 if kind < 0.1 else strong
+        compression = 0.0 if 0.1 <= kind < 0.35 else round(strong * rng.choice((1, 1, 0.4)), 2)
+        length = math.dist(places[first], places[second])
+        column = []
+        for node, axis in free:
+            along = (places[second][axis] - places[first][axis]) / length
+            column.append(along if node == second else -along if node == first else 0.0)
+        truss["columns"].append(column)
+        truss["tension"].append(tension)
+        truss["compression"].append(compression)
+        lines += ["[[members]]", f"yield = {{ tension = {tension}, compression = {compression} }}",
+                  f'between = [["n{first}", "n{second}"]]']
+    lines += ["[[supports]]", f"nodes = {json.dumps([f'n{k}' for k in held])}"]
+
+    def load(kind, size, case=None):
+        node = rng.choice([k for k in range(count) if k not in held])
+        force = [round(rng.uniform(-size, size), 2) or 0.1, round(rng.uniform(-size, size), 2) or 0.1]
+        lines.extend(["[[loads]]", f'kind = "{kind}"', f'nodes = ["n{node}"]', f"force = {force}"])
+        if case:
+            lines.append(f'case = "{case}"')
+        return [force[axis] if at == node else 0.0 for at, axis in free]
+
+    truss["reference"] = load("reference", 1)
+    names = [None] if rng.random() < 0.7 else ["one", "two"]
+    cases, groups = [], {}
+    alpha = round(10 ** rng.uniform(-2, 0), 3)
+    for name in names:
+        case = {"name": name, "dead": [0.0] * len(free), "uncertain": []}
+        if rng.random() < 0.7:
+            case["dead"] = load("dead", 1.0, name)
+        for k in range(rng.randint(1, 4)):
+            node = rng.choice([k for k in range(count) if k not in held])
+            force = [round(rng.uniform(-1, 1), 2) or 0.1, round(rng.uniform(-1, 1), 2) or 0.1]
+            own = f"{name or 'load'} {k}"
+            half_width = alpha
+            if rng.random() < 0.3:
+                half_width = groups[own] = round(10 ** rng.uniform(-2, 0), 3)
+            lines += ["[[uncertainty]]", f'name = "{own}"', f'forces = [{{ nodes = ["n{node}"], force = {force} }}]']
+            if name:
+                lines.append(f'case = "{name}"')
+            case["uncertain"].append(([force[axis] if at == node else 0.0 for at, axis in free], half_width))
+        cases.append(case)
+    total = sum(len(case["uncertain"]) for case in cases)
+    arguments = ["--alpha", repr(alpha)] if len(groups) < total else []
+    if groups:
+        arguments += ["--group-alpha", ",".join(f"{name}={half_width}" for name, half_width in groups.items())]
+    return "\n".join(lines) + "\n", truss, cases, arguments
+
+
+def truth(truss, cases, number=float):
+    """(least, largest) over all corners of all cases; None: some load is carried at no factor."""
+    least, largest = -math.inf, math.inf
+    for case in cases:
+        ends = _case_interval(truss, case, number)
+        if ends is None:
+            return None
+        least, largest = max(least, ends[0]), min(largest, ends[1])
+    return least, largest
+
+
+def same(said, true):
+    """Whether the interval of a result is that of the corners; None: too near to empty to judge."""
+    size = 1 + (0 if true is None else max(map(abs, true)))
+    if true is None:
+        return said["empty"] is True
+    least, largest = true
+    if abs(least - largest) <= NEAR * size:
+        return None
+    if said["empty"] is not (least > largest):
+        return False
+    if said["lower"]["lower"] is None:
+        return False  # carried at none, it says
+    return all(said[end]["lower"] - NEAR * size <= value <= said[end]["upper"] + NEAR * size and
+               said[end]["upper"] - said[end]["lower"] <= NEAR * size
+               for end, value in (("lower", least), ("upper", largest)))
+
+
+class Kusabi:
+    """One truss put to the program."""
+
+    def __init__(self, program, folder, text):
+        self.program, self.folder = program, folder
+        self.file = os.path.join(folder, "truss.toml")
+        with open(self.file, "w") as file:
+            file.write(text)
+
+    def run(self, *words):
+        done = subprocess.run([self.program, *words], capture_output=True, text=True)
+        return done.returncode, done.stdout + done.stderr
+
+    def limit(self, arguments):
+        output = os.path.join(self.folder, "out.json")
+        code, said = self.run("limit", self.file, *arguments, "--output", output,
+                              "--certificate", os.path.join(self.folder, "cert"))
+        if not os.path.exists(output):
+            return code, None, said
+        with open(output) as file:
+            return code, json.load(file)["result"], said
+
+    def verify(self):
+        return self.run("verify", os.path.join(self.folder, "cert"), "--problem", self.file)
+
+
+def examine(program, seed, index, counts):
+    """What is wrong with one truss; nothing: nothing."""
+    text, truss, cases, arguments = make(seed, index)
+    with tempfile.TemporaryDirectory() as folder:
+        kusabi = Kusabi(program, folder, text)
+        code, result, said = kusabi.limit(arguments)
+        if code == 2 and "mechanism" in said:
+            return count_as("mechanism", counts)
+        if result is None:
+            return f"exit code {code}: {said}"
+        interval = result.get("guaranteed_interval_of_all_cases", result.get("guaranteed_interval"))
+        try:
+            true = truth(truss, cases)
+            agrees = same(interval, true)
+            if agrees is False:
+                true = truth(truss, cases, Fraction)
+                agrees = same(interval, true)
+        except Failed:
+            return count_as("not solved here", counts)
+        if agrees is None or (code == 3 and agrees):
+            return count_as("just carried", counts)
+        if not agrees or code != 0:
+            return f"exit code {code}, {json.dumps(interval)}, corners say {true}"
+        code, said = kusabi.verify()
+        if code != 0:
+            return f"its certificate is refused: {said}"
+        empty = true is None or true[0] > true[1]
+        wanted = "carried at no load factor" if true is None else "no load factor is carried" if empty else "every load factor from"
+        if wanted not in said and not (empty and "PROVED" in said):
+            return f"the certificate says something else: {said}"
+        return count_as("carried at none" if true is None else "empty" if empty else
+                        "with zero" if true[0] <= 0 <= true[1] else "without zero", counts)
+
+
+def count_as(what, counts):
+    counts[what] = counts.get(what, 0) + 1
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--kusabi", default="build/kusabi")
+    parser.add_argument("--count", type=int, default=300)
+    parser.add_argument("--seed", default="1")
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--found", help="folder for the trusses that come out wrong")
+    arguments = parser.parse_args()
+    wrong, counts = 0, {}
+    for index in range(arguments.first, arguments.first + arguments.count):
+        finding = examine(arguments.kusabi, arguments.seed, index, counts)
+        if finding is None:
+            continue
+        wrong += 1
+        print(f"truss {index}: {finding}", flush=True)
+        if arguments.found:
+            os.makedirs(arguments.found, exist_ok=True)
+            text, _, _, words = make(arguments.seed, index)
+            with open(os.path.join(arguments.found, f"truss-{index}.toml"), "w") as file:
+                file.write(f"# {' '.join(words)}\n{text}")
+    print(f"{arguments.count} trusses, {wrong} wrong; " + ", ".join(f"{n} {what}" for what, n in sorted(counts.items())))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

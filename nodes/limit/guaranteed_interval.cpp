@@ -1,0 +1,83 @@
+// Two worst cases, of the reference load and of its reverse, put together.
+#include "nodes/limit/guaranteed_interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kusabi::limit {
+namespace {
+
+// The ends of a worst case with the reference load reversed, seen from the other side.
+FactorBracket reversed(const LimitEnds& ends) {
+  return {-ends.upper, -ends.lower, ends.upper_proved, ends.lower_proved};
+}
+
+// The higher of two lower bounds counts, the one that is proved if they are equal.
+void raise(double& bound, bool& proved, double other, bool other_proved) {
+  if (other < bound || (other == bound && proved)) return;
+  bound = other;
+  proved = other_proved;
+}
+
+// The larger of both numbers: not below any lower bound, not above the higher of the upper ones.
+void raise(FactorBracket& one, const FactorBracket& other) {
+  raise(one.lower, one.lower_proved, other.lower, other.lower_proved);
+  one.upper = std::max(one.upper, other.upper);
+  one.upper_proved = one.upper_proved && other.upper_proved;
+}
+
+FactorBracket negative(const FactorBracket& bracket) {
+  return {-bracket.upper, -bracket.lower, bracket.upper_proved, bracket.lower_proved};
+}
+
+// The least factors that are known of single loads: no search is needed for these.
+void raise_by_collapse(FactorBracket& least, const std::optional<LimitCollapse>& collapse) {
+  if (collapse && collapse->least) raise(least.lower, least.lower_proved, *collapse->least, false);
+}
+
+}  // namespace
+
+bool GuaranteedInterval::decided() const {
+  if (at_none) return at_none_proved;
+  if (is_empty()) return least.lower_proved && largest.upper_proved;
+  return has_factors() && least.upper_proved && largest.lower_proved;
+}
+
+GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
+  GuaranteedInterval interval;
+  if (!answer.worst) {
+    interval.at_none = answer.status == LoadStatus::not_carried;
+    interval.at_none_proved = answer.no_factor_proved;
+    return interval;
+  }
+  for (const auto* const worst : {&answer.worst, &answer.reversed}) {
+    if (!*worst || (*worst)->status != RootStatus::not_carried) continue;
+    interval.at_none = true;
+    interval.at_none_proved = interval.at_none_proved || (*worst)->proved;
+  }
+  if (interval.at_none) return interval;
+  const auto& ends = answer.worst->ends;
+  interval.largest = {ends.lower, ends.upper, ends.lower_proved, ends.upper_proved};
+  if (answer.reversed) {
+    interval.least = reversed(answer.reversed->ends);
+  } else {
+    raise_by_collapse(interval.least, answer.nominal);
+    raise_by_collapse(interval.least, answer.worst->collapse);
+  }
+  return interval;
+}
+
+GuaranteedInterval intersection(std::span<const GuaranteedInterval> cases) {
+  auto all = cases.front();
+  for (const auto& each : cases.subspan(1)) {
+    raise(all.least, each.least);
+    auto largest = negative(all.largest);
+    raise(largest, negative(each.largest));
+    all.largest = negative(largest);
+    all.at_none = all.at_none || each.at_none;
+    all.at_none_proved = all.at_none_proved || each.at_none_proved;
+  }
+  return all;
+}
+
+}  // namespace kusabi::limit

@@ -1,0 +1,40 @@
+// The load factors that are carried under every admissible load: an interval from the maximum of
+// the least factors to the minimum of the largest ones (docs/theory/limit.md). It may be empty.
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "nodes/limit/limit_answer.hpp"
+
+namespace kusabi::limit {
+
+/// Bounds of a load factor; infinite: none is known.
+struct FactorBracket {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lower_proved = false;
+  bool upper_proved = false;
+};
+
+struct GuaranteedInterval {
+  FactorBracket least;    ///< of its lower end L
+  FactorBracket largest;  ///< of its upper end H
+  bool at_none = false;   ///< some admissible load is carried at no factor
+  bool at_none_proved = false;
+
+  /// No factor is carried under all admissible loads, by the bounds as they are.
+  [[nodiscard]] bool is_empty() const { return at_none || least.lower > largest.upper; }
+  /// Some factor is.
+  [[nodiscard]] bool has_factors() const { return !at_none && least.upper <= largest.lower; }
+  /// One of the two is proved.
+  [[nodiscard]] bool decided() const;
+};
+
+/// @pre answer.worst, or the nominal load is carried at no factor
+GuaranteedInterval guaranteed_interval(const LimitAnswer& answer);
+
+/// The factors that are carried in all load cases. @param cases at least one
+GuaranteedInterval intersection(std::span<const GuaranteedInterval> cases);
+
+}  // namespace kusabi::limit

@@ -1,0 +1,60 @@
+// Bounds with their standing, and the pattern that sticks first.
+#include "run/critical/critical_verdict.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "run/output/name_ranges.hpp"
+#include "run/wedged/nearest_failure.hpp"
+#include "run/wedged/problem_summary.hpp"
+
+namespace kusabi::run {
+namespace {
+
+Bound bound(double value, bool proved) {
+  return {value, proved ? Standing::proved : Standing::computed};
+}
+
+// The pattern that sticks at the least coefficient, and who slips there.
+std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first) {
+  auto text = fmt::format("The first way is number 1 (in contact: {})",
+                          contact_text(problem, first.pattern));
+  if (first.reaction.empty() || !first.upper) return text + '.';
+  const auto nearest = nearest_failure(problem, *first.upper, first.block, first.pattern,
+                                       first.reaction, first.displacement);
+  if (nearest.slips_there.empty()) return text + '.';
+  support::IndexSet slips;
+  for (const int i : nearest.slips_there) slips.insert(i);
+  return fmt::format("{}: with less friction {} would slip.", text,
+                     with_ranges(candidate_names(problem, slips)));
+}
+
+}  // namespace
+
+CriticalBracket critical_bracket(const CriticalOptions& options,
+                                 const problems::WedgedProblem& problem,
+                                 const wedged::CriticalFindings& findings) {
+  CriticalBracket found{.bracket = {},
+                        .factor = !problems::uniform_friction(problem),
+                        .most = options.question.most.value_or(wedged::usual_most),
+                        .width = options.question.width};
+  // That nothing sticks without friction says nothing of a search that has not come farther.
+  if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
+  if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
+  using enum wedged::CriticalDoubt;
+  found.wide = std::ranges::find(findings.open, wide_bracket) != findings.open.end();
+  found.patterns_open = findings.upper && findings.patterns.empty();
+  return found;
+}
+
+Verdict critical_verdict(const CriticalOptions& options, const problems::WedgedProblem& problem,
+                         const wedged::CriticalFindings& findings) {
+  Verdict verdict{.ended = findings.status, .answer = critical_bracket(options, problem, findings)};
+  if (findings.upper && !findings.patterns.empty())
+    verdict.details.push_back(first_way(problem, findings.patterns.front()));
+  return verdict;
+}
+
+}  // namespace kusabi::run

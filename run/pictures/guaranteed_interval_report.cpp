@@ -1,0 +1,62 @@
+// Bounds of both ends, each with its standing.
+#include "run/pictures/guaranteed_interval_report.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "run/output/values.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using limit::FactorBracket;
+using limit::GuaranteedInterval;
+using nlohmann::ordered_json;
+
+ordered_json bracket_json(const FactorBracket& bracket) {
+  return {{"lower", number_or_null(bracket.lower)},
+          {"upper", number_or_null(bracket.upper)},
+          {"lower_proved", bracket.lower_proved},
+          {"upper_proved", bracket.upper_proved}};
+}
+
+const char* proved_word(bool proved) {
+  return proved ? "proved" : "not proved";
+}
+
+std::string bound_text(double bound) {
+  return std::isfinite(bound) ? fmt::format("{:.10g}", bound) : std::string("unknown");
+}
+
+}  // namespace
+
+std::string interval_text(const GuaranteedInterval& interval) {
+  if (interval.is_empty()) {
+    return fmt::format("no factor is carried under every admissible load, {}",
+                       proved_word(interval.decided()));
+  }
+  const auto& [least, largest, at_none, at_none_proved] = interval;
+  if (interval.has_factors()) {
+    return fmt::format("factors {:.10g} ... {:.10g} are carried under every admissible load, {}",
+                       least.upper, largest.lower, proved_word(interval.decided()));
+  }
+  return fmt::format(
+      "open: factors carried under every admissible load lie between {} and {}, and whether there "
+      "are any is numerically undecided",
+      bound_text(least.lower), bound_text(largest.upper));
+}
+
+ordered_json interval_json(const GuaranteedInterval& interval) {
+  const auto known = [&]() -> ordered_json {
+    if (interval.is_empty()) return true;
+    if (interval.has_factors()) return false;
+    return {};
+  };
+  return {{"lower", bracket_json(interval.least)},
+          {"upper", bracket_json(interval.largest)},
+          {"empty", known()},
+          {"proved", interval.decided()}};
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,176 @@
+// The key `verdict`, kind by kind, as run/verdict/verdict_json.cpp writes it.
+#include "run/results/result_verdict.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "run/output/values.hpp"
+
+namespace kusabi::run {
+namespace {
+
+class WrittenVerdict {
+ public:
+  explicit WrittenVerdict(const ResultReader& reader)
+      : reader_(reader), verdict_(reader.at(reader.all(), "verdict")) {}
+
+  [[nodiscard]] Verdict verdict() const {
+    Verdict verdict{.ended = ended_as(reader_, reader_.text(verdict_, "ended")),
+                    .nodes_left = count(verdict_, "nodes_left"),
+                    .details = reader_.names(verdict_, "details"),
+                    .missing = reader_.names(verdict_, "missing")};
+    if (ResultReader::find(reader_.all(), "warnings") != nullptr)
+      verdict.warnings = reader_.names(reader_.all(), "warnings");
+    const auto& answer = reader_.at(verdict_, "answer");
+    const auto kind = reader_.text(answer, "kind");
+    if (kind == "sticking") {
+      verdict.answer = sticking(answer);
+    } else if (kind == "critical") {
+      verdict.answer = critical(answer);
+    } else if (kind == "friction-steps") {
+      verdict.answer = friction_steps(answer);
+    } else if (kind == "load-interval") {
+      verdict.answer = load_interval(answer);
+    } else if (kind == "load-steps") {
+      verdict.answer = load_steps(answer);
+    } else if (kind == "mixed-optimum") {
+      verdict.answer = mixed_optimum(answer);
+    } else {
+      reader_.refuse(fmt::format("'kind' is none of an answer: {}", kind));
+    }
+    return verdict;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t count(const ResultJson& object, const char* key) const {
+    const auto& value = reader_.at(object, key);
+    if (!value.is_number_unsigned()) reader_.refuse(fmt::format("'{}' is no count", key));
+    return value.get<std::uint64_t>();
+  }
+  [[nodiscard]] bool truth(const ResultJson& object, const char* key) const {
+    const auto& value = reader_.at(object, key);
+    if (!value.is_boolean()) reader_.refuse(fmt::format("'{}' is neither true nor false", key));
+    return value.get<bool>();
+  }
+  /// Digits of a count of any size.
+  [[nodiscard]] std::string digits(const ResultJson& object, const char* key) const {
+    auto text = reader_.text(object, key);
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (text.empty() || !std::ranges::all_of(text, is_digit))
+      reader_.refuse(fmt::format("'{}' is no count", key));
+    return text;
+  }
+  [[nodiscard]] std::optional<double> some_number(const ResultJson& object, const char* key) const {
+    if (ResultReader::find(object, key) == nullptr) return std::nullopt;
+    return reader_.number(object, key);
+  }
+  [[nodiscard]] std::optional<std::string> some_text(const ResultJson& object,
+                                                     const char* key) const {
+    if (ResultReader::find(object, key) == nullptr) return std::nullopt;
+    return reader_.text(object, key);
+  }
+  [[nodiscard]] Standing standing(const ResultJson& object, const char* key) const {
+    const auto word = reader_.text(object, key);
+    if (word != "proved" && word != "computed")
+      reader_.refuse(fmt::format("'{}' is neither proved nor computed", key));
+    return word == "proved" ? Standing::proved : Standing::computed;
+  }
+  [[nodiscard]] std::optional<Standing> some_standing(const ResultJson& object,
+                                                      const char* key) const {
+    if (ResultReader::find(object, key) == nullptr) return std::nullopt;
+    return standing(object, key);
+  }
+  [[nodiscard]] std::optional<Bound> bound(const ResultJson& object, const char* key) const {
+    const auto* const found = ResultReader::find(object, key);
+    if (found == nullptr) return std::nullopt;
+    return Bound{reader_.number(*found, "value"), standing(*found, "standing")};
+  }
+  [[nodiscard]] Bracket bracket(const ResultJson& object, const char* key) const {
+    const auto& found = reader_.at(object, key);
+    return {bound(found, "lower"), bound(found, "upper")};
+  }
+
+  [[nodiscard]] Sticking sticking(const ResultJson& answer) const {
+    return {.thing = reader_.text(answer, "thing"),
+            .friction = reader_.number(answer, "friction"),
+            .factor = truth(answer, "factor"),
+            .count = digits(answer, "count"),
+            .undecided = count(answer, "undecided"),
+            .standing = standing(answer, "standing"),
+            .ambiguous = truth(answer, "ambiguous")};
+  }
+  [[nodiscard]] CriticalBracket critical(const ResultJson& answer) const {
+    return {.bracket = bracket(answer, "bracket"),
+            .factor = truth(answer, "factor"),
+            .most = reader_.number(answer, "most"),
+            .width = reader_.number(answer, "width"),
+            .wide = truth(answer, "wide"),
+            .patterns_open = truth(answer, "patterns_open")};
+  }
+  [[nodiscard]] FrictionSteps friction_steps(const ResultJson& answer) const {
+    return {.most = reader_.number(answer, "most"),
+            .factor = truth(answer, "factor"),
+            .infeasible = bound(answer, "infeasible"),
+            .count = digits(answer, "count"),
+            .open_at_most = count(answer, "open_at_most"),
+            .open_patterns = count(answer, "open_patterns"),
+            .undecided_points = count(answer, "undecided_points")};
+  }
+  [[nodiscard]] LoadInterval load_interval(const ResultJson& answer) const {
+    LoadInterval found{.uncertain = {},
+                       .least = bracket(answer, "least"),
+                       .most = bracket(answer, "most"),
+                       .carried_at_none = some_standing(answer, "carried_at_none"),
+                       .if_big_m = truth(answer, "if_big_m"),
+                       .incomplete = truth(answer, "incomplete"),
+                       .cases = count(answer, "cases")};
+    if (const auto* const loads = ResultReader::find(answer, "uncertain"))
+      found.uncertain = LoadRange{some_number(*loads, "half_width"), some_text(*loads, "force")};
+    return found;
+  }
+  [[nodiscard]] LoadSteps load_steps(const ResultJson& answer) const {
+    return {.nominal = bound(answer, "nominal"),
+            .nominal_at_none = some_standing(answer, "nominal_at_none"),
+            .half_width = some_number(answer, "half_width"),
+            .force = some_text(answer, "force"),
+            .worst = bracket(answer, "worst"),
+            .worst_at_none = some_standing(answer, "worst_at_none"),
+            .points = count(answer, "points"),
+            .points_asked = count(answer, "points_asked"),
+            .open = truth(answer, "open")};
+  }
+  [[nodiscard]] MixedOptimum mixed_optimum(const ResultJson& answer) const {
+    const auto word = reader_.text(answer, "state");
+    const auto state = std::ranges::find(mixed_states, word);
+    if (state == mixed_states.end()) reader_.refuse("'state' is none of a program");
+    return {.state = static_cast<MixedOptimum::State>(state - mixed_states.begin()),
+            .maximise = truth(answer, "maximise"),
+            .objective = some_number(answer, "objective"),
+            .bound = bound(answer, "bound"),
+            .gap = some_number(answer, "gap").value_or(0),
+            .unproved = count(answer, "unproved")};
+  }
+
+  const ResultReader& reader_;
+  const ResultJson& verdict_;
+};
+
+}  // namespace
+
+engine::Status ended_as(const ResultReader& reader, const std::string& status) {
+  using enum engine::Status;
+  if (status == "not-carried" || status == "open") return solved;
+  for (const auto each : {solved, time_limit, node_limit, solution_limit, gap_limit, interrupted}) {
+    if (status == status_name(each)) return each;
+  }
+  reader.refuse("'status' is none of a search");
+}
+
+Verdict result_verdict(const ResultReader& reader) {
+  if (ResultReader::find(reader.all(), "verdict") == nullptr) return older_verdict(reader);
+  return WrittenVerdict(reader).verdict();
+}
+
+}  // namespace kusabi::run

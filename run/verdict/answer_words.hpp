@@ -1,0 +1,37 @@
+// The sentences of each kind of answer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/verdict/words.hpp"
+
+namespace kusabi::run {
+
+// Headlines. @param ended of the search
+
+std::string headline_of(const Sticking& found, engine::Status ended);
+std::string headline_of(const CriticalBracket& found, engine::Status ended);
+std::string headline_of(const FrictionSteps& found, engine::Status ended);
+std::string headline_of(const LoadInterval& found, engine::Status ended);
+std::string headline_of(const LoadSteps& found, engine::Status ended);
+std::string headline_of(const MixedOptimum& found, engine::Status ended);
+std::string headline_of(const CertificateCheck& found, engine::Status ended);
+
+// Reservations besides an early end, added to `all`.
+
+void reserve(const Sticking& found, std::vector<Reservation>& all);
+void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all);
+void reserve(const FrictionSteps& found, std::vector<Reservation>& all);
+void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all);
+void reserve(const LoadSteps& found, std::vector<Reservation>& all);
+void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all);
+void reserve(const CertificateCheck& found, std::vector<Reservation>& all);
+
+/// What is appended to a clause: nothing of what is proved, else " (computed, not proved)".
+const char* unless_proved(Standing standing);
+
+/// "± 0.45 kN", of an uncertain load.
+std::string half_width_text(double half_width, const std::optional<std::string>& force);
+
+}  // namespace kusabi::run

@@ -1,0 +1,21 @@
+// A line each.
+#include "run/verdict/conclusion_text.hpp"
+
+#include "run/verdict/words.hpp"
+
+namespace kusabi::run {
+
+std::string conclusion_text(const Verdict& verdict, const Page& page) {
+  std::string text;
+  const auto sentence = headline(verdict);
+  if (!sentence.empty()) {
+    text = '\n' + page.strong(sentence);
+    for (const auto& each : verdict.details) text += ' ' + each;
+    text += '\n';
+  }
+  for (const auto& each : reservations(verdict)) text += page.doubtful(each.sentence) + '\n';
+  for (const auto& each : verdict.warnings) text += page.doubtful("Warning: " + each) + '\n';
+  return text;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,20 @@
+// The end of a run: its exit code, its status in result files.
+#pragma once
+
+#include <string>
+
+#include "run/output/exit_code.hpp"
+#include "run/verdict/verdict.hpp"
+
+namespace kusabi::run {
+
+/// Nothing that was asked for is open.
+bool is_answered(const Verdict& verdict);
+
+ExitCode exit_code(const Verdict& verdict);
+
+/// The key `status`: "solved", the limit that ended the search, or of loads also "not-carried" and
+/// "open".
+std::string status_text(const Verdict& verdict);
+
+}  // namespace kusabi::run

@@ -1,0 +1,158 @@
+// Sentences of load factors.
+#include <fmt/format.h>
+
+#include "run/verdict/answer_words.hpp"
+#include "run/verdict/shown_bracket.hpp"
+
+namespace kusabi::run {
+namespace {
+
+std::string within(const LoadInterval& found) {
+  const auto& loads = *found.uncertain;
+  auto text = loads.half_width ? fmt::format("whatever the dead load is within {}",
+                                             half_width_text(*loads.half_width, loads.force))
+                               : std::string("whatever the dead load is within its bounds");
+  if (found.cases > 1) text += fmt::format(", in each of {} load cases", found.cases);
+  return text;
+}
+
+const char* if_large(const LoadInterval& found) {
+  return found.if_big_m ? " if M is large enough" : "";
+}
+
+std::string nominal(const LoadInterval& found) {
+  if (found.carried_at_none) {
+    return fmt::format("It does not carry its dead load at any load factor{}.",
+                       unless_proved(*found.carried_at_none));
+  }
+  if (!found.most.lower) return "No load factor was found at which it carries its dead load.";
+  const auto& [value, standing] = *found.most.lower;
+  if (const auto& from = found.least.upper; from && from->value > 0) {
+    return fmt::format("It carries its dead load only at load factors from {} to {}{}.",
+                       rounded_up(from->value), rounded_down(value), unless_proved(standing));
+  }
+  return fmt::format("It carries {} times the reference load, and no more{}.", rounded_down(value),
+                     unless_proved(standing));
+}
+
+// The interval is empty: this end lies above the other.
+std::optional<Standing> empty(const LoadInterval& found) {
+  const auto& above = found.least.lower;
+  const auto& below = found.most.upper;
+  if (!above || !below || above->value <= below->value) return std::nullopt;
+  const bool proved =
+      above->standing == Standing::proved && below->standing == Standing::proved && !found.if_big_m;
+  return proved ? Standing::proved : Standing::computed;
+}
+
+// The ends touch: not empty, and no factor is known to be carried.
+bool is_undecided(const LoadInterval& found) {
+  const auto& from = found.least.upper;
+  const auto& to = found.most.lower;
+  return from && to && from->value > to->value && !empty(found);
+}
+
+}  // namespace
+
+std::string half_width_text(double half_width, const std::optional<std::string>& force) {
+  return fmt::format("± {} {}", half_width, force.value_or("times its uncertain part"));
+}
+
+std::string headline_of(const LoadInterval& found, engine::Status /*ended*/) {
+  if (!found.uncertain) return nominal(found);
+  if (found.carried_at_none) {
+    return fmt::format(
+        "There is a dead load within its bounds that it does not carry at any load factor{}.",
+        unless_proved(*found.carried_at_none));
+  }
+  const auto loads = within(found);
+  if (const auto standing = empty(found)) {
+    return fmt::format("No load factor is carried {}{}.", loads, unless_proved(*standing));
+  }
+  const auto& to = found.most.lower;
+  if (!to) return fmt::format("No load was found that it carries {}.", loads);
+  const auto& from = found.least.upper;
+  if (!from) {
+    return fmt::format(
+        "The largest factor of the reference load that it carries is at least {}{}{}, {}.",
+        rounded_down(to->value), if_large(found), unless_proved(to->standing), loads);
+  }
+  if (is_undecided(found)) {
+    return fmt::format("It is numerically undecided whether any load factor is carried {}.", loads);
+  }
+  return fmt::format("It carries every factor from {}{} to {}{}{} of the reference load, {}.",
+                     rounded_up(from->value), unless_proved(from->standing),
+                     rounded_down(to->value), if_large(found), unless_proved(to->standing), loads);
+}
+
+void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all) {
+  if (!found.uncertain && !found.carried_at_none) {
+    if (!found.most.lower) {
+      all.push_back({"The nominal load factor is not known.", true});
+    } else if (found.most.lower->standing == Standing::computed) {
+      all.push_back(
+          {"The factor is as the simplex method finds it, for the dead load exactly as given.",
+           false});
+    }
+  }
+  if (found.carried_at_none == Standing::computed)
+    all.push_back({"That a load is carried at no factor is computed, not proved.", true});
+  const auto proved = [](const std::optional<Bound>& bound) {
+    return bound && bound->standing == Standing::proved;
+  };
+  if (found.uncertain && !found.carried_at_none && ended == engine::Status::solved) {
+    if (!proved(found.most.lower))
+      all.push_back({"A lower bound of the largest factor is not proved.", true});
+    if (!proved(found.most.upper))
+      all.push_back({"An upper bound of the largest factor is not proved.", true});
+    if (!found.if_big_m && !proved(found.least.upper))
+      all.push_back({"It is not proved from which factor on every load is carried.", true});
+    if (is_undecided(found)) {
+      all.push_back({fmt::format("No factor below {} and none above {} is carried.",
+                                 rounded_down(found.least.lower ? found.least.lower->value
+                                                                : found.least.upper->value),
+                                 rounded_up(found.most.upper ? found.most.upper->value
+                                                             : found.most.lower->value)),
+                     true});
+    }
+  }
+  if (found.if_big_m)
+    all.push_back({"The bounds of (29) hold only if its M is large enough.", false});
+  if (found.incomplete) all.push_back({"Not all that was asked for is proved.", true});
+}
+
+std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
+  if (found.nominal_at_none) {
+    return fmt::format("The nominal dead load is carried at no load factor, of either sign{}.",
+                       unless_proved(*found.nominal_at_none));
+  }
+  if (!found.nominal) return "The nominal load factor was not found.";
+  const auto text = fmt::format("The nominal load factor is {:.8g}{}", found.nominal->value,
+                                unless_proved(found.nominal->standing));
+  if (!found.half_width) return text + '.';
+  const auto at = fmt::format("; at alpha = {}{}", *found.half_width,
+                              found.force ? ' ' + *found.force : std::string());
+  if (found.worst_at_none) {
+    return text + at +
+           fmt::format(" some load is carried at no factor{}.",
+                       unless_proved(*found.worst_at_none));
+  }
+  const auto& [lower, upper] = found.worst;
+  if (!lower || !upper) return text + at + " the worst case is open.";
+  const bool proved = lower->standing == Standing::proved && upper->standing == Standing::proved;
+  return text + at +
+         fmt::format(" the worst case is {:.8g}{}.", upper->value,
+                     proved ? ", proved" : " (computed, not proved)");
+}
+
+void reserve(const LoadSteps& found, std::vector<Reservation>& all) {
+  if (found.points < found.points_asked) {
+    all.push_back(
+        {fmt::format("{} of {} points were looked at.", found.points, found.points_asked), true});
+  }
+  if (!found.nominal && !found.nominal_at_none)
+    all.push_back({"The nominal load factor is not known.", true});
+  if (found.open) all.push_back({"Not every point, or not all of the curve, is proved.", true});
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,119 @@
+// Sentences of zero-one programs and of certificates.
+#include <fmt/format.h>
+
+#include "run/output/values.hpp"
+#include "run/verdict/answer_words.hpp"
+
+namespace kusabi::run {
+namespace {
+
+std::string bound_text(const MixedOptimum& found) {
+  return fmt::format("{} bound {}", found.maximise ? "upper" : "lower",
+                     found.bound ? fmt::format("{}{}", found.bound->value,
+                                               found.bound->standing == Standing::proved
+                                                   ? " (safe against rounding)"
+                                                   : " (computed, not proved)")
+                                 : "not known");
+}
+
+std::string of_list(const CertificateCheck::List& list) {
+  if (list.undecided > 0 && list.nodes == 0)
+    return "NOTHING PROVED: all nodes are marginal, and nothing is claimed of these";
+  const auto patterns = counted(list.patterns, "pattern");
+  if (list.undecided > 0) {
+    return fmt::format("PROVED but for {}: the list of {} is complete but for these",
+                       counted(list.undecided, "marginal node"), patterns);
+  }
+  return fmt::format("PROVED: the list of {} is complete{}", patterns,
+                     list.patterns == 0 ? ": it cannot stick" : "");
+}
+
+std::string of_factor(const CertificateCheck::Factor& factor) {
+  auto loads = factor.loads.half_width ? fmt::format("alpha = {}", *factor.loads.half_width)
+                                       : std::string("uncertain loads within these half-widths");
+  if (factor.cases > 1) loads += fmt::format(" in these {} load cases", factor.cases);
+  if (factor.at_none) {
+    return fmt::format("PROVED: for {} some admissible load is carried at no load factor", loads);
+  }
+  auto text = fmt::format("PROVED: the least load factor for {} is between {:.17g} and {:.17g}",
+                          loads, factor.lower, factor.upper);
+  if (!factor.least) return text;
+  const auto& [lower, upper] = *factor.least;
+  if (lower > factor.upper) {
+    return text + fmt::format(
+                      "; no load factor is carried under every admissible load: the least "
+                      "factor of one is {:.17g} or more",
+                      lower);
+  }
+  if (upper > factor.lower) return text;
+  return text + fmt::format(
+                    "; every load factor from {:.17g} on up to there is carried under every "
+                    "admissible load, and none below {:.17g} is",
+                    upper, lower);
+}
+
+}  // namespace
+
+std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
+  switch (found.state) {
+    case MixedOptimum::State::infeasible:
+      return "infeasible: no point satisfies all rows, bounds and binaries";
+    case MixedOptimum::State::unbounded:
+      return fmt::format("unbounded: there are points, and the objective has no {} bound",
+                         found.maximise ? "upper" : "lower");
+    case MixedOptimum::State::unknown:
+      return fmt::format("no point was found, and it is not known that there is none; {}",
+                         bound_text(found));
+    case MixedOptimum::State::optimal:
+    case MixedOptimum::State::feasible:
+      break;
+  }
+  return fmt::format(
+      "{} objective {}; {}, gap {:.2g} %",
+      found.state == MixedOptimum::State::optimal ? "optimal:" : "best point so far:",
+      found.objective.value_or(0), bound_text(found), 100 * found.gap);
+}
+
+void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all) {
+  using State = MixedOptimum::State;
+  const bool answered = found.state != State::feasible && found.state != State::unknown;
+  const auto nodes = fmt::format(
+      "{} {} closed without a proof that nothing is left in {}", counted(found.unproved, "node"),
+      found.unproved == 1 ? "was" : "were", found.unproved == 1 ? "it" : "them");
+  if (ended == engine::Status::solved && !answered) {
+    all.push_back(
+        {found.unproved == 0
+             ? "Not answered: the search is done, but the bounds of some nodes are too weak."
+             : fmt::format("Not answered: the search is done, but {}.", nodes),
+         true});
+  } else if (found.unproved != 0) {
+    all.push_back(
+        {fmt::format("{}; the computed bounds say that nothing better is.", nodes), false});
+  }
+  const bool has_bound = found.state != State::infeasible && found.state != State::unbounded;
+  if (has_bound && found.bound && found.bound->standing == Standing::computed) {
+    all.push_back(
+        {"The bound is not proved: columns without bounds leave no room for rounding; it "
+         "was computed in 30 digits.",
+         false});
+  }
+}
+
+std::string headline_of(const CertificateCheck& found, engine::Status ended) {
+  if (found.refusals > 0) return "NOT PROVED";
+  if (ended != engine::Status::solved) return "NOTHING PROVED";
+  if (const auto* const list = std::get_if<CertificateCheck::List>(&found.claim))
+    return of_list(*list);
+  if (const auto* const factor = std::get_if<CertificateCheck::Factor>(&found.claim))
+    return of_factor(*factor);
+  return "NOT PROVED";
+}
+
+void reserve(const CertificateCheck& found, std::vector<Reservation>& all) {
+  const auto* const list = std::get_if<CertificateCheck::List>(&found.claim);
+  if (list == nullptr || list->undecided == 0) return;
+  all.push_back(
+      {fmt::format("Of {} nothing is claimed.", counted(list->undecided, "marginal node")), true});
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,69 @@
+// Decimal places first, then the side.
+#include "run/verdict/shown_bracket.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace kusabi::run {
+namespace {
+
+/// Numbers with more decimal places than these are shown in full.
+constexpr int most_places = 15;
+/// A double has no more significant digits.
+constexpr int all_digits = 17;
+
+int places_of(double number, int digits) {
+  if (number == 0 || !std::isfinite(number)) return 0;
+  return digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number))));
+}
+
+// Zeros at the end say nothing.
+std::string trimmed(std::string number) {
+  if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.ends_with('.')) number.pop_back();
+  return number;
+}
+
+// @param way -1 down, 1 up
+std::string rounded(double number, int places, int way) {
+  if (!std::isfinite(number) || places < 0 || places > most_places)
+    return fmt::format("{}", number);
+  auto text = fmt::format("{:.{}f}", number, places);
+  const double shown = std::stod(text);
+  if (way * (number - shown) > 0)
+    text = fmt::format("{:.{}f}", shown + way * std::pow(10, -places), places);
+  return trimmed(std::move(text));
+}
+
+ShownBracket to(double lower, double upper, int digits) {
+  const int places = std::max(places_of(lower, digits), places_of(upper, digits));
+  return {rounded(lower, places, -1), rounded(upper, places, 1)};
+}
+
+}  // namespace
+
+std::string rounded_down(double number, int digits) {
+  return rounded(number, places_of(number, digits), -1);
+}
+
+std::string rounded_up(double number, int digits) {
+  return rounded(number, places_of(number, digits), 1);
+}
+
+ShownBracket in_sentence(double lower, double upper) {
+  return to(lower, upper, digits_of_sentence);
+}
+
+ShownBracket in_table(double lower, double upper) {
+  for (int digits = digits_of_table; digits < all_digits; ++digits) {
+    auto shown = to(lower, upper, digits);
+    if (std::stod(shown.upper) - std::stod(shown.lower) <= 2 * (upper - lower)) return shown;
+  }
+  return {fmt::format("{}", lower), fmt::format("{}", upper)};
+}
+
+}  // namespace kusabi::run

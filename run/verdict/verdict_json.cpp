@@ -1,0 +1,133 @@
+// Keys of each kind of answer.
+#include "run/verdict/verdict_json.hpp"
+
+#include "run/output/values.hpp"
+#include "run/verdict/ending.hpp"
+#include "run/verdict/words.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json bound_json(const std::optional<Bound>& bound) {
+  if (!bound) return nullptr;
+  return {{"value", number_or_null(bound->value)}, {"standing", standing_name(bound->standing)}};
+}
+
+ordered_json standing_json(const std::optional<Standing>& standing) {
+  return standing ? ordered_json(standing_name(*standing)) : ordered_json();
+}
+
+ordered_json bracket_json(const Bracket& bracket) {
+  return {{"lower", bound_json(bracket.lower)}, {"upper", bound_json(bracket.upper)}};
+}
+
+ordered_json text_or_null(const std::optional<std::string>& text) {
+  return text ? ordered_json(*text) : ordered_json();
+}
+
+ordered_json answer_json(const std::monostate& /*none*/) {
+  return nullptr;
+}
+
+ordered_json answer_json(const Sticking& found) {
+  return {{"kind", "sticking"},
+          {"thing", found.thing},
+          {"friction", found.friction},
+          {"factor", found.factor},
+          {"count", found.count},
+          {"undecided", found.undecided},
+          {"standing", standing_name(found.standing)},
+          {"ambiguous", found.ambiguous}};
+}
+
+ordered_json answer_json(const CriticalBracket& found) {
+  return {{"kind", "critical"},
+          {"bracket", bracket_json(found.bracket)},
+          {"factor", found.factor},
+          {"most", found.most},
+          {"width", found.width},
+          {"wide", found.wide},
+          {"patterns_open", found.patterns_open}};
+}
+
+ordered_json answer_json(const FrictionSteps& found) {
+  return {{"kind", "friction-steps"},
+          {"most", found.most},
+          {"factor", found.factor},
+          {"infeasible", bound_json(found.infeasible)},
+          {"count", found.count},
+          {"open_at_most", found.open_at_most},
+          {"open_patterns", found.open_patterns},
+          {"undecided_points", found.undecided_points}};
+}
+
+ordered_json range_json(const LoadRange& loads) {
+  return {{"half_width", number_or_null(loads.half_width)}, {"force", text_or_null(loads.force)}};
+}
+
+ordered_json answer_json(const LoadInterval& found) {
+  return {{"kind", "load-interval"},
+          {"uncertain", found.uncertain ? range_json(*found.uncertain) : ordered_json()},
+          {"least", bracket_json(found.least)},
+          {"most", bracket_json(found.most)},
+          {"carried_at_none", standing_json(found.carried_at_none)},
+          {"if_big_m", found.if_big_m},
+          {"incomplete", found.incomplete},
+          {"cases", found.cases}};
+}
+
+ordered_json answer_json(const LoadSteps& found) {
+  return {{"kind", "load-steps"},
+          {"nominal", bound_json(found.nominal)},
+          {"nominal_at_none", standing_json(found.nominal_at_none)},
+          {"half_width", number_or_null(found.half_width)},
+          {"force", text_or_null(found.force)},
+          {"worst", bracket_json(found.worst)},
+          {"worst_at_none", standing_json(found.worst_at_none)},
+          {"points", found.points},
+          {"points_asked", found.points_asked},
+          {"open", found.open}};
+}
+
+ordered_json answer_json(const MixedOptimum& found) {
+  return {{"kind", "mixed-optimum"},
+          {"state", mixed_states.at(static_cast<std::size_t>(found.state))},
+          {"maximise", found.maximise},
+          {"objective", number_or_null(found.objective)},
+          {"bound", bound_json(found.bound)},
+          {"gap", number_or_null(found.gap)},
+          {"unproved", found.unproved}};
+}
+
+// Neither is written to a result file.
+ordered_json answer_json(const CertificateCheck& /*check*/) {
+  return nullptr;
+}
+ordered_json answer_json(const Measurement& /*measurement*/) {
+  return nullptr;
+}
+
+}  // namespace
+
+const char* standing_name(Standing standing) {
+  return standing == Standing::proved ? "proved" : "computed";
+}
+
+ordered_json verdict_json(const Verdict& verdict) {
+  auto sentences = ordered_json::array();
+  for (const auto& each : reservations(verdict)) sentences.push_back(each.sentence);
+  return {
+      {"sentence", headline(verdict)},
+      {"details", verdict.details},
+      {"reservations", std::move(sentences)},
+      {"answered", is_answered(verdict)},
+      {"exit_code", static_cast<int>(exit_code(verdict))},
+      {"ended", status_name(verdict.ended)},
+      {"nodes_left", verdict.nodes_left},
+      {"missing", verdict.missing},
+      {"answer", std::visit([](const auto& found) { return answer_json(found); }, verdict.answer)}};
+}
+
+}  // namespace kusabi::run

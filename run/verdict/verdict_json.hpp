@@ -1,0 +1,17 @@
+// A verdict in a result file: the key `verdict`.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "run/verdict/verdict.hpp"
+
+namespace kusabi::run {
+
+/// Sentence, details, reservations, exit code, and the answer's counts and bounds, each bound with
+/// its standing.
+nlohmann::ordered_json verdict_json(const Verdict& verdict);
+
+/// "proved" or "computed".
+const char* standing_name(Standing standing);
+
+}  // namespace kusabi::run

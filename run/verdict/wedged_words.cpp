@@ -1,0 +1,186 @@
+// Sentences of friction: lists at one coefficient, the critical one, steps over it.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "run/output/values.hpp"
+#include "run/verdict/answer_words.hpp"
+#include "run/verdict/shown_bracket.hpp"
+
+namespace kusabi::run {
+namespace {
+
+constexpr int digits_of_sweep = 10;
+constexpr const char* coefficient = "friction coefficient";
+
+const char* times(bool factor) {
+  return factor ? " times that of each candidate" : "";
+}
+
+bool is_none(const std::string& count) {
+  return count.find_first_not_of('0') == std::string::npos;
+}
+
+bool is_proved(const std::optional<Bound>& bound) {
+  return bound && bound->standing == Standing::proved;
+}
+
+}  // namespace
+
+std::string headline_of(const Sticking& found, engine::Status ended) {
+  const auto where = fmt::format("{} {}{}", coefficient, found.friction, times(found.factor));
+  const bool complete = ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous;
+  if (!is_none(found.count)) {
+    return fmt::format("It can stick: {}{} at {}.", counted(found.count, found.thing),
+                       complete             ? ""
+                       : found.count == "1" ? " is known"
+                                            : " are known",
+                       where);
+  }
+  if (complete) return fmt::format("It cannot stick at {}.", where);
+  return fmt::format("It is not known whether it can stick at {}.", where);
+}
+
+void reserve(const Sticking& found, std::vector<Reservation>& all) {
+  if (found.undecided > 0) {
+    const bool one = found.undecided == 1;
+    all.push_back({fmt::format("Of {} it could not be decided whether {} a wedged configuration; "
+                               "{} not counted.",
+                               counted(found.undecided, "sign pattern"),
+                               one ? "it holds" : "they hold", one ? "it is" : "they are"),
+                   true});
+  }
+  if (found.ambiguous) {
+    all.push_back(
+        {"Some numbers are too near to zero to be told from it: the lists may be wrong.", true});
+  }
+  if (found.standing == Standing::computed)
+    all.push_back(
+        {"The list is computed in floating point, not proved in exact arithmetic.", false});
+}
+
+std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) {
+  const auto& [lower, upper] = found.bracket;
+  if (!lower && !upper)
+    return fmt::format("It is not known from which {} on it can stick.", coefficient);
+  if (!upper) {
+    return fmt::format("It cannot stick up to {} {}{}{}{}.", coefficient,
+                       rounded_down(lower->value), times(found.factor),
+                       unless_proved(lower->standing),
+                       lower->value < found.most ? "; above, it is not known" : "");
+  }
+  if (!lower) {
+    return fmt::format("It can stick at {} {}{}{}; below, it is not known.", coefficient,
+                       rounded_up(upper->value), times(found.factor),
+                       unless_proved(upper->standing));
+  }
+  const auto shown = in_sentence(lower->value, upper->value);
+  return fmt::format("It cannot stick below {} {}{}{}; at {} it can{}.", coefficient, shown.lower,
+                     times(found.factor), unless_proved(lower->standing), shown.upper,
+                     unless_proved(upper->standing));
+}
+
+void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all) {
+  const auto& [lower, upper] = found.bracket;
+  const bool solved = ended == engine::Status::solved;
+  if (!upper && (!lower || lower->value < found.most)) {
+    all.push_back({fmt::format("Between {:.12g} and {:.12g} it was not decided whether it can "
+                               "stick.",
+                               lower ? lower->value : 0, found.most),
+                   true});
+  }
+  if (found.wide && upper) {
+    all.push_back(
+        {fmt::format("The bracket is {:.2g} wide, wider than asked for ({:g}): within it, "
+                     "it was not decided whether it can stick.",
+                     upper->value - (lower ? lower->value : 0), found.width),
+         true});
+  }
+  if (lower && !is_proved(lower)) {
+    all.push_back({fmt::format("That it cannot stick at {:.12g} is computed, not proved in exact "
+                               "arithmetic.",
+                               lower->value),
+                   true});
+  }
+  if (upper && !is_proved(upper)) {
+    const auto that = fmt::format(
+        "That it can stick at {:.12g} is computed, not proved in exact "
+        "arithmetic",
+        upper->value);
+    all.push_back({solved ? that + ": what sticks there is a tie, which holds within the rounding "
+                                   "of the file's numbers."
+                          : that + '.',
+                   !solved});
+  }
+  if (found.patterns_open) {
+    all.push_back({fmt::format("The patterns that stick at {:.12g} were not determined.",
+                               upper ? upper->value : found.most),
+                   true});
+  }
+}
+
+std::string bracket_line(const CriticalBracket& found) {
+  const auto& [lower, upper] = found.bracket;
+  const auto standing = [](const Bound& bound) {
+    return bound.standing == Standing::proved ? "proved" : "computed, not proved";
+  };
+  const auto name = fmt::format("critical {}{}", coefficient, times(found.factor));
+  if (lower && upper) {
+    const auto shown = in_table(lower->value, upper->value);
+    if (lower->standing == upper->standing) {
+      return fmt::format("{}: between {} and {} ({})\n", name, shown.lower, shown.upper,
+                         standing(*lower));
+    }
+    return fmt::format("{}: between {} ({}) and {} ({})\n", name, shown.lower, standing(*lower),
+                       shown.upper, standing(*upper));
+  }
+  if (lower) {
+    return fmt::format("{}: above {} ({})\n", name, rounded_down(lower->value, digits_of_table),
+                       standing(*lower));
+  }
+  if (upper) {
+    return fmt::format("{}: at most {} ({})\n", name, rounded_up(upper->value, digits_of_table),
+                       standing(*upper));
+  }
+  return fmt::format("{}: open\n", name);
+}
+
+std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
+  const auto most = fmt::format("{}{}", found.most, times(found.factor));
+  if (!found.infeasible)
+    return fmt::format("It is not known from which {} on it can stick.", coefficient);
+  const auto& [value, standing] = *found.infeasible;
+  if (is_none(found.count) && found.open_at_most == 0 && value >= found.most) {
+    return fmt::format("It cannot stick up to {} {}{}.", coefficient, most,
+                       unless_proved(standing));
+  }
+  return fmt::format(
+      "It cannot stick up to {} {}{}; at {} there {} {}{}{}.", coefficient,
+      rounded_down(value, digits_of_sweep), times(found.factor), found.most,
+      found.count == "1" ? "is" : "are", counted(found.count, "sign pattern"),
+      found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most),
+      unless_proved(standing));
+}
+
+void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
+  if (!found.infeasible) {
+    all.push_back(
+        {fmt::format("The patterns at {} were not all found, so no count is known.", found.most),
+         true});
+  }
+  if (found.open_patterns > 0) {
+    all.push_back({fmt::format("Of {} it could not be decided from which {} on {}.",
+                               counted(found.open_patterns, "pattern"), coefficient,
+                               found.open_patterns == 1 ? "it sticks" : "they stick"),
+                   true});
+  }
+  if (found.undecided_points > 0) {
+    all.push_back({fmt::format("At {} of the points the count is not decided: within a bracket in "
+                               "which a pattern begins, or above what is open. A smaller --width, "
+                               "or another point, decides the former.",
+                               found.undecided_points),
+                   true});
+  }
+}
+
+}  // namespace kusabi::run

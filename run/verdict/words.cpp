@@ -1,0 +1,72 @@
+// What all kinds of answer share: an early end, and what was not made.
+#include "run/verdict/words.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "run/output/values.hpp"
+#include "run/verdict/answer_words.hpp"
+
+namespace kusabi::run {
+namespace {
+
+template <class Answer>
+constexpr bool answers_nothing =
+    std::is_same_v<Answer, std::monostate> || std::is_same_v<Answer, Measurement>;
+
+std::string early_end(const Verdict& verdict) {
+  auto text = fmt::format("Stopped early ({})", status_name(verdict.ended));
+  if (std::holds_alternative<Sticking>(verdict.answer)) {
+    text += verdict.nodes_left == 0 ? ": the list is not complete"
+                                    : fmt::format(": {} left, the list is not complete",
+                                                  counted(verdict.nodes_left, "open node") +
+                                                      (verdict.nodes_left == 1 ? " is" : " are"));
+  } else if (std::holds_alternative<CertificateCheck>(verdict.answer)) {
+    text += ": nothing is proved as long as not all is";
+  } else if (verdict.nodes_left != 0) {
+    text += fmt::format(": {} left", counted(verdict.nodes_left, "open node") +
+                                         (verdict.nodes_left == 1 ? " is" : " are"));
+  }
+  return text + '.';
+}
+
+}  // namespace
+
+const char* unless_proved(Standing standing) {
+  return standing == Standing::proved ? "" : " (computed, not proved)";
+}
+
+std::string headline(const Verdict& verdict) {
+  return std::visit(
+      [&](const auto& found) -> std::string {
+        if constexpr (answers_nothing<std::remove_cvref_t<decltype(found)>>) {
+          return {};
+        } else {
+          return headline_of(found, verdict.ended);
+        }
+      },
+      verdict.answer);
+}
+
+std::vector<Reservation> reservations(const Verdict& verdict) {
+  std::vector<Reservation> all;
+  if (verdict.ended != engine::Status::solved)
+    all.push_back({.sentence = early_end(verdict), .open = true});
+  std::visit(
+      [&](const auto& found) {
+        using Found = std::remove_cvref_t<decltype(found)>;
+        if constexpr (requires { reserve(found, verdict.ended, all); }) {
+          reserve(found, verdict.ended, all);
+        } else if constexpr (!answers_nothing<Found>) {
+          reserve(found, all);
+        }
+      },
+      verdict.answer);
+  for (const auto& each : verdict.missing) all.push_back({.sentence = each, .open = true});
+  std::ranges::stable_partition(all, &Reservation::open);
+  return all;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,28 @@
+// The sentences of a verdict, the same on standard output, on standard error, in result files and
+// in reports. A bound that is computed and not proved is said to be so wherever it is named.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "run/verdict/verdict.hpp"
+
+namespace kusabi::run {
+
+/// The answer in a sentence: "It can stick: 27 ways at friction coefficient 0.65." Empty: there is
+/// no question.
+std::string headline(const Verdict& verdict);
+
+/// A limitation of the headline.
+struct Reservation {
+  std::string sentence;
+  bool open = false;  ///< the question is not answered in full
+};
+
+/// All that is open, then all that is only computed.
+std::vector<Reservation> reservations(const Verdict& verdict);
+
+/// A critical friction coefficient for a table: both bounds and their standing.
+std::string bracket_line(const CriticalBracket& found);
+
+}  // namespace kusabi::run

@@ -1,0 +1,218 @@
+// Which truss a statement is of; its upper bound on every rank, its nodes shared.
+#include "run/verify/limit_statements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include <boost/serialization/string.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "engine/campaign.hpp"
+#include "nodes/evidence/verified_structure.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "problems/structure/load_cases.hpp"
+#include "support/input_error.hpp"
+#include "verify/limit_agreement.hpp"
+#include "verify/limit_proof.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using verify::LimitClaim;
+using verify::LimitStatement;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// What became of the claim of one node.
+struct NodeVerdict {
+  double lower = -infinity;  // rounded down
+  std::string refusal;       // empty: proved
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& lower& refusal;
+  }
+};
+
+// A truss that a statement is proved of.
+struct AgreedTruss {
+  verify::LimitTruss truss;
+  std::string load_case;
+  std::uint64_t fingerprint = 0;
+  std::vector<std::string> names;  // of its uncertain loads; empty: they have none
+};
+
+// The load cases that a statement may be of.
+std::vector<std::string> cases_for(const LimitStatement& statement,
+                                   const problems::Structure& structure) {
+  auto names = problems::load_cases(structure);
+  if (names.empty()) names.emplace_back();
+  if (!statement.load_case.empty()) {
+    std::erase_if(
+        names, [&](const auto& name) { return verify::in_one_line(name) != statement.load_case; });
+  }
+  return names;
+}
+
+// The first load case that the statement speaks of; or why there is none.
+// @throws InputError if it is no truss
+std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
+                                                const problems::Structure& structure) {
+  std::vector<std::string> whys;
+  for (const auto& name : cases_for(statement, structure)) {
+    const auto of_case = name.empty() ? structure : problems::in_load_case(structure, name);
+    const auto fingerprint = problems::limit_problem(of_case).fingerprint;
+    auto truss = evidence::verified_structure(of_case);
+    if (statement.claim == LimitClaim::least) {
+      truss = verify::with_reversed_reference(std::move(truss));
+    }
+    auto found = verify::limit_agreement(statement.evidence, truss);
+    if (auto* const agreed = std::get_if<verify::LimitTruss>(&found))
+      return AgreedTruss{std::move(*agreed), name, fingerprint, std::move(truss.load_names)};
+    const auto& why = std::get<std::string>(found);
+    whys.push_back(name.empty() ? why : fmt::format("case {}: {}", support::in_quotes(name), why));
+  }
+  if (whys.empty()) {
+    return fmt::format("it has no load case {}", support::in_quotes(statement.load_case));
+  }
+  return fmt::format("{}", fmt::join(whys, "; "));
+}
+
+/// A statement with its proof.
+struct Checking {
+  const LimitStatement& statement;
+  verify::LimitProof proof;
+};
+
+// Its own truss, or that of the structure; nothing if they do not agree.
+std::optional<Checking> checking(const LimitStatement& statement,
+                                 const std::optional<problems::Structure>& structure,
+                                 const std::string& file, CheckedStatement& checked) {
+  auto truss = verify::recorded_truss(statement.evidence);
+  auto names = statement.evidence.names;
+  checked.load_case = statement.load_case;
+  if (structure) {
+    auto found = truss_of(statement, *structure);
+    if (const auto* why = std::get_if<std::string>(&found)) {
+      checked.refusals.push_back(file + ": " + *why);
+      return {};
+    }
+    auto& agreed = std::get<AgreedTruss>(found);
+    truss = std::move(agreed.truss);
+    names = std::move(agreed.names);
+    checked.load_case = std::move(agreed.load_case);
+    checked.fingerprint = agreed.fingerprint;
+  }
+  for (std::size_t j = 0; j < truss.half_widths.size(); ++j)
+    checked.half_widths.emplace_back(names.empty() ? "" : names[j], truss.half_widths[j]);
+  return Checking{statement, verify::LimitProof(statement.evidence, std::move(truss))};
+}
+
+// All but the nodes.
+void check_load(const Checking& at, CheckedStatement& checked) {
+  auto& refusals = checked.refusals;
+  if (at.statement.claim == LimitClaim::none) {
+    if (!at.proof.shows_no_factor()) {
+      refusals.emplace_back("the motion does not show that the load is carried at no factor");
+    }
+    return;
+  }
+  const auto upper = at.proof.upper();
+  if (const auto* why = std::get_if<std::string>(&upper)) {
+    refusals.push_back("the upper end: " + *why);
+  } else {
+    checked.upper = verify::rounded_up(std::get<mpq_class>(upper));
+    if (std::isinf(checked.upper))
+      refusals.emplace_back("the upper end: it is beyond any number in double precision");
+  }
+  if (const auto flaw = verify::flaw_of_sign_cover(at.statement.evidence))
+    refusals.push_back(*flaw);
+  checked.lower = infinity;
+}
+
+// Of a least factor the bounds are those of its opposite so far.
+void conclude(CheckedStatement& checked) {
+  checked.lower = std::min(checked.lower, checked.upper);
+  if (checked.claim != LimitClaim::least) return;
+  const double upper = checked.upper;
+  checked.upper = -checked.lower;
+  checked.lower = -upper;
+}
+
+/// A node of a statement.
+struct NodePlace {
+  std::size_t statement;
+  std::size_t node;
+};
+
+// Proves nodes on all ranks.
+engine::Status prove_nodes(CommandRun& run, const VerifyOptions& options,
+                           const std::vector<std::optional<Checking>>& proofs,
+                           std::span<const NodePlace> places, std::vector<CheckedStatement>& all) {
+  const auto node_of = [&](const NodePlace& place) -> const verify::LimitNode& {
+    return proofs[place.statement]->statement.evidence.nodes[place.node];
+  };
+  engine::SharedWork<NodeVerdict> work(places.size(), [&](std::uint64_t number) {
+    const auto& place = places[number];
+    const auto bound = proofs[place.statement]->proof.lower(node_of(place));
+    NodeVerdict found;
+    if (const auto* value = std::get_if<mpq_class>(&bound)) {
+      found.lower = verify::rounded_down(*value);
+    } else {
+      found.refusal = std::get<std::string>(bound);
+    }
+    return found;
+  });
+  // Stopped by signals only if it can be gone on with.
+  engine::Supervision kept;
+  if (!options.checkpoint.state.empty()) kept = run.supervision({});
+  engine::Campaign campaign(run.session().transport(), std::move(kept));
+  const auto outcome = campaign.search(work, {});
+  if (outcome.status != engine::Status::solved) return outcome.status;
+  const auto verdicts = engine::from_first_rank(run.session().transport(), [&] {
+    std::vector<NodeVerdict> found;
+    for (const auto& each : outcome.solutions) found.push_back(each.solution);
+    return found;
+  });
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    auto& checked = all[places[i].statement];
+    checked.lower = std::min(checked.lower, verdicts[i].lower);
+    if (verdicts[i].refusal.empty()) continue;
+    checked.refusals.push_back(
+        fmt::format("the node of line {}: {}", node_of(places[i]).line, verdicts[i].refusal));
+  }
+  return outcome.status;
+}
+
+}  // namespace
+
+CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options,
+                                   const std::optional<problems::Structure>& structure,
+                                   std::span<const LimitStatement> statements) {
+  CheckedStatements result;
+  auto& all = result.statements;
+  std::vector<std::optional<Checking>> proofs;
+  std::vector<NodePlace> places;
+  for (const auto& statement : statements) {
+    auto& checked = all.emplace_back();
+    checked.claim = statement.claim;
+    checked.cuts = statement.evidence.cuts.size();
+    checked.nodes = statement.evidence.nodes.size();
+    proofs.push_back(checking(statement, structure, options.problem, checked));
+    if (!proofs.back()) continue;
+    check_load(*proofs.back(), checked);
+    if (statement.claim == LimitClaim::none) continue;
+    for (std::size_t node = 0; node < checked.nodes; ++node)
+      places.push_back({all.size() - 1, node});
+  }
+  if (!places.empty()) result.status = prove_nodes(run, options, proofs, places, all);
+  for (auto& checked : all) {
+    if (checked.refusals.empty()) conclude(checked);
+  }
+  return result;
+}
+
+}  // namespace kusabi::run

@@ -1,0 +1,10 @@
+// The definition of where a pattern begins, beneath each table that has the coefficient.
+#pragma once
+
+namespace kusabi::run {
+
+inline constexpr const char* begins_explained =
+    "       (a pattern begins at the least coefficient at which some configuration loads exactly its "
+    "candidates in contact and opens exactly those separated)\n";
+
+}  // namespace kusabi::run

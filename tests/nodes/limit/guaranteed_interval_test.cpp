@@ -1,0 +1,83 @@
+// Brackets of both ends put together: what is proved of one is not claimed of the other.
+#include "nodes/limit/guaranteed_interval.hpp"
+
+#include <array>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace kusabi::limit {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+LimitWorstCase worst_case(double lower, double upper, bool lower_proved, bool upper_proved) {
+  LimitWorstCase worst;
+  worst.status = RootStatus::closed;
+  worst.ends = {lower, upper, lower_proved, upper_proved};
+  return worst;
+}
+
+// The factors of the reversed reference load are those of the other one with their signs turned.
+TEST(GuaranteedInterval, TurnsTheSignsOfTheReversedLoad) {
+  LimitAnswer answer;
+  answer.worst = worst_case(1.4, 1.5, true, false);
+  answer.reversed = worst_case(-0.6, -0.5, false, true);
+  const auto interval = guaranteed_interval(answer);
+  EXPECT_EQ(interval.least.lower, 0.5);
+  EXPECT_EQ(interval.least.upper, 0.6);
+  EXPECT_TRUE(interval.least.lower_proved);
+  EXPECT_FALSE(interval.least.upper_proved);
+  EXPECT_TRUE(interval.has_factors());
+  EXPECT_FALSE(interval.decided());  // from 0.6 on is not proved
+}
+
+TEST(GuaranteedInterval, IsEmptyOnlyByTheBoundsThatShowIt) {
+  LimitAnswer answer;
+  answer.worst = worst_case(0.4, 0.5, false, true);
+  answer.reversed = worst_case(-1.6, -1.5, false, true);
+  EXPECT_TRUE(guaranteed_interval(answer).is_empty());
+  EXPECT_TRUE(guaranteed_interval(answer).decided());
+  answer.worst->ends.upper_proved = false;
+  EXPECT_FALSE(guaranteed_interval(answer).decided());
+  answer.worst = worst_case(1.45, 1.55, true, true);
+  EXPECT_FALSE(guaranteed_interval(answer).is_empty());
+  EXPECT_FALSE(guaranteed_interval(answer).has_factors());
+  EXPECT_FALSE(guaranteed_interval(answer).decided());
+}
+
+// What a search that was stopped leaves: the least factors of the loads that are known.
+TEST(GuaranteedInterval, KnowsTheLoadsThatWereLookedAt) {
+  LimitAnswer answer;
+  answer.worst = worst_case(1, 2, true, true);
+  answer.nominal = LimitCollapse{3, -4, {}, {}};
+  answer.worst->collapse = LimitCollapse{2, 0.25, {}, {}};
+  const auto interval = guaranteed_interval(answer);
+  EXPECT_EQ(interval.least.lower, 0.25);
+  EXPECT_FALSE(interval.least.lower_proved);
+  EXPECT_EQ(interval.least.upper, infinity);
+  EXPECT_FALSE(interval.decided());
+}
+
+TEST(GuaranteedInterval, OfAllCasesIsTheirIntersection) {
+  const GuaranteedInterval first{{-1, -0.9, true, true}, {2, 2.1, true, true}};
+  const GuaranteedInterval second{{-0.95, -0.8, true, false}, {1.9, 2.2, true, true}};
+  const std::array both{first, second};
+  const auto all = intersection(both);
+  EXPECT_EQ(all.least.lower, -0.95);
+  EXPECT_TRUE(all.least.lower_proved);
+  EXPECT_EQ(all.least.upper, -0.8);
+  EXPECT_FALSE(all.least.upper_proved);
+  EXPECT_EQ(all.largest.lower, 1.9);
+  EXPECT_TRUE(all.largest.lower_proved);
+  EXPECT_EQ(all.largest.upper, 2.1);
+  EXPECT_TRUE(all.largest.upper_proved);
+  GuaranteedInterval none;
+  none.at_none = none.at_none_proved = true;
+  const std::array with_none{first, none};
+  EXPECT_TRUE(intersection(with_none).is_empty());
+  EXPECT_TRUE(intersection(with_none).decided());
+}
+
+}  // namespace
+}  // namespace kusabi::limit

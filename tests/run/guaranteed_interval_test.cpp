@@ -1,0 +1,265 @@
+// The load factors that `kusabi limit` says are carried under every admissible load, and their
+// certificates: trusses whose interval is known by hand or from another program.
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "shell.hpp"
+#include "support/sha1.hpp"
+#include "tests/nodes/limit/two_bars.hpp"
+
+namespace kusabi::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+std::string case_file(const std::string& name) {
+  return quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/" + name);
+}
+
+std::string example(const std::string& name) {
+  return quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
+}
+
+class GuaranteedInterval : public Command {
+ protected:
+  // The result of a call, which must exit with `exit_code`.
+  Json result_of(const std::string& call, int exit_code = 0) const {
+    const auto run = shell(command + " limit " + call + " --output " + argument("out.json"));
+    EXPECT_EQ(run.exit_code, exit_code) << run.output;
+    return Json::parse(content(in_folder("out.json")))["result"];
+  }
+  // A call with and without a certificate, which must be accepted. @return what verify says
+  std::string proved(const std::string& file, const std::string& call) const {
+    const auto without = shell(command + " limit " + file + call);
+    const auto with =
+        shell(command + " limit " + file + call + " --certificate " + argument("cert"));
+    EXPECT_EQ(with.exit_code, without.exit_code) << with.output;
+    EXPECT_THAT(with.output, HasSubstr("wrote "));
+    const auto of_file = shell(command + " verify " + argument("cert") + " --problem " + file);
+    const auto of_itself = shell(command + " verify " + argument("cert"));
+    EXPECT_EQ(of_file.exit_code, 0) << of_file.output;
+    EXPECT_EQ(of_itself.exit_code, 0) << of_itself.output;
+    return of_file.output;
+  }
+};
+
+// A certificate whose digest fits.
+std::string sealed(const std::string& text) {
+  const auto body = text.substr(0, text.rfind("digest "));
+  return body + "digest " + support::hexadecimal(support::sha1(body)) + "\n";
+}
+
+void expect_interval(const Json& interval, double lower, double upper, double near = 1e-6) {
+  EXPECT_EQ(interval["proved"], true) << interval;
+  for (const auto& [end, factor] : {std::pair("lower", lower), std::pair("upper", upper)}) {
+    const auto& bracket = interval[end];
+    EXPECT_EQ(bracket["lower_proved"], true);
+    EXPECT_EQ(bracket["upper_proved"], true);
+    EXPECT_NEAR(bracket["lower"].get<double>(), factor, near);
+    EXPECT_NEAR(bracket["upper"].get<double>(), factor, near);
+    EXPECT_LE(bracket["lower"], bracket["upper"]);
+  }
+  EXPECT_EQ(interval["empty"], lower > upper);
+}
+
+// By hand: the hanger takes -1 <= lambda - w <= 3, so [w - 1, w + 3] for an uplift of w.
+TEST_F(GuaranteedInterval, OfAHangerUnderUplift) {
+  const auto file = case_file("uplift.toml");
+  const auto json = result_of(file + " --alpha 1.5");
+  expect_interval(json["guaranteed_interval"], 0.5, 1.5);
+  EXPECT_EQ(json["guaranteed_interval"]["lower"]["critical_parameters"][0]["value"], 1.5);
+  EXPECT_NEAR(json["worst_case"]["upper"].get<double>(), 1.5, 1e-6);
+  expect_interval(result_of(file + " --alpha 2.5")["guaranteed_interval"], 1.5, 0.5);
+  expect_interval(result_of(file + " --alpha 0.5")["guaranteed_interval"], -0.5, 2.5);
+  const auto run = shell(command + " limit " + file + " --alpha 1.5");
+  EXPECT_THAT(run.output, Not(HasSubstr("at least 1.4999")));
+  EXPECT_THAT(proved(file, " --alpha 1.5"), HasSubstr("every load factor from "));
+  EXPECT_THAT(proved(file, " --alpha 2.5"),
+              HasSubstr("no load factor is carried under every admissible load"));
+}
+
+// Where both ends are 1 no digits tell whether the interval is empty.
+TEST_F(GuaranteedInterval, IsOpenWhereItIsOnePoint) {
+  const auto json = result_of(case_file("uplift.toml") + " --alpha 2", 3);
+  const auto& interval = json["guaranteed_interval"];
+  EXPECT_NEAR(interval["lower"]["upper"].get<double>(), 1, 1e-6);
+  EXPECT_NEAR(interval["upper"]["lower"].get<double>(), 1, 1e-6);
+  EXPECT_EQ(interval["proved"], false);
+}
+
+// By hand: with a wind of -1 the cable is slack below lambda = 1; 2 sqrt 2 - 1 in the other
+// direction.
+TEST_F(GuaranteedInterval, OfACableThatGoesSlack) {
+  const auto file = case_file("cable_stay.toml");
+  expect_interval(result_of(file + " --alpha 1")["guaranteed_interval"], 1, 2 * std::sqrt(2.0) - 1);
+  proved(file, " --alpha 1");
+}
+
+// Of all eight corners, by another program (HiGHS, by SciPy).
+TEST_F(GuaranteedInterval, OfABridge) {
+  const auto file = example("truss-bridge.toml");
+  for (const auto& [alpha, lower, upper] : {std::tuple("1", -2.6345770236779, 1.8827765994967),
+                                            {"2", -2.4145770236779, 1.48},
+                                            {"3", -2.1516106397987, 0.94},
+                                            {"4", -1.7741106397987, 0.4}}) {
+    expect_interval(result_of(file + " --alpha " + alpha)["guaranteed_interval"], lower, upper);
+  }
+  EXPECT_THAT(proved(file, " --alpha 1"),
+              AllOf(HasSubstr("PROVED: the least load factor for alpha = 1 is between 1.88277"),
+                    HasSubstr("every load factor from -2.63457")));
+}
+
+// Printed (29) with an M that is too small: 1.4317, where 1.11629 is true.
+TEST_F(GuaranteedInterval, IsNotClaimedOfTheProgramAsPrinted) {
+  const auto call = case_file("bigm_sentence.toml") + " --alpha 0.317 --cuts none --big-m 1e-6";
+  const auto run = shell(command + " limit " + call);
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.output, Not(HasSubstr("It carries at least 1.43")));
+  const auto json = result_of(call, 3);
+  EXPECT_EQ(json["guaranteed_interval"]["proved"], false);
+  EXPECT_EQ(json["guaranteed_interval"]["upper"]["lower_proved"], false);
+  EXPECT_NEAR(result_of(case_file("bigm_sentence.toml") + " --alpha 0.317")["worst_case"]["upper"]
+                  .get<double>(),
+              1.11629, 1e-5);
+}
+
+// By hand: wind w and snow s on two bars at right angles; the one that is known worse counts.
+TEST_F(GuaranteedInterval, SaysWhichGroupGoesHowFar) {
+  const auto file = case_file("groups.toml");
+  const auto wind = proved(file, " --group-alpha wind=5,snow=1");
+  EXPECT_THAT(wind, HasSubstr("\"snow\" within +- 1, \"wind\" within +- 5"));
+  EXPECT_THAT(wind, HasSubstr("between 8.042"));
+  const auto snow = proved(file, " --group-alpha wind=1,snow=5");
+  EXPECT_THAT(snow, HasSubstr("\"snow\" within +- 5, \"wind\" within +- 1"));
+  EXPECT_THAT(snow, HasSubstr("between 7.642"));
+}
+
+TEST_F(GuaranteedInterval, OfGroupsInSweepsAndExports) {
+  const auto file = case_file("groups.toml");
+  const auto swept = shell(command + " sweep " + file +
+                           " --alpha 0,1 --group-alpha wind=5 --output " + argument("out.json"));
+  EXPECT_EQ(swept.exit_code, 0) << swept.output;
+  const auto points = Json::parse(content(in_folder("out.json")))["result"]["points"];
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_NEAR(points[0]["upper"].get<double>(), 10 * std::sqrt(2.0) - 5, 1e-6);
+  EXPECT_NEAR(points[1]["upper"].get<double>(), 8.042135624, 1e-6);
+  EXPECT_EQ(points[1]["guaranteed_interval"]["proved"], true);
+  const auto exported = shell(command + " export mps " + file +
+                              " --group-alpha wind=5,snow=1 --output " + argument("p.mps"));
+  EXPECT_EQ(exported.exit_code, 0) << exported.output;
+  const auto solved = shell(command + " mip " + argument("p.mps"));
+  EXPECT_THAT(solved.output, HasSubstr("8.0421356"));
+  for (const char* call : {" sweep ", " export mps "}) {
+    const auto wrong = shell(command + call + file + " --alpha 1 --group-alpha widn=5" +
+                             (std::string(call) == " sweep " ? "" : " --output x.mps"));
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_THAT(wrong.output, HasSubstr("did you mean \"wind\"?"));
+  }
+}
+
+// HiGHS, by SciPy, on both corners; a derived M is nobody's to blame.
+TEST_F(GuaranteedInterval, DisjunctiveCutsFindAPointOfADerivedM) {
+  const auto json = result_of(case_file("disjunctive_no_point.toml") +
+                              " --group-alpha g0=19.4 --cuts disjunctive");
+  EXPECT_NEAR(json["worst_case"]["upper"].get<double>(), 1.515444077, 1e-8);
+  EXPECT_EQ(json["worst_case"]["proved"], true);
+  EXPECT_NEAR(json["zero_one"]["upper"].get<double>(), 1.515444077, 1e-6);
+}
+
+TEST_F(GuaranteedInterval, OfNoUncertaintyIsThatOfTheNominalLoad) {
+  const auto file = case_file("lambda_zero_not_carried.toml");
+  const auto json = result_of(file + " --alpha 0");
+  expect_interval(json["guaranteed_interval"], 3 - std::sqrt(2.0), 3 + std::sqrt(2.0));
+  EXPECT_THAT(proved(file, ""), HasSubstr("for alpha = 0 is between 4.41421"));
+  expect_interval(result_of(case_file("groups.toml") +
+                            " --alpha 0 --group-alpha wind=5")["guaranteed_interval"],
+                  -(10 * std::sqrt(2.0) - 5), 10 * std::sqrt(2.0) - 5);
+}
+
+// Two bars under loads of two cases. By hand: [-2 + 0.5, 3 - 0.5] where the tip is pulled, and
+// [-2 - 2 + 0.25, 3 - 2 - 0.25] where it is pushed.
+class CasesOfLoads : public GuaranteedInterval {
+ protected:
+  void write(const std::string& push) const {
+    std::ofstream(in_folder("cases.toml")) << limit::two_bars(R"([[loads]]
+kind = "dead"
+case = "pull"
+nodes = ["tip"]
+force = [[-0.5, 0.5], -1]
+[[loads]]
+kind = "dead"
+case = "push"
+nodes = ["tip"]
+force = )" + push + R"(
+[[uncertainty]]
+case = "push"
+nodes = ["tip"]
+axes = ["x"]
+alpha = 0.25
+)");
+  }
+  [[nodiscard]] std::string file() const { return argument("cases.toml"); }
+};
+
+TEST_F(CasesOfLoads, AreProvedTogether) {
+  write("[2, 0]");
+  const auto json = result_of(file());
+  const auto& all = json["guaranteed_interval_of_all_cases"];
+  EXPECT_EQ(all["proved"], true);
+  EXPECT_NEAR(all["upper"]["upper"].get<double>(), 0.75, 1e-8);
+  EXPECT_NEAR(all["lower"]["lower"].get<double>(), -1.5, 1e-8);
+  expect_interval(json["cases"][1]["guaranteed_interval"], -3.75, 0.75);
+  const auto said = proved(file(), "");
+  EXPECT_THAT(said, AllOf(HasSubstr("load case \"pull\""), HasSubstr("load case \"push\""),
+                          HasSubstr("in these 2 load cases is between 0.7499")));
+  const auto one = proved(file(), " --case pull");
+  EXPECT_THAT(one, HasSubstr("nothing is said of the load case \"push\""));
+}
+
+TEST_F(CasesOfLoads, AreProvedWhereOneIsCarriedAtNoFactor) {
+  write("[0, 9]");
+  EXPECT_THAT(proved(file(), ""), HasSubstr("carried at no load factor"));
+}
+
+// A load that is carried at no factor: the nominal one, and one of those that may be.
+TEST_F(GuaranteedInterval, IsEmptyWhereALoadIsCarriedAtNoFactor) {
+  const auto gap = example("static-gap.toml");
+  const auto json = result_of(gap + " --alpha 3");
+  EXPECT_EQ(json["guaranteed_interval"]["empty"], true);
+  EXPECT_EQ(json["guaranteed_interval"]["proved"], true);
+  EXPECT_THAT(proved(gap, " --alpha 3"), HasSubstr("carried at no load factor"));
+  std::ofstream(in_folder("heavy.toml"))
+      << limit::two_bars("[[loads]]\nkind = \"dead\"\nnodes = [\"tip\"]\nforce = [0, 90]\n");
+  EXPECT_THAT(proved(argument("heavy.toml"), ""), HasSubstr("carried at no load factor"));
+  EXPECT_THAT(proved(argument("heavy.toml"), " --alpha 1"), HasSubstr("carried at no load factor"));
+}
+
+// Every number of a certificate replaced by others, one at a time: nothing false may be proved.
+TEST_F(GuaranteedInterval, OfAForgedCertificateIsRefused) {
+  const auto file = case_file("uplift.toml");
+  proved(file, " --alpha 1.5");
+  const auto text = content(in_folder("cert"));
+  const auto forged = [&](const std::string& what, const std::string& with) {
+    auto changed = text;
+    const auto at = changed.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    changed.replace(at, what.size(), with);
+    std::ofstream(in_folder("forged")) << sealed(changed);
+    return shell(command + " verify " + argument("forged") + " --problem " + file);
+  };
+  EXPECT_EQ(forged("claim least", "claim largest").exit_code, 2);
+  EXPECT_EQ(forged("claim largest", "claim least").exit_code, 2);
+  EXPECT_EQ(forged("claim largest", "claim none").exit_code, 2);
+  EXPECT_EQ(forged("alpha 0x1.8p+0", "alpha 0x1.8p-1").exit_code, 1);
+  EXPECT_EQ(forged("\ncase\n", "\ncase a\n").exit_code, 1);
+}
+
+}  // namespace
+}  // namespace kusabi::test

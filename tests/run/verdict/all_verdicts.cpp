@@ -1,0 +1,174 @@
+// Products of the values of each member.
+#include "all_verdicts.hpp"
+
+#include <initializer_list>
+#include <optional>
+#include <utility>
+
+namespace kusabi::run::testing {
+namespace {
+
+using Standings = std::initializer_list<std::optional<Standing>>;
+constexpr Standings standings{std::nullopt, Standing::computed, Standing::proved};
+
+std::optional<Bound> bound(double value, std::optional<Standing> standing) {
+  if (!standing) return std::nullopt;
+  return Bound{value, *standing};
+}
+
+std::vector<Bracket> brackets(double lower, double upper) {
+  std::vector<Bracket> all;
+  for (const auto& below : standings) {
+    for (const auto& above : standings) all.push_back({bound(lower, below), bound(upper, above)});
+  }
+  return all;
+}
+
+void add_sticking(std::vector<AnyAnswer>& all) {
+  for (const char* const count : {"0", "1", "27", "18446744073709551616"}) {
+    for (const std::uint64_t undecided : {0U, 1U, 6U}) {
+      for (const auto standing : {Standing::computed, Standing::proved}) {
+        for (const bool ambiguous : {false, true}) {
+          all.push_back(Sticking{.thing = "way",
+                                 .friction = 0.65,
+                                 .factor = ambiguous,
+                                 .count = count,
+                                 .undecided = undecided,
+                                 .standing = standing,
+                                 .ambiguous = ambiguous});
+        }
+      }
+    }
+  }
+}
+
+void add_critical(std::vector<AnyAnswer>& all) {
+  for (const double lower : {0.47027123, 1000.0}) {
+    for (const auto& bracket : brackets(lower, 0.47027124)) {
+      if (lower > 1 && bracket.upper) continue;  // it would lie below the lower bound
+      for (const bool wide : {false, true}) {
+        for (const bool open : {false, true}) {
+          if ((wide || open) && !bracket.upper) continue;
+          all.push_back(CriticalBracket{.bracket = bracket,
+                                        .factor = open,
+                                        .most = 1000,
+                                        .width = 1e-8,
+                                        .wide = wide || (bracket.upper && !bracket.lower),
+                                        .patterns_open = open});
+        }
+      }
+    }
+  }
+}
+
+void add_steps(std::vector<AnyAnswer>& all) {
+  for (const auto& standing : standings) {
+    for (const char* const count : {"0", "1", "340282366920938463463374607431768211456"}) {
+      for (const std::uint64_t open : {0U, 1U, 3U}) {
+        all.push_back(FrictionSteps{.most = 2,
+                                    .factor = false,
+                                    .infeasible = bound(count[0] == '0' ? 2 : 0.5, standing),
+                                    .count = count,
+                                    .open_at_most = open,
+                                    .open_patterns = open,
+                                    .undecided_points = open});
+      }
+    }
+  }
+}
+
+void add_loads(std::vector<AnyAnswer>& all) {
+  const std::initializer_list<std::optional<LoadRange>> ranges{
+      std::nullopt, LoadRange{0.45, "kN"}, LoadRange{0.5, std::nullopt}, LoadRange{}};
+  for (const auto& loads : ranges) {
+    for (const bool condition : {false, true}) {
+      for (const auto& most : brackets(1.1162, 1.1163)) {
+        for (const auto& least : brackets(-0.7, -0.6)) {
+          all.push_back(LoadInterval{loads, least, most, std::nullopt, condition, condition});
+        }
+        for (const auto& least : brackets(2.1, 2.2))  // above the other end: empty
+          all.push_back(LoadInterval{loads, least, most, std::nullopt, condition, false});
+      }
+      for (const auto standing : {Standing::computed, Standing::proved})
+        all.push_back(LoadInterval{loads, {}, {}, standing, condition, false});
+    }
+  }
+  for (const auto& nominal : standings) {
+    for (const auto& worst : brackets(1.1, 1.2)) {
+      for (const bool open : {false, true}) {
+        LoadSteps steps{.nominal = bound(1.85, nominal),
+                        .half_width = 2,
+                        .worst = worst,
+                        .points = 3,
+                        .points_asked = open ? 5U : 3U,
+                        .open = open || !worst.lower || !worst.upper};
+        all.push_back(steps);
+        steps.worst = {};
+        steps.worst_at_none = nominal;
+        steps.open = !nominal;
+        all.push_back(steps);
+      }
+    }
+  }
+}
+
+void add_programs(std::vector<AnyAnswer>& all) {
+  using enum MixedOptimum::State;
+  for (const auto state : {optimal, feasible, infeasible, unbounded, unknown}) {
+    for (const auto& standing : standings) {
+      for (const std::uint64_t unproved : {0U, 1U, 4U}) {
+        const bool point = state == optimal || state == feasible;
+        all.push_back(MixedOptimum{.state = state,
+                                   .maximise = unproved == 1,
+                                   .objective = point ? std::optional(-28.0) : std::nullopt,
+                                   .bound = bound(-31, standing),
+                                   .gap = point ? 0.1 : 0,
+                                   .unproved = unproved});
+      }
+    }
+  }
+}
+
+void add_certificates(std::vector<AnyAnswer>& all) {
+  for (const std::uint64_t refusals : {0U, 2U}) {
+    for (const std::uint64_t undecided : {0U, 1U, 6U}) {
+      for (const std::uint64_t nodes : {0U, 9U})
+        all.push_back(CertificateCheck{
+            refusals,
+            CertificateCheck::List{.patterns = 0, .nodes = nodes, .undecided = undecided}});
+    }
+    all.push_back(CertificateCheck{refusals, CertificateCheck::Factor{{}, 1, 1.1}});
+  }
+  for (const bool agrees : {false, true}) all.push_back(Measurement{agrees});
+}
+
+}  // namespace
+
+std::vector<Verdict> all_verdicts() {
+  std::vector<AnyAnswer> answers{std::monostate()};
+  add_sticking(answers);
+  add_critical(answers);
+  add_steps(answers);
+  add_loads(answers);
+  add_programs(answers);
+  add_certificates(answers);
+  std::vector<Verdict> all;
+  using enum engine::Status;
+  for (const auto& answer : answers) {
+    for (const auto ended :
+         {solved, time_limit, node_limit, solution_limit, gap_limit, interrupted}) {
+      for (const bool more : {false, true}) {
+        Verdict verdict{.ended = ended, .nodes_left = ended == solved ? 0U : 3U, .answer = answer};
+        if (more) {
+          verdict.details = {"The first way is number 1."};
+          verdict.missing = {"No certificate was written."};
+          verdict.warnings = {"a.toml:3:1: a load is not part of the question"};
+        }
+        all.push_back(std::move(verdict));
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace kusabi::run::testing

@@ -1,0 +1,56 @@
+// Decimal bounds are bounds, and tell lower from upper.
+#include "run/verdict/shown_bracket.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace kusabi::run {
+namespace {
+
+TEST(ShownBracket, HasOneDecimalPlaceOnBothSidesOfAPowerOfTen) {
+  const auto shown = in_sentence(0.999999999, 1.000000001);
+  EXPECT_EQ(shown.lower, "0.99999");
+  EXPECT_EQ(shown.upper, "1.00001");
+}
+
+TEST(ShownBracket, RoundsOutwards) {
+  const auto shown = in_sentence(0.470271234, 0.470271244);
+  EXPECT_EQ(shown.lower, "0.47027");
+  EXPECT_EQ(shown.upper, "0.47028");
+  const auto negative = in_sentence(-1.23456789, -1.23456788);
+  EXPECT_EQ(negative.lower, "-1.2346");
+  EXPECT_EQ(negative.upper, "-1.2345");
+}
+
+TEST(ShownBracket, OfATableIsAtMostTwiceAsWide) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> exponent(-6, 4);
+  for (int i = 0; i < 2000; ++i) {
+    const double lower = std::pow(10, exponent(random));
+    const double upper = lower * (1 + std::pow(10, exponent(random) - 8));
+    if (!(lower < upper)) continue;
+    const auto shown = in_table(lower, upper);
+    EXPECT_LE(std::stod(shown.lower), lower);
+    EXPECT_GE(std::stod(shown.upper), upper);
+    EXPECT_LT(std::stod(shown.lower), std::stod(shown.upper));
+    EXPECT_LE(std::stod(shown.upper) - std::stod(shown.lower), 2.01 * (upper - lower)) << lower;
+  }
+}
+
+TEST(ShownBracket, OfEqualBoundsIsEqual) {
+  const auto shown = in_table(1.5, 1.5);
+  EXPECT_EQ(std::stod(shown.lower), 1.5);
+  EXPECT_EQ(std::stod(shown.upper), 1.5);
+}
+
+TEST(ShownBracket, KeepsZero) {
+  EXPECT_EQ(in_sentence(0, 1e-8).lower, "0");
+  EXPECT_EQ(rounded_down(0), "0");
+  EXPECT_EQ(rounded_down(0.5), "0.5");
+  EXPECT_EQ(rounded_up(120), "120");
+}
+
+}  // namespace
+}  // namespace kusabi::run

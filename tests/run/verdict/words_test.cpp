@@ -1,0 +1,178 @@
+// Properties that the sentences of every verdict have, and some of them in full.
+#include "run/verdict/words.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "all_verdicts.hpp"
+#include "run/results/result_verdict.hpp"
+#include "run/verdict/conclusion_text.hpp"
+#include "run/verdict/ending.hpp"
+#include "run/verdict/verdict_json.hpp"
+
+namespace kusabi::run {
+namespace {
+
+using testing::all_verdicts;
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string all_words(const Verdict& verdict) {
+  auto text = headline(verdict);
+  for (const auto& each : reservations(verdict)) text += '\n' + each.sentence;
+  return text;
+}
+
+bool is_computed(const std::optional<Bound>& bound) {
+  return bound && bound->standing == Standing::computed;
+}
+
+/// Whether a bound that the headline speaks of is not proved.
+bool names_what_is_not_proved(const Verdict& verdict) {
+  if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer))
+    return is_computed(found->bracket.lower) || is_computed(found->bracket.upper);
+  if (const auto* const found = std::get_if<FrictionSteps>(&verdict.answer))
+    return is_computed(found->infeasible);
+  if (const auto* const found = std::get_if<LoadInterval>(&verdict.answer)) {
+    if (found->carried_at_none) return found->carried_at_none == Standing::computed;
+    const bool empty = found->uncertain && found->least.lower && found->most.upper &&
+                       found->least.lower->value > found->most.upper->value;
+    return empty ? is_computed(found->least.lower) || is_computed(found->most.upper)
+                 : is_computed(found->most.lower);
+  }
+  if (const auto* const found = std::get_if<LoadSteps>(&verdict.answer)) {
+    return found->nominal_at_none == Standing::computed || is_computed(found->nominal);
+  }
+  if (const auto* const found = std::get_if<MixedOptimum>(&verdict.answer)) {
+    using enum MixedOptimum::State;
+    return found->state != infeasible && found->state != unbounded && is_computed(found->bound);
+  }
+  return false;
+}
+
+TEST(Verdicts, SayOfEveryBoundThatIsNotProvedThatItIsNot) {
+  for (const auto& verdict : all_verdicts()) {
+    if (names_what_is_not_proved(verdict)) {
+      EXPECT_TRUE(has(headline(verdict), "computed, not proved")) << all_words(verdict);
+    }
+  }
+}
+
+TEST(Verdicts, ClaimThatItCannotStickOnlyOfWholeSearchesOrWithALowerBound) {
+  for (const auto& verdict : all_verdicts()) {
+    const auto sentence = headline(verdict);
+    if (!has(sentence, "annot stick")) continue;
+    if (const auto* const list = std::get_if<Sticking>(&verdict.answer)) {
+      EXPECT_EQ(verdict.ended, engine::Status::solved) << sentence;
+      EXPECT_EQ(list->undecided, 0U) << sentence;
+      EXPECT_EQ(list->count, "0") << sentence;
+    } else if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer)) {
+      EXPECT_TRUE(found->bracket.lower.has_value()) << sentence;
+    } else if (const auto* const steps = std::get_if<FrictionSteps>(&verdict.answer)) {
+      EXPECT_TRUE(steps->infeasible.has_value()) << sentence;
+    }
+  }
+}
+
+TEST(Verdicts, EndWithAnExitCodeThatTheirReservationsExplain) {
+  for (const auto& verdict : all_verdicts()) {
+    const auto said = reservations(verdict);
+    const bool open = std::ranges::any_of(said, &Reservation::open);
+    const auto code = exit_code(verdict);
+    if (code != failed) {
+      EXPECT_EQ(code, open ? stopped_early : solved) << all_words(verdict);
+    }
+    if (verdict.ended != engine::Status::solved) {
+      EXPECT_TRUE(open) << all_words(verdict);
+    }
+    EXPECT_EQ(is_answered(verdict), !open) << all_words(verdict);
+    for (const auto& each : said) EXPECT_TRUE(each.sentence.ends_with('.')) << each.sentence;
+  }
+}
+
+TEST(Verdicts, HaveAStatusThatAgreesWithTheExitCode) {
+  for (const auto& verdict : all_verdicts()) {
+    const auto status = status_text(verdict);
+    if (exit_code(verdict) == solved) {
+      EXPECT_TRUE(status == "solved" || status == "not-carried") << status;
+    }
+    if (verdict.ended != engine::Status::solved) {
+      EXPECT_NE(status, "solved");
+    }
+  }
+}
+
+TEST(Verdicts, CountInTheSingularAndInThePlural) {
+  for (const auto& verdict : all_verdicts()) {
+    const auto words = all_words(verdict);
+    for (const char* const wrong : {" are 1 ", " 1 ways", " 1 sign patterns", " 1 patterns",
+                                    " 1 nodes", " 1 open nodes", " 1 marginal nodes"})
+      EXPECT_FALSE(has(words, wrong)) << words;
+  }
+}
+
+TEST(Verdicts, SayTheSameWhenTheyAreReadBack) {
+  for (const auto& verdict : all_verdicts()) {
+    const auto json = verdict_json(verdict);
+    if (json["answer"].is_null()) continue;
+    const ResultReader reader(
+        ResultJson::parse(
+            nlohmann::ordered_json{{"verdict", json}, {"warnings", verdict.warnings}}.dump()),
+        "result.json");
+    const auto again = result_verdict(reader);
+    EXPECT_EQ(all_words(again), all_words(verdict));
+    EXPECT_EQ(again.details, verdict.details);
+    EXPECT_EQ(again.warnings, verdict.warnings);
+    EXPECT_EQ(exit_code(again), exit_code(verdict));
+    EXPECT_EQ(status_text(again), status_text(verdict));
+    EXPECT_EQ(json["sentence"], headline(again));
+    EXPECT_EQ(json["exit_code"], static_cast<int>(exit_code(again)));
+  }
+}
+
+TEST(Verdicts, EndTablesWithAllTheySay) {
+  for (const auto& verdict : all_verdicts()) {
+    const auto text = conclusion_text(verdict, {});
+    EXPECT_TRUE(has(text, headline(verdict)));
+    for (const auto& each : reservations(verdict)) EXPECT_TRUE(has(text, each.sentence));
+    for (const auto& each : verdict.warnings) EXPECT_TRUE(has(text, "Warning: " + each));
+  }
+}
+
+Verdict critical(Bracket bracket, engine::Status ended = engine::Status::solved) {
+  return {.ended = ended,
+          .answer = CriticalBracket{.bracket = bracket, .most = 1000, .width = 1e-8}};
+}
+
+TEST(CriticalWords, QualifyEachEndByItself) {
+  const Bound lower{0.5, Standing::proved}, upper{0.6, Standing::computed};
+  EXPECT_EQ(headline(critical({lower, upper}, engine::Status::time_limit)),
+            "It cannot stick below friction coefficient 0.5; at 0.6 it can (computed, not "
+            "proved).");
+  EXPECT_EQ(headline(critical({std::nullopt, upper})),
+            "It can stick at friction coefficient 0.6 (computed, not proved); below, it is not "
+            "known.");
+  EXPECT_EQ(headline(critical({lower, std::nullopt})),
+            "It cannot stick up to friction coefficient 0.5; above, it is not known.");
+}
+
+TEST(StickingWords, CountBeyondEveryInteger) {
+  EXPECT_EQ(headline({.answer = Sticking{.friction = 2, .count = "18446744073709551616"}}),
+            "It can stick: 18446744073709551616 ways at friction coefficient 2.");
+}
+
+TEST(LoadWords, ReportAnEmptyInterval) {
+  const LoadInterval empty{.uncertain = LoadRange{2.5, "kN"},
+                           .least = {Bound{1.5, Standing::proved}, Bound{1.5, Standing::proved}},
+                           .most = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}}};
+  EXPECT_EQ(headline({.answer = empty}),
+            "No load factor is carried whatever the dead load is within ± 2.5 kN.");
+  EXPECT_EQ(exit_code({.answer = empty}), solved);
+}
+
+}  // namespace
+}  // namespace kusabi::run
