@@ -1,8 +1,9 @@
-// The time limit and the signals of a question that takes several searches, one after another with
-// work between them.
+// The limits of time and nodes and the signals of a question that takes several searches, one after
+// another with work between them.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 
 #include "engine/options.hpp"
@@ -17,16 +18,23 @@ class Budget {
   ///   checkpoint is wanted it may tell once; that an end is, as often as it is asked.
   explicit Budget(const Limits& limits, std::function<Interrupt()> interrupt = {});
 
-  /// For the next search: with the seconds that are left.
+  /// For the next search: with the seconds and the nodes that are left.
   [[nodiscard]] Limits left() const;
 
-  /// Whether the time is up, or an end has been asked for: of this rank alone.
+  /// Counts nodes that were opened, on all ranks together; every rank counts the same.
+  void count(std::uint64_t nodes) { nodes_ += nodes; }
+
+  /// Whether the time is up, the nodes are opened, or an end has been asked for: of this rank
+  /// alone.
   [[nodiscard]] bool spent() const;
 
   /// `spent`, for work that knows nothing of clocks and signals. This must outlive it.
   [[nodiscard]] std::function<bool()> stop() const {
     return [this] { return spent(); };
   }
+
+  /// Since the clock was started.
+  [[nodiscard]] double seconds() const;
 
   /// Why, after `spent`.
   [[nodiscard]] Status why() const;
@@ -36,11 +44,11 @@ class Budget {
   [[nodiscard]] std::function<Interrupt()> interrupt() const;
 
  private:
-  [[nodiscard]] double seconds() const;
   [[nodiscard]] bool end_asked() const;
 
   Limits limits_;
   std::function<Interrupt()> interrupt_;
+  std::uint64_t nodes_ = 0;                // opened so far
   mutable bool checkpoint_asked_ = false;  // and no search has been told
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

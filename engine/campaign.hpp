@@ -2,6 +2,7 @@
 // is shown meanwhile. Without a word the question runs to its end, in silence.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -26,8 +27,8 @@ namespace kusabi::engine {
 
 /// What a caller wants of a question, and wants to see of it.
 struct Supervision {
-  /// Over all that the question takes. The time counts from its beginning; the rest is for each
-  /// search by itself.
+  /// Over all that the question takes. The time counts from its beginning, the nodes over all
+  /// searches, and over all runs of a question that is kept; the rest is for each search by itself.
   Limits limits = {};
 
   /// As Options::interrupt, but asked outside of searches, too: see Budget.
@@ -75,17 +76,24 @@ class Campaign {
   [[nodiscard]] bool is_first() const { return transport_.rank() == 0; }
   [[nodiscard]] const Budget& budget() const { return budget_; }
 
+  /// Nodes that were opened beside its searches, say by rank 0; every rank counts the same.
+  void count_nodes(std::uint64_t nodes) { budget_.count(nodes); }
+
   /// Whether what is finished is kept.
   [[nodiscard]] bool is_kept() const { return recording_.has_value(); }
 
   /// engine::search within what is left of the budget, watched. A part of the question.
-  /// @param options is completed by limits, interrupt and progress; if the question is kept, by
-  ///   where its checkpoint is as well
+  /// @param options is completed by interrupt and progress, and its limits by what is left; if the
+  ///   question is kept, by where its checkpoint is as well
   template <class P>
   OutcomeOf<P> search(P& problem, Options options, const ShownObjective& shown = {}) {
     if (!recording_) return search_anew(problem, std::move(options), shown);
     const auto kind = kind_of_search(typeid(P).name());
-    if (const auto known = recording_->known(kind, budget_.spent(), false)) return told<P>(*known);
+    if (const auto known = recording_->known(kind, budget_.spent(), false)) {
+      auto outcome = told<P>(*known);
+      count<P>(outcome);
+      return outcome;
+    }
     const bool sound = recording_->sound(budget_.spent());
     if (sound) options.checkpoint = recording_->checkpoint();
     auto outcome = search_anew(problem, std::move(options), shown);
@@ -97,12 +105,10 @@ class Campaign {
   /// The same, but no part of the question: every run does it again.
   template <class P>
   OutcomeOf<P> search_anew(P& problem, Options options, const ShownObjective& shown = {}) {
-    options.limits = budget_.left();
-    options.interrupt = budget_.interrupt();
-    if (!options.warn) options.warn = supervision_.warn;
-    if (is_first() && supervision_.watch)
-      options.progress = supervision_.watch(options.goal, shown);
-    return engine::search(problem, transport_, options);
+    complete(options, shown);
+    auto outcome = engine::search(problem, transport_, options);
+    count<P>(outcome);
+    return outcome;
   }
 
   /// engine::share_work, as a part of the question.
@@ -116,6 +122,22 @@ class Campaign {
   template <class Make>
   std::invoke_result_t<Make> by_first_rank(Make make) {
     return part<std::invoke_result_t<Make>>([&] { return from_first_rank(transport_, make); });
+  }
+
+  /// Since it began.
+  [[nodiscard]] double seconds() const { return budget_.seconds(); }
+
+  /// Whether the budget of rank 0 is spent, on all ranks alike.
+  bool ended() {
+    return from_first_rank(transport_, [this] { return budget_.spent(); });
+  }
+
+  /// engine::search on this rank alone, within what is left of the budget, watched: for
+  /// by_first_rank. Its nodes are counted by whoever calls that.
+  template <class P>
+  OutcomeOf<P> search_alone(P& problem, Options options) {
+    complete(options, {});
+    return engine::search(problem, options);
   }
 
   void say(const std::string& line) {
@@ -143,6 +165,25 @@ class Campaign {
     if (recording_->sound(budget_.spent()))
       recording_->keep(kind, is_first() ? pack(value) : Bytes());
     return value;
+  }
+
+  void complete(Options& options, const ShownObjective& shown) {
+    const auto left = budget_.left();
+    options.limits = {.seconds = std::min(left.seconds, options.limits.seconds),
+                      .nodes = std::min(left.nodes, options.limits.nodes),
+                      .solutions = std::min(left.solutions, options.limits.solutions),
+                      .gap = std::max(left.gap, options.limits.gap)};
+    options.interrupt = budget_.interrupt();
+    if (!options.warn) options.warn = supervision_.warn;
+    if (is_first() && supervision_.watch)
+      options.progress = supervision_.watch(options.goal, shown);
+  }
+
+  // What rank 0 knows of all ranks.
+  template <class P>
+  void count(const OutcomeOf<P>& outcome) {
+    if (supervision_.limits.nodes != Limits{}.nodes)
+      budget_.count(from_first_rank(transport_, [&] { return outcome.opened(); }));
   }
 
   // The outcome of a search that was done before: whole on rank 0, as it is after any.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include <boost/serialization/vector.hpp>
@@ -46,7 +47,7 @@ class Expansion {
 
   /// @param open where children go @param report what solutions go to @param serve see `poll`
   Expansion(Frontier<Node, WorkOf<P>>& open, const Incumbent& incumbent,
-            std::function<void(Solution&&)> report, std::function<void()> serve)
+            std::function<void(Solution&&)> report, std::function<bool()> serve)
       : open_(open), incumbent_(incumbent), report_(std::move(report)), serve_(std::move(serve)) {}
 
   /// Adds a subproblem. The first one added is searched first.
@@ -67,7 +68,16 @@ class Expansion {
 
   /// Lets the rank answer its messages. An `expand` that takes longer than about a millisecond
   /// should call it now and then, so that other ranks need not wait for work.
-  void poll() { serve_(); }
+  /// @return whether the search ends before its tree is done: an `expand` that takes seconds may
+  ///   then put its node back
+  bool poll() { return serve_(); }
+
+  /// Leaves the node unopened, for a run that goes on: it is not counted, and its children are
+  /// taken back. @pre poll() has returned true, and no solution was reported
+  void put_back(Node node) { put_back_ = std::move(node); }
+
+  /// The node that was put back, if it was. For the engine.
+  [[nodiscard]] std::optional<Node> take_put_back() { return std::exchange(put_back_, {}); }
 
   /// The path of the node being expanded.
   [[nodiscard]] Path path() const { return open_.path(); }
@@ -76,7 +86,8 @@ class Expansion {
   Frontier<Node, WorkOf<P>>& open_;
   const Incumbent& incumbent_;
   std::function<void(Solution&&)> report_;
-  std::function<void()> serve_;
+  std::function<bool()> serve_;
+  std::optional<Node> put_back_;
 };
 
 }  // namespace kusabi::engine

@@ -84,6 +84,13 @@ class Frontier {
     branches_ = 0;
   }
 
+  /// Ends the expansion of the node opened last as if it had not begun: it waits again.
+  void put_back(Node&& node) {
+    take_back();
+    nodes_.emplace_back(std::move(node), depth_, trail_[depth_].branch);
+    first_child_ = nodes_.size();
+  }
+
   /// Ends the expansion of the node opened last: its first child comes to the top of the stack.
   /// @return the share of the whole tree that this closes: the node's own, if it has no children
   double close() {

@@ -71,8 +71,8 @@ class Rank {
   /// A bounded amount of work. @throws what opening nodes throws
   Pace step();
 
-  /// To be called from inside a long expansion.
-  void poll();
+  /// To be called from inside a long expansion. @return whether the search ends early
+  bool poll();
 
   /// A moment before which this rank, as long as it has nodes to open and nothing reaches it, sends
   /// nothing and joins no survey.

@@ -94,6 +94,10 @@ std::string sentence(const problems::WedgedProblem& problem,
 
 const char* phase_name(wedged::CriticalPhase phase) {
   switch (phase) {
+    case wedged::CriticalPhase::start:
+      return "start";
+    case wedged::CriticalPhase::list:
+      return "list";
     case wedged::CriticalPhase::trial:
       return "trial";
     case wedged::CriticalPhase::dive:
@@ -153,6 +157,7 @@ ordered_json statistics_json(const wedged::CriticalFindings& findings) {
 }  // namespace
 
 std::vector<std::string> open_sentences(const CriticalOptions& options,
+                                        const problems::WedgedProblem& problem,
                                         const wedged::CriticalFindings& findings) {
   std::vector<std::string> sentences;
   for (const auto doubt : findings.open) {
@@ -166,11 +171,15 @@ std::vector<std::string> open_sentences(const CriticalOptions& options,
         sentences.push_back(fmt::format(
             "the bracket is {:.2g} wide, wider than asked for ({:g}): in between, what can wedge "
             "could not be told from what just cannot",
-            *findings.upper - findings.lower, options.question.width));
+            *findings.upper - findings.lower, wedged::grid_of(problem, options.question).width));
         break;
       case wedged::CriticalDoubt::lower_not_proved:
         sentences.push_back(fmt::format(
             "that nothing wedges at {:.12g} is not proved in exact arithmetic", findings.lower));
+        break;
+      case wedged::CriticalDoubt::list_not_complete:
+        sentences.emplace_back(
+            "the list of the patterns that stick at the upper bound is not complete");
         break;
     }
   }
@@ -211,7 +220,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
         "What wedges at the upper end is a tie: it holds within the rounding of the file's numbers "
         "and is not proved in exact arithmetic.\n");
   }
-  for (const auto& doubt : open_sentences(options, findings))
+  for (const auto& doubt : open_sentences(options, problem, findings))
     text += page.doubtful(fmt::format("Open: {}.\n", doubt));
   if (!looks_for_smallest(options.question.way) && findings.upper) {
     fmt::format_to(out, "(of the {} patterns that live at {})\n", findings.patterns.size(),
@@ -227,8 +236,9 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
   for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry, whole));
   ordered_json chosen = {{"method", way_name(options.question.way)},
                          {"cuts", name_of(options.question.tightening)},
-                         {"width", options.question.width}};
+                         {"width", wedged::grid_of(problem, options.question).width}};
   chosen["mu_max"] = number_or_null(options.question.most);
+  chosen["list"] = options.question.list;
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(whole.structure(), problem, options.file)},
@@ -241,7 +251,7 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
               {"lower_proved", findings.lower_proved},
               {"upper_proved", findings.upper_proved}}},
             {"pattern", patterns.empty() ? ordered_json() : patterns.front()},
-            {"open", open_sentences(options, findings)},
+            {"open", open_sentences(options, problem, findings)},
             {"patterns", std::move(patterns)}}},
           {"statistics", statistics_json(findings)}};
 }

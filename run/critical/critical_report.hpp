@@ -17,6 +17,7 @@ namespace kusabi::run {
 
 /// What the findings leave open, a sentence each.
 std::vector<std::string> open_sentences(const CriticalOptions& options,
+                                        const problems::WedgedProblem& problem,
                                         const wedged::CriticalFindings& findings);
 
 /// The result as text.

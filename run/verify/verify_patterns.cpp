@@ -125,9 +125,14 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
     fmt::format_to(std::back_inserter(text), "marginal: {} not proved\n", proved.open());
 }
 
-void write_verdict(std::string& text, bool refused, const Verification::Tally& proved) {
+void write_verdict(std::string& text, bool refused, bool one_pattern,
+                   const Verification::Tally& proved) {
   if (refused) {
     fmt::format_to(std::back_inserter(text), "NOT PROVED\n");
+  } else if (one_pattern) {
+    fmt::format_to(std::back_inserter(text),
+                   "PROVED: it can stick, by {}; nothing is said of other patterns\n",
+                   counted(proved.alive, "pattern"));
   } else if (proved.open() > 0 && proved.dead + proved.alive + proved.unloaded == 0) {
     fmt::format_to(std::back_inserter(text),
                    "NOTHING PROVED: all nodes are marginal, and nothing is claimed of these\n");
@@ -144,7 +149,7 @@ void write_verdict(std::string& text, bool refused, const Verification::Tally& p
 VerifyFindings refusal_of_all(const VerifyOptions& options, const std::string& why) {
   VerifyFindings findings{.code = failed};
   findings.refusals = fmt::format("{}: refused: {}\n", options.certificate, why);
-  write_verdict(findings.verdict, true, {});
+  write_verdict(findings.verdict, true, false, {});
   return findings;
 }
 
@@ -196,10 +201,16 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
     return {.code = stopped_early, .status = outcome.status};
   }
 
-  const auto flaw = verify::flaw_of_cover(certificate);
-  const bool refused = flaw.has_value() || !outcome.solutions.empty() || !bounds_refused.empty();
   const auto proved = outcome.tally();
-  VerifyFindings findings{.code = refused ? failed : proved.open() > 0 ? stopped_early : solved};
+  const bool one_pattern = certificate.one_pattern;
+  const auto flaw = !one_pattern ? verify::flaw_of_cover(certificate)
+                    : proved.alive > 0
+                        ? std::optional<std::string>()
+                        : std::optional<std::string>("the pattern that it is about is not there");
+  const bool refused = flaw.has_value() || !outcome.solutions.empty() || !bounds_refused.empty();
+  VerifyFindings findings{.code = refused                             ? failed
+                                  : proved.open() > 0 && !one_pattern ? stopped_early
+                                                                      : solved};
   if (!run.session().speaks()) return findings;  // what was refused is known to rank 0 alone
   for (const auto& refusal : bounds_refused) findings.refusals += refusal;
   for (const auto& found : outcome.solutions) {
@@ -207,9 +218,9 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   }
   if (flaw) findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, *flaw);
   write_subject(findings.summary, options, certificate, structure, agreement);
-  write_summary(findings.summary, certificate, proof, !flaw,
+  write_summary(findings.summary, certificate, proof, !flaw && !one_pattern,
                 certificate.bounds.size() - bounds_refused.size(), proved);
-  write_verdict(findings.verdict, refused, proved);
+  write_verdict(findings.verdict, refused, one_pattern, proved);
   return findings;
 }
 

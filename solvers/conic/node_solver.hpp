@@ -7,6 +7,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,6 +15,7 @@
 #include "solvers/conic/answer.hpp"
 #include "solvers/conic/interior_point.hpp"
 #include "solvers/conic/node_program.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::conic {
 
@@ -40,6 +42,10 @@ class NodeSolver {
 
   /// From now on there is room for so many cuts; at first there is none.
   void make_room(int most_cuts);
+
+  /// From now on solve() throws support::Stopped soon after an end is asked for. Only programs with
+  /// many rows ask, once an iteration.
+  void end_when(support::Stop stop) { stop_ = std::move(stop); }
 
   /// From the next solve() on, mu is this. See NodeProgram.
   void set_friction(std::span<const double> friction) { program_.set_friction(friction); }
@@ -93,6 +99,7 @@ class NodeSolver {
   Eigen::VectorXd reaction_, displacement_, motion_, multipliers_, trial_;
   typename Bounds<D, double>::MotionCost motion_cost_;
   std::vector<FaceDistances> face_distances_;
+  support::Stop stop_;
   Eigen::VectorXd best_;   // of the multipliers so far, padded
   double best_value_ = 0;  // of t*, as it was computed
   bool proved_ = true;     // whether it is in the answer

@@ -605,6 +605,7 @@ Answer PlainSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& sepa
       prove_upper(answer);
       if (is_settled(answer, stop, tolerances_) || iteration == most_iterations) break;
       ++answer.iterations;
+      support::leave_if(stop_);
       if (!factorise()) {
         prove_contradiction(answer);
         break;
@@ -688,6 +689,7 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(const In
       prove_upper(answer);
       if (iteration == most_iterations) break;
       ++answer.iterations;
+      support::leave_if(stop_);
       if (!factorise()) break;
       prove_lower(answer, Keep::latest);
       // The bracket of the iteration itself, without what rounding adds to the bounds.

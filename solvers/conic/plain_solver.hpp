@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -16,6 +17,7 @@
 #include "solvers/conic/bounds.hpp"
 #include "solvers/conic/cone.hpp"
 #include "support/numbers/precise.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::conic {
 
@@ -43,6 +45,9 @@ class PlainSolver {
   /// @param motions of a loose body
   PlainSolver(Matrix compliance, std::span<const double> friction, Tolerances tolerances,
               double error, Motions<Real> motions = {});
+
+  /// From now on whatever solves throws support::Stopped soon after an end is asked for.
+  void end_when(support::Stop stop) { stop_ = std::move(stop); }
 
   /// From the next solve() on, mu is this.
   void set_friction(std::span<const double> friction) {
@@ -131,6 +136,8 @@ class PlainSolver {
   Tolerances tolerances_;
   Bounds<D, Real> bounds_;
   Vector reaction_, motion_, multipliers_;
+
+  support::Stop stop_;
 
   // The node.
   support::IndexSet contact_;
