@@ -17,6 +17,7 @@ double Budget::seconds() const {
 Limits Budget::left() const {
   Limits limits = limits_;
   limits.seconds = std::max(0.0, limits.seconds - seconds());
+  if (limits.nodes != Limits{}.nodes) limits.nodes -= std::min(limits.nodes, nodes_);
   return limits;
 }
 
@@ -28,11 +29,12 @@ bool Budget::end_asked() const {
 }
 
 bool Budget::spent() const {
-  return end_asked() || seconds() >= limits_.seconds;
+  return end_asked() || seconds() >= limits_.seconds || nodes_ >= limits_.nodes;
 }
 
 Status Budget::why() const {
-  return end_asked() ? Status::interrupted : Status::time_limit;
+  if (end_asked()) return Status::interrupted;
+  return nodes_ >= limits_.nodes ? Status::node_limit : Status::time_limit;
 }
 
 std::function<Interrupt()> Budget::interrupt() const {

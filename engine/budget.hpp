@@ -1,7 +1,9 @@
-// Budget: time limit and stop requests of an analysis that runs several searches in sequence.
+// Budget: limits of time and nodes and stop requests of an analysis that runs several searches in
+// sequence, with work between them.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 
 #include "engine/options.hpp"
@@ -17,16 +19,23 @@ class Budget {
   ///   may report a checkpoint request once; it must report a stop request on every call.
   explicit Budget(const Limits& limits, std::function<Interrupt()> interrupt = {});
 
-  /// Limits of the next search: the time limit is reduced to the seconds that remain.
+  /// Limits of the next search: the seconds and the nodes that remain.
   [[nodiscard]] Limits left() const;
 
-  /// True if the time is up or a stop was requested. The value is local to this rank.
+  /// Counts opened nodes of all ranks together. @pre every rank counts the same
+  void count(std::uint64_t nodes) { nodes_ += nodes; }
+
+  /// True if the time is up, the nodes are used up or a stop was requested. The value is local to
+  /// this rank.
   [[nodiscard]] bool spent() const;
 
   /// `spent` as a function, for long computations without a clock. This object must outlive it.
   [[nodiscard]] std::function<bool()> stop() const {
     return [this] { return spent(); };
   }
+
+  /// Seconds since the clock was started.
+  [[nodiscard]] double seconds() const;
 
   /// Reason for stopping. @pre spent()
   [[nodiscard]] Status why() const;
@@ -36,11 +45,11 @@ class Budget {
   [[nodiscard]] std::function<Interrupt()> interrupt() const;
 
  private:
-  [[nodiscard]] double seconds() const;
   [[nodiscard]] bool end_asked() const;
 
   Limits limits_;
   std::function<Interrupt()> interrupt_;
+  std::uint64_t nodes_ = 0;                // opened so far
   mutable bool checkpoint_asked_ = false;  // requested, and not yet passed to a search
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

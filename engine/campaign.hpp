@@ -2,6 +2,7 @@
 // and journal. By default it has no limits and no output.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -26,8 +27,8 @@ namespace kusabi::engine {
 
 /// Limits, output and journal of an analysis.
 struct Supervision {
-  /// The time limit counts from the beginning of the analysis; all other limits apply to each
-  /// search.
+  /// Limits of the whole analysis: the time counts from its beginning, the nodes over all searches
+  /// and all resumed runs; the other limits apply to each search.
   Limits limits = {};
 
   /// As Options::interrupt. It is also called between searches; see Budget.
@@ -74,18 +75,24 @@ class Campaign {
   [[nodiscard]] bool is_first() const { return transport_.rank() == 0; }
   [[nodiscard]] const Budget& budget() const { return budget_; }
 
+  /// Counts nodes that rank 0 or all ranks opened outside searches. @pre every rank counts the same
+  void count_nodes(std::uint64_t nodes) { budget_.count(nodes); }
+
   /// True if finished parts are written to a journal.
   [[nodiscard]] bool is_kept() const { return recording_.has_value(); }
 
   /// A part of the analysis: engine::search within the remaining budget, with progress output.
-  /// @param options the campaign sets limits, interrupt and progress and, with a journal, the
-  ///   checkpoint
+  /// @param options the campaign adds interrupt and progress, tightens the limits to what remains
+  ///   and, with a journal, sets the checkpoint
   template <class P>
   OutcomeOf<P> search(P& problem, Options options, const ShownObjective& shown = {}) {
     if (!recording_) return search_anew(problem, std::move(options), shown);
     const auto kind = kind_of_search(typeid(P).name());
-    if (const auto known = recording_->known(kind, budget_.spent(), false))
-      return recorded_outcome<P>(*known);
+    if (const auto known = recording_->known(kind, budget_.spent(), false)) {
+      auto outcome = recorded_outcome<P>(*known);
+      count<P>(outcome);
+      return outcome;
+    }
     const bool sound = recording_->sound(budget_.spent());
     if (sound) options.checkpoint = recording_->checkpoint();
     auto outcome = search_anew(problem, std::move(options), shown);
@@ -97,12 +104,10 @@ class Campaign {
   /// As `search`, but not a part of the analysis: every run repeats it.
   template <class P>
   OutcomeOf<P> search_anew(P& problem, Options options, const ShownObjective& shown = {}) {
-    options.limits = budget_.left();
-    options.interrupt = budget_.interrupt();
-    if (!options.warn) options.warn = supervision_.warn;
-    if (is_first() && supervision_.watch)
-      options.progress = supervision_.watch(options.goal, shown);
-    return engine::search(problem, transport_, options);
+    complete(options, shown);
+    auto outcome = engine::search(problem, transport_, options);
+    count<P>(outcome);
+    return outcome;
   }
 
   /// A part of the analysis: engine::share_work.
@@ -116,6 +121,22 @@ class Campaign {
   template <class Make>
   std::invoke_result_t<Make> by_first_rank(Make make) {
     return part<std::invoke_result_t<Make>>([&] { return from_first_rank(transport_, make); });
+  }
+
+  /// Since it began.
+  [[nodiscard]] double seconds() const { return budget_.seconds(); }
+
+  /// Whether the budget of rank 0 is spent, on all ranks alike.
+  bool ended() {
+    return from_first_rank(transport_, [this] { return budget_.spent(); });
+  }
+
+  /// engine::search on this rank alone, within what is left of the budget, watched: for
+  /// by_first_rank. Its nodes are counted by whoever calls that.
+  template <class P>
+  OutcomeOf<P> search_alone(P& problem, Options options) {
+    complete(options, {});
+    return engine::search(problem, options);
   }
 
   void say(const std::string& line) {
@@ -144,6 +165,25 @@ class Campaign {
     if (recording_->sound(budget_.spent()))
       recording_->keep(kind, is_first() ? pack(value) : Bytes());
     return value;
+  }
+
+  void complete(Options& options, const ShownObjective& shown) {
+    const auto left = budget_.left();
+    options.limits = {.seconds = std::min(left.seconds, options.limits.seconds),
+                      .nodes = std::min(left.nodes, options.limits.nodes),
+                      .solutions = std::min(left.solutions, options.limits.solutions),
+                      .gap = std::max(left.gap, options.limits.gap)};
+    options.interrupt = budget_.interrupt();
+    if (!options.warn) options.warn = supervision_.warn;
+    if (is_first() && supervision_.watch)
+      options.progress = supervision_.watch(options.goal, shown);
+  }
+
+  // Adds the opened nodes of all ranks, which rank 0 knows, to the budget.
+  template <class P>
+  void count(const OutcomeOf<P>& outcome) {
+    if (supervision_.limits.nodes != Limits{}.nodes)
+      budget_.count(from_first_rank(transport_, [&] { return outcome.opened(); }));
   }
 
   // Outcome of a search that an earlier run finished: complete on rank 0, as after any search.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include <boost/serialization/vector.hpp>
@@ -46,7 +47,7 @@ class Expansion {
 
   /// @param open receives children @param report receives solutions @param serve see `poll`
   Expansion(Frontier<Node, WorkOf<P>>& open, const Incumbent& incumbent,
-            std::function<void(Solution&&)> report, std::function<void()> serve)
+            std::function<void(Solution&&)> report, std::function<bool()> serve)
       : open_(open), incumbent_(incumbent), report_(std::move(report)), serve_(std::move(serve)) {}
 
   /// Adds a child. The first child added is searched first.
@@ -68,7 +69,16 @@ class Expansion {
 
   /// Answers messages. An `expand` that takes longer than about a millisecond should call it now
   /// and then, so that other ranks do not wait for work.
-  void poll() { serve_(); }
+  /// @return true if the search ends before its tree is complete: an `expand` that takes seconds may
+  ///   then put its node back
+  bool poll() { return serve_(); }
+
+  /// Leaves the node open for a run that resumes: it is not counted, and its children are removed.
+  /// @pre poll() has returned true, and no solution was reported
+  void put_back(Node node) { put_back_ = std::move(node); }
+
+  /// The node that was put back, if any; called by the engine.
+  [[nodiscard]] std::optional<Node> take_put_back() { return std::exchange(put_back_, {}); }
 
   /// Path of the node being expanded.
   [[nodiscard]] Path path() const { return open_.path(); }
@@ -77,7 +87,8 @@ class Expansion {
   Frontier<Node, WorkOf<P>>& open_;
   const Incumbent& incumbent_;
   std::function<void(Solution&&)> report_;
-  std::function<void()> serve_;
+  std::function<bool()> serve_;
+  std::optional<Node> put_back_;
 };
 
 }  // namespace kusabi::engine

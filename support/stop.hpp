@@ -2,6 +2,7 @@
 // result of a completed computation must not depend on the calls.
 #pragma once
 
+#include <exception>
 #include <functional>
 
 namespace kusabi::support {
@@ -13,5 +14,29 @@ using Stop = std::function<bool()>;
 inline bool asked(const Stop& stop) {
   return stop && stop();
 }
+
+/// Leaves work that is of no use unless it is whole.
+class Stopped : public std::exception {
+ public:
+  [[nodiscard]] const char* what() const noexcept override { return "stopped before its end"; }
+};
+
+/// @throws Stopped if an end is asked for
+inline void leave_if(const Stop& stop) {
+  if (asked(stop)) throw Stopped();
+}
+
+/// Work that takes long in steps: whoever waits for it sees how far it is, and can end it.
+struct LongWork {
+  Stop stop = {};
+  /// Told the name of the work and the share of it that is done, 0 to 1; empty: nobody.
+  std::function<void(const char* work, double share)> tell = {};
+
+  /// @throws Stopped if an end is asked for
+  void reached(const char* work, double share) const {
+    leave_if(stop);
+    if (tell) tell(work, share);
+  }
+};
 
 }  // namespace kusabi::support

@@ -73,6 +73,9 @@ struct Certificate {
   std::vector<double> stiffness;          ///< K, dm x dm, row by row, symmetric
   std::size_t motions = 0;                ///< p, of bodies that nothing holds
   std::vector<double> motion_values;      ///< G, dm x p, row by row; each column of one block
+  /// Whether it shows that there is a pattern, and says nothing of others: its nodes then need not
+  /// cover all sign patterns.
+  bool one_pattern = false;
   std::vector<Bound> bounds;              ///< in the order in which they are to be proved
   std::vector<Record> records;            ///< in the order of the file, repeated ones left out
 

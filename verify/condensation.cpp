@@ -47,8 +47,8 @@ long half_exponent(const Dyadic& value) {
 
 class Condensation {
  public:
-  Condensation(const Structure& structure, double springs)
-      : structure_(structure), springs_(springs), freedom_(structure) {}
+  Condensation(const Structure& structure, double springs, const support::LongWork& work)
+      : structure_(structure), springs_(springs), work_(work), freedom_(structure) {}
 
   std::variant<EnclosedMatrix, std::string> result();
 
@@ -69,6 +69,7 @@ class Condensation {
 
   const Structure& structure_;
   double springs_;
+  const support::LongWork& work_;
   Freedom freedom_;
   std::vector<std::vector<std::size_t>> seen_;  // displacements of each candidate, d each
   CornerNumbers corners_;                       // of those in corners, in their frames already
@@ -216,7 +217,9 @@ std::optional<std::string> Condensation::factorise() {
       guess[profile_.at(row, entry.column)] = Dyadic(entry.value, stiffness_grid).nearest();
     }
   }
+  support::leave_if(work_.stop);
   const auto least = least_eigenvalue(profile_, entries);
+  support::leave_if(work_.stop);
   factor_ = Cholesky::of(profile_, guess);
   if (!least || !factor_) return too_ill;
   least_ = *least;
@@ -234,7 +237,11 @@ void Condensation::follow() {
                    static_cast<mp_bitcnt_t>(-displacement_grid));
     }
   }
-  for (std::size_t column = 0; column < parts_.contact; ++column) refine(column);
+  for (std::size_t column = 0; column < parts_.contact; ++column) {
+    work_.reached("enclosing K for the proof, columns",
+                  static_cast<double>(column) / static_cast<double>(parts_.contact));
+    refine(column);
+  }
 }
 
 void Condensation::refine(std::size_t column) {
@@ -300,6 +307,8 @@ void Condensation::complement() {
       complement_[c * i + entry.column] = entry.value;
   }
   for (std::size_t i = 0; i < c; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(c);
+    work_.reached("enclosing K for the proof, products", part * part);
     for (std::size_t j = 0; j <= i; ++j) {
       auto* const sum = sums[c * i + j].get_mpz_t();
       for (std::size_t row = 0; row < parts_.rest; ++row) {
@@ -358,6 +367,7 @@ EnclosedMatrix Condensation::turned() {
   std::vector<Dyadic> half(d);
   long largest = stiffness_grid;
   for (std::size_t i = 0; i < c; ++i) {
+    support::leave_if(work_.stop);
     for (std::size_t j = 0; j <= i; ++j) {
       const auto& left = frames[i / d];
       const auto& right = frames[j / d];
@@ -397,8 +407,9 @@ std::variant<EnclosedMatrix, std::string> Condensation::result() {
 }  // namespace
 
 std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure,
-                                                              double springs) {
-  return Condensation(structure, springs).result();
+                                                              double springs,
+                                                              const support::LongWork& work) {
+  return Condensation(structure, springs, work).result();
 }
 
 }  // namespace kusabi::verify

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "support/stop.hpp"
 #include "verify/exact.hpp"
 #include "verify/structure.hpp"
 
@@ -17,7 +18,9 @@ namespace kusabi::verify {
 /// so).
 /// @param springs added to K along every displacement of a candidate, but for those held
 /// @pre no candidate is held along its normal
+/// @throws support::Stopped if an end is asked for
 std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure,
-                                                              double springs = 0);
+                                                              double springs = 0,
+                                                              const support::LongWork& work = {});
 
 }  // namespace kusabi::verify

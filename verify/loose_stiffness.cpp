@@ -38,7 +38,8 @@ double typical_stiffness(const Structure& structure) {
   return largest > 0 && std::isfinite(largest) ? std::exp2(std::round(std::log2(largest))) : 1;
 }
 
-std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure) {
+std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure,
+                                                            const support::LongWork& work) {
   auto loose = loose_motions(structure);
   const bool all_held = loose.seen.count == 0 && loose.unseen.empty();
   auto sprung = structure;
@@ -49,7 +50,7 @@ std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& str
       sprung.springs.push_back(spring);
     }
   }
-  auto found = condensed_stiffness(sprung, all_held ? 0 : stiffness);
+  auto found = condensed_stiffness(sprung, all_held ? 0 : stiffness, work);
   if (auto* why = std::get_if<std::string>(&found)) return std::move(*why);
   auto& enclosed = std::get<EnclosedMatrix>(found);
   if (!all_held) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "support/stop.hpp"
 #include "verify/contact_motions.hpp"
 #include "verify/exact.hpp"
 #include "verify/structure.hpp"
@@ -18,7 +19,8 @@ struct EnclosedProblem {
 
 /// `condensed_stiffness`, with springs at the candidates that are taken away again, exactly, and
 /// with springs for what no candidate sees, which carry no force.
-std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure);
+std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure,
+                                                            const support::LongWork& work = {});
 
 /// A power of two about as large as the stiffest bar or element.
 double typical_stiffness(const Structure& structure);

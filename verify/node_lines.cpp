@@ -92,6 +92,10 @@ void read_records(Lines& lines, Version version, Certificate& certificate) {
   lines.expect("nodes");
   for (std::size_t count = 0;; ++count) {
     lines.next();
+    if (count == 0 && lines.text() == "one pattern") {
+      certificate.one_pattern = true;
+      lines.next();
+    }
     const auto keyword = lines.word();
     if (keyword == "end") {
       const auto expected = "'end " + std::to_string(count) + "', the number of nodes above";

@@ -62,7 +62,7 @@ class Explorer {
 
   /// @param serve called by a long expansion that polls
   /// @throws std::invalid_argument if the options require functions that the problem lacks
-  Explorer(P& problem, const Options& options, std::function<void()> serve)
+  Explorer(P& problem, const Options& options, std::function<bool()> serve)
       : problem_(problem),
         goal_(options.goal),
         order_(options.order),
@@ -111,7 +111,7 @@ class Explorer {
   void open_nodes(unsigned count) {
     for (; count > 0; --count) {
       if (frontier_.empty() && !next_nodes()) return;
-      open_node();
+      if (!open_node()) return;
       if (order_ != Order::depth_first) rank_nodes();
     }
   }
@@ -283,7 +283,8 @@ class Explorer {
     keep(frontier_.take_all());
   }
 
-  void open_node() {
+  // @return whether it was opened, or pruned: not put back
+  bool open_node() {
     Node node = frontier_.open();
     if (incumbent_.exists && incumbent_.rules_out(bound_of(node), frontier_.place())) {
       ++statistics_.pruned;
@@ -295,8 +296,15 @@ class Explorer {
       } else {
         expand(std::move(node));
       }
+      if (auto unopened = expansion_.take_put_back()) [[unlikely]] {
+        --statistics_.opened;
+        statistics_.fingerprint -= frontier_.mark();
+        frontier_.put_back(*std::move(unopened));
+        return false;
+      }
     }
     closed_ += frontier_.close();
+    return true;
   }
 
   // A pseudo-random share of the nodes, the same for any number of ranks.

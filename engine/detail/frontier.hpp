@@ -82,6 +82,13 @@ class Frontier {
     branches_ = 0;
   }
 
+  /// Ends the expansion of the node opened last as if it had not begun: the node is open again.
+  void put_back(Node&& node) {
+    take_back();
+    nodes_.emplace_back(std::move(node), depth_, trail_[depth_].branch);
+    first_child_ = nodes_.size();
+  }
+
   /// Ends the expansion of the node opened last: its first child moves to the top of the stack.
   /// @return the closed share of the tree: the share of the node if it has no children, otherwise 0
   double close() {

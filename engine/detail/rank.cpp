@@ -112,12 +112,13 @@ void Rank::adapt_stride(double elapsed) {
   if (elapsed > too_long) stride_ = std::max(stride_ / 2, 1U);
 }
 
-void Rank::poll() {
-  if (local_.checking()) return;
+bool Rank::poll() {
+  if (local_.checking()) return false;
   now_ = transport_.now();
   if (local_.just_improved()) broadcast_incumbent(nobody);
   serve();
   if (phase_ == Phase::searching) attend_reduction();
+  return status_ != Status::solved;
 }
 
 void Rank::start_closing() {

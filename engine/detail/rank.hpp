@@ -72,8 +72,8 @@ class Rank {
   /// Does a bounded amount of work. @throws exceptions of `expand`
   Pace step();
 
-  /// Answers messages; called by a long expansion.
-  void poll();
+  /// Answers messages; called by a long expansion. @return true if the search ends early
+  bool poll();
 
   /// Lower bound of the time at which this rank next sends a message or joins a reduction, as long
   /// as it has open nodes and receives nothing.

@@ -26,7 +26,7 @@ namespace kusabi::engine {
 template <Problem P>
 class LocalExplorer final : public LocalSearch {
  public:
-  LocalExplorer(P& problem, const Options& options, std::function<void()> serve)
+  LocalExplorer(P& problem, const Options& options, std::function<bool()> serve)
       : problem_(problem), explorer_(problem, options, std::move(serve)) {}
 
   void plant() override { explorer_.plant(); }
@@ -167,7 +167,8 @@ class Worker {
  public:
   /// The problem, the transport and the options must outlive the worker. @throws as Rank::Rank
   Worker(P& problem, Transport& transport, const Options& options)
-      : local_(problem, options, [this] { rank_.poll(); }), rank_(local_, transport, options) {}
+      : local_(problem, options, [this] { return rank_.poll(); }),
+        rank_(local_, transport, options) {}
 
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;

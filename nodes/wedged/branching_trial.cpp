@@ -11,6 +11,8 @@
 #include <random>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "engine/together.hpp"
 
 namespace kusabi::wedged {
@@ -61,17 +63,22 @@ Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number,
   std::mt19937_64 random(number);
   Dive result{.size = 1, .opened = 1};
   double ways = 1;
-  auto fate = tree.decide({.block = block, .pattern = {}});
-  while (!fate.children.empty() && !budget.spent()) {
-    std::vector<SignPatternTree::Fate> branched;
-    for (const auto& child : fate.children) {
-      ++result.opened;
-      result.size += ways;
-      if (auto own = tree.decide(child); !own.children.empty()) branched.push_back(std::move(own));
+  try {
+    auto fate = tree.decide({.block = block, .pattern = {}});
+    while (!fate.children.empty() && !budget.spent()) {
+      std::vector<SignPatternTree::Fate> branched;
+      for (const auto& child : fate.children) {
+        ++result.opened;
+        result.size += ways;
+        if (auto own = tree.decide(child); !own.children.empty())
+          branched.push_back(std::move(own));
+      }
+      if (branched.empty()) break;
+      ways *= static_cast<double>(branched.size());
+      fate = std::move(branched[random() % branched.size()]);
     }
-    if (branched.empty()) break;
-    ways *= static_cast<double>(branched.size());
-    fate = std::move(branched[random() % branched.size()]);
+  } catch (const support::Stopped&) {
+    return result;
   }
   return result;
 }
@@ -88,6 +95,7 @@ class Trial {
       own.branching = rule;
       own.probes = 0;
       trees_.emplace_back(problem, friction, own);
+      trees_.back().end_when(campaign.budget().stop());
     }
   }
 
@@ -141,8 +149,17 @@ class Trial {
       }
       const auto node = open.back();
       open.pop_back();
-      const auto fate = trees_.front().decide(node);
+      SignPatternTree::Fate fate;
+      try {
+        fate = trees_.front().decide(node);
+      } catch (const support::Stopped&) {
+        result.much = true;
+        return result;
+      }
       ++result.opened;
+      campaign_.say_now_and_then([&] {
+        return fmt::format("sampling the tree to choose how it is split: {} nodes", result.opened);
+      });
       if (fate.leaf) ++found;
       open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
     }

@@ -247,6 +247,7 @@ RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedPr
   for (const int i : candidates) own_friction.push_back(friction[static_cast<std::size_t>(i)]);
   CandidateBounding bounding(problems::block_problem(problem, candidates), own_friction,
                              tolerances);
+  bounding.end_when(campaign.budget().stop());
   RootBounds result;
   bool spent = false;
   for (int sweep = 0; sweep < most_sweeps && !spent; ++sweep) {
@@ -257,9 +258,13 @@ RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedPr
       auto found = campaign.share<std::vector<ProvedBound>>(pieces, [&](std::uint64_t piece) {
         std::vector<ProvedBound> own;
         const int candidate = first + static_cast<int>(piece / 2);
-        if (auto one =
-                bounding.improved(candidate, piece % 2 == 0 ? Side::separated : Side::contact))
-          own.push_back(std::move(*one));
+        try {
+          if (auto one =
+                  bounding.improved(candidate, piece % 2 == 0 ? Side::separated : Side::contact))
+            own.push_back(std::move(*one));
+        } catch (const support::Stopped&) {
+          own.clear();
+        }
         return own;
       });
       for (auto& each : found)

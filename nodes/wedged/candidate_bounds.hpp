@@ -100,6 +100,9 @@ class CandidateBounding {
 
   void take_up(ProvedBound bound);
 
+  /// From now on improved() throws support::Stopped soon after an end is asked for.
+  void end_when(const support::Stop& stop) { solver_.end_when(stop); }
+
   /// m.
   [[nodiscard]] int candidates() const { return static_cast<int>(bounds_.size()); }
   [[nodiscard]] const std::vector<CandidateBounds>& bounds() const { return bounds_; }

@@ -36,10 +36,12 @@ constexpr double scaling_error = scaling_roundings* numbers::unit_roundoff<Real>
 }  // namespace
 
 ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
-                             std::span<const double> friction, conic::Tolerances tolerances)
+                             std::span<const double> friction, conic::Tolerances tolerances,
+                             Precision precision)
     : dimension_(problem.dimension),
       unit_(problems::mean_normal_compliance(problem)),
       tolerances_(tolerances),
+      precision_(precision),
       friction_(friction.begin(), friction.end()),
       compliance_(problem.compliance),
       precise_compliance_(problem.precise_compliance),
@@ -60,6 +62,11 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
 
 void ContactSolver::make_room(int most_cuts) {
   std::visit([&](auto& solver) { solver.make_room(most_cuts); }, solver_);
+}
+
+void ContactSolver::end_when(const support::Stop& stop) {
+  stop_ = stop;
+  std::visit([&](auto& solver) { solver.end_when(stop); }, solver_);
 }
 
 Eigen::VectorXd ContactSolver::motion() const {
@@ -130,6 +137,7 @@ void ContactSolver::climb(Rung<Real>& rung, int number, const IndexSet& contact,
                           const IndexSet& separated, const IndexSet& ignored, conic::StopEarly stop,
                           conic::ConicResult& answer) {
   with(made(rung), [&](auto& solver) {
+    solver.end_when(stop_);
     solver.set_friction(friction_);
     const conic::ConicResult again = solver.solve(contact, separated, stop, ignored);
     answer.iterations += again.iterations;
@@ -157,6 +165,7 @@ bool ContactSolver::has_centre(const conic::ConicResult& answer, conic::StopEarl
 }
 
 bool ContactSolver::is_open(const conic::ConicResult& answer, conic::StopEarly stop) const {
+  if (precision_ == Precision::doubles) return false;
   if (answer.sign == conic::Sign::marginal) return !conic::is_tie(answer, tolerances_);
   return answer.sign == conic::Sign::alive && !stop.when_alive &&
          answer.upper - answer.lower > three_digits * answer.lower;
@@ -220,7 +229,9 @@ std::span<const conic::FaceDistances> ContactSolver::face_distances() {
 std::optional<conic::RelativeInterior> ContactSolver::relative_interior(const IndexSet& contact,
                                                                         const IndexSet& separated,
                                                                         const IndexSet& ignored) {
+  if (precision_ == Precision::doubles) return {};
   return with(made(precise_rung_), [&](auto& solver) {
+    solver.end_when(stop_);
     solver.set_friction(friction_);
     auto found = solver.relative_interior(contact, separated, ignored);
     reaction_ = solver.reaction().template cast<double>();

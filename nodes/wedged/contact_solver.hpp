@@ -20,12 +20,17 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "solvers/conic/node_solver.hpp"
 #include "solvers/conic/plain_solver.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::wedged {
 
 /// Friction other than none: below, a cone is a needle, above, a half-space.
 inline constexpr double least_friction = 1e-6;
 inline constexpr double most_friction = 1e6;
+
+/// Whether programs that doubles leave open are solved in more digits. These take minutes where
+/// there are hundreds of candidates.
+enum class Precision { escalating, doubles };
 
 /// conic::NodeSolver of the problem's dimension, with conic::PlainSolver above it. What it says of
 /// a node depends on the arguments alone, to the last bit. Allocates after construction only where
@@ -35,7 +40,10 @@ class ContactSolver {
   /// @param friction mu of each contact candidate, m numbers: 0 or 1e-6 to 1e6
   /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
   ContactSolver(const problems::WedgedProblem& problem, std::span<const double> friction,
-                conic::Tolerances tolerances);
+                conic::Tolerances tolerances, Precision precision = Precision::escalating);
+
+  /// From now on whatever solves throws support::Stopped soon after an end is asked for.
+  void end_when(const support::Stop& stop);
 
   /// From now on solve_with() has room for so many cuts.
   void make_room(int most_cuts);
@@ -66,7 +74,8 @@ class ContactSolver {
   /// solutions of a node whose t* is zero up to the tolerance:
   ///   X = {r : u_n = 0 on U, r = 0 on R, u_n >= 0, r in the friction cones, sum r_n = 1}.
   /// That point is then reaction() and displacement(); multipliers() are zero. Nothing if t* is
-  /// not zero, or if it cannot be told of each reaction and gap whether it vanishes.
+  /// not zero, if it cannot be told of each reaction and gap whether it vanishes, or if this asks
+  /// for more digits than are allowed.
   std::optional<conic::RelativeInterior> relative_interior(const support::IndexSet& contact,
                                                            const support::IndexSet& separated,
                                                            const support::IndexSet& ignored = {});
@@ -140,6 +149,8 @@ class ContactSolver {
   int dimension_;
   double unit_;
   conic::Tolerances tolerances_;
+  Precision precision_;
+  support::Stop stop_;
   std::vector<double> friction_;
   Eigen::MatrixXd compliance_;                 // unscaled, like the next
   numbers::PreciseMatrix precise_compliance_;  // empty: the doubles are exact

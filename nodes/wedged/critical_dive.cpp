@@ -1,8 +1,11 @@
 // A stack of nodes, and the first leaf.
 #include "nodes/wedged/critical_dive.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "engine/together.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
@@ -17,23 +20,65 @@ namespace {
 /// A dive goes back and down again for so many nodes a candidate: then there may be nothing.
 constexpr std::uint64_t dive_nodes_a_candidate = 100;
 
+/// Bounds of more candidates take longer than the dives that they would help.
+constexpr int most_to_bound = 100;
+
 SignPatternTree tree_at(const problems::WedgedProblem& problem, double factor,
-                        const BlockBounds& bounds) {
+                        const CriticalGrid& grid, const BlockBounds& bounds) {
   SignPatternTree tree(problem, candidate_friction(problem, factor),
-                       {.tolerances = CriticalFriction::tolerances});
+                       {.tolerances = CriticalFriction::tolerances, .precision = grid.precision});
   inform(tree, problem, bounds);
   return tree;
 }
 
 // From where on the leaf lives; infinity if that cannot be told.
-double alive_from(const problems::WedgedProblem& problem, const Configuration& leaf,
-                  std::int64_t multiple, double width) {
-  const auto block = problems::blocks_of(problem)[leaf.block];
-  CriticalFriction critical(problems::block_problem(problem, block), width);
-  const auto cell = critical.locate(own_leaf(leaf, block), {.dead = 0, .alive = multiple},
+void locate(const problems::WedgedProblem& problem, const Configuration& found,
+            std::int64_t multiple, const CriticalGrid& grid, const support::Stop& stop,
+            CriticalDive& dive) {
+  const auto block = problems::blocks_of(problem)[found.block];
+  CriticalFriction critical(problems::block_problem(problem, block), grid.width, grid.precision);
+  critical.end_when(stop);
+  const PatternNode leaf{found.block, own_leaf(found, block)};
+  const auto cell = critical.locate(leaf.pattern, {.dead = 0, .alive = multiple},
                                     CriticalMethod::newton, multiple);
-  if (cell.alive == CriticalCell::nowhere) return std::numeric_limits<double>::infinity();
-  return critical.at(cell.alive);
+  if (cell.alive == CriticalCell::nowhere) return;
+  dive.alive = critical.at(cell.alive);
+  dive.leaf = leaf;
+}
+
+// Until a leaf lives, or all are dead. Where an end is asked for it says what it has.
+void dive(engine::Campaign& campaign, const problems::WedgedProblem& problem, std::int64_t multiple,
+          const CriticalGrid& grid, const BlockBounds& bounds, CriticalDive& result) {
+  const auto stop = campaign.budget().stop();
+  auto tree = tree_at(problem, FrictionGrid(grid.width).at(multiple), grid, bounds);
+  tree.end_when(stop);
+  const auto most = std::min<std::uint64_t>(dive_nodes_a_candidate * problem.contact_names.size(),
+                                            campaign.budget().left().nodes);
+  std::vector<SignPatternTree::Node> open{tree.root()};
+  bool doubtful = false;
+  try {
+    while (!open.empty() && result.opened < most && !support::asked(stop)) {
+      const auto node = open.back();
+      open.pop_back();
+      auto fate = tree.decide(node);
+      ++result.opened;
+      campaign.say_now_and_then([&] {
+        return fmt::format("looking for a pattern at friction coefficient {:.6g}: {} nodes",
+                           FrictionGrid(grid.width).at(multiple), result.opened);
+      });
+      if (fate.leaf) {
+        const bool lives =
+            fate.leaf->state == LeafState::alive || fate.leaf->state == LeafState::flat;
+        if (lives) locate(problem, *fate.leaf, multiple, grid, stop, result);
+        if (std::isfinite(result.alive)) return;
+        doubtful = true;
+      }
+      open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
+    }
+  } catch (const support::Stopped&) {
+    return;
+  }
+  result.all_dead = open.empty() && !doubtful;
 }
 
 }  // namespace
@@ -48,6 +93,7 @@ BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem&
   const auto friction = candidate_friction(problem, factor);
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
     if (blocks[block].size() < fewest) continue;
+    if (tightening == Tightening::automatic && blocks[block].size() > most_to_bound) continue;
     auto root = bound_candidates(campaign, problem, friction, block, CriticalFriction::tolerances);
     result.programs += root.programs;
     result.blocks[block] = std::move(root.bounds);
@@ -56,30 +102,14 @@ BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem&
 }
 
 CriticalDive dive_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                     std::int64_t multiple, double width, const BlockBounds& bounds) {
-  return campaign.by_first_rank([&] {
-    auto tree = tree_at(problem, FrictionGrid(width).at(multiple), bounds);
-    const auto most = dive_nodes_a_candidate * problem.contact_names.size();
-    std::vector<SignPatternTree::Node> open{tree.root()};
-    CriticalDive result;
-    bool doubtful = false;
-    while (!open.empty() && result.opened < most && !campaign.budget().spent()) {
-      const auto node = open.back();
-      open.pop_back();
-      auto fate = tree.decide(node);
-      ++result.opened;
-      if (fate.leaf) {
-        const bool lives =
-            fate.leaf->state == LeafState::alive || fate.leaf->state == LeafState::flat;
-        if (lives) result.alive = alive_from(problem, *fate.leaf, multiple, width);
-        if (std::isfinite(result.alive)) return result;
-        doubtful = true;
-      }
-      open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
-    }
-    result.all_dead = open.empty() && !doubtful;
-    return result;
+                     std::int64_t multiple, const CriticalGrid& grid, const BlockBounds& bounds) {
+  const auto result = campaign.by_first_rank([&] {
+    CriticalDive own;
+    dive(campaign, problem, multiple, grid, bounds, own);
+    return own;
   });
+  campaign.count_nodes(result.opened);
+  return result;
 }
 
 }  // namespace kusabi::wedged

@@ -11,6 +11,7 @@
 #include "engine/campaign.hpp"
 #include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_bounds.hpp"
+#include "nodes/wedged/critical_findings.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -44,18 +45,19 @@ void inform(Tree& tree, const problems::WedgedProblem& problem, const BlockBound
 struct CriticalDive {
   /// A leaf lives from here on, a multiple of the width; infinity: none was come upon.
   double alive = std::numeric_limits<double>::infinity();
+  PatternNode leaf;          ///< it
   bool all_dead = false;     ///< the whole tree was searched, and nothing in it is left
   std::uint64_t opened = 0;  ///< nodes, programs as well
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& alive& all_dead& opened;
+    archive& alive& leaf& all_dead& opened;
   }
 };
 
 /// Dives at a multiple of the width, on the first rank, for so many nodes as it may need; every
 /// rank makes the same call and gets the same.
 CriticalDive dive_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                     std::int64_t multiple, double width, const BlockBounds& bounds);
+                     std::int64_t multiple, const CriticalGrid& grid, const BlockBounds& bounds);
 
 }  // namespace kusabi::wedged

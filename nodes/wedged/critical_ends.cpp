@@ -1,41 +1,26 @@
-// One tree of sign patterns an end, or several if an end has to give way.
+// One leaf, or one tree of sign patterns; again if an end has to move outwards.
 #include "nodes/wedged/critical_ends.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <optional>
-#include <string>
-#include <tuple>
+#include <limits>
 #include <utility>
-#include <variant>
-#include <vector>
 
 #include <boost/serialization/vector.hpp>
+#include <fmt/format.h>
 
-#include "engine/counts.hpp"
-#include "engine/expansion.hpp"
 #include "engine/together.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/critical_friction.hpp"
-#include "nodes/wedged/evidence_check.hpp"
+#include "nodes/wedged/judged_tree.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "nodes/wedged/preparation.hpp"
+#include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
-namespace {
 
-/// An end moves outwards by the width first, and eight times as far each time.
-constexpr int most_moves = 7;
-constexpr double growth = 8;
-
-/// A bracket counts as wider than asked for from this many widths on: a coefficient that is itself
-/// a multiple of the width has a neighbour on either side.
-constexpr double wide = 2.5;
-
-/// What lives at one coefficient.
-struct Decided {
+struct DecidedEnd {
   engine::Status status = engine::Status::solved;
   std::vector<Configuration> leaves;  ///< maximal cones and open leaves
   std::uint64_t alive = 0;            ///< leaves that live by the verifier's test
@@ -47,222 +32,354 @@ struct Decided {
   }
 
   [[nodiscard]] bool solved() const { return status == engine::Status::solved; }
-  [[nodiscard]] std::uint64_t count(LeafState state) const {
-    return static_cast<std::uint64_t>(std::count_if(
-        leaves.begin(), leaves.end(), [&](const auto& leaf) { return leaf.state == state; }));
-  }
-  [[nodiscard]] bool lives() const { return count(LeafState::alive) + count(LeafState::flat) != 0; }
+  [[nodiscard]] bool all_dead() const { return leaves.empty(); }
 };
 
-/// The problem type that engine::search searches: a tree of sign patterns that counts what the
-/// verifier says of its nodes, so that the counts go with the search wherever it goes on.
-class JudgedTree {
- public:
-  using Node = SignPatternTree::Node;
-  using Solution = SignPatternTree::Solution;
-  static constexpr auto work_of_first_child = SignPatternTree::work_of_first_child;
+/// A leaf at one coefficient.
+struct CriticalEnds::DecidedLeaf {
+  std::vector<Configuration> found;  ///< it, if it is not dead
+  bool holds = false;                ///< that it is alive, by the verifier's test
 
-  struct Tally : engine::Counts<Tally> {
-    std::uint64_t alive = 0;     ///< leaves that live by the verifier's test
-    std::uint64_t unproved = 0;  ///< nodes of which it proves nothing
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& found& holds;
+  }
 
-    static constexpr auto fields() {
-      return std::tuple{field("alive", &Tally::alive), field("unproved", &Tally::unproved)};
+  [[nodiscard]] bool is(LeafState state) const {
+    return !found.empty() && found.front().state == state;
+  }
+  [[nodiscard]] bool lives() const { return is(LeafState::alive) || is(LeafState::flat); }
+};
+
+namespace {
+
+/// An end moves outwards by the width first, and eight times as far each time.
+constexpr int most_moves = 7;
+constexpr double growth = 8;
+
+/// A bracket counts as wider than asked for from this many widths on: a coefficient that is itself
+/// a multiple of the width has a neighbour on either side.
+constexpr double wide = 2.5;
+
+bool is_cone(const Configuration& leaf) {
+  return leaf.state == LeafState::alive || leaf.state == LeafState::flat;
+}
+
+support::LongWork long_work(engine::Campaign& campaign) {
+  return {
+      .stop = campaign.budget().stop(), .tell = [&campaign](const char* work, double share) {
+        campaign.say_now_and_then([&] { return fmt::format("{}: {:.0f} %", work, 100 * share); });
+      }};
+}
+
+engine::Status why(engine::Campaign& campaign) {
+  return engine::from_first_rank(campaign.transport(), [&] { return campaign.budget().why(); });
+}
+
+CriticalEntry entry_of(const Configuration& leaf, const CriticalBracket& bracket) {
+  return {.block = leaf.block,
+          .pattern = leaf.pattern,
+          .lower = bracket.lower(),
+          .upper = bracket.upper(),
+          .reaction = leaf.reaction,
+          .displacement = leaf.displacement};
+}
+
+}  // namespace
+
+CriticalEnds::CriticalEnds(engine::Campaign& campaign, const problems::Structure& structure,
+                           const problems::WedgedProblem& problem, const EndsQuestion& question,
+                           const EndRecorder& recorder, CriticalBracket& bracket,
+                           std::vector<CriticalCost>& costs)
+    : campaign_(campaign),
+      structure_(structure),
+      problem_(problem),
+      question_(question),
+      recorder_(recorder),
+      bracket_(bracket),
+      costs_(costs) {}
+
+// Every rank computes it, and all or none go on with it.
+bool CriticalEnds::enclose() {
+  bool stopped = false;
+  try {
+    if (!stiffness_) stiffness_.emplace(enclosed_stiffness(structure_, long_work(campaign_)));
+  } catch (const support::Stopped&) {
+    stopped = true;
+  }
+  const engine::Reduction own{.ranks = 1, .found = stopped ? 1U : 0U};
+  return engine::all_reduce(campaign_.transport(), own).found == 0;
+}
+
+void CriticalEnds::know(std::vector<Configuration> found) {
+  known_ = std::move(found);
+  known_leaf_ = bracket_.leaf();
+}
+
+void CriticalEnds::prove_at_once() {
+  if (!enclose()) return;
+  if (bracket_.leaf() && !bracket_.upper_proved()) {
+    const double factor = *bracket_.upper();
+    auto decided = decide_leaf(*bracket_.leaf(), factor, false);
+    if (decided.holds) {
+      bracket_.prove_upper(factor, *bracket_.leaf());
+      know(std::move(decided.found));
     }
-  };
+  }
+  const double factor = bracket_.lower();
+  if (!bracket_.lower_proved() && roots_are_dead(factor)) {
+    bracket_.prove_lower(factor);
+    proved_lower_ = factor;
+  }
+  bracket_.show();
+}
 
-  /// @param holds whether the verifier accepts what is said of a node
-  JudgedTree(SignPatternTree tree, std::function<bool(const Evidence&)> holds)
-      : tree_(std::move(tree)), holds_(std::move(holds)) {
-    tree_.report_to([this](const auto& evidence) {
-      const bool held = holds_(evidence);
-      if (!held || evidence.kind == Evidence::Kind::marginal) ++tally_.unproved;
-      if (held && evidence.kind == Evidence::Kind::alive) ++tally_.alive;
+bool CriticalEnds::roots_are_dead(double factor) {
+  return campaign_.by_first_rank([&] {
+    const auto friction = candidate_friction(problem_, factor);
+    SignPatternTree tree(
+        problem_, friction,
+        {.tolerances = CriticalFriction::tolerances, .precision = Precision::doubles});
+    tree.end_when(campaign_.budget().stop());
+    std::optional<EvidenceCheck> check;
+    if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_))
+      check.emplace(problem_, *stiffness, friction);
+    bool holds = true;
+    tree.report_to([&](const auto& evidence) {
+      holds = holds && evidence.kind == Evidence::Kind::dead && (!check || check->holds(evidence));
     });
-  }
-  JudgedTree(const JudgedTree&) = delete;
-  JudgedTree& operator=(const JudgedTree&) = delete;
-  ~JudgedTree() = default;
+    const auto blocks = static_cast<std::uint32_t>(problems::blocks_of(problem_).size());
+    try {
+      for (std::uint32_t block = 0; block < blocks && holds; ++block) {
+        const auto fate = tree.decide({.block = block, .pattern = {}});
+        holds = holds && fate.children.empty() && !fate.leaf;
+      }
+    } catch (const support::Stopped&) {
+      return false;
+    }
+    return holds;
+  });
+}
 
-  Node root() const { return tree_.root(); }
-  Tally tally() const { return tally_; }
+CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, double factor,
+                                                    bool recorded) {
+  const auto friction = candidate_friction(problem_, factor);
+  const auto record = recorded ? recorder_(CriticalEnd::upper, factor, friction) : nullptr;
+  const auto decide = [&] {
+    DecidedLeaf decided;
+    SignPatternTree tree(problem_, friction,
+                         {.tolerances = CriticalFriction::tolerances,
+                          .thorough = true,
+                          .precision = question_.grid.precision});
+    tree.end_when(campaign_.budget().stop());
+    std::optional<EvidenceCheck> check;
+    if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_))
+      check.emplace(problem_, *stiffness, friction);
+    tree.report_to([&](const auto& evidence) {
+      if (record) record->add(evidence);
+      decided.holds = evidence.kind == Evidence::Kind::alive && (!check || check->holds(evidence));
+    });
+    try {
+      auto fate = tree.decide(leaf);
+      if (fate.leaf) decided.found.push_back(std::move(*fate.leaf));
+    } catch (const support::Stopped&) {
+    }
+    return decided;
+  };
+  // A record is of one run.
+  auto decided = record ? engine::from_first_rank(campaign_.transport(), decide)
+                        : campaign_.by_first_rank(decide);
+  if (record) record->end({}, EndClaim::one_pattern, decided.holds);
+  costs_.push_back({CriticalPhase::upper_end, factor, 1, 1});
+  return decided;
+}
 
-  void expand(Node&& node, engine::Expansion<JudgedTree>& out) {
-    auto fate = tree_.decide(node);
-    if (fate.leaf) out.solution(std::move(*fate.leaf));
-    for (const Node& child : fate.children) out.branch(child);
-  }
-
- private:
-  SignPatternTree tree_;
-  std::function<bool(const Evidence&)> holds_;
-  Tally tally_;
-};
-
-class Ends {
- public:
-  Ends(engine::Campaign& campaign, const problems::Structure& structure,
-       const problems::WedgedProblem& problem, const EndsQuestion& question,
-       const EndRecorder& recorder)
-      : campaign_(campaign),
-        problem_(problem),
-        question_(question),
-        recorder_(recorder),
-        stiffness_(enclosed_stiffness(structure)) {}
-
-  void prove_lower(CriticalFindings& findings);
-  void prove_upper(CriticalFindings& findings);
-  void note_what_is_open(CriticalFindings& findings) const;
-
- private:
-  /// All sign patterns at one coefficient; what that takes is added to the costs.
-  /// @param wanted whether what was found is worth a record
-  template <class Wanted>
-  Decided decide(CriticalEnd end, double factor, Wanted wanted, std::vector<CriticalCost>& costs);
-
-  engine::Campaign& campaign_;
-  const problems::WedgedProblem& problem_;
-  const EndsQuestion& question_;
-  const EndRecorder& recorder_;
-  /// Or why the ends cannot be put to the verifier's test.
-  std::variant<verify::EnclosedProblem, std::string> stiffness_;
-};
-
+/// All sign patterns at one coefficient; what that takes is added to the costs.
+/// @param wanted whether what was found is worth a record
 template <class Wanted>
-Decided Ends::decide(CriticalEnd end, double factor, Wanted wanted,
-                     std::vector<CriticalCost>& costs) {
+DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase phase, Wanted wanted,
+                                std::uint64_t nodes) {
   const auto friction = candidate_friction(problem_, factor);
   const SignPatternOptions options{.tolerances = CriticalFriction::tolerances,
                                    .tightening = question_.tightening,
-                                   .thorough = true};
+                                   .thorough = true,
+                                   .precision = question_.grid.precision};
   SignPatternTree patterns(problem_, friction, options);
   const auto prepared = prepare(campaign_, problem_, friction, options);
   inform(patterns, prepared);
   const auto bounds = proved_bounds(prepared);
   const auto record = recorder_ ? recorder_(end, factor, friction) : nullptr;
   std::optional<EvidenceCheck> check;
-  if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&stiffness_)) {
+  if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_)) {
     check.emplace(problem_, *stiffness, friction, bounds);
   }
   JudgedTree tree(std::move(patterns), [&](const auto& evidence) {
     if (record) record->add(evidence);
     return !check || check->holds(evidence);
   });
+  engine::Options search;
+  search.limits.nodes = nodes;
   // A record is of one run.
-  auto outcome = record ? campaign_.search_anew(tree, {}) : campaign_.search(tree, {});
-  const bool lower = end == CriticalEnd::lower;
-  costs.push_back({lower ? CriticalPhase::lower_end : CriticalPhase::upper_end, factor,
-                   outcome.opened(), outcome.opened()});
+  auto outcome = record ? campaign_.search_anew(tree, search) : campaign_.search(tree, search);
+  costs_.push_back({phase, factor, outcome.opened(), outcome.opened()});
   auto decided = engine::from_first_rank(campaign_.transport(), [&] {
     std::vector<Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
     const auto judged = outcome.tally();
-    return Decided{.status = outcome.status,
-                   .leaves = maximal_cones(std::move(leaves)),
-                   .alive = judged.alive,
-                   .unproved = judged.unproved};
+    return DecidedEnd{.status = outcome.status,
+                      .leaves = maximal_cones(std::move(leaves)),
+                      .alive = judged.alive,
+                      .unproved = judged.unproved};
   });
-  if (record) record->end(bounds, decided.solved() && wanted(decided));
+  if (record) record->end(bounds, EndClaim::all_patterns, decided.solved() && wanted(decided));
   return decided;
 }
 
 // Down to where everything is dead, and the verifier says so. Without friction nothing wedges, K
 // being definite, and for less than the least nothing is computed.
-void Ends::prove_lower(CriticalFindings& findings) {
+engine::Status CriticalEnds::prove_lower() {
+  if (bracket_.lower_proved() && !recorder_) return engine::Status::solved;
   const double least = CriticalFriction::range(problem_).least;
-  const auto all_dead = [](const Decided& decided) { return decided.leaves.empty(); };
+  const auto all_dead = [](const DecidedEnd& decided) { return decided.all_dead(); };
   std::optional<double> dead;  // by the solver's own bounds
-  double factor = findings.lower;
-  double step = question_.width;
+  double factor = bracket_.lower();
+  double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor >= least; ++move, step *= growth) {
-    const auto decided = decide(CriticalEnd::lower, factor, all_dead, findings.costs);
-    findings.status = decided.status;
-    if (!decided.solved()) return;
-    if (all_dead(decided) && !dead) dead = factor;
-    if (all_dead(decided) && decided.unproved == 0) {
-      findings.lower = factor;
-      findings.lower_proved = true;
-      return;
+    const auto decided = decide(CriticalEnd::lower, factor, CriticalPhase::lower_end, all_dead,
+                                engine::Limits{}.nodes);
+    if (!decided.solved()) return decided.status;
+    if (decided.all_dead() && !dead) dead = factor;
+    if (decided.all_dead() && decided.unproved == 0) {
+      bracket_.prove_lower(factor);
+      return engine::Status::solved;
     }
     factor -= step;
   }
-  findings.lower = dead.value_or(0);
-  findings.lower_proved = findings.lower == 0;
+  bracket_.move_lower(dead.value_or(0));
+  if (bracket_.lower() <= proved_lower_) bracket_.prove_lower(proved_lower_);
+  return engine::Status::solved;
 }
 
-CriticalEntry entry_of(const Configuration& leaf, const CriticalFindings& findings) {
-  return {.block = leaf.block,
-          .pattern = leaf.pattern,
-          .lower = findings.lower,
-          .upper = findings.upper,
-          .reaction = leaf.reaction,
-          .displacement = leaf.displacement};
-}
-
-// Up to where something lives, and the verifier says so of a solid cone. Where there are flat ones
-// only, they are ties, and nothing above proves them better.
-void Ends::prove_upper(CriticalFindings& findings) {
-  const auto lives = [](const Decided& decided) { return decided.lives(); };
-  const auto solid = [](const Decided& decided) { return decided.count(LeafState::alive) != 0; };
-  std::optional<Decided> living;  // the first where something lives
-  double factor = findings.upper.value_or(question_.most);
-  double step = question_.width;
-  for (int move = 0; move < most_moves && factor <= question_.most; ++move, step *= growth) {
-    auto decided = decide(CriticalEnd::upper, factor, lives, findings.costs);
-    findings.status = decided.status;
-    if (!decided.solved()) return;
-    if (lives(decided) && !living) {
-      living = decided;
-      findings.upper = factor;
+// Up to where the leaf lives, and the verifier says so. A flat one is a tie, and nothing above
+// proves it better; another pattern may be solid there.
+engine::Status CriticalEnds::prove_upper() {
+  const bool recorded = recorder_ && !question_.list;
+  if (bracket_.upper_proved() && !recorded) return engine::Status::solved;
+  const auto leaf = *bracket_.leaf();
+  std::optional<double> living;
+  double factor = *bracket_.upper();
+  double step = question_.grid.width;
+  for (int move = 0; move < most_moves && factor <= question_.grid.most; ++move, step *= growth) {
+    auto decided = decide_leaf(leaf, factor, recorded);
+    if (campaign_.ended() && !decided.holds) return why(campaign_);
+    if (decided.holds) {
+      bracket_.prove_upper(factor, leaf);
+      know(std::move(decided.found));
+      return engine::Status::solved;
     }
-    findings.upper_proved = decided.alive != 0;
-    if (findings.upper_proved) {
-      living = std::move(decided);
-      findings.upper = factor;
+    if (decided.lives() && !living) {
+      living = factor;
+      know(decided.found);
     }
-    if (findings.upper_proved || (living && !solid(*living))) break;
+    if (decided.is(LeafState::flat)) break;
     factor += step;
   }
-  if (!living) {
-    findings.upper.reset();
-    return;
-  }
-  if (!question_.with_patterns) return;
-  for (const auto& leaf : living->leaves) {
-    const bool cone = leaf.state == LeafState::alive || leaf.state == LeafState::flat;
-    if (cone) findings.patterns.push_back(entry_of(leaf, findings));
-  }
+  bracket_.move_upper(living);
+  return prove_by_any(living.value_or(std::min(factor, question_.grid.most)));
 }
 
-void Ends::note_what_is_open(CriticalFindings& findings) const {
+// By whatever pattern is feasible there: where the leaf that is known is a tie only.
+engine::Status CriticalEnds::prove_by_any(double factor) {
+  if (question_.list || question_.grid.precision == Precision::doubles)
+    return engine::Status::solved;
+  const auto decided = decide(
+      CriticalEnd::upper, factor, CriticalPhase::upper_end,
+      [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, is_cone); },
+      engine::Limits{}.nodes);
+  if (!decided.solved()) return decided.status;
+  for (const LeafState state : {LeafState::alive, LeafState::flat}) {
+    const auto found = std::ranges::find(decided.leaves, state, &Configuration::state);
+    if (found == decided.leaves.end()) continue;
+    const auto block = problems::blocks_of(problem_)[found->block];
+    bracket_.move_upper(factor, {found->block, own_leaf(*found, block)});
+    if (decided.alive != 0) bracket_.prove_upper(factor, *bracket_.leaf());
+    know({*found});
+    break;
+  }
+  return engine::Status::solved;
+}
+
+engine::Status CriticalEnds::list(CriticalFindings& findings) {
+  const double factor = bracket_.upper().value_or(question_.grid.most);
+  const auto decided = decide(
+      CriticalEnd::upper, factor, CriticalPhase::list,
+      [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, is_cone); },
+      question_.list_nodes);
+  std::vector<Configuration> cones;
+  std::ranges::copy_if(decided.leaves, std::back_inserter(cones), is_cone);
+  const bool own_limit = decided.status == engine::Status::node_limit && !campaign_.ended();
+  if (!decided.solved()) {
+    findings.open.push_back(CriticalDoubt::list_not_complete);
+    for (const auto& leaf : cones)
+      if (known_.empty() || !(leaf.pattern == known_.front().pattern)) known_.push_back(leaf);
+    return own_limit ? engine::Status::solved : decided.status;
+  }
+  if (cones.empty()) return engine::Status::solved;
+  if (!bracket_.upper_proved() && decided.alive != 0)
+    bracket_.prove_upper(factor, *bracket_.leaf());
+  know(std::move(cones));
+  return engine::Status::solved;
+}
+
+void CriticalEnds::note_patterns(CriticalFindings& findings) const {
+  if (!bracket_.leaf() || !bracket_.upper()) return;
+  if (known_leaf_ == bracket_.leaf())
+    for (const auto& leaf : known_) findings.patterns.push_back(entry_of(leaf, bracket_));
+  if (!findings.patterns.empty()) return;
+  const auto& [block, own] = *bracket_.leaf();
+  const auto candidates = problems::blocks_of(problem_)[block];
+  findings.patterns.push_back(
+      {.block = block,
+       .pattern = {.contact = problems::in_whole(own.contact, candidates),
+                   .separated = problems::in_whole(own.separated, candidates),
+                   .at_rest = {}},
+       .lower = bracket_.lower(),
+       .upper = bracket_.upper(),
+       .reaction = {},
+       .displacement = {}});
+}
+
+void CriticalEnds::note_what_is_open(CriticalFindings& findings) const {
   if (findings.status != engine::Status::solved) return;
-  if (!findings.upper && findings.lower < question_.most) {
+  const double width = question_.grid.width;
+  if (!findings.upper && findings.lower < question_.grid.most)
     findings.open.push_back(CriticalDoubt::no_upper_end);
-  }
-  if (findings.upper && *findings.upper - findings.lower > wide * question_.width) {
+  if (findings.upper && *findings.upper - findings.lower > wide * width)
     findings.open.push_back(CriticalDoubt::wide_bracket);
-  }
   if (!findings.lower_proved) findings.open.push_back(CriticalDoubt::lower_not_proved);
 }
 
-}  // namespace
-
-void prove_ends(engine::Campaign& campaign, const problems::Structure& structure,
-                const problems::WedgedProblem& problem, const EndsQuestion& question,
-                const EndRecorder& recorder, CriticalFindings& findings) {
-  // All ranks move the ends alike.
-  const auto bracket = engine::from_first_rank(campaign.transport(), [&] {
-    std::vector<double> known;
-    for (const auto& end : {std::optional(findings.lower), findings.upper})
-      if (end) known.push_back(*end);
-    return known;
-  });
-  findings.lower = bracket[0];
-  if (bracket.size() > 1) findings.upper = bracket[1];
-  Ends ends(campaign, structure, problem, question, recorder);
-  ends.prove_lower(findings);
-  if (findings.status == engine::Status::solved && findings.upper) ends.prove_upper(findings);
-  ends.note_what_is_open(findings);
+void CriticalEnds::prove(CriticalFindings& findings) {
+  const auto stopped = [&](CriticalPhase phase, engine::Status status) {
+    findings.status = status;
+    if (status != engine::Status::solved) findings.stopped_in = phase;
+    return status != engine::Status::solved;
+  };
+  bracket_.show();
+  if (findings.status == engine::Status::solved && !enclose())
+    stopped(CriticalPhase::lower_end, why(campaign_));
+  if (findings.status == engine::Status::solved &&
+      !stopped(CriticalPhase::lower_end, prove_lower())) {
+    bracket_.show();
+    if (bracket_.leaf() && !stopped(CriticalPhase::upper_end, prove_upper()) && question_.list)
+      stopped(CriticalPhase::list, list(findings));
+  }
+  findings.lower = bracket_.lower();
+  findings.upper = bracket_.upper();
+  findings.lower_proved = bracket_.lower_proved();
+  findings.upper_proved = bracket_.upper_proved();
+  if (findings.patterns.empty()) note_patterns(findings);
+  note_what_is_open(findings);
 }
 
 }  // namespace kusabi::wedged

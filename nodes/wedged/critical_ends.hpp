@@ -1,14 +1,20 @@
-// The proof of both ends of a bracket of the critical friction coefficient: at each, the tree of
-// sign patterns decides every node, and the evidence is put to the verifier's own test. An end
-// that does not stand it is moved outwards until it does.
+// The proof of both ends of a bracket of the critical friction coefficient, put to the verifier's
+// own test. At the lower end the tree of sign patterns decides every node; at the upper end one
+// leaf that is feasible is enough. An end that cannot be verified is moved outwards until it can.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "engine/campaign.hpp"
+#include "nodes/wedged/critical_bracket.hpp"
 #include "nodes/wedged/critical_findings.hpp"
+#include "nodes/wedged/evidence_check.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/structure/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -17,7 +23,10 @@ namespace kusabi::wedged {
 
 enum class CriticalEnd { lower, upper };
 
-/// Takes down the evidence of one end while it is searched, on one rank.
+/// Which patterns a record is about: all, or one that is feasible.
+enum class EndClaim { all_patterns, one_pattern };
+
+/// Records the evidence of one end while it is searched, on one rank.
 class EndRecord {
  public:
   EndRecord() = default;
@@ -30,27 +39,70 @@ class EndRecord {
   /// When the search is done, on every rank alike. @param bounds that the evidence uses
   /// @param holds whether it shows what was wanted; else the end moves on, and there will be
   /// another record
-  virtual void end(std::span<const ProvedBound> bounds, bool holds) = 0;
+  virtual void end(std::span<const ProvedBound> bounds, EndClaim claim, bool holds) = 0;
 };
 
 /// Begins a record, on every rank alike. @param factor the friction coefficient @param friction
-/// that of each candidate @return null: this end is not to be taken down
+/// that of each candidate @return null: this end is not to be recorded
 using EndRecorder = std::function<std::unique_ptr<EndRecord>(CriticalEnd end, double factor,
                                                              std::span<const double> friction)>;
 
-/// What the ends are moved by.
+/// What the ends are moved by, and what is asked at the upper one.
 struct EndsQuestion {
-  double width = 0;  ///< of the bracket asked for
-  double most = 0;   ///< no end is above
+  CriticalGrid grid;
   Tightening tightening = Tightening::automatic;
-  bool with_patterns = true;  ///< whether those are asked for that live at the upper end
+  bool list = false;             ///< whether all patterns are asked for
+  std::uint64_t list_nodes = 0;  ///< as of CriticalQuestion
 };
 
-/// Proves the ends, or widens the bracket; finds the patterns that live at the upper end if they
-/// are asked for. Says what stays open. On all ranks; the findings count on rank 0.
-/// @pre the search was solved
-void prove_ends(engine::Campaign& campaign, const problems::Structure& structure,
-                const problems::WedgedProblem& problem, const EndsQuestion& question,
-                const EndRecorder& recorder, CriticalFindings& findings);
+/// What lives at one coefficient.
+struct DecidedEnd;
+
+/// Every rank makes the same calls. All must outlive it.
+class CriticalEnds {
+ public:
+  CriticalEnds(engine::Campaign& campaign, const problems::Structure& structure,
+               const problems::WedgedProblem& problem, const EndsQuestion& question,
+               const EndRecorder& recorder, CriticalBracket& bracket,
+               std::vector<CriticalCost>& costs);
+
+  /// Puts both ends to the test as they are, and moves none: the lower one by the roots alone, the
+  /// upper one by its leaf.
+  void prove_at_once();
+
+  /// Proves the ends, or widens the bracket. Says what stays open and where it was stopped; the
+  /// patterns are told on rank 0.
+  void prove(CriticalFindings& findings);
+
+ private:
+  struct DecidedLeaf;
+
+  bool enclose();
+  void know(std::vector<Configuration> found);
+  bool roots_are_dead(double factor);
+  DecidedLeaf decide_leaf(const PatternNode& leaf, double factor, bool recorded);
+  template <class Wanted>
+  DecidedEnd decide(CriticalEnd end, double factor, CriticalPhase phase, Wanted wanted,
+                    std::uint64_t nodes);
+  engine::Status prove_lower();
+  engine::Status prove_upper();
+  engine::Status prove_by_any(double factor);
+  engine::Status list(CriticalFindings& findings);
+  void note_patterns(CriticalFindings& findings) const;
+  void note_what_is_open(CriticalFindings& findings) const;
+
+  engine::Campaign& campaign_;
+  const problems::Structure& structure_;
+  const problems::WedgedProblem& problem_;
+  EndsQuestion question_;
+  const EndRecorder& recorder_;
+  CriticalBracket& bracket_;
+  std::vector<CriticalCost>& costs_;
+  /// Or why the ends cannot be put to the verifier's test; nothing before it is computed.
+  std::optional<std::variant<verify::EnclosedProblem, std::string>> stiffness_;
+  double proved_lower_ = 0;
+  std::vector<Configuration> known_;       ///< feasible at the upper end, and
+  std::optional<PatternNode> known_leaf_;  ///< the leaf that the bracket had then
+};
 
 }  // namespace kusabi::wedged

@@ -43,13 +43,14 @@ CriticalFriction::Range CriticalFriction::range(const problems::WedgedProblem& p
   return range;
 }
 
-CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, double width)
+CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, double width,
+                                   Precision precision)
     : grid_(width),
       range_(range(problem)),
       own_(problem.friction.empty() ? std::vector<double>(problem.contact_names.size(), 1)
                                     : problem.friction),
       friction_(own_),
-      solver_(problem, own_, tolerances) {
+      solver_(problem, own_, tolerances, precision) {
   if (!(width > 0)) throw std::invalid_argument("the width of a bracket must be positive");
   const auto m = static_cast<Eigen::Index>(own_.size());
   normal_compliance_.resize(m + problem.motions.cols(), problem.compliance.cols());

@@ -93,7 +93,11 @@ class CriticalFriction {
 
   /// @param width of the grid, > 0
   /// @throws std::invalid_argument if a number is out of range
-  CriticalFriction(const problems::WedgedProblem& problem, double width);
+  CriticalFriction(const problems::WedgedProblem& problem, double width,
+                   Precision precision = Precision::escalating);
+
+  /// From now on whatever solves throws support::Stopped soon after an end is asked for.
+  void end_when(const support::Stop& stop) { solver_.end_when(stop); }
 
   /// Solves the node's program at one coefficient. @param factor > 0
   FrictionProbe probe(const SignPattern& node, double factor, conic::StopEarly stop = full);

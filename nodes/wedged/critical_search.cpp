@@ -11,53 +11,29 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/together.hpp"
-#include "nodes/wedged/branching_trial.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
+#include "nodes/wedged/critical_descent.hpp"
 #include "nodes/wedged/critical_dive.hpp"
+#include "nodes/wedged/critical_start.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "nodes/wedged/pattern_brackets.hpp"
-#include "nodes/wedged/preparation.hpp"
+#include "nodes/wedged/smallest_search.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
 namespace {
-
-/// Where a descent starts, and how much farther up it starts anew where everything is dead.
-constexpr double first_start = 1;
-constexpr double next_start = 4;
-
-/// Of a start.
-constexpr double few_digits = 1e-2;
-
-/// Where a descent looks next, of where something lives, until it knows where nothing does.
-constexpr double share_of_last = 0.6;
 
 /// A trial from below opens so many nodes a candidate, and no more than so many: a descent takes
 /// more programs than that, and larger trees are the descent's.
 constexpr std::uint64_t trial_nodes_a_candidate = 15;
 constexpr std::uint64_t most_trial_nodes = 600;
 
-/// Dives end where what is left to be told is from so much of it on.
-constexpr double near_enough = 0.9;
-
-std::int64_t multiples(double most, double width) {
-  return static_cast<std::int64_t>(std::llround(most / width));
-}
+/// In doubles a leaf is not told from a tie within some cells of its own; no tree can.
+constexpr double cells_in_doubt = 16;
 
 double or_infinity(const std::optional<double>& number) {
   return number.value_or(std::numeric_limits<double>::infinity());
 }
-
-// What all ranks must know of a bracket.
-struct Bracket {
-  engine::Status status = engine::Status::solved;
-  double lower = 0, upper = 0;
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& status& lower& upper;
-  }
-};
 
 // What lives or may live at the largest coefficient: maximal cones and open leaves.
 struct Living {
@@ -82,255 +58,131 @@ Living living_patterns(engine::Campaign& campaign, const problems::WedgedProblem
   });
 }
 
-// What a search for the smallest says of the bracket.
-CriticalFindings findings_of(const engine::OutcomeOf<CriticalTree>& outcome, double width,
-                             double known, double most) {
-  CriticalFindings findings;
-  findings.status = outcome.status;
-  const bool whole = outcome.status == engine::Status::solved;
-  findings.lower = whole ? most : std::min(most, std::max(known, outcome.bound));
-  const FrictionGrid grid(width);
-  for (const auto& found : outcome.solutions) {
-    const auto& cell = found.solution.cell;
-    findings.lower = std::min(findings.lower, grid.at(cell.dead));
-    findings.upper = grid.at(cell.alive);
-  }
-  // A leaf that is doubtful from further down on is opened on any schedule.
-  findings.lower = std::min(findings.lower, outcome.tally().doubt.value);
-  findings.global_ranks = outcome.ranks;
-  return findings;
-}
-
-/// Which of the searches for the smallest it is.
-struct SmallestSearch {
-  CriticalDirection direction;
-  CriticalPhase phase;
-  double width;
-  double known;  ///< nothing wedges below
-  double most;
-  BlockBounds bounds{};  ///< at `most`; of a search downwards
-};
-
-CriticalFindings smallest(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                          const SmallestSearch& asked, std::vector<CriticalCost>& costs) {
-  const auto& [direction, phase, width, known, most, bounds] = asked;
-  CriticalTree tree(problem, width, multiples(most, width), direction, known);
-  if (direction == CriticalDirection::down) inform(tree, problem, bounds);
-  engine::Options options;
-  options.goal = engine::Goal::best;
-  options.order =
-      direction == CriticalDirection::up ? engine::Order::best_first : engine::Order::depth_first;
-  auto outcome = campaign.search(tree, options);
-  costs.push_back({phase, direction == CriticalDirection::up ? known : most, outcome.opened(),
-                   bounds.programs + outcome.tally().programs});
-  const auto status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
-  if (campaign.is_first()) return findings_of(outcome, width, known, most);
-  CriticalFindings findings;
-  findings.status = status;
-  return findings;
-}
-
-// What is known of the bracket before a descent begins.
-struct Known {
-  bool whole = false;                                      ///< it is the bracket
-  double lower = 0;                                        ///< nothing wedges here, nor below
-  double upper = std::numeric_limits<double>::infinity();  ///< something does
-  std::uint64_t opened = 0, programs = 0;
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& whole& lower& upper& opened& programs;
-  }
-};
-
 // What a trial from below says, and who has worked on it.
 struct BelowTrial {
-  Known known;
+  Smallest smallest;
+  std::uint64_t opened = 0, programs = 0;
   std::vector<engine::RankReport<CriticalTree>> ranks;
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& known& ranks;
+    archive& smallest& opened& programs& ranks;
   }
 };
 
 // On the first rank alone, so that what it comes to depends on no timing; a part of the question,
 // since what comes next depends on it.
 BelowTrial trial_from_below(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                            const CriticalQuestion& question, double most) {
-  const double width = question.width;
-  return campaign.by_first_rank([&] {
-    CriticalTree tree(problem, width, multiples(most, width), CriticalDirection::up);
+                            const CriticalQuestion& question, const CriticalGrid& grid,
+                            double known) {
+  auto trial = campaign.by_first_rank([&] {
+    CriticalTree tree(problem, grid.width, multiples(grid.most, grid.width), CriticalDirection::up,
+                      known, grid.precision);
     engine::Options options;
     options.goal = engine::Goal::best;
     options.order = engine::Order::best_first;
-    options.limits = campaign.budget().left();
     options.limits.nodes = question.trial_nodes.value_or(std::min(
         most_trial_nodes, trial_nodes_a_candidate * std::uint64_t{problem.contact_names.size()}));
-    options.interrupt = campaign.budget().interrupt();
-    const auto outcome = engine::search(tree, options);
-    auto findings = findings_of(outcome, width, 0, most);
-    return BelowTrial{.known = {.whole = outcome.status == engine::Status::solved,
-                                .lower = findings.lower,
-                                .upper = or_infinity(findings.upper),
-                                .opened = outcome.opened(),
-                                .programs = outcome.tally().programs},
-                      .ranks = std::move(findings.global_ranks)};
+    auto outcome = campaign.search_alone(tree, options);
+    return BelowTrial{.smallest = smallest_of(outcome, grid, known),
+                      .opened = outcome.opened(),
+                      .programs = outcome.tally().programs,
+                      .ranks = std::move(outcome.ranks)};
   });
+  campaign.count_nodes(trial.opened);
+  return trial;
 }
 
-// Down from the first of growing coefficients at which anything lives: near to the smallest by
-// dives, to few digits by a search of all, and to the rest by another. Near the smallest
-// coefficient bounds leave little of their trees.
-class Descent {
+// The ways to the bracket of the smallest, and what is done before and between them.
+class SmallestWays {
  public:
-  Descent(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-          const CriticalQuestion& question, double most, std::vector<CriticalCost>& costs,
-          const Known& known = {})
+  SmallestWays(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+               const CriticalQuestion& question, const CriticalGrid& grid, CriticalEnds& ends,
+               CriticalBracket& bracket, CriticalFindings& findings)
       : campaign_(campaign),
         problem_(problem),
-        tightening_(question.tightening),
-        width_(question.width),
-        most_(most),
-        costs_(costs),
-        known_dead_(known.lower) {
-    if (std::isfinite(known.upper)) alive_ = known.upper;
+        question_(question),
+        grid_(grid),
+        ends_(ends),
+        bracket_(bracket),
+        findings_(findings) {}
+
+  // From below for so many nodes: of small trees that is the answer, of others a lower end to go
+  // down to.
+  void either() {
+    if (start() || known_at_most()) return;
+    if (stopped(CriticalPhase::dive)) return;
+    if (try_from_below()) return;
+    if (stopped(CriticalPhase::trial)) return;
+    descend(campaign_, problem_, grid_, question_.tightening, bracket_, findings_);
   }
 
-  CriticalFindings findings() {
-    for (double start = std::min(alive_.value_or(first_start), most_);;
-         start = std::min(most_, next_start * start)) {
-      if (start <= known_dead_ && start < most_) continue;
-      coarse_ = width_;
-      while (coarse_ < few_digits * start) coarse_ *= 2;
-      dead_ = std::max(dead_, coarse_ * std::floor(known_dead_ / coarse_));
-      // A search says nothing of what is beyond the last point of its grid.
-      const double reach = coarse_ == width_ ? start : coarse_ * std::floor(start / coarse_);
-      dive(reach);
-      auto found = narrow();
-      if (engine::from_first_rank(campaign_.transport(), [&] { return found.status; }) !=
-          engine::Status::solved)
-        return found;
-      if (alive_ || dead_ < reach) {  // something lives, or may live
-        if (coarse_ == width_) return found;
-        return search(CriticalPhase::fine, width_, std::min(alive_.value_or(most_), most_));
-      }
-      if (start >= most_) {
-        if (reach == most_) return found;
-        return search(CriticalPhase::fine, width_, most_);
-      }
-    }
+  void down() { descend(campaign_, problem_, grid_, question_.tightening, bracket_, findings_); }
+
+  void up() {
+    const auto found =
+        find_smallest(campaign_, problem_, {CriticalDirection::up, CriticalPhase::fine, grid_, 0},
+                      findings_.costs, findings_.global_ranks);
+    found.narrow(bracket_, grid_.width);
+    findings_.status = found.status;
+    if (found.status != engine::Status::solved) findings_.stopped_in = CriticalPhase::fine;
   }
 
  private:
-  // From where something lives down to a share of that, then to the middle of what is left between
-  // that and where nothing lives, or a dive could not tell.
-  void dive(double reach) {
-    from_ = reach;
-    bounds_ = {};
-    double untold = 0;
-    if (alive_ && !goes_on(untold)) return;
-    for (;;) {
-      const auto found =
-          dive_at(campaign_, problem_, std::llround(from_ / coarse_), coarse_, bounds_);
-      costs_.push_back({CriticalPhase::dive, from_, found.opened, found.opened + bounds_.programs});
-      bounds_.programs = 0;  // they are told of
-      if (std::isfinite(found.alive)) {
-        alive_ = found.alive;
-      } else {
-        (found.all_dead ? dead_ : untold) = from_;
-      }
-      if (!alive_ || !goes_on(untold)) return;
-    }
+  // Without a tree. @return whether that is the answer, or all there is time for
+  bool start() {
+    if (problem_.contact_names.size() < fewest_to_start) return false;
+    const auto programs = start_bracket(campaign_, problem_, grid_, bracket_);
+    findings_.costs.push_back({CriticalPhase::start, 0, 0, programs});
+    bracket_.show();
+    if (stopped(CriticalPhase::start)) return true;
+    ends_.prove_at_once();
+    if (stopped(CriticalPhase::start)) return true;
+    const double cells = grid_.precision == Precision::doubles ? cells_in_doubt : 1;
+    return bracket_.is_one_cell(cells * grid_.width);
   }
 
-  // Where to look next, below what is alive. @return whether by a dive
-  bool goes_on(double untold) {
-    const double last = coarse_ * static_cast<double>(std::llround(*alive_ / coarse_) - 1);
-    if (last <= dead_) return false;
-    const double least = std::max(dead_, untold);
-    const bool near = least > near_enough * *alive_;
-    const double next = least > 0 ? std::sqrt(least * *alive_) : share_of_last * *alive_;
-    const double below = std::max(coarse_ * std::floor(next / coarse_), dead_ + coarse_);
-    from_ = near ? last : std::min(below, last);
-    bounds_ = bounds_at(campaign_, problem_, from_, tightening_);
-    return !near;
+  // Whether anything lives at the largest coefficient, if it was given: it may be there to ask
+  // that, and a descent from there would begin so, too. @return whether nothing does
+  bool known_at_most() {
+    if (!question_.most || bracket_.leaf()) return false;
+    const auto dive =
+        dive_at(campaign_, problem_, multiples(*question_.most, grid_.width), grid_, {});
+    findings_.costs.push_back({CriticalPhase::dive, *question_.most, dive.opened, dive.opened});
+    if (dive.all_dead) bracket_.raise(*question_.most);
+    if (std::isfinite(dive.alive)) bracket_.sink(dive.alive, dive.leaf);
+    return dive.all_dead;
   }
 
-  // What the dives have left.
-  CriticalFindings narrow() {
-    CriticalFindings findings;
-    const double end = alive_ ? *alive_ - 1.5 * coarse_ : from_;  // below its last point
-    if (dead_ < end) {
-      findings = search(CriticalPhase::coarse, coarse_, from_);
-      const auto found = engine::from_first_rank(campaign_.transport(), [&] {
-        return Bracket{findings.status, findings.lower, or_infinity(findings.upper)};
-      });
-      dead_ = found.lower;
-      if (std::isfinite(found.upper)) alive_ = found.upper;
-    }
-    findings.lower = dead_;
-    findings.upper = alive_;
-    return findings;
+  // Only what is below the leaf that is known is of interest. @return whether that is the answer
+  bool try_from_below() {
+    CriticalGrid below = grid_;
+    if (bracket_.leaf())
+      below.most = FrictionGrid(grid_.width).at(multiples(*bracket_.upper(), grid_.width) - 1);
+    auto trial = trial_from_below(campaign_, problem_, question_, below, bracket_.lower());
+    if (campaign_.is_first()) findings_.global_ranks = std::move(trial.ranks);
+    findings_.costs.push_back({CriticalPhase::trial, 0, trial.opened, trial.programs});
+    trial.smallest.narrow(bracket_, grid_.width);
+    bracket_.show();
+    return trial.smallest.status == engine::Status::solved;
   }
 
-  CriticalFindings search(CriticalPhase phase, double width, double from) {
-    if (phase == CriticalPhase::fine || bounds_.blocks.empty())
-      bounds_ = bounds_at(campaign_, problem_, from, tightening_);
-    return smallest(
-        campaign_, problem_,
-        {CriticalDirection::down, phase, width, std::max(dead_, known_dead_), from, bounds_},
-        costs_);
+  bool stopped(CriticalPhase phase) {
+    if (!campaign_.ended()) return false;
+    findings_.status =
+        engine::from_first_rank(campaign_.transport(), [&] { return campaign_.budget().why(); });
+    findings_.stopped_in = phase;
+    return true;
   }
 
   engine::Campaign& campaign_;
   const problems::WedgedProblem& problem_;
-  Tightening tightening_;
-  double width_, most_;
-  std::vector<CriticalCost>& costs_;
-  double known_dead_;            // as dead_, but not on that grid
-  double coarse_ = 0;            // the width of the grid of a start
-  double from_ = 0;              // where the next search begins
-  double dead_ = 0;              // nothing lives here, nor below
-  std::optional<double> alive_;  // something does
-  BlockBounds bounds_;           // at `from_`
+  const CriticalQuestion& question_;
+  CriticalGrid grid_;
+  CriticalEnds& ends_;
+  CriticalBracket& bracket_;
+  CriticalFindings& findings_;
 };
-
-// Whether anything lives at the largest coefficient, if it was given: it may be there to ask that,
-// and a descent from there would begin so, too.
-Known known_at_most(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                    const CriticalQuestion& question, std::vector<CriticalCost>& costs) {
-  Known known;
-  if (!question.most) return known;
-  const auto dive =
-      dive_at(campaign, problem, multiples(*question.most, question.width), question.width, {});
-  costs.push_back({CriticalPhase::dive, *question.most, dive.opened, dive.opened});
-  known.whole = dive.all_dead;
-  if (dive.all_dead) known.lower = *question.most;
-  known.upper = dive.alive;
-  return known;
-}
-
-// From below for so many nodes: of small trees that is the answer, of others a lower end to go
-// down to.
-CriticalFindings either_way(engine::Campaign& campaign, const problems::WedgedProblem& problem,
-                            const CriticalQuestion& question, double most,
-                            std::vector<CriticalCost>& costs) {
-  CriticalFindings findings;
-  auto known = known_at_most(campaign, problem, question, costs);
-  if (!known.whole) {
-    const double upper = known.upper;
-    auto trial = trial_from_below(campaign, problem, question, most);
-    known = trial.known;
-    if (campaign.is_first()) findings.global_ranks = std::move(trial.ranks);
-    costs.push_back({CriticalPhase::trial, 0, known.opened, known.programs});
-    if (!known.whole) known.upper = std::min(known.upper, upper);
-  }
-  if (!known.whole) return Descent(campaign, problem, question, most, costs, known).findings();
-  findings.lower = known.lower;
-  if (std::isfinite(known.upper)) findings.upper = known.upper;
-  return findings;
-}
 
 CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
                                     const problems::WedgedProblem& problem, CriticalMethod method,
@@ -363,6 +215,25 @@ CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
   return findings;
 }
 
+// The bracket of the patterns that begin first, on all ranks.
+void narrow_by_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                        const CriticalFindings& findings, CriticalBracket& bracket) {
+  const auto found = engine::from_first_rank(campaign.transport(), [&] {
+    Smallest smallest;
+    smallest.lower = findings.lower;
+    if (!findings.upper) return smallest;
+    const auto& first = findings.patterns.front();
+    const auto block = problems::blocks_of(problem)[first.block];
+    smallest.upper = *findings.upper;
+    Configuration leaf;
+    leaf.pattern = first.pattern;
+    smallest.leaf = {first.block, own_leaf(leaf, block)};
+    return smallest;
+  });
+  bracket.raise(found.lower);
+  if (std::isfinite(found.upper)) bracket.sink(found.upper, found.leaf);
+}
+
 }  // namespace
 
 void CriticalFindings::conclude(double dead) {
@@ -379,51 +250,71 @@ void CriticalFindings::conclude(double dead) {
   for (const auto& entry : patterns) lower = std::min(lower, entry.lower);
 }
 
+CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalQuestion& question) {
+  CriticalGrid grid;
+  // No further than the roughest candidate can be computed with.
+  grid.most = question.most.value_or(std::min(usual_most, CriticalFriction::range(problem).most));
+  int largest = 0;
+  for (const auto& block : problems::blocks_of(problem)) largest = std::max(largest, block.size());
+  const bool in_doubles = largest >= fewest_for_doubles && !question.width;
+  if (in_doubles) grid.precision = Precision::doubles;
+  grid.width = question.width.value_or(in_doubles ? usual_width_in_doubles : usual_width);
+  if (!(grid.width < grid.most) || grid.most > most_multiples * grid.width) {
+    throw std::invalid_argument(
+        "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
+        "of it");
+  }
+  return grid;
+}
+
 CriticalFindings find_critical_friction(engine::Campaign& campaign,
                                         const problems::Structure& structure,
                                         const problems::WedgedProblem& problem,
                                         const CriticalQuestion& question,
                                         const EndRecorder& recorder) {
-  const bool only_smallest = looks_for_smallest(question.way);
-  if (!only_smallest && !question.most) {
+  if (!looks_for_smallest(question.way) && !question.most) {
     throw std::invalid_argument(
         "the patterns are looked for at the largest friction coefficient of interest, which must "
         "be given");
   }
-  // No further than the roughest candidate can be computed with.
-  const double most =
-      question.most.value_or(std::min(usual_most, CriticalFriction::range(problem).most));
-  if (!(question.width < most) || most > most_multiples * question.width) {
-    throw std::invalid_argument(
-        "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
-        "of it");
-  }
-  std::vector<CriticalCost> costs;
-  const auto search = [&] {
-    switch (question.way) {
-      case CriticalWay::automatic:
-        return either_way(campaign, problem, question, most, costs);
-      case CriticalWay::descent:
-        return Descent(campaign, problem, question, most, costs).findings();
-      case CriticalWay::global:
-        return smallest(campaign, problem,
-                        {CriticalDirection::up, CriticalPhase::fine, question.width, 0, most},
-                        costs);
-      case CriticalWay::newton:
-        return pattern_by_pattern(campaign, problem, CriticalMethod::newton, question.width, most,
-                                  costs);
-      case CriticalWay::bisection:
-        break;
-    }
-    return pattern_by_pattern(campaign, problem, CriticalMethod::bisection, question.width, most,
-                              costs);
+  const auto grid = grid_of(problem, question);
+  CriticalFindings findings;
+  CriticalBracket bracket(campaign, grid.most);
+  CriticalEnds ends(campaign, structure, problem,
+                    {.grid = grid,
+                     .tightening = question.tightening,
+                     .list = question.list && looks_for_smallest(question.way),
+                     .list_nodes = question.list_nodes},
+                    recorder, bracket, findings.costs);
+  SmallestWays ways(campaign, problem, question, grid, ends, bracket, findings);
+  const auto by_patterns = [&](CriticalMethod method) {
+    auto costs = std::move(findings.costs);
+    auto found = pattern_by_pattern(campaign, problem, method, grid.width, grid.most, costs);
+    found.costs = std::move(costs);
+    findings = std::move(found);
+    findings.status =
+        engine::from_first_rank(campaign.transport(), [&] { return findings.status; });
+    if (findings.status != engine::Status::solved) findings.stopped_in = CriticalPhase::patterns;
+    narrow_by_patterns(campaign, problem, findings, bracket);
   };
-  auto findings = search();
-  findings.costs = std::move(costs);
-  if (findings.status == engine::Status::solved) {
-    prove_ends(campaign, structure, problem,
-               {question.width, most, question.tightening, only_smallest}, recorder, findings);
+  switch (question.way) {
+    case CriticalWay::automatic:
+      ways.either();
+      break;
+    case CriticalWay::descent:
+      ways.down();
+      break;
+    case CriticalWay::global:
+      ways.up();
+      break;
+    case CriticalWay::newton:
+      by_patterns(CriticalMethod::newton);
+      break;
+    case CriticalWay::bisection:
+      by_patterns(CriticalMethod::bisection);
+      break;
   }
+  ends.prove(findings);
   return findings;
 }
 

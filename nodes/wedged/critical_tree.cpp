@@ -12,16 +12,19 @@ constexpr double rounding = 1e-15;
 
 }  // namespace
 
-CriticalTree::Block::Block(const problems::WedgedProblem& problem, double width)
-    : critical(problem, width),
+CriticalTree::Block::Block(const problems::WedgedProblem& problem, double width,
+                           Precision precision)
+    : critical(problem, width, precision),
       candidates(problems::all_candidates(problem)),
       rule(problem, std::vector<double>(problem.contact_names.size(), 1), Branching::relative) {}
 
 CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
-                           CriticalDirection direction, double known)
+                           CriticalDirection direction, double known, Precision precision)
     : grid_(width), most_(most), direction_(direction), known_(known) {
-  for (const auto& candidates : problems::blocks_of(problem))
-    blocks_.emplace_back(problems::block_problem(problem, candidates), width);
+  for (const auto& candidates : problems::blocks_of(problem)) {
+    blocks_.emplace_back(problems::block_problem(problem, candidates), width, precision);
+    blocks_.back().critical.end_when(pollable_.stop());
+  }
 }
 
 CriticalTree::Tally CriticalTree::tally() const {
@@ -36,6 +39,13 @@ CriticalTree::Node CriticalTree::root() const {
 }
 
 void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
+  pollable_.within(out, node, [&] {
+    open(node, out);
+    return true;
+  });
+}
+
+void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) {
   if (node.place.block == PatternNode::all_blocks) {
     for (std::uint32_t block = 0; block < blocks_.size(); ++block)
       out.branch({{.block = block, .pattern = {}}, node.bound});
@@ -104,7 +114,7 @@ void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>&
   }
   if (cell.alive == CriticalCell::nowhere) return;
   ++tally_.leaves;
-  out.solution({cell});
+  out.solution({cell, node.place});
 }
 
 }  // namespace kusabi::wedged

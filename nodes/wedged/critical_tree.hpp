@@ -3,8 +3,9 @@
 // The tree is that of the sign patterns, of all blocks. A node is bounded by the smallest
 // coefficient at which its relaxation lives, which no pattern below it can undercut; a leaf has its
 // own critical coefficient, bracketed on the grid. The best leaf prunes: also what can at best
-// begin in the same cell of the grid, since the bracket is all that is asked for. (Which patterns
-// begin to live in it is found at its upper end, by the tree of sign patterns.) No coefficient to
+// begin in the same cell of the grid, since the bracket is all that is asked for. (Which other
+// patterns begin to live in it is found at its upper end, by the tree of sign patterns, if that is
+// asked for.) No coefficient to
 // start from is needed, and what is opened is about what a proof that nothing lives below the
 // answer needs anyway.
 #pragma once
@@ -47,10 +48,11 @@ class CriticalTree {
 
   struct Solution {
     CriticalCell cell;
+    PatternNode leaf;  ///< which is feasible at the upper end of the cell
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {
-      archive& cell;
+      archive& cell& leaf;
     }
   };
 
@@ -73,7 +75,8 @@ class CriticalTree {
   /// @param width of the bracket  @param most no coefficient above most x width is of interest
   /// @param known nothing wedges below
   CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
-               CriticalDirection direction = CriticalDirection::up, double known = 0);
+               CriticalDirection direction = CriticalDirection::up, double known = 0,
+               Precision precision = Precision::escalating);
 
   /// From now on the nodes of this block are split by another rule.
   void split_by(std::size_t block, Branching branching) { blocks_[block].rule.set(branching); }
@@ -94,13 +97,14 @@ class CriticalTree {
 
  private:
   struct Block {
-    Block(const problems::WedgedProblem& problem, double width);
+    Block(const problems::WedgedProblem& problem, double width, Precision precision);
 
     CriticalFriction critical;
     support::IndexSet candidates;
     BranchingRule rule;
   };
 
+  void open(const Node& node, engine::Expansion<CriticalTree>& out);
   /// Below what coefficient the node is dead, if it is worth branching.
   std::optional<double> worth(Block& block, const Node& node, double cutoff) const;
   void split(const Node& node, int candidate, engine::Expansion<CriticalTree>& out);
@@ -110,6 +114,7 @@ class CriticalTree {
   std::int64_t most_;
   CriticalDirection direction_;
   double known_;
+  Pollable pollable_;
   std::vector<Block> blocks_;
   Tally tally_;
 };

@@ -7,10 +7,10 @@
 namespace kusabi::wedged {
 
 std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
-    const problems::Structure& structure) {
+    const problems::Structure& structure, const support::LongWork& work) {
   if (structure.coordinates.size() > most_enclosed_displacements)
     return "the structure is too large to enclose its stiffness on the way; verify does it";
-  return verify::enclosed_problem(evidence::verified_structure(structure));
+  return verify::enclosed_problem(evidence::verified_structure(structure), work);
 }
 
 EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,

@@ -11,6 +11,7 @@
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/structure/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "support/stop.hpp"
 #include "verify/certificate.hpp"
 #include "verify/loose_stiffness.hpp"
 #include "verify/proof.hpp"
@@ -23,8 +24,9 @@ inline constexpr int most_enclosed_displacements = 2000;
 
 /// K of the structure with a proved bound and the motions of its loose bodies, computed by the
 /// verifier; or why not, a sentence.
+/// @throws support::Stopped if an end is asked for
 std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
-    const problems::Structure& structure);
+    const problems::Structure& structure, const support::LongWork& work = {});
 
 class EvidenceCheck {
  public:

@@ -13,10 +13,13 @@ namespace {
 /// twice as many rows.
 constexpr double nodes_a_candidate = 15;
 
+/// Of more candidates a sweep takes longer than anybody waits.
+constexpr int largest_to_bound = 200;
+
 bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
   if (tightening == Tightening::never) return false;
   if (tightening == Tightening::always) return true;
-  return tree.nodes > nodes_a_candidate * candidates;
+  return candidates <= largest_to_bound && tree.nodes > nodes_a_candidate * candidates;
 }
 
 }  // namespace

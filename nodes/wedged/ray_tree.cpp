@@ -39,11 +39,12 @@ RayTally RayTree::tally() const {
 }
 
 void RayTree::expand(Node&& node, engine::Expansion<RayTree>& out) {
-  const auto fate = tree_.decide(node);
-  for (const Node& child : fate.children) out.branch(child);
-  if (!fate.leaf) return;
+  const auto fate = tree_.decide(node, out);
+  if (!fate) return;
+  for (const Node& child : fate->children) out.branch(child);
+  if (!fate->leaf) return;
   out.poll();
-  const auto leaf = RayLeaf::of(node, fate);
+  const auto leaf = RayLeaf::of(node, *fate);
   const auto found = rays::rays_of_pattern(cone_, leaf.in_contact);
   tally_.effort += found.effort;
   tally_.health += found.health;

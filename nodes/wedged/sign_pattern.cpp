@@ -49,7 +49,7 @@ SignPatternTree::Block::Block(const problems::WedgedProblem& problem, IndexSet w
     : candidates(std::move(within_whole)),
       all(problems::all_candidates(problem)),
       rule(problem, friction, options.branching),
-      solver(problem, friction, options.tolerances),
+      solver(problem, friction, options.tolerances, options.precision),
       mean_motion(problem) {
   if (options.facets != 0)
     outer.emplace(problem.compliance / solver.unit(), friction, options.facets, options.tolerances,
@@ -64,6 +64,7 @@ SignPatternTree::SignPatternTree(const problems::WedgedProblem& problem,
   for (const auto& candidates : problems::blocks_of(problem)) {
     blocks_.emplace_back(problems::block_problem(problem, candidates), candidates,
                          part_of(friction, candidates), options);
+    blocks_.back().solver.end_when(pollable_.stop());
   }
 }
 
@@ -83,9 +84,10 @@ void SignPatternTree::tighten(std::size_t block, std::vector<CandidateBounds> bo
 }
 
 void SignPatternTree::expand(Node&& node, engine::Expansion<SignPatternTree>& out) {
-  auto fate = decide(node);
-  if (fate.leaf) out.solution(std::move(*fate.leaf));
-  for (const Node& child : fate.children) out.branch(child);
+  auto fate = decide(node, out);
+  if (!fate) return;
+  if (fate->leaf) out.solution(std::move(*fate->leaf));
+  for (const Node& child : fate->children) out.branch(child);
 }
 
 SignPatternTree::Fate SignPatternTree::decide(const Node& node) {

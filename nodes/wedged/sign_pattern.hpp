@@ -38,6 +38,7 @@
 #include "nodes/wedged/contact_solver.hpp"
 #include "nodes/wedged/facets.hpp"
 #include "nodes/wedged/mean_motion.hpp"
+#include "nodes/wedged/pollable.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "support/index_set.hpp"
@@ -207,6 +208,7 @@ struct SignPatternOptions {
   /// below them is decided by itself, which a certificate needs. Up to 2^k times as many nodes
   /// where k candidates stay at rest.
   bool thorough = false;
+  Precision precision = Precision::escalating;
 };
 
 /// The problem type that engine::search searches.
@@ -247,7 +249,18 @@ class SignPatternTree {
   };
 
   /// Opens a node, for `expand` and for trees that make something else of the leaves.
+  /// @throws support::Stopped soon after an end is asked for
   Fate decide(const Node& node);
+
+  /// The same within an expansion of another tree: nothing if the search is about to end and the
+  /// node was put back.
+  template <class Tree>
+  std::optional<Fate> decide(const Node& node, engine::Expansion<Tree>& out) {
+    return pollable_.within(out, node, [&] { return decide(node); });
+  }
+
+  /// From now on decide() ends when this is asked for, outside of expansions.
+  void end_when(support::Stop stop) { pollable_.end_when(std::move(stop)); }
 
   /// From now on `witness` is told why nodes are closed. A branched node is not closed.
   void report_to(Witness witness) { witness_ = std::move(witness); }
@@ -294,6 +307,7 @@ class SignPatternTree {
   conic::Tolerances tolerances_;
   int probes_;
   bool thorough_;
+  Pollable pollable_;
   std::vector<Block> blocks_;
   Tally tally_;
   Witness witness_;

@@ -99,6 +99,10 @@ Eigen::VectorXd column_norms(const numbers::PreciseMatrix& matrix) {
   return matrix.cast<double>().colwise().stableNorm().transpose();
 }
 
+double share(Eigen::Index done, Eigen::Index all) {
+  return static_cast<double>(done) / static_cast<double>(all);
+}
+
 /// X with K X = B up to a residual whose norms are bounded.
 struct Solution {
   numbers::PreciseMatrix displacements;
@@ -108,7 +112,8 @@ struct Solution {
 /// Refines the columns from `first` on until it is of no more use.
 template <class Real>
 void refine(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& factor,
-            const Loads& loads, Eigen::Index first, double rounding, Solution& solution) {
+            const Loads& loads, Eigen::Index first, double rounding, const support::Stop& stop,
+            Solution& solution) {
   const Eigen::Index count = std::min(columns_at_once, loads.matrix.cols() - first);
   const numbers::PreciseMatrix right = loads.matrix.middleCols(first, count);
   const Eigen::VectorXd certain =
@@ -117,6 +122,7 @@ void refine(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& facto
   numbers::PreciseMatrix displacements = numbers::PreciseMatrix::Zero(right.rows(), count);
   numbers::PreciseMatrix left = right;
   for (int step = 0; step < most_refinements; ++step) {
+    support::leave_if(stop);
     typename StiffnessFactor<Real>::Matrix correction = left.cast<Real>();
     factor.solve(correction);
     displacements += correction.template cast<Precise>();
@@ -134,7 +140,7 @@ void refine(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& facto
 
 template <class Real>
 Solution solve(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& factor,
-               const Loads& loads) {
+               const Loads& loads, const support::LongWork& work) {
   double longest = 0;
   for (int k = 0; k < stiffness.matrix.outerSize(); ++k) {
     longest = std::max(longest, static_cast<double>(stiffness.matrix.innerVector(k).nonZeros()));
@@ -143,8 +149,11 @@ Solution solve(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& fa
   Solution solution;
   solution.displacements.setZero(loads.matrix.rows(), loads.matrix.cols());
   solution.residuals.setConstant(loads.matrix.cols(), infinity);
-  for (Eigen::Index first = 0; first < loads.matrix.cols(); first += columns_at_once)
-    refine(stiffness, factor, loads, first, rounding, solution);
+  for (Eigen::Index first = 0; first < loads.matrix.cols(); first += columns_at_once) {
+    work.reached("condensing the stiffness: displacements under unit loads",
+                 share(first, loads.matrix.cols()));
+    refine(stiffness, factor, loads, first, rounding, work.stop, solution);
+  }
   return solution;
 }
 
@@ -169,16 +178,19 @@ double compliance_error(const numbers::PreciseMatrix& matrix, const Loads& loads
 
 template <class Real>
 EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degrees,
-                            const ScaledStiffness& stiffness) {
+                            const ScaledStiffness& stiffness, const support::LongWork& work) {
+  work.reached("condensing the stiffness: its factor", 0);
   const StiffnessFactor<Real> factor(stiffness.matrix);
+  work.reached("condensing the stiffness: its least eigenvalue", 0);
   const double least = factor.least_eigenvalue() - stiffness.error;
   if (!(least > 0)) return {{}, infinity, {}};
   const Loads loads = unit_loads(structure, degrees, stiffness.scale);
-  Solution solution = solve(stiffness, factor, loads);
+  Solution solution = solve(stiffness, factor, loads, work);
   if (!(solution.residuals.maxCoeff() < infinity)) return {{}, infinity, {}};
   const Eigen::Index size = loads.matrix.cols();
   numbers::PreciseMatrix product = numbers::PreciseMatrix::Zero(size, size);
   for (Eigen::Index i = 0; i < size; ++i) {
+    work.reached("condensing the stiffness: the compliance of the candidates", share(i, size));
     for (Eigen::Index k = 0; k < loads.matrix.rows(); ++k) {
       if (loads.matrix(k, i).is_zero()) continue;
       for (Eigen::Index j = 0; j < size; ++j)
@@ -205,20 +217,22 @@ constexpr int most_for_precise_factor = 600;
 
 }  // namespace
 
-EnclosedCompliance enclosed_compliance(const Structure& structure) {
+EnclosedCompliance enclosed_compliance(const Structure& structure, const support::LongWork& work) {
   const FreeDegrees degrees = free_degrees(structure);
   const ScaledStiffness stiffness = scaled_stiffness(structure, degrees);
   if (degrees.size() >= fewest_for_doubles) {
-    auto result = enclosed<double>(structure, degrees, stiffness);
+    auto result = enclosed<double>(structure, degrees, stiffness, work);
     if (result.error <= enough_in_doubles) return result;
   }
-  auto result = enclosed<long double>(structure, degrees, stiffness);
+  auto result = enclosed<long double>(structure, degrees, stiffness, work);
   if (!(result.error < infinity) && degrees.size() <= most_for_precise_factor)
-    result = enclosed<Precise>(structure, degrees, stiffness);
+    result = enclosed<Precise>(structure, degrees, stiffness, work);
   return result;
 }
 
-numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance) {
+// Column by column from the diagonal down: L^-1 is triangular, and K symmetric.
+numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
+                                    const support::LongWork& work) {
   // Scaled to a unit diagonal, which is exact: by powers of two.
   const Eigen::Index size = compliance.rows();
   Eigen::VectorXd scale(size);
@@ -227,13 +241,30 @@ numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance) {
   numbers::PreciseMatrix scaled = compliance;
   for (Eigen::Index i = 0; i < size; ++i)
     for (Eigen::Index j = 0; j < size; ++j) scaled(i, j) *= scale(i) * scale(j);
+  work.reached("stiffness of the candidates: its factor", 0);
   const Eigen::LLT<numbers::PreciseMatrix> factor(scaled);
   if (factor.info() != Eigen::Success)
     return numbers::PreciseMatrix::Constant(size, size, dd_real::_nan);
-  numbers::PreciseMatrix inverse = factor.solve(numbers::PreciseMatrix::Identity(size, size));
-  for (Eigen::Index i = 0; i < size; ++i)
-    for (Eigen::Index j = 0; j < size; ++j) inverse(i, j) *= scale(i) * scale(j);
-  return (inverse + inverse.transpose()) * Precise(0.5);
+  const auto& lower = factor.matrixLLT();
+  numbers::PreciseMatrix inverse(size, size);
+  for (Eigen::Index first = 0; first < size; first += columns_at_once) {
+    const Eigen::Index left = size - first;
+    const Eigen::Index count = std::min(columns_at_once, left);
+    const double rest = share(left, size);
+    work.reached("stiffness of the candidates: its columns", 1 - rest * rest * rest);
+    numbers::PreciseMatrix columns = numbers::PreciseMatrix::Identity(left, count);
+    const auto own = lower.bottomRightCorner(left, left).triangularView<Eigen::Lower>();
+    own.solveInPlace(columns);
+    own.transpose().solveInPlace(columns);
+    inverse.block(first, first, left, count) = columns;
+  }
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      inverse(i, j) *= scale(i) * scale(j);
+      inverse(j, i) = inverse(i, j);
+    }
+  }
+  return inverse;
 }
 
 Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(

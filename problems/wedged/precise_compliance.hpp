@@ -11,6 +11,7 @@
 
 #include "problems/structure/structure.hpp"
 #include "support/numbers/precise.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::problems {
 
@@ -33,11 +34,15 @@ struct EnclosedCompliance {
 /// last of these residuals, with the least eigenvalue that a Cholesky factorisation proves, is the
 /// bound.
 /// @pre the structure passes `check_structure` and is no mechanism
-EnclosedCompliance enclosed_compliance(const Structure& structure);
+/// @throws support::Stopped if an end is asked for: between factorisations and groups of columns
+EnclosedCompliance enclosed_compliance(const Structure& structure,
+                                       const support::LongWork& work = {});
 
 /// K = F^-1, force/length, from an F with 104 bits.
 /// @return nothing of use (NaN) if F is not positive definite
-numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance);
+/// @throws support::Stopped if an end is asked for
+numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
+                                    const support::LongWork& work = {});
 
 /// `enclosed_compliance` in long double precision, length/force. Zero exactly where an entry is not
 /// known to be anything else, or is no more than the rounding of the directions in the file. Of

@@ -51,10 +51,11 @@ void add(support::Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {
 }
 
 /// K and F, each the rounding of its precise value.
-void set_compliance(WedgedProblem& problem, const Structure& structure) {
-  auto [precise, error, response] = enclosed_compliance(structure);
+void set_compliance(WedgedProblem& problem, const Structure& structure,
+                    const support::LongWork& work) {
+  auto [precise, error, response] = enclosed_compliance(structure, work);
   if (!(error <= largest_compliance_error)) refuse_condition(structure);
-  problem.stiffness = stiffness_of(precise).cast<double>();
+  problem.stiffness = stiffness_of(precise, work).cast<double>();
   problem.compliance = precise.cast<double>();
   if (!problem.stiffness.allFinite() || !problem.compliance.allFinite())
     refuse_condition(structure);
@@ -184,7 +185,7 @@ std::uint64_t wedged_fingerprint(const Structure& structure) {
   return fingerprint(structure, frames);
 }
 
-WedgedProblem wedged_problem(const Structure& structure) {
+WedgedProblem wedged_problem(const Structure& structure, const support::LongWork& work) {
   check_structure(structure);
   require_contact_and_stiffness(structure);
   const FreeDegrees degrees = free_degrees(structure);
@@ -205,7 +206,7 @@ WedgedProblem wedged_problem(const Structure& structure) {
     problem.friction.push_back(candidate.friction);
   }
   set_motions(problem, structure, bodies);
-  set_compliance(problem, held);
+  set_compliance(problem, held, work);
   problem.blocks = contact_blocks(structure, degrees, bodies);
   problem.nodes = static_cast<int>(structure.node_names.size());
   problem.members = static_cast<int>(structure.members.size());

@@ -15,6 +15,7 @@
 #include "problems/structure/structure.hpp"
 #include "support/index_set.hpp"
 #include "support/numbers/precise.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::problems {
 
@@ -91,6 +92,7 @@ std::uint64_t wedged_fingerprint(const Structure& structure);
 /// @throws InputError if `check_structure` does; if the structure is a mechanism (with the nodes
 ///         that move); if a loose body has no contact candidate, or it can't be told how it is
 ///         held; if the stiffness is so ill-conditioned that F fails the bound above
-WedgedProblem wedged_problem(const Structure& structure);
+/// @throws support::Stopped if an end is asked for
+WedgedProblem wedged_problem(const Structure& structure, const support::LongWork& work = {});
 
 }  // namespace kusabi::problems

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "engine/checkpoint.hpp"
+#include "engine/signals.hpp"
 #include "engine/together.hpp"
 #include "engine/transport/mpi.hpp"
 #include "run/output/last_steps.hpp"
@@ -55,7 +56,12 @@ int CommandRun::execute() {
   settle_time_limit();
   command_.read(*this);
   open_outputs();
-  command_.prepare(*this);
+  if (table_.limits() != nullptr) engine::heed_signals();
+  try {
+    command_.prepare(*this);
+  } catch (const support::Stopped&) {
+    return stopped_before_the_search();
+  }
   if (shows()) announce();
   command_.search(*this);
   std::uint64_t code = solved;
@@ -97,6 +103,44 @@ void CommandRun::tell_what_is_open(const Verdict& verdict) const {
   for (const auto& [sentence, open] : reservations(verdict)) {
     if (open) tell_doubt(sentence);
   }
+}
+
+double CommandRun::seconds() const {
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - started_;
+  return since.count();
+}
+
+// What takes less than a second comes to its end in any case, and a line about it to nobody.
+support::LongWork CommandRun::long_work() {
+  constexpr double least = 1;
+  static constexpr std::chrono::seconds between_lines(2);
+  support::LongWork work;
+  if (const auto* const limits = table_.limits()) {
+    work.stop = [this, until = std::max(limits->seconds, least)] {
+      return engine::end_asked_by_signal() || seconds() >= until;
+    };
+  }
+  if (shows()) {
+    work.tell = [this](const char* name, double share) {
+      const auto now = std::chrono::steady_clock::now();
+      if (now - told_ < between_lines) return;
+      told_ = now;
+      tell("{}: {:.0f} %\n", name, 100 * share);
+    };
+  }
+  return work;
+}
+
+int CommandRun::stopped_before_the_search() {
+  if (session_.speaks()) {
+    const auto why =
+        engine::end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
+    tell_doubt(
+        fmt::format("stopped early ({}) while the problem was prepared: nothing is known yet, no "
+                    "file is written",
+                    status_name(why)));
+  }
+  return stopped_early;
 }
 
 // What does not go together may be in the call in part only.
@@ -257,6 +301,7 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
 
 engine::Supervision CommandRun::supervision(const engine::Limits& limits) {
   engine::Limits left = limits;
+  left.seconds = std::max(0.0, limits.seconds - seconds());
   if (ends_with_the_job_at_) {
     const std::chrono::duration<double> until =
         *ends_with_the_job_at_ - std::chrono::steady_clock::now();

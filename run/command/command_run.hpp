@@ -3,12 +3,15 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <iosfwd>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,6 +20,7 @@
 #include "engine/journal.hpp"
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
+#include "engine/together.hpp"
 #include "run/command/config_file.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/subcommand.hpp"
@@ -26,6 +30,7 @@
 #include "run/output/page.hpp"
 #include "run/session/restart.hpp"
 #include "run/session/session.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::run {
 
@@ -44,6 +49,27 @@ class CommandRun {
   /// Whether this rank shows what happens: rank 0, unless told to be quiet.
   [[nodiscard]] bool shows() { return session_.speaks() && !quiet_; }
   [[nodiscard]] bool quiet() const { return quiet_; }
+
+  /// Does work before the search that every rank does by itself and that takes long. It is shown,
+  /// and ended by the limits and signals of the call: on all ranks, if on one.
+  /// @throws support::Stopped on every rank alike
+  template <class Work>
+  std::invoke_result_t<Work, const support::LongWork&> within_limits(Work work) {
+    std::optional<std::invoke_result_t<Work, const support::LongWork&>> result;
+    std::exception_ptr wrong;
+    bool stopped = false;
+    try {
+      result.emplace(work(long_work()));
+    } catch (const support::Stopped&) {
+      stopped = true;
+    } catch (...) {  // the others may have been stopped before they came to this
+      wrong = std::current_exception();
+    }
+    const engine::Reduction own{.ranks = 1, .found = stopped ? 1U : 0U};
+    if (engine::all_reduce(session_.transport(), own).found != 0) throw support::Stopped();
+    if (wrong) std::rethrow_exception(wrong);
+    return *std::move(result);
+  }
 
   /// What the engine is to keep and to go on from.
   /// @param tree fingerprint of the tree
@@ -96,6 +122,9 @@ class CommandRun {
   static Step print(std::string text);
 
  private:
+  [[nodiscard]] support::LongWork long_work();
+  [[nodiscard]] double seconds() const;
+  int stopped_before_the_search();
   void settle_time_limit();
   void open_outputs();
   void announce();
@@ -119,6 +148,8 @@ class CommandRun {
   std::unique_ptr<engine::Journal> journal_;  // on rank 0, if --resume is given
   std::optional<engine::Keeping> keeping_;    // likewise, on every rank
   KeptState kept_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point told_ = started_;
   std::optional<std::chrono::steady_clock::time_point> ends_with_the_job_at_;
 };
 

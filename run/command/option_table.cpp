@@ -189,10 +189,11 @@ void OptionTable::serial() {
 }
 
 void OptionTable::time_limit(engine::Limits& limits) {
+  limits_ = &limits;
   add({.name = "--time-limit",
        .value = "TIME",
        .range = "seconds, 90s, 1h30m or slurm",
-       .help = "stop after so long; slurm: shortly before the job's end",
+       .help = "stop so long after the start; slurm: shortly before the job's end",
        .matters = false,
        .take = [this, &limits](const std::string& text) -> std::string {
          if (text == "slurm") {
@@ -210,7 +211,8 @@ void OptionTable::time_limit(engine::Limits& limits) {
 }
 
 void OptionTable::node_limit(engine::Limits& limits) {
-  number("--node-limit", &limits.nodes, above(0), "stop when so many nodes have been opened")
+  number("--node-limit", &limits.nodes, above(0),
+         "stop when so many nodes have been opened, in all searches together")
       .stops(engine::Status::node_limit)
       .varies();
 }

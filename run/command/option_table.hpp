@@ -182,6 +182,9 @@ class OptionTable {
   /// What is to end with the job of the batch system; null if nothing is.
   [[nodiscard]] engine::Limits* ends_with_the_job() const { return ends_with_the_job_; }
 
+  /// What --time-limit is stored in; null if there is no such option.
+  [[nodiscard]] const engine::Limits* limits() const { return limits_; }
+
   /// The options as they were given, ready for a shell; those for which `leave_out` holds are not
   /// among them.
   [[nodiscard]] std::string call(const std::function<bool(const OptionRow&)>& leave_out) const;
@@ -196,6 +199,7 @@ class OptionTable {
   bool switched_ = false;
   std::string named_;
   engine::Limits* ends_with_the_job_ = nullptr;
+  const engine::Limits* limits_ = nullptr;
 };
 
 }  // namespace kusabi::run

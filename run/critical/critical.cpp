@@ -77,10 +77,19 @@ void Critical::describe(OptionTable& table) {
       "coefficients of all patterns that live at --mu-max");
   table.number("--mu-max", &options_.question.most, above(0),
                "no larger coefficient is of interest");
-  table.number("--width", &options_.question.width, above(0), "of the brackets");
+  table.number("--width", &options_.question.width, above(0),
+               "of the brackets; otherwise 1e-8, and 1e-6 of more than 100 candidates, of which "
+               "programs are then solved in double precision only");
   table.choice("--cuts", options_.question.tightening, cuts_words(),
                "bound the reaction and the gap of each candidate on the way down and before the "
                "ends are proved, which cuts nodes: of large held bodies, nowhere, or everywhere");
+  table.flag("--list", options_.question.list,
+             "list all patterns that are feasible at the upper bound; otherwise one that proves it "
+             "is enough");
+  table
+      .number("--list-limit", &options_.question.list_nodes, above(0),
+              "end that list when so many nodes have been opened for it")
+      .needs("--list");
   table
       .number("--top", &options_.top, above(0),
               "list so many of the patterns, those that begin to live first; all are in the file")
@@ -89,8 +98,8 @@ void Critical::describe(OptionTable& table) {
   table.further_output("--csv", "write the patterns to this file, a line each");
   table
       .file("--vtu", vtu_, Role::folder,
-            "write a picture of each pattern that lives at the upper end to this folder, for "
-            "ParaView: critical.pvd opens them")
+            "write a picture of each pattern that is listed to this folder, for ParaView: "
+            "critical.pvd opens them")
       .ends_in({"/critical.pvd"});
   table
       .file("--certificate", options_.certificate, Role::evidence,
@@ -115,10 +124,16 @@ void Critical::check() const {
         "--vtu: only a search for the smallest keeps what it finds wedged; expected --method "
         "auto, descent or global");
   }
+  if (!looks_for_smallest(options_.question.way) && options_.question.list) {
+    throw WrongInput(
+        "--list: the other methods list all patterns that stick at --mu-max; expected --method "
+        "auto, descent or global");
+  }
   const double most = options_.question.most.value_or(wedged::usual_most);
-  if (options_.question.width >= most || most > wedged::most_multiples * options_.question.width) {
+  const double width = options_.question.width.value_or(wedged::usual_width);
+  if (width >= most || most > wedged::most_multiples * width) {
     throw WrongInput(fmt::format("--width {}: expected a number below --mu-max {} and above {}",
-                                 options_.question.width, most, most / wedged::most_multiples));
+                                 width, most, most / wedged::most_multiples));
   }
 }
 
@@ -130,7 +145,8 @@ void Critical::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   structure_ = problems::read_structure(text_, options_.file);
   warn_all(run.session(), structure_.warnings);
-  problem_ = problems::wedged_problem(structure_);
+  problem_ = run.within_limits(
+      [&](const auto& work) { return problems::wedged_problem(structure_, work); });
   // No further than the roughest candidate can be computed with.
   const double most = wedged::CriticalFriction::range(problem_).most;
   if (options_.question.most) friction_at(problem_, *options_.question.most, options_.file);

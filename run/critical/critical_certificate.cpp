@@ -28,11 +28,14 @@ class EndCertificate final : public wedged::EndRecord {
 
   void add(const wedged::Evidence& evidence) override { file_.add(evidence); }
 
-  void end(std::span<const wedged::ProvedBound> bounds, bool holds) override {
+  void end(std::span<const wedged::ProvedBound> bounds, wedged::EndClaim claim,
+           bool holds) override {
     file_.close();
     if (!session_.speaks()) return;
     if (holds) {
-      file_.put_in_place(certificate_header(problem_, friction_, bounds));
+      const bool one = claim == wedged::EndClaim::one_pattern;
+      file_.put_in_place(certificate_header(problem_, friction_, bounds) +
+                         (one ? one_pattern_line : ""));
       if (!quiet_) tell_written({name_});
     } else {
       file_.drop();

@@ -72,6 +72,10 @@ std::string ranks_text(const wedged::CriticalFindings& findings, const Page& pag
 
 const char* phase_name(wedged::CriticalPhase phase) {
   switch (phase) {
+    case wedged::CriticalPhase::start:
+      return "start";
+    case wedged::CriticalPhase::list:
+      return "list";
     case wedged::CriticalPhase::trial:
       return "trial";
     case wedged::CriticalPhase::dive:
@@ -173,8 +177,9 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
   for (const auto& entry : findings.patterns) patterns.push_back(entry_json(problem, entry, whole));
   ordered_json chosen = {{"method", way_name(options.question.way)},
                          {"cuts", name_of(options.question.tightening)},
-                         {"width", options.question.width}};
+                         {"width", wedged::grid_of(problem, options.question).width}};
   chosen["mu_max"] = number_or_null(options.question.most);
+  chosen["list"] = options.question.list;
   return {{"command", "critical"},
           {"version", KUSABI_VERSION},
           {"problem", problem_json(whole.structure(), problem, options.file)},

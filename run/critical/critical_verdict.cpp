@@ -39,13 +39,15 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
   CriticalBracket found{.bracket = {},
                         .factor = !problems::uniform_friction(problem),
                         .most = options.question.most.value_or(wedged::usual_most),
-                        .width = options.question.width};
+                        .width = wedged::grid_of(problem, options.question).width};
   // That nothing sticks without friction says nothing of a search that has not come farther.
   if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
   if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
   using enum wedged::CriticalDoubt;
   found.wide = std::ranges::find(findings.open, wide_bracket) != findings.open.end();
-  found.patterns_open = findings.upper && findings.patterns.empty();
+  found.patterns_open =
+      (findings.upper && findings.patterns.empty()) ||
+      std::ranges::find(findings.open, list_not_complete) != findings.open.end();
   return found;
 }
 

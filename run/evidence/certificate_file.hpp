@@ -17,6 +17,10 @@
 
 namespace kusabi::run {
 
+/// Goes between that and the nodes of a certificate that shows one feasible pattern and says
+/// nothing of others.
+inline constexpr const char* one_pattern_line = "one pattern\n";
+
 /// All of a certificate before its nodes.
 /// @param bounds that they use
 std::string certificate_header(const problems::WedgedProblem& problem,

@@ -200,7 +200,8 @@ void Patterns::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   structure_ = problems::read_structure(text_, options_.file);
   warn_all(run.session(), structure_.warnings);
-  problem_ = problems::wedged_problem(structure_);
+  problem_ = run.within_limits(
+      [&](const auto& work) { return problems::wedged_problem(structure_, work); });
   friction_ = friction_at(problem_, options_.friction, options_.file);
   agree(run.session(), problem_);
   if (options_.polyhedral && problem_.dimension == 2) {

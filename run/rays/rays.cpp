@@ -134,7 +134,8 @@ void Rays::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
   structure_ = problems::read_structure(text_, options_.file);
   warn_all(run.session(), structure_.warnings);
-  problem_ = problems::wedged_problem(structure_);
+  problem_ = run.within_limits(
+      [&](const auto& work) { return problems::wedged_problem(structure_, work); });
   agree(run.session(), problem_);
   run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
   check_problem();

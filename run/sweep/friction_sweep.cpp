@@ -37,7 +37,8 @@ class FrictionSweep final : public Swept {
         question_{.most = most, .width = options.width} {}
 
   void prepare(CommandRun& run) override {
-    problem_ = problems::wedged_problem(structure_);
+    problem_ = run.within_limits(
+        [&](const auto& work) { return problems::wedged_problem(structure_, work); });
     friction_at(problem_, question_.most, options_.file);
     agree(run.session(), problem_);
     run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});

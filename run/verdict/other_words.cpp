@@ -104,6 +104,10 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
   if (ended != engine::Status::solved) return "NOTHING PROVED";
   if (const auto* const list = std::get_if<CertificateCheck::List>(&found.claim))
     return of_list(*list);
+  if (const auto* const example = std::get_if<CertificateCheck::Example>(&found.claim)) {
+    return fmt::format("PROVED: it can stick, by {}; nothing is said of other patterns",
+                       counted(example->patterns, "pattern"));
+  }
   if (const auto* const factor = std::get_if<CertificateCheck::Factor>(&found.claim))
     return of_factor(*factor);
   return "NOT PROVED";

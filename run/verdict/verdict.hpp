@@ -130,8 +130,12 @@ struct CertificateCheck {
     /// Bounds of the greatest of the least factors; absent: nothing is proved of it.
     std::optional<std::pair<double, double>> least{};
   };
+  /// Patterns that stick, of which each is an example; nothing is said of others.
+  struct Example {
+    std::uint64_t patterns = 0;
+  };
   std::uint64_t refusals = 0;
-  std::variant<std::monostate, List, Factor> claim{};
+  std::variant<std::monostate, List, Example, Factor> claim{};
 };
 
 /// A measurement, and whether it found what it was compared with: `bench`.

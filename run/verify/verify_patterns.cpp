@@ -178,14 +178,19 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
     return {.status = outcome.status};
   }
 
-  const auto flaw = verify::flaw_of_cover(certificate);
   const auto proved = outcome.tally();
-  VerifyFindings findings{
-      .check = {
-          .refusals = outcome.solutions.size() + bounds_refused.size() + (flaw ? 1U : 0U),
-          .claim = CertificateCheck::List{.patterns = proved.alive,
+  const bool one_pattern = certificate.one_pattern;
+  auto flaw = one_pattern ? std::optional<std::string>() : verify::flaw_of_cover(certificate);
+  if (one_pattern && proved.alive == 0) flaw = "the pattern that it is about is not there";
+  VerifyFindings findings{.check = {.refusals = outcome.solutions.size() + bounds_refused.size() +
+                                                (flaw ? 1U : 0U)}};
+  if (one_pattern) {
+    findings.check.claim = CertificateCheck::Example{.patterns = proved.alive};
+  } else {
+    findings.check.claim = CertificateCheck::List{.patterns = proved.alive,
                                           .nodes = proved.dead + proved.alive + proved.unloaded,
-                                          .undecided = proved.open()}}};
+                                          .undecided = proved.open()};
+  }
   if (!run.session().speaks()) return findings;  // what was refused is known to rank 0 alone
   for (const auto& refusal : bounds_refused) findings.refusals += refusal;
   for (const auto& found : outcome.solutions) {
@@ -193,7 +198,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   }
   if (flaw) findings.refusals += fmt::format("{}: refused: {}\n", options.certificate, *flaw);
   write_subject(findings.summary, options, certificate, structure, agreement);
-  write_summary(findings.summary, certificate, proof, !flaw,
+  write_summary(findings.summary, certificate, proof, !flaw && !one_pattern,
                 certificate.bounds.size() - bounds_refused.size(), proved);
   return findings;
 }

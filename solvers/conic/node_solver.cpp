@@ -22,6 +22,9 @@ constexpr int most_projections = 4;
 constexpr double visible_residual = 4;
 constexpr double visible_cost = 1e-2;
 
+// Programs with fewer rows take microseconds an iteration.
+constexpr int rows_that_take_long = 64;
+
 // Normal forces below this part of the largest one are treated as tending to zero.
 constexpr double least_force = 1e-6;
 
@@ -98,6 +101,7 @@ void NodeSolver<D>::iterate(ConicResult& answer, StopEarly stop) {
     if (is_settled(answer, stop, tolerances_) || answer.iterations == tolerances_.iterations)
       return;
     ++answer.iterations;
+    if (program_.rows() >= rows_that_take_long) support::leave_if(stop_);
     if (!iteration_.factorise(program_)) return;
     raise_lower(answer);
     if (is_settled(answer, stop, tolerances_) || !iteration_.advance(program_)) return;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,6 +15,7 @@
 #include "solvers/conic/answer.hpp"
 #include "solvers/conic/interior_point.hpp"
 #include "solvers/conic/node_program.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::conic {
 
@@ -40,6 +42,10 @@ class NodeSolver {
 
   /// Allocates room for cuts; initially there is none.
   void make_room(int most_cuts);
+
+  /// Sets the stop test: solve() then throws support::Stopped soon after it becomes true. Only
+  /// programs with many rows ask, once an iteration.
+  void end_when(support::Stop stop) { stop_ = std::move(stop); }
 
   /// Sets mu for the next calls of solve(). See NodeProgram.
   void set_friction(std::span<const double> friction) { program_.set_friction(friction); }
@@ -95,6 +101,7 @@ class NodeSolver {
   Eigen::VectorXd reaction_, displacement_, motion_, multipliers_, trial_;
   typename Bounds<D, double>::MotionCost motion_cost_;
   std::vector<FaceDistances> face_distances_;
+  support::Stop stop_;
   Eigen::VectorXd best_;   // of the best multipliers so far, padded
   double best_value_ = 0;  // upper bound of t*, as computed
   bool proved_ = true;     // true if the bound is in the result

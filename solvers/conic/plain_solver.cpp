@@ -607,6 +607,7 @@ ConicResult PlainSolver<D, Real>::solve(const IndexSet& contact, const IndexSet&
       prove_upper(answer);
       if (is_settled(answer, stop, tolerances_) || iteration == most_iterations) break;
       ++answer.iterations;
+      support::leave_if(stop_);
       if (!factorise()) {
         prove_contradiction(answer);
         break;
@@ -691,6 +692,7 @@ std::optional<RelativeInterior> PlainSolver<D, Real>::relative_interior(const In
       prove_upper(answer);
       if (iteration == most_iterations) break;
       ++answer.iterations;
+      support::leave_if(stop_);
       if (!factorise()) break;
       prove_lower(answer, Keep::latest);
       // Bracket of the iteration itself, without the rounding errors of the bounds.

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -17,6 +18,7 @@
 #include "solvers/conic/bounds.hpp"
 #include "solvers/conic/cone.hpp"
 #include "support/numbers/precise.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::conic {
 
@@ -43,6 +45,9 @@ class PlainSolver {
   /// @param motions of an unconstrained body
   PlainSolver(Matrix compliance, std::span<const double> friction, Tolerances tolerances,
               double error, Motions<Real> motions = {});
+
+  /// Sets the stop test: every solve then throws support::Stopped soon after it becomes true.
+  void end_when(support::Stop stop) { stop_ = std::move(stop); }
 
   /// Sets mu for the next calls of solve().
   void set_friction(std::span<const double> friction) {
@@ -131,6 +136,8 @@ class PlainSolver {
   Tolerances tolerances_;
   Bounds<D, Real> bounds_;
   Vector reaction_, motion_, multipliers_;
+
+  support::Stop stop_;
 
   // The node.
   support::IndexSet contact_;

@@ -248,6 +248,44 @@ TEST(Search, AnExceptionNamesTheNodeAndCarriesItsCause) {
   }
 }
 
+// A binary tree of depth 4; the node of a given depth that is opened first takes until the search
+// is told to end.
+struct Endless {
+  struct Node {
+    std::uint32_t left = 4;
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& left;
+    }
+  };
+  using Solution = int;
+
+  bool asked = false;
+
+  [[nodiscard]] Node root() const { return {}; }
+  void expand(Node&& node, Expansion<Endless>& out) {
+    if (node.left > 0) out.branch({node.left - 1});
+    if (node.left == 2) {
+      asked = true;
+      while (!out.poll()) {
+      }
+      return out.put_back(node);
+    }
+    if (node.left > 0) out.branch({node.left - 1});
+  }
+};
+
+TEST(Search, ANodeThatIsPutBackWaitsUnopened) {
+  Endless endless;
+  Options options;
+  options.survey_interval = 0;
+  options.interrupt = [&] { return endless.asked ? Interrupt::stop : Interrupt::none; };
+  const auto outcome = search(endless, options);
+  EXPECT_EQ(outcome.status, Status::interrupted);
+  EXPECT_EQ(outcome.opened(), 2U);
+  EXPECT_EQ(outcome.open, 3U);  // it, its sibling and that of its parent
+}
+
 TEST(Search, ProgressEndsWithTheWholeTreeClosed) {
   RandomTree tree(5, 14);
   Progress last;

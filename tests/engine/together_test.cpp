@@ -58,6 +58,19 @@ TEST(Budget, LeavesTheOtherLimitsAndLessTime) {
   EXPECT_FALSE(budget.interrupt());
 }
 
+TEST(Budget, CountsNodesOverAllSearches) {
+  Limits limits;
+  limits.nodes = 17;
+  Budget budget(limits);
+  budget.count(12);
+  EXPECT_EQ(budget.left().nodes, 5U);
+  EXPECT_FALSE(budget.spent());
+  budget.count(9);
+  EXPECT_EQ(budget.left().nodes, 0U);
+  EXPECT_TRUE(budget.spent());
+  EXPECT_EQ(budget.why(), Status::node_limit);
+}
+
 TEST(Budget, IsSpentWhenTheTimeIsUp) {
   Limits limits;
   limits.seconds = 0;

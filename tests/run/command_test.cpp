@@ -606,6 +606,11 @@ TEST_F(Command, ProvesBothEndsOfTheCriticalFriction) {
   EXPECT_THAT(shell(command + " verify " + argument("cert.lower")).output,
               HasSubstr("PROVED: the list of 0 patterns is complete: it cannot stick\n"));
   EXPECT_THAT(shell(command + " verify " + argument("cert.upper")).output,
+              HasSubstr("PROVED: it can stick, by 1 pattern; nothing is said of other patterns\n"));
+  const auto listed =
+      shell(command + " critical " + truss + " --list --certificate " + argument("listed"));
+  EXPECT_EQ(listed.exit_code, 0) << listed.output;
+  EXPECT_THAT(shell(command + " verify " + argument("listed.upper") + " --problem " + truss).output,
               HasSubstr("PROVED: the list of 1 pattern is"));
 }
 
@@ -619,6 +624,19 @@ TEST_F(Command, ACriticalFrictionThatWasStoppedSaysWhatIsProved) {
   const auto run = shell(command + " critical " + truss + " --node-limit 20");
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_THAT(run.output, HasSubstr("Stopped early (node-limit)"));
+}
+
+// 233 candidates of which all can be in contact at once: no tree comes upon that soon.
+TEST_F(Command, OfManyCandidatesOnePatternIsFoundWithoutASearch) {
+  const auto file =
+      quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/c_lc6_o2.toml");  // tan 3 deg = 0.0524
+  const auto run = shell(command + " patterns " + file + " --mu 0.1 --pattern-limit 1 --output " +
+                         argument("one.json"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  const auto json = nlohmann::json::parse(content(in_folder("one.json")));
+  EXPECT_EQ(json["status"], "solution-limit");
+  ASSERT_EQ(json["result"]["patterns"].size(), 1U);
+  EXPECT_EQ(json["result"]["patterns"][0]["state"], "alive");
 }
 
 TEST_F(Command, FindsTheSamePatternsByPolyhedralFriction) {

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -196,7 +197,7 @@ struct Trials {
 /// Compares the answers, unless there is a tie, where brackets may differ.
 void compare_trials(const problems::Structure& structure, std::optional<double> most,
                     Trials& trials) {
-  CriticalQuestion question{.way = CriticalWay::global, .most = most, .width = 1e-6};
+  CriticalQuestion question{.way = CriticalWay::global, .most = most, .width = 1e-6, .list = true};
   const auto up = found_of(structure, question);
   question.way = CriticalWay::descent;
   const auto down = found_of(structure, question);
@@ -248,7 +249,8 @@ TEST(CriticalFriction, GoesOnTheWayThatItsTrialChose) {
     engine::Supervision supervision;
     supervision.keeping = engine::Keeping{.journal = &journal, .file = file, .question = 5};
     engine::Campaign campaign(alone, std::move(supervision));
-    auto found = find_critical_friction(campaign, structure, problem, {.trial_nodes = trial_nodes});
+    auto found = find_critical_friction(campaign, structure, problem,
+                                        {.trial_nodes = trial_nodes, .list = true});
     return std::pair(std::move(found), journal.size());
   };
   const auto [first, parts] = run(1);
@@ -290,12 +292,75 @@ TEST(FrictionGrid, IsOfTheDecimalsThatItsWidthIsOneOf) {
 
 TEST(CriticalFriction, OfALargerTrussTheTrialIsFollowedByADescent) {
   const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
-  const auto up = found_of(structure, {.way = CriticalWay::global});
-  const auto either = found_of(structure, {});
+  const auto up = found_of(structure, {.way = CriticalWay::global, .list = true});
+  const auto either = found_of(structure, {.list = true});
   expect_same_answer(either, up);
-  EXPECT_EQ(either.costs.at(0).phase, CriticalPhase::trial);
-  EXPECT_LE(either.costs.at(0).opened, 15 * structure.contact.size());
-  EXPECT_EQ(either.costs.at(1).phase, CriticalPhase::dive);
+  const auto trial = std::ranges::find(either.costs, CriticalPhase::trial, &CriticalCost::phase);
+  ASSERT_LT(trial, either.costs.end() - 1);
+  EXPECT_LE(trial->opened, 15 * structure.contact.size());
+  EXPECT_EQ((trial + 1)->phase, CriticalPhase::dive);
+}
+
+// What one pattern proves: the bracket is that of the whole list, which the pattern is on.
+TEST(CriticalFriction, OnePatternIsEnoughForTheUpperEnd) {
+  for (const char* name : {"space-truss.toml", "plane-truss.toml", "doorstop.toml"}) {
+    SCOPED_TRACE(name);
+    const auto structure =
+        problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
+    const auto one = found_of(structure, {});
+    const auto all = found_of(structure, {.list = true});
+    EXPECT_EQ(one.lower, all.lower);
+    EXPECT_EQ(one.upper, all.upper);
+    EXPECT_TRUE(one.upper_proved);
+    ASSERT_EQ(one.patterns.size(), 1U);
+    EXPECT_FALSE(one.patterns.front().reaction.empty());
+    EXPECT_TRUE(std::ranges::any_of(all.patterns, [&](const auto& entry) {
+      return entry.pattern == one.patterns.front().pattern;
+    }));
+  }
+}
+
+TEST(CriticalFriction, AListHasALimitOfItsOwnAndTheBracketDoesNotDependOnIt) {
+  const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
+  const auto all = found_of(structure, {.list = true});
+  const auto part = found_of(structure, {.list = true, .list_nodes = 1});
+  EXPECT_EQ(part.status, engine::Status::solved);
+  EXPECT_EQ(part.lower, all.lower);
+  EXPECT_EQ(part.upper, all.upper);
+  EXPECT_THAT(part.open, testing::Contains(CriticalDoubt::list_not_complete));
+  EXPECT_EQ(part.patterns.size(), 1U);
+}
+
+// Whatever limit it is stopped at: nodes are counted over all searches, and each further node
+// leaves the bracket as it is or narrower.
+TEST(CriticalFriction, MoreNodesNeverKnowLess) {
+  const auto structure = problems::space_truss({.rows = 8, .depth = 2, .bays = 3});
+  const auto problem = problems::wedged_problem(structure);
+  const auto whole = found_of(structure, {});
+  double lower = 0;
+  double upper = std::numeric_limits<double>::infinity();
+  for (std::uint64_t nodes = 1; nodes < 3000; nodes = nodes * 3 / 2 + 1) {
+    SCOPED_TRACE(nodes);
+    engine::SingleProcess alone;
+    engine::Supervision supervision;
+    supervision.limits.nodes = nodes;
+    engine::Campaign campaign(alone, std::move(supervision));
+    const auto found = find_critical_friction(campaign, structure, problem, {});
+    std::uint64_t opened = 0;
+    for (const auto& cost : found.costs)
+      if (cost.phase != CriticalPhase::upper_end) opened += cost.opened;
+    EXPECT_LE(opened, nodes + 10);
+    EXPECT_GE(found.lower, lower);
+    EXPECT_LE(found.upper.value_or(std::numeric_limits<double>::infinity()), upper);
+    lower = found.lower;
+    upper = found.upper.value_or(upper);
+    EXPECT_LE(lower, whole.lower);
+    EXPECT_GE(upper, *whole.upper);
+    if (found.status == engine::Status::solved) break;
+    EXPECT_EQ(found.status, engine::Status::node_limit);
+    EXPECT_TRUE(found.stopped_in);
+  }
+  EXPECT_EQ(lower, whole.lower);
 }
 
 TEST(CriticalFriction, OfTheTwoBarsIsTwo) {

@@ -1,0 +1,62 @@
+// One or two programs a block, on the first rank.
+#include "nodes/wedged/simple_leaves.hpp"
+
+#include <cstdint>
+
+#include <boost/serialization/vector.hpp>
+
+#include "nodes/wedged/critical_findings.hpp"
+#include "nodes/wedged/critical_start.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+std::vector<PatternNode> tried_leaves(const problems::WedgedProblem& problem,
+                                      std::span<const double> friction) {
+  std::vector<PatternNode> leaves;
+  const auto blocks = problems::blocks_of(problem);
+  for (std::uint32_t number = 0; number < blocks.size(); ++number) {
+    const int m = blocks[number].size();
+    if (static_cast<std::size_t>(m) < fewest_to_start) continue;
+    leaves.push_back({number, leaf_with(support::IndexSet::below(m), m)});
+    const auto block = problems::block_problem(problem, blocks[number]);
+    const std::vector<int> candidates(blocks[number].begin(), blocks[number].end());
+    for (const auto& [factor, candidate] : single_contacts(block)) {
+      const auto own = static_cast<std::size_t>(candidate);
+      if (friction[static_cast<std::size_t>(candidates[own])] <= factor * block.friction[own])
+        continue;
+      leaves.push_back({number, leaf_with(support::IndexSet::single(candidate), m)});
+      break;
+    }
+  }
+  return leaves;
+}
+
+}  // namespace
+
+std::vector<Configuration> simple_leaves(engine::Campaign& campaign,
+                                         const problems::WedgedProblem& problem,
+                                         std::span<const double> friction,
+                                         const conic::Tolerances& tolerances) {
+  return campaign.by_first_rank([&] {
+    std::vector<Configuration> found;
+    const auto leaves = tried_leaves(problem, friction);
+    if (leaves.empty()) return found;
+    SignPatternTree tree(problem, friction,
+                         {.tolerances = tolerances, .precision = Precision::doubles});
+    tree.end_when(campaign.budget().stop());
+    try {
+      for (const auto& leaf : leaves) {
+        auto fate = tree.decide(leaf);
+        if (fate.leaf && fate.leaf->state == LeafState::alive)
+          found.push_back(std::move(*fate.leaf));
+      }
+    } catch (const support::Stopped&) {
+      return found;
+    }
+    return found;
+  });
+}
+
+}  // namespace kusabi::wedged
