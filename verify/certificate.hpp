@@ -76,8 +76,8 @@ struct Certificate {
   /// Whether it shows that there is a pattern, and says nothing of others: its nodes then need not
   /// cover all sign patterns.
   bool one_pattern = false;
-  std::vector<Bound> bounds;              ///< in the order in which they are to be proved
-  std::vector<Record> records;            ///< in the order of the file, repeated ones left out
+  std::vector<Bound> bounds;    ///< in the order in which they are to be proved
+  std::vector<Record> records;  ///< in the order of the file, repeated ones left out
 
   [[nodiscard]] std::size_t candidates() const { return names.size(); }
   [[nodiscard]] std::size_t displacements() const { return dimension * names.size(); }

@@ -121,7 +121,7 @@ class Descent {
                                      findings_.costs, findings_.global_ranks);
     dead_ = std::max(dead_, found.lower);
     if (std::isfinite(found.upper)) alive_ = found.upper;
-    found.narrow(bracket_, width);
+    found.narrow(bracket_, grid_.width);
     bracket_.show();
     findings_.status = found.status;
     if (found.status != engine::Status::solved) findings_.stopped_in = phase;

@@ -12,12 +12,18 @@ std::int64_t multiples(double most, double width) {
   return static_cast<std::int64_t>(std::llround(most / width));
 }
 
-// What is infeasible up to where a known leaf is feasible is so up to the point before.
+// What is infeasible up to where a known leaf is feasible is so up to the point before. Of a search
+// that was stopped the bound lies between two points.
 void Smallest::narrow(CriticalBracket& bracket, double width) const {
   if (std::isfinite(upper)) bracket.sink(upper, leaf);
   const FrictionGrid grid(width);
+  double known = lower;
+  if (status != engine::Status::solved) {
+    const auto below = static_cast<std::int64_t>(std::floor(lower / width));
+    known = grid.at(grid.at(below) <= lower ? below : below - 1);
+  }
   const double above = bracket.upper_or_infinity();
-  bracket.raise(lower < above ? lower : grid.at(multiples(above, width) - 1));
+  bracket.raise(known < above ? known : grid.at(multiples(above, width) - 1));
 }
 
 Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const CriticalGrid& grid,

@@ -34,6 +34,7 @@ struct Smallest {
     archive& status& lower& upper& leaf;
   }
 
+  /// @param width of the grid that the bracket's ends are to lie on
   void narrow(CriticalBracket& bracket, double width) const;
 };
 
