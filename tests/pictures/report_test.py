@@ -250,7 +250,7 @@ class Report(KusabiCase):
         result = self.solve("limit", "gust.toml", "--alpha", 0.5)
         answer, worst = result["result"], result["result"]["worst_case"]
         page = self.page()
-        factor = float(re.search(r"at least (\S+),", self.verdict(page))[1])
+        factor = float(re.search(r" to (\S+) of the reference", self.verdict(page))[1])
         self.assertLessEqual(factor, worst["lower"])
         self.assertLess(worst["lower"] - factor, 1e-3)
         factors = self.numbers(page.with_id("factors"))

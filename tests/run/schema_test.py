@@ -67,8 +67,9 @@ OPTIONAL_OF = {
     "critical": {"patterns": {"block", "at_rest", "axial_forces"}, "pattern": {"block", "at_rest", "axial_forces"},
                  "statistics": {"ranks"}, "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},  # by the method
     "limit": {"options": {"curve_load", "group_alpha", "case"}, "uncertain_loads": {"half_width"}, "cases": {"worst_case"}, "statistics": {"nodes", "tree_programs", "zero_one"},
-              "result": {"zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
-    "sweep": {"result": {"curve_end"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},
+              "lower": {"critical_parameters"}, "upper": {"critical_parameters"},
+              "result": {"guaranteed_interval", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
+    "sweep": {"result": {"curve_end"}, "points": {"guaranteed_interval"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},
     "mip": {},
 }
 NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_support_reactions", "columns"}  # their keys are names of the problem

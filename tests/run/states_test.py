@@ -127,7 +127,8 @@ class States(KusabiCase):
         older = {key: value for key, value in result.items() if key not in ("verdict", "warnings")}
         self.result.write_text(json.dumps(older))
         said = Header(self.kusabi("report", self.result).stdout).found["verdict"]
-        self.assertEqual(said, [result["verdict"]["sentence"]])
+        if result["command"] != "limit":  # whose least factors older versions do not know
+            self.assertEqual(said, [result["verdict"]["sentence"]])
         self.assertEqual(kusabi.load(self.result).partial, result["verdict"]["exit_code"] == 3)
 
     def check_facts(self, result):
