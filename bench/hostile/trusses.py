@@ -131,7 +131,7 @@ def make(seed, index):
     pairs = [pair for pair in itertools.combinations(range(count), 2) if not set(pair) <= set(held)]
     pairs = [pair for pair in pairs if math.dist(places[pair[0]], places[pair[1]]) > 0.3]
     rng.shuffle(pairs)
-    pairs = pairs[:max(len(free) + 1, rng.randint(len(free), len(pairs)))]
+    pairs = pairs[:max(len(free) + 1, rng.randint(min(len(free), len(pairs)), len(pairs)))]
     lines = ['name = "random"', "dimension = 2", 'units = { length = "m", force = "kN" }', "[nodes]"]
     lines += [f"n{k} = [{x}, {y}]" for k, (x, y) in enumerate(places)]
     truss = {"columns": [], "tension": [], "compression": []}

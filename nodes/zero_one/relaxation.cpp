@@ -245,7 +245,8 @@ void Relaxation::raise_bound(std::span<const numbers::Precise> duals) {
   bound_ = safe_.value;
 }
 
-// The first rows of the program, with the bounds that the simplex method has, from its basis.
+// The first rows of the program, with the bounds that the simplex method has, from its basis; of
+// fewer rows from one of their own.
 linear::PreciseSolution Relaxation::solve_precisely(std::size_t rows) {
   linear::LinearProgram program;
   program.constant = mixed_.program.constant;
@@ -266,7 +267,11 @@ linear::PreciseSolution Relaxation::solve_precisely(std::size_t rows) {
   }
   ++precise_programs_;
   const bool all = rows == mixed_.program.rows.size();
-  return linear::solve_precisely(program, all ? basis_ : linear::Basis(), stop_);
+  if (all) return linear::solve_precisely(program, basis_, stop_);
+  // Without the cuts the basis is another one: from that of no pivots at all it may not get there.
+  linear::Simplex doubles(program);
+  doubles.solve_robustly({.stop = stop_});
+  return linear::solve_precisely(program, doubles.basis(), stop_);
 }
 
 double Relaxation::objective() const {
