@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "run/output/values.hpp"
+
 namespace kusabi::run {
 namespace {
 
@@ -25,9 +27,9 @@ std::string rounded_to(double number, int way) {
 
 std::string sticking_sentence(const Sticking& found) {
   const auto where = fmt::format("friction coefficient {}", found.friction);
-  if (found.count > 0) {
-    return fmt::format("It can stick: {}{:.0f} {}{} at {}.", found.whole ? "" : "at least ",
-                       found.count, found.thing, found.count == 1 ? "" : "s", where);
+  if (found.count != 0U) {
+    return fmt::format("It can stick: {}{} at {}.", found.whole ? "" : "at least ",
+                       counted(found.count, found.thing), where);
   }
   if (found.doubtful == 0 && found.whole) return fmt::format("It cannot stick at {}.", where);
   return fmt::format("It is not known whether it can stick at {}.", where);

@@ -7,13 +7,15 @@
 #include <string>
 #include <string_view>
 
+#include "support/exact_count.hpp"
+
 namespace kusabi::run {
 
 /// What a search for wedged configurations has found at one friction coefficient.
 struct Sticking {
   std::string_view thing = "way";  ///< what is counted
   double friction = 0;
-  double count = 0;
+  support::ExactCount count;
   double doubtful = 0;  ///< of which it could not be told; not counted
   bool whole = true;    ///< whether the search came to its end
 };

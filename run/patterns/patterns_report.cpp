@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string patterns(std::uint64_t count) {
+std::string patterns(const support::ExactCount& count) {
   return counted(count, "sign pattern");
 }
 
@@ -73,12 +73,11 @@ ordered_json PatternsReport::candidates_json() const {
 // With a whole search behind it, or what is known without.
 std::string PatternsReport::sentence() const {
   const auto open = static_cast<double>(findings_.open());
-  auto text =
-      '\n' + page_.strong(sticking_sentence({.thing = "way",
-                                             .friction = options_.friction,
-                                             .count = static_cast<double>(findings_.count()),
-                                             .doubtful = open,
-                                             .whole = findings_.whole()}));
+  auto text = '\n' + page_.strong(sticking_sentence({.thing = "way",
+                                                     .friction = options_.friction,
+                                                     .count = findings_.count(),
+                                                     .doubtful = open,
+                                                     .whole = findings_.whole()}));
   text += firmest() + '\n';
   if (open > 0) text += page_.doubtful(doubtful_sentence(open)) + '\n';
   return text;
@@ -219,10 +218,13 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
-  ordered_json result = {{"friction", options_.friction},  {"tolerance", options_.tolerance},
-                         {"count", findings_.count()},     {"flat", findings_.flat},
-                         {"marginal", findings_.marginal}, {"undecided", findings_.undecided},
-                         {"blocks", std::move(blocks)},    {"tree", std::move(tree)}};
+  ordered_json result = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
+  add_count(result, "count", findings_.count());
+  result["flat"] = findings_.flat;
+  result["marginal"] = findings_.marginal;
+  result["undecided"] = findings_.undecided;
+  result["blocks"] = std::move(blocks);
+  result["tree"] = std::move(tree);
   if (options_.polyhedral) result["candidates"] = candidates_json();
   result["patterns"] = patterns_json(whole);
   if (options_.group > 0) result["groups"] = groups_json();

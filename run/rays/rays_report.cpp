@@ -167,7 +167,7 @@ std::string RaysReport::summary() const {
 std::string RaysReport::sentence() const {
   const auto text = sticking_sentence({.thing = "extremal ray",
                                        .friction = options_.friction,
-                                       .count = static_cast<double>(found_.rays.size()),
+                                       .count = found_.rays.size(),
                                        .whole = found_.status == engine::Status::solved});
   return '\n' + page_.strong(text) + '\n' +
          (found_.health.sound() ? "" : page_.doubtful(unsound_sentence()) + '\n');

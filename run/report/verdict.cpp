@@ -2,9 +2,11 @@
 #include "run/report/verdict.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -53,10 +55,21 @@ class Concluding {
     return value != nullptr && value->is_boolean() && value->get<bool>();
   }
 
+  // From the blocks: before 0.2 the count of the file was a product that could wrap.
+  [[nodiscard]] support::ExactCount count_of_ways() const {
+    if (ResultReader::find(result_, "blocks") == nullptr) return reader_.count(result_, "count");
+    std::vector<std::uint64_t> factors;
+    for (const auto& block : reader_.list(result_, "blocks")) {
+      const auto cones = reader_.count(block, "count").number();
+      if (cones && *cones != 0) factors.push_back(*cones);
+    }
+    return factors.empty() ? support::ExactCount() : support::ExactCount::product(factors);
+  }
+
   void ways(std::string_view thing) {
     const Sticking found{.thing = thing,
                          .friction = reader_.number(result_, "friction"),
-                         .count = reader_.number(result_, "count"),
+                         .count = count_of_ways(),
                          .doubtful = count_of("marginal") + count_of("undecided"),
                          .whole = status_ == "solved"};
     all_.sentence = sticking_sentence(found);
