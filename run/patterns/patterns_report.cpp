@@ -25,6 +25,13 @@ std::string patterns(const support::ExactCount& count) {
   return counted(count, "sign pattern");
 }
 
+// If all open leaves were patterns, which no other contains.
+support::ExactCount most_patterns(const wedged::PatternFindings& findings) {
+  std::vector<std::uint64_t> of_blocks;
+  for (const auto& block : findings.blocks) of_blocks.push_back(block.cones + block.open);
+  return wedged::combinations(of_blocks);
+}
+
 const char* name_of(wedged::Branching branching) {
   switch (branching) {
     case wedged::Branching::automatic:
@@ -128,6 +135,10 @@ std::string PatternsReport::details() const {
       text +=
           "any pattern of one goes with any of another: their product is the number of patterns "
           "of the whole, and the list has those of each block\n";
+    }
+    if (findings_.whole() && findings_.open() > 0) {
+      fmt::format_to(out, "with those that are undecided there are at most {} of the whole\n",
+                     patterns(most_patterns(findings_)));
     }
   }
   if (options_.polyhedral) {

@@ -25,6 +25,7 @@
 #include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
+#include "run/wedged/ignored_loads.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
@@ -131,8 +132,11 @@ void Rays::read(CommandRun& run) {
 
 void Rays::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  structure_ = problems::read_structure(text_, options_.file);
+  auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
+  structure_ = std::move(structure);
   warn_all(run.session(), structure_.warnings);
+  warn_all(run.session(), ignored_loads(structure_, "rays"));
+  warn_all(run.session(), facet_warnings(facets, options_.friction, options_.file));
   problem_ = problems::wedged_problem(structure_);
   agree(run.session(), problem_);
   run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});

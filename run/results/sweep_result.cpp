@@ -62,8 +62,9 @@ class SweptFriction : public Swept {
     }
     const auto open = reader_.count(*last, "open");
     return fmt::format(
-        "It cannot stick up to a friction coefficient of {:.10g}{}; at {} there are {}{}.",
-        dead_up_to(most), times(), most, counted(known(*last, most), "sign pattern"),
+        "It cannot stick up to a friction coefficient of {:.10g}{}; at {} there {} {}{}.",
+        dead_up_to(most), times(), most, known(*last, most) == 1U ? "is" : "are",
+        counted(known(*last, most), "sign pattern"),
         open == 0U ? "" : fmt::format(" and {} undecided", open.text()));
   }
 
