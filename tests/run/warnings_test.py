@@ -85,8 +85,9 @@ class Warnings(Problems):
     def test_right_files_are_not_doubted(self):
         for file in (*EXAMPLES.glob("*.toml"), *(EXAMPLES / "paper").glob("*.toml"), *CASES.glob("*.toml")):
             if file.name != "dup.toml":
-                with self.subTest(file.name):
-                    self.assertEqual(self.said("show", file).stderr, "")
+                told = self.kusabi("show", file).stderr
+                for doubt in ("nothing joins", "candidates are not on", "no coefficient but a factor"):
+                    self.assertNotIn(doubt, told, file.name)
 
 
 class Messages(Problems):
@@ -120,8 +121,7 @@ class Messages(Problems):
     def test_no_help_ends_with_two_stops(self):
         for command in ("patterns", "rays", "critical", "limit", "sweep", "mip", "verify", "show", "draw", "report"):
             text = " ".join(self.said(command, "--help").stdout.split())
-            for wrong in (". .", ".. ", "end. ."):
-                self.assertNotIn(wrong, text, command)
+            self.assertNotIn(". .", text, command)
 
     def test_one_pattern_is_one(self):
         said = self.said("sweep", EXAMPLES / "two-bars.toml", "--mu", "2.5").stdout
