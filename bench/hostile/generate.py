@@ -178,7 +178,7 @@ def _mesh(rng):
             "", "[[supports]]", f'nodes = ["a.{rng.choice(("left", "bottom"))}"]']
     place = rng.sample([f"a.{columns},{j}" for j in range(1, rows + 1)] + [f"a.{i},{rows}" for i in range(1, columns)], min(m, rows))
     for node, normal in zip(place, normals):
-        text += ["", "[[contact]]", f'nodes = ["{node}"]', f"normal = {normal}", f"friction = {rng.choice((1.0, 1.0, 0.7))!r}"]
+        text += ["", "[[contact]]", f'nodes = ["{node}"]', f"normal = {normal}", f"friction_factor = {rng.choice((1.0, 1.0, 0.7))!r}"]
     return "\n".join(text) + "\n"
 
 

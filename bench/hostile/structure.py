@@ -88,7 +88,7 @@ def from_toml(text):
     for group in table.get("contact", []):
         for node in expand(group["nodes"]):
             structure.candidates.append((node, [float(x) for x in group["normal"]], group.get("tangent"),
-                                         float(group.get("friction", 1.0))))
+                                         float(group.get("friction_factor", group.get("friction", 1.0)))))
     return structure
 
 
@@ -111,7 +111,7 @@ def to_toml(structure, name="hostile"):
         if tangent is not None:
             lines += [f"tangent = {[float(x) for x in tangent]}"]
         if friction != 1.0:
-            lines += [f"friction = {friction!r}"]
+            lines += [f"friction_factor = {friction!r}"]
     return "\n".join(lines) + "\n"
 
 

@@ -33,9 +33,8 @@ int answer(engine::Transport& transport, const char* file, double coefficient) {
       std::printf(" %s", problem.contact_names[static_cast<std::size_t>(i)].c_str());
     std::printf("\n");
   }
-  std::printf("%llu sign patterns, %zu open, on %zu ranks\n",
-              static_cast<unsigned long long>(found.count()), found.open(),
-              found.outcome.ranks.size());
+  std::printf("%s sign patterns, %zu open, on %zu ranks\n", found.count().digits().c_str(),
+              found.open(), found.outcome.ranks.size());
   return found.whole() && found.open() == 0 ? 0 : 3;
 }
 

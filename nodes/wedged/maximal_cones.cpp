@@ -2,6 +2,7 @@
 #include "nodes/wedged/maximal_cones.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace kusabi::wedged {
@@ -56,14 +57,11 @@ std::vector<Configuration> maximal_cones(std::vector<Configuration> leaves) {
   return kept;
 }
 
-std::uint64_t combinations(std::span<const std::uint64_t> cones_of_blocks) {
-  std::uint64_t product = 1;
-  bool any = false;
-  for (const auto cones : cones_of_blocks) {
-    any = any || cones != 0;
-    product *= std::max<std::uint64_t>(1, cones);
-  }
-  return any ? product : 0;
+support::ExactCount combinations(std::span<const std::uint64_t> cones_of_blocks) {
+  std::vector<std::uint64_t> factors;
+  std::ranges::copy_if(cones_of_blocks, std::back_inserter(factors),
+                       [](std::uint64_t cones) { return cones != 0; });
+  return factors.empty() ? support::ExactCount() : support::ExactCount::product(factors);
 }
 
 }  // namespace kusabi::wedged

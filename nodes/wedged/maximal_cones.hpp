@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nodes/wedged/sign_pattern.hpp"
+#include "support/exact_count.hpp"
 
 namespace kusabi::wedged {
 
@@ -26,6 +27,6 @@ bool comes_before(const SignPattern& first, const SignPattern& second);
 
 /// How many maximal cones a structure has whose blocks have so many each: any cone of one goes with
 /// any of another. Blocks without any stay at rest.
-std::uint64_t combinations(std::span<const std::uint64_t> cones_of_blocks);
+support::ExactCount combinations(std::span<const std::uint64_t> cones_of_blocks);
 
 }  // namespace kusabi::wedged

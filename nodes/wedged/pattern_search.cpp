@@ -82,7 +82,7 @@ PatternFindings find_patterns(engine::Campaign& campaign, const problems::Wedged
   return findings;
 }
 
-std::uint64_t PatternFindings::count() const {
+support::ExactCount PatternFindings::count() const {
   std::vector<std::uint64_t> cones;
   for (const auto& block : blocks) cones.push_back(block.cones);
   return combinations(cones);

@@ -42,7 +42,7 @@ struct PatternFindings {
   [[nodiscard]] std::size_t open() const { return marginal + undecided; }
 
   /// The sign patterns of the whole structure: any of one block goes with any of another.
-  [[nodiscard]] std::uint64_t count() const;
+  [[nodiscard]] support::ExactCount count() const;
 
   /// The candidates of blocks that cannot wedge: at rest whatever the others do. None if the
   /// search stopped early, since some may come.

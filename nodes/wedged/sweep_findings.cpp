@@ -112,7 +112,7 @@ void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& lea
 }
 
 ConeCount SweepFindings::count_at(double friction) const {
-  ConeCount count{.friction = friction};
+  ConeCount count{.friction = friction, .known = {}};
   std::vector<std::uint64_t> of_block(blocks, 0);
   for (const auto& cone : cones) {
     const bool changes =

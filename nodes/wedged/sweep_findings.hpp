@@ -16,6 +16,7 @@
 #include "nodes/wedged/friction_grid.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "nodes/wedged/sweep_tree.hpp"
+#include "support/exact_count.hpp"
 
 namespace kusabi::wedged {
 
@@ -48,8 +49,8 @@ struct OpenLeaf {
 /// How many maximal cones there are at one coefficient.
 struct ConeCount {
   double friction = 0;
-  std::uint64_t known = 0;  ///< cones of the whole that are maximal here
-  std::size_t open = 0;     ///< brackets and open leaves in which the coefficient lies
+  support::ExactCount known;  ///< cones of the whole that are maximal here
+  std::size_t open = 0;       ///< brackets and open leaves in which the coefficient lies
 
   [[nodiscard]] bool exact() const { return open == 0; }
 };
@@ -57,7 +58,7 @@ struct ConeCount {
 /// A range in which the count does not change.
 struct Tread {
   double from = 0, to = 0;
-  std::uint64_t known = 0;
+  support::ExactCount known;
   std::size_t open = 0;  ///< open leaves
 };
 

@@ -59,6 +59,21 @@ const std::set<std::string, std::less<>> left_out{
     "*TIME POINTS", "*MONITOR",      "*CONTROLS",      "*FREQUENCY",
     "*BUCKLE"};
 
+/// Abaqus/CAE writes a file in parts unless told otherwise.
+const std::set<std::string, std::less<>> of_parts{"*PART",     "*END PART",     "*ASSEMBLY",
+                                                  "*INSTANCE", "*END INSTANCE", "*END ASSEMBLY"};
+
+/// The problem file says where the body touches what.
+const std::set<std::string, std::less<>> of_contact{"*SURFACE INTERACTION",
+                                                    "*SURFACE BEHAVIOR",
+                                                    "*FRICTION",
+                                                    "*CONTACT PAIR",
+                                                    "*CONTACT",
+                                                    "*GAP CONDUCTANCE",
+                                                    "*CONTACT CONTROLS",
+                                                    "*CONTACT INCLUSIONS",
+                                                    "*CONTACT PROPERTY ASSIGNMENT"};
+
 class AbaqusFile {
  public:
   AbaqusFile(const MeshTexts& texts, const std::string& place) : text_(texts, place) {}
@@ -110,6 +125,21 @@ void AbaqusFile::read_card(const AbaqusCard& card) {
   if (keyword == "*SOLID SECTION") return materials_.read_section(text_, card);
   if (keyword == "*BOUNDARY") return boundary(card);
   if (left_out.contains(keyword)) return leave_out(card);
+  const auto refuse = [&](std::string_view why) {
+    text_.line().fail(
+        fmt::format("keyword {} is not understood: {}", support::in_quotes(keyword), why));
+  };
+  if (of_parts.contains(keyword)) {
+    refuse(
+        "flat decks are read, not parts and assemblies; expected one from Abaqus/CAE with Model, "
+        "Edit Attributes, \"Do not use parts and assemblies in input files\"");
+  }
+  if (of_contact.contains(keyword)) {
+    refuse(
+        "flat decks of nodes, elements, sets, surfaces and materials are read; expected none of "
+        "contact and friction, which [[contact]] of the problem file says and --mu, so leave "
+        "this keyword and its data out");
+  }
   text_.line().fail(
       fmt::format("keyword {} is not understood; expected *NODE, *ELEMENT, *NSET, "
                   "*ELSET, *SURFACE, *MATERIAL, *ELASTIC, *SOLID SECTION, *BOUNDARY, "

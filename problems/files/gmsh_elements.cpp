@@ -55,6 +55,13 @@ std::string gmsh_called(int type) {
   return fmt::format("of type {}", type);
 }
 
+std::string gmsh_remedy(int type) {
+  constexpr int quadrilateral9 = 10;
+  constexpr int hexahedron27 = 12;
+  if (type != quadrilateral9 && type != hexahedron27) return "";
+  return ", which Gmsh makes of second order with Mesh.SecondOrderIncomplete = 1";
+}
+
 std::vector<int> from_gmsh_order(MeshShape shape, const std::vector<int>& nodes) {
   std::span<const int> order;
   if (shape == MeshShape::tetrahedron10) order = tetrahedron_order;

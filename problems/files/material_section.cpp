@@ -32,6 +32,25 @@ GroupMaterial bar_material(const TomlReader& reader, const TomlTable& table) {
   return material;
 }
 
+std::string meant_instead(const std::string& name, const std::vector<std::string>& groups) {
+  return support::did_you_mean(name, {groups.begin(), groups.end()});
+}
+
+[[noreturn]] void refuse_group(const ProblemDraft& draft, const TomlText& name,
+                               const std::vector<std::string>& element_groups) {
+  auto instead = meant_instead(name.text, element_groups);
+  if (instead.empty()) {
+    instead = element_groups.empty()
+                  ? "; no mesh has any"
+                  : fmt::format("; there are {}", names_of_groups(element_groups, ", "));
+  }
+  draft.reader().fail(
+      name.position,
+      fmt::format("no mesh has a group {} with elements; expected MESH.GROUP, the names of a mesh "
+                  "from a file and of a group in it{}",
+                  support::in_quotes(name.text), instead));
+}
+
 }  // namespace
 
 GroupMaterial body_material(const ProblemDraft& draft, const TomlTable& table) {
@@ -85,21 +104,21 @@ std::vector<GroupMaterial> read_materials(const ProblemDraft& draft) {
 
 void require_all_found(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials,
                        const std::vector<std::string>& element_groups) {
-  const auto instead = [&](const std::string& name) -> std::string {
-    auto meant = support::did_you_mean(name, {element_groups.begin(), element_groups.end()});
-    if (!meant.empty()) return meant;
-    if (element_groups.empty()) return "; no mesh has any";
-    return fmt::format("; there are {}", names_of_groups(element_groups, ", "));
-  };
   for (const GroupMaterial& material : materials) {
     for (std::size_t i = 0; i < material.groups.size(); ++i) {
-      if (material.found[i]) continue;
-      draft.reader().fail(
-          material.groups[i].position,
-          fmt::format("no mesh has a group {} with elements; expected MESH.GROUP, the names of a "
-                      "mesh from a file and of a group in it{}",
-                      support::in_quotes(material.groups[i].text),
-                      instead(material.groups[i].text)));
+      if (!material.found[i]) refuse_group(draft, material.groups[i], element_groups);
+    }
+  }
+}
+
+void refuse_misspelt(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials,
+                     const std::vector<std::string>& element_groups, const std::string& mesh) {
+  for (const GroupMaterial& material : materials) {
+    for (std::size_t i = 0; i < material.groups.size(); ++i) {
+      const auto& name = material.groups[i];
+      const bool is_meant =
+          name.text.starts_with(mesh + ".") || !meant_instead(name.text, element_groups).empty();
+      if (!material.found[i] && is_meant) refuse_group(draft, name, element_groups);
     }
   }
 }

@@ -35,4 +35,9 @@ std::vector<GroupMaterial> read_materials(const ProblemDraft& draft);
 void require_all_found(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials,
                        const std::vector<std::string>& element_groups);
 
+/// Of an element without a material: the group of one may be meant that is spelt otherwise.
+/// @throws InputError at a group that the mesh does not have, but one that is nearly called so
+void refuse_misspelt(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials,
+                     const std::vector<std::string>& element_groups, const std::string& mesh);
+
 }  // namespace kusabi::problems

@@ -86,10 +86,16 @@ std::vector<MeshUse> mesh_uses(const ProblemDraft& draft, const MeshData& mesh,
   }
   const int dimension = draft.structure().dimension;
   if (!give_roles(mesh, dimension, uses)) {
-    fail_in_mesh(mesh, {0, 1},
-                 fmt::format("the mesh has no elements of dimension {} and no bars; "
-                             "expected some",
-                             dimension));
+    const bool by_gmsh = mesh.files.front().ends_with(".msh");
+    fail_in_mesh(
+        mesh, {0, 1},
+        fmt::format("the mesh has no elements of dimension {} and no bars; expected some{}",
+                    dimension,
+                    !by_gmsh         ? ""
+                    : dimension == 2 ? ": Gmsh saves those of a Physical Surface, or all with "
+                                       "Mesh.SaveAll = 1"
+                                     : ": Gmsh saves those of a Physical Volume, or all with "
+                                       "Mesh.SaveAll = 1"));
   }
   return uses;
 }

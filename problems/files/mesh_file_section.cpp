@@ -206,6 +206,7 @@ void MeshFileSection::add_body_element(const MeshElement& element, const MeshUse
     made.thickness = structure().dimension == 3 ? 1 : scale_ * use.section->measure;
     material_position = position(use.section->at);
   } else if (!is_of_stiffness(draft_, name_.text)) {
+    refuse_misspelt(draft_, plan_.materials, plan_.element_groups, name_.text);
     fail(element.at, fmt::format("element {} has no material; expected E and nu in the [[mesh]], "
                                  "or a [[material]] of a group that it is of",
                                  element.tag));

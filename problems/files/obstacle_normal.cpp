@@ -75,9 +75,40 @@ Patches patches(const ProblemDraft& draft, const TomlTable& group) {
   return result;
 }
 
+double degrees_between(const Eigen::VectorXd& first, const Eigen::VectorXd& second) {
+  return 2 * std::asin(std::min(1.0, (first - second).norm() / 2)) * 180 / std::numbers::pi;
+}
+
+/// Of the faces at a node that are `wanted`: the largest angle between two, and from a direction.
+std::pair<double, double> angles_of_facets(const Surface& body, int node,
+                                           const Eigen::VectorXd& direction,
+                                           const std::function<bool(const SurfaceFace&)>& wanted) {
+  std::vector<Eigen::VectorXd> normals;
+  std::pair<double, double> angles{0, 0};
+  for (const int face : body.faces_at(node)) {
+    if (!wanted(body.faces()[static_cast<std::size_t>(face)])) continue;
+    const Eigen::VectorXd own = body.normal(face, node).normalized();
+    for (const auto& other : normals)
+      angles.first = std::max(angles.first, degrees_between(own, other));
+    angles.second = std::max(angles.second, degrees_between(own, direction));
+    normals.push_back(own);
+  }
+  return angles;
+}
+
 ObstacleNormal of_surface(const ProblemDraft& draft, const TomlTable& group, LazySurface& surface) {
   const auto faces = std::make_shared<const Patches>(patches(draft, group));
-  return [&draft, &surface, faces](const ListedNode& listed) -> Eigen::VectorXd {
+  const auto facets = [&surface, faces](const ListedNode& listed) {
+    const Surface& body = surface.get();
+    const Patch& own = faces->at(listed);
+    for (const bool all : {false, true}) {
+      const auto wanted = [&](const SurfaceFace& face) { return all || own.holds(face); };
+      const auto normal = body.mean_normal(listed.node, wanted);
+      if (normal) return angles_of_facets(body, listed.node, *normal, wanted);
+    }
+    return std::pair(0.0, 0.0);
+  };
+  const auto at = [&draft, &surface, faces](const ListedNode& listed) -> Eigen::VectorXd {
     const Surface& body = surface.get();
     const Patch& own = faces->at(listed);
     auto normal =
@@ -92,6 +123,7 @@ ObstacleNormal of_surface(const ProblemDraft& draft, const TomlTable& group, Laz
     }
     return -*normal;
   };
+  return {.at = at, .surfaces = {}, .facets = facets};
 }
 
 Eigen::VectorXd direction(const ProblemDraft& draft, const toml::node& entry,
@@ -109,7 +141,7 @@ Eigen::VectorXd direction(const ProblemDraft& draft, const toml::node& entry,
 /// { plane = [...] }: the normal of the plane, on whichever side the body is.
 ObstacleNormal of_plane(const ProblemDraft& draft, const toml::node& entry, LazySurface& surface) {
   const Eigen::VectorXd normal = direction(draft, entry, "the normal of the plane");
-  return [&draft, &surface, normal](const ListedNode& listed) -> Eigen::VectorXd {
+  const auto at = [&draft, &surface, normal](const ListedNode& listed) -> Eigen::VectorXd {
     const auto outward =
         surface.get().mean_normal(listed.node, [](const SurfaceFace&) { return true; });
     if (!outward) {
@@ -121,6 +153,11 @@ ObstacleNormal of_plane(const ProblemDraft& draft, const toml::node& entry, Lazy
     }
     return outward->dot(normal) > 0 ? Eigen::VectorXd(-normal) : normal;
   };
+  const auto offset = [&draft, unit = Eigen::VectorXd(normal.stableNormalized())](int node) {
+    return unit.dot(draft.structure().coordinates.col(node));
+  };
+  return {
+      .at = at, .surfaces = ParallelSurfaces{"plane with this normal", offset, at}, .facets = {}};
 }
 
 /// A cylinder (half angle 0) or a cone about an axis; in the plane a circle about a point.
@@ -164,8 +201,18 @@ Revolution revolution(const ProblemDraft& draft, const TomlTable& table) {
   return result;
 }
 
+/// The distance from the axis, less what a cone widens by.
+double offset_of(const Revolution& shape, const Eigen::VectorXd& place) {
+  Eigen::VectorXd away = place - shape.point;
+  if (shape.axis.size() == 0) return away.norm();
+  const double along = shape.axis.dot(away);
+  away -= along * shape.axis;
+  return std::cos(shape.half_angle) * away.norm() - std::sin(shape.half_angle) * along;
+}
+
 ObstacleNormal of_revolution(const ProblemDraft& draft, const TomlTable& table) {
-  return [&draft, shape = revolution(draft, table)](const ListedNode& listed) -> Eigen::VectorXd {
+  const auto shape = revolution(draft, table);
+  const auto at = [&draft, shape](const ListedNode& listed) -> Eigen::VectorXd {
     Eigen::VectorXd away = draft.structure().coordinates.col(listed.node) - shape.point;
     const double distance = away.norm();
     if (shape.axis.size() > 0) away -= shape.axis.dot(away) * shape.axis;
@@ -181,6 +228,13 @@ ObstacleNormal of_revolution(const ProblemDraft& draft, const TomlTable& table) 
     }
     return shape.body_is_inside ? Eigen::VectorXd(-normal) : normal;
   };
+  const auto* const called = shape.half_angle > 0    ? "cone with this axis and half_angle"
+                             : shape.axis.size() > 0 ? "cylinder about this axis"
+                                                     : "circle about this point";
+  const auto offset = [&draft, shape](int node) {
+    return offset_of(shape, draft.structure().coordinates.col(node));
+  };
+  return {.at = at, .surfaces = ParallelSurfaces{called, offset, at}, .facets = {}};
 }
 
 }  // namespace
@@ -202,7 +256,10 @@ ObstacleNormal obstacle_normal(const ProblemDraft& draft, const TomlTable& group
     reader.allow_only(table, {"plane"});
     return of_plane(draft, *table.table->get("plane"), surface);
   }
-  return [normal = direction(draft, entry, "the normal")](const ListedNode&) { return normal; };
+  return {
+      .at = [normal = direction(draft, entry, "the normal")](const ListedNode&) { return normal; },
+      .surfaces = {},
+      .facets = {}};
 }
 
 }  // namespace kusabi::problems

@@ -4,18 +4,28 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "problems/files/obstacle_place.hpp"
 #include "problems/files/problem_draft.hpp"
 #include "problems/files/toml_reader.hpp"
 #include "problems/structure/surface.hpp"
 
 namespace kusabi::problems {
 
-/// From a node to the outward normal of the obstacle there: d, of any length, not zero.
-using ObstacleNormal = std::function<Eigen::VectorXd(const ListedNode&)>;
+/// What `normal` of a group says.
+struct ObstacleNormal {
+  /// From a node to the outward normal of the obstacle there: d, of any length, not zero.
+  std::function<Eigen::VectorXd(const ListedNode&)> at;
+  /// Of a plane, a cylinder or a cone: where it may be.
+  std::optional<ParallelSurfaces> surfaces{};
+  /// Of the body's own surface: the largest angle, in degrees, between two faces whose mean the
+  /// normal at a node is, and from the mean to one of them.
+  std::function<std::pair<double, double>(const ListedNode&)> facets{};
+};
 
 /// The surface of the body, found when it is first asked for.
 class LazySurface {

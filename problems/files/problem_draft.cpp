@@ -97,6 +97,10 @@ std::string ProblemDraft::names_instead(const std::string& name) const {
         bare ? group.ends_with("." + name) : group.starts_with(name.substr(0, dot + 1));
     if (likely) groups.push_back(group);
   }
+  if (groups.empty() && !bare && mesh(name.substr(0, dot)) != nullptr) {
+    return fmt::format("; its mesh has no groups: in Gmsh a Physical {} makes one",
+                       structure_.dimension == 2 ? "Curve" : "Surface");
+  }
   if (groups.empty()) return "";
   return bare ? fmt::format("; did you mean {}?", names_of_groups(groups, " or "))
               : fmt::format("; its mesh has {}", names_of_groups(groups, ", "));

@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include "problems/files/facet_doubt.hpp"
 #include "problems/files/mesh_texts.hpp"
 #include "problems/files/toml_reader.hpp"
 #include "problems/structure/structure.hpp"
@@ -81,6 +82,9 @@ class ProblemDraft {
   /// A file that the structure is read of besides: `SourcePosition::file` of what stands in it.
   int add_file(const std::string& name);
 
+  /// Of normals that are means of faces, a contact group each.
+  std::vector<FacetDoubt>& facets() { return facets_; }
+
   /// Holds a node along some axes.
   /// @throws InputError if it is held already
   void support(const ListedNode& node, const std::array<bool, 3>& fixed);
@@ -100,6 +104,7 @@ class ProblemDraft {
   std::map<std::string, NamedGroup, std::less<>> groups_;
   std::map<std::string, NamedMesh, std::less<>> meshes_named_;
   std::map<int, support::SourcePosition> supported_;
+  std::vector<FacetDoubt> facets_;
 };
 
 /// For messages: the first dozen of them in quotes, and how many more there are.

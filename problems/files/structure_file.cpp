@@ -15,6 +15,7 @@
 #include "problems/files/problem_sections.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/toml_reader.hpp"
+#include "problems/structure/connected_bodies.hpp"
 #include "problems/structure/structure_check.hpp"
 #include "problems/structure/surface.hpp"
 
@@ -62,7 +63,8 @@ void read_loads(ProblemDraft& draft) {
   }
 }
 
-Structure read(std::string_view toml_text, const std::string& file_name, const MeshTexts& meshes) {
+StructureAndFacets read(std::string_view toml_text, const std::string& file_name,
+                        const MeshTexts& meshes) {
   if (toml_text.empty()) {
     throw support::InputError(file_name, {1, 1},
                               "the file is empty; expected a problem file in TOML");
@@ -83,20 +85,27 @@ Structure read(std::string_view toml_text, const std::string& file_name, const M
   read_ties(draft);
   read_contact(draft);
   read_loads(draft);
+  auto facets = std::move(draft.facets());
   Structure structure = std::move(draft).finished();
   check_structure(structure);
   auto& warnings = structure.warnings;
   std::ranges::move(normal_warnings(structure), std::back_inserter(warnings));
-  return structure;
+  std::ranges::move(coincidence_warnings(structure), std::back_inserter(warnings));
+  return {std::move(structure), std::move(facets)};
 }
 
 }  // namespace
 
 Structure read_structure(std::string_view toml_text, const std::string& file_name) {
-  return read(toml_text, file_name, {});
+  return read(toml_text, file_name, {}).structure;
 }
 
 Structure read_structure(const ProblemText& text, const std::string& file_name) {
+  return read_structure_and_facets(text, file_name).structure;
+}
+
+StructureAndFacets read_structure_and_facets(const ProblemText& text,
+                                             const std::string& file_name) {
   return read(text.toml, file_name, {file_name, text.meshes});
 }
 

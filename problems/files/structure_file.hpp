@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "problems/files/facet_doubt.hpp"
 #include "problems/structure/structure.hpp"
 
 namespace kusabi::problems {
@@ -24,6 +26,14 @@ Structure read_structure(std::string_view toml_text, const std::string& file_nam
 
 /// The same, with the mesh files that the text names.
 Structure read_structure(const ProblemText& text, const std::string& file_name);
+
+/// The same with what is said of its normals once a friction coefficient is known
+/// (facet_doubt.hpp).
+struct StructureAndFacets {
+  Structure structure;
+  std::vector<FacetDoubt> facets;
+};
+StructureAndFacets read_structure_and_facets(const ProblemText& text, const std::string& file_name);
 
 /// The text of a file that a user names, or of the standard input: "-".
 /// @param expected what the message says if there is none

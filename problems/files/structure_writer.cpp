@@ -212,7 +212,7 @@ void write_contact(const Structure& structure, std::string& text) {
           text += fmt::format("tangent = {}\n", vector_text(*contact[first].tangent));
         }
         if (contact[first].friction != 1) {
-          text += fmt::format("friction = {}\n", contact[first].friction);
+          text += fmt::format("friction_factor = {}\n", contact[first].friction);
         }
       });
 }

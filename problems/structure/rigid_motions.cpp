@@ -1,4 +1,4 @@
-// Pieces by disjoint sets; their motions as the null space of what holds them, by elimination.
+// The motions of bodies as the null space of what holds them, by elimination.
 #include "problems/structure/rigid_motions.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <set>
 #include <utility>
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <fmt/format.h>
 
+#include "problems/structure/connected_bodies.hpp"
 #include "problems/structure/superelement.hpp"
 
 namespace kusabi::problems {
@@ -26,52 +26,6 @@ constexpr double elimination_roundings = 256;
 
 /// A part of a motion below this is left out of its description.
 constexpr double visible_part = 1e-6;
-
-bool is_ground(const Structure& structure, int node) {
-  const auto& fixed = structure.fixed[static_cast<std::size_t>(node)];
-  return std::all_of(fixed.begin(), fixed.begin() + structure.dimension,
-                     [](bool axis) { return axis; });
-}
-
-/// The nodes of each piece, those of the ground that touch it included.
-std::vector<std::set<int>> pieces(const Structure& structure) {
-  boost::disjoint_sets_with_storage<> sets(structure.node_names.size());
-  std::vector<std::vector<int>> links;
-  for (const Member& member : structure.members) links.push_back({member.first, member.second});
-  for (const Element& element : structure.elements) links.push_back(element.nodes);
-  for (const Superelement& each : structure.superelements) links.push_back(nodes_of(each));
-  for (const Tie& tie : structure.ties) {
-    links.push_back({tie.node});
-    for (const Share& share : tie.to) {  // the ground among them holds the node, not the body
-      if (!is_ground(structure, share.node)) links.back().push_back(share.node);
-    }
-  }
-  const auto first_free = [&](const std::vector<int>& nodes) {
-    return std::ranges::find_if(nodes, [&](int node) { return !is_ground(structure, node); });
-  };
-  for (const auto& nodes : links) {
-    const auto first = first_free(nodes);
-    for (const int node : nodes) {
-      if (first == nodes.end() || is_ground(structure, node)) continue;
-      sets.union_set(static_cast<std::size_t>(*first), static_cast<std::size_t>(node));
-    }
-  }
-  std::map<std::size_t, std::set<int>> by_set;
-  std::map<int, std::size_t> order;  // first node -> set
-  for (const auto& nodes : links) {
-    const auto first = first_free(nodes);
-    if (first == nodes.end()) continue;
-    by_set[sets.find_set(static_cast<std::size_t>(*first))].insert(nodes.begin(), nodes.end());
-  }
-  for (const auto& [set, nodes] : by_set) {
-    order.emplace(*std::ranges::find_if(nodes, [&](int n) { return !is_ground(structure, n); }),
-                  set);
-  }
-  std::vector<std::set<int>> result;
-  result.reserve(order.size());
-  for (const auto& [node, set] : order) result.push_back(std::move(by_set[set]));
-  return result;
-}
 
 /// d x q: the displacement of a place is this times (velocity of the centre, size times angular
 /// velocity).
@@ -395,7 +349,7 @@ std::vector<LooseBody> loose_bodies(const Structure& structure) {
     const auto nodes = nodes_of(each);
     of_superelements.insert(nodes.begin(), nodes.end());
   }
-  for (const auto& nodes : pieces(structure)) {
+  for (const auto& nodes : connected_bodies(structure)) {
     // Numbers of another program say no motion exactly: what they hold counts as held, and whether
     // it is is seen from K (superelement_check).
     if (std::ranges::any_of(nodes, [&](int node) { return of_superelements.contains(node); }))

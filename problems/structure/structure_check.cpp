@@ -239,8 +239,8 @@ void StructureCheck::contact_directions() const {
     // Written so that NaN fails too.
     if (friction != 0 && !(friction >= smallest_friction && friction <= largest_friction)) {
       fail(position_of(structure_.sources.frictions, index),
-           fmt::format("friction is {:g}; expected 0, or a factor between {:g} and {:g}", friction,
-                       smallest_friction, largest_friction));
+           fmt::format("the friction factor is {:g}; expected 0, or a number between {:g} and {:g}",
+                       friction, smallest_friction, largest_friction));
     }
     if (normal.size() != structure_.dimension ||
         !(std::abs(normal.norm() - 1.0) <= unit_length_tolerance)) {

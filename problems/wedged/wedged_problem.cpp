@@ -40,10 +40,28 @@ void require_contact_and_stiffness(const Structure& structure) {
   }
 }
 
+/// Poisson's ratios above this make a body so stiff in volume that no other number may be at fault.
+constexpr double almost_incompressible = 0.499;
+
 [[noreturn]] void refuse_condition(const Structure& structure) {
-  throw structure_error(structure, {},
-                        "the stiffness is too ill-conditioned to compute with; expected axial "
-                        "stiffnesses and lengths of similar size, and no almost free motion");
+  const auto& elements = structure.elements;
+  const auto least = std::ranges::max_element(elements, {}, &Element::ratio);
+  if (least != elements.end() && least->ratio > almost_incompressible) {
+    const auto index = static_cast<int>(least - elements.begin());
+    throw structure_error(
+        structure, position_of(structure.sources.materials, index),
+        fmt::format("nu is {}, almost incompressible, which leaves the stiffness too "
+                    "ill-conditioned to compute with; expected nu up to {}, at which elements of "
+                    "low order lock already",
+                    least->ratio, almost_incompressible));
+  }
+  throw structure_error(
+      structure, {},
+      fmt::format("the stiffness is too ill-conditioned to compute with; expected {} of similar "
+                  "size, and no almost free motion",
+                  elements.empty()            ? "axial stiffnesses and lengths"
+                  : structure.members.empty() ? "moduli E, thicknesses and elements"
+                                              : "axial stiffnesses, moduli, lengths and elements"));
 }
 
 void add(support::Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {

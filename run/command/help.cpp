@@ -90,7 +90,8 @@ std::string value_name(const OptionRow& row) {
 std::string option_rules(const OptionRow& row) {
   std::string text;
   const auto out = std::back_inserter(text);
-  if (!row.words.empty() || !row.range.empty()) {
+  const bool says_what = !row.expected.empty() || !row.unit.empty();
+  if (says_what && (!row.words.empty() || !row.range.empty())) {
     fmt::format_to(out, "{}{}{}.", capitalised(row.expected), row.unit.empty() ? "" : ", ",
                    row.unit.starts_with("in ") || row.unit.empty() ? row.unit : "in " + row.unit);
   } else if (!row.unit.empty()) {

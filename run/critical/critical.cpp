@@ -24,6 +24,7 @@
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/cuts_words.hpp"
+#include "run/wedged/ignored_loads.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
@@ -60,6 +61,7 @@ class Critical final : public Subcommand {
   std::string vtu_;
   problems::ProblemText text_;
   problems::Structure structure_;
+  std::vector<problems::FacetDoubt> facets_;
   problems::WedgedProblem problem_;
   wedged::CriticalFindings findings_;
 };
@@ -143,8 +145,11 @@ void Critical::read(CommandRun& run) {
 
 void Critical::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  structure_ = problems::read_structure(text_, options_.file);
+  auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
+  structure_ = std::move(structure);
   warn_all(run.session(), structure_.warnings);
+  warn_all(run.session(), ignored_loads(structure_, "critical"));
+  facets_ = std::move(facets);
   problem_ = run.within_limits(
       [&](const auto& work) { return problems::wedged_problem(structure_, work); });
   // No further than the roughest candidate can be computed with.
@@ -166,6 +171,9 @@ void Critical::search(CommandRun& run) {
   findings_ = wedged::find_critical_friction(
       campaign, structure_, problem_, options_.question,
       end_recorder(run.session(), {options_.certificate, options_.file, run.quiet()}, problem_));
+  if (!run.session().speaks()) return;
+  const double answer = findings_.upper.value_or(findings_.lower);
+  warn_all(run.session(), facet_warnings(facets_, answer, options_.file));
 }
 
 void Critical::draw(OutputFolder& folder, const WholeStates& states) const {

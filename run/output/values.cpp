@@ -35,11 +35,21 @@ std::string hexadecimal(std::uint64_t fingerprint) {
 }
 
 std::string counted(std::uint64_t count, std::string_view thing) {
-  return counted(std::to_string(count), thing);
+  return counted(support::ExactCount(count), thing);
 }
 
-std::string counted(std::string_view count, std::string_view thing) {
-  return fmt::format("{} {}{}", count, thing, count == "1" ? "" : "s");
+std::string counted(const support::ExactCount& count, std::string_view thing) {
+  return fmt::format("{} {}{}", count.text(), thing, count == 1U ? "" : "s");
+}
+
+void add_count(nlohmann::ordered_json& json, const std::string& key,
+               const support::ExactCount& count) {
+  if (const auto number = count.number()) {
+    json[key] = *number;
+    return;
+  }
+  json[key] = count.digits();
+  json[key + "_log10"] = count.log10();
 }
 
 }  // namespace kusabi::run

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/statistics.hpp"
+#include "support/exact_count.hpp"
 
 namespace kusabi::run {
 
@@ -27,8 +28,12 @@ std::string hexadecimal(std::uint64_t fingerprint);
 
 /// "1 rank", "2 ranks".
 std::string counted(std::uint64_t count, std::string_view thing);
-/// The same of a count in decimal digits, which may exceed any integer type.
-std::string counted(std::string_view count, std::string_view thing);
+std::string counted(const support::ExactCount& count, std::string_view thing);
+
+/// A number where every reader has it exactly, else its decimal digits as a string; then KEY_log10
+/// has its size.
+void add_count(nlohmann::ordered_json& json, const std::string& key,
+               const support::ExactCount& count);
 
 /// The numbers of a vector, in its order.
 template <class Vector>

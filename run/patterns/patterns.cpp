@@ -28,6 +28,7 @@
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/cuts_words.hpp"
+#include "run/wedged/ignored_loads.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 #include "support/fingerprint.hpp"
@@ -198,8 +199,11 @@ std::uint64_t Patterns::tree_fingerprint() const {
 
 void Patterns::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  structure_ = problems::read_structure(text_, options_.file);
+  auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
+  structure_ = std::move(structure);
   warn_all(run.session(), structure_.warnings);
+  warn_all(run.session(), ignored_loads(structure_, "patterns"));
+  warn_all(run.session(), facet_warnings(facets, options_.friction, options_.file));
   problem_ = run.within_limits(
       [&](const auto& work) { return problems::wedged_problem(structure_, work); });
   friction_ = friction_at(problem_, options_.friction, options_.file);

@@ -21,8 +21,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string patterns(std::uint64_t count) {
+std::string patterns(const support::ExactCount& count) {
   return counted(count, "sign pattern");
+}
+
+// If all open leaves were patterns, which no other contains.
+support::ExactCount most_patterns(const wedged::PatternFindings& findings) {
+  std::vector<std::uint64_t> of_blocks;
+  for (const auto& block : findings.blocks) of_blocks.push_back(block.cones + block.open);
+  return wedged::combinations(of_blocks);
 }
 
 const char* name_of(wedged::Branching branching) {
@@ -77,7 +84,7 @@ Verdict PatternsReport::verdict() const {
                   .nodes_left = findings_.outcome.open,
                   .answer = Sticking{.friction = options_.friction,
                                      .factor = !problems::uniform_friction(problem_),
-                                     .count = fmt::format("{}", findings_.count()),
+                                     .count = findings_.count(),
                                      .undecided = findings_.open(),
                                      .standing = proved ? Standing::proved : Standing::computed}};
   if (auto text = firmest(); !text.empty()) verdict.details.push_back(std::move(text));
@@ -135,6 +142,10 @@ std::string PatternsReport::details() const {
       text +=
           "any pattern of one goes with any of another: their product is the number of patterns "
           "of the whole, and the list has those of each block\n";
+    }
+    if (findings_.whole() && findings_.open() > 0) {
+      fmt::format_to(out, "with those that are undecided there are at most {} of the whole\n",
+                     patterns(most_patterns(findings_)));
     }
   }
   if (options_.polyhedral) {
@@ -225,10 +236,13 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
-  ordered_json result = {{"friction", options_.friction},  {"tolerance", options_.tolerance},
-                         {"count", findings_.count()},     {"flat", findings_.flat},
-                         {"marginal", findings_.marginal}, {"undecided", findings_.undecided},
-                         {"blocks", std::move(blocks)},    {"tree", std::move(tree)}};
+  ordered_json result = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
+  add_count(result, "count", findings_.count());
+  result["flat"] = findings_.flat;
+  result["marginal"] = findings_.marginal;
+  result["undecided"] = findings_.undecided;
+  result["blocks"] = std::move(blocks);
+  result["tree"] = std::move(tree);
   if (options_.polyhedral) result["candidates"] = candidates_json();
   result["patterns"] = patterns_json(whole);
   if (options_.group > 0) result["groups"] = groups_json();

@@ -168,7 +168,24 @@ def _read(path):
                if not isinstance(content, dict) or key not in content]
     if missing:
         raise WrongInput(f"{path}: '{missing[0]}' is missing; expected what --output of kusabi has written")
+    _make_counts_integers(content["result"])
     return content
+
+
+def _make_counts_integers(answer):
+    """Counts beyond 2^53 are strings in the file."""
+    for each in (answer, answer.get("at_mu_max") or {}, *answer.get("points", ()), *answer.get("staircase", ())):
+        for name in ("count", "known"):
+            if isinstance(each.get(name), str):
+                each[name] = _integer(each[name])
+
+
+def _integer(digits):
+    value, at_once = 0, 4000  # int() takes 4300 digits
+    for first in range(0, len(digits), at_once):
+        part = digits[first:first + at_once]
+        value = value * 10 ** len(part) + int(part)
+    return value
 
 
 def _execute(command, files, ranks, input, options):

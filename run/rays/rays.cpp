@@ -25,6 +25,7 @@
 #include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
+#include "run/wedged/ignored_loads.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
@@ -132,8 +133,11 @@ void Rays::read(CommandRun& run) {
 
 void Rays::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  structure_ = problems::read_structure(text_, options_.file);
+  auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
+  structure_ = std::move(structure);
   warn_all(run.session(), structure_.warnings);
+  warn_all(run.session(), ignored_loads(structure_, "rays"));
+  warn_all(run.session(), facet_warnings(facets, options_.friction, options_.file));
   problem_ = run.within_limits(
       [&](const auto& work) { return problems::wedged_problem(structure_, work); });
   agree(run.session(), problem_);
@@ -216,7 +220,7 @@ Verdict Rays::verdict() const {
           .answer = Sticking{.thing = "extremal ray",
                              .friction = options_.friction,
                              .factor = !uniform_friction(problem_),
-                             .count = fmt::format("{}", found_.rays.size()),
+                             .count = found_.rays.size(),
                              .standing = Standing::computed,
                              .ambiguous = !found_.health.sound()}};
 }

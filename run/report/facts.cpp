@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "support/exact_count.hpp"
+
 namespace kusabi::run {
 namespace {
 
@@ -63,6 +65,13 @@ void add_number(Markup& page, const ResultJson* value, int digits) {
                value->is_number_float() ? fmt::format("{:.{}g}", value->get<double>(), digits)
                                         : value->dump(),
                {{"value", value->dump()}});
+}
+
+void add_count(Markup& page, const ResultJson* value) {
+  if (value == nullptr || !value->is_string()) return add_number(page, value);
+  const auto& digits = value->get_ref<const std::string&>();
+  const auto count = support::ExactCount::read(digits);
+  page.element("data", count ? count->text() : digits, {{"value", digits}});
 }
 
 std::string joined(const std::vector<std::string>& names) {

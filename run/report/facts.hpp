@@ -18,6 +18,9 @@ inline constexpr int many_digits = 10;
 /// null.
 void add_number(pictures::Markup& page, const ResultJson* value, int digits = few_digits);
 
+/// The same of a count, which may be decimal digits.
+void add_count(pictures::Markup& page, const ResultJson* value);
+
 /// Names as text; "–" if there are none.
 std::string joined(const std::vector<std::string>& names);
 

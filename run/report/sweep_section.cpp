@@ -66,7 +66,11 @@ class SweepSection {
 
   // The count, or what is known of it.
   void counts(const ResultJson& counted) {
-    for (const char* const key : {"count", "known", "open"}) number(counted, key);
+    for (const char* const key : {"count", "known", "open"}) {
+      page_.open("td");
+      add_count(page_, ResultReader::find(counted, key));
+      page_.close();
+    }
   }
 
   void friction_points() {

@@ -62,12 +62,23 @@ class OlderVerdict {
     });
   }
 
+  // From the blocks: before 0.2 the count of the file was a product that could wrap.
+  [[nodiscard]] support::ExactCount count_of_ways() const {
+    if (!has(result_, "blocks")) return reader_.count(result_, "count");
+    std::vector<std::uint64_t> factors;
+    for (const auto& block : reader_.list(result_, "blocks")) {
+      const auto cones = reader_.count(block, "count").number();
+      if (cones && *cones != 0) factors.push_back(*cones);
+    }
+    return factors.empty() ? support::ExactCount() : support::ExactCount::product(factors);
+  }
+
   [[nodiscard]] Sticking sticking(const char* thing) const {
     const auto* const health = ResultReader::find(result_, "health");
     return {.thing = thing,
             .friction = reader_.number(result_, "friction"),
             .factor = factor(),
-            .count = fmt::format("{}", count(reader_.at(result_, "count"))),
+            .count = count_of_ways(),
             .undecided = count(result_, "marginal") + count(result_, "undecided"),
             .standing =
                 health != nullptr || count(result_, "flat") > 0 || has(problem_, "rigid_motions")
@@ -106,7 +117,7 @@ class OlderVerdict {
           infeasible = std::min(infeasible, reader_.number(each, "lower"));
       }
       found.infeasible = Bound{infeasible, Standing::computed};
-      found.count = fmt::format("{}", count(*last, "known"));
+      found.count = reader_.count(*last, "known");
       found.open_at_most = count(*last, "open");
     }
     const auto& points = reader_.list(result_, "points");

@@ -58,6 +58,17 @@ double ResultReader::number(const ResultJson& object, const char* key) const {
   return value.get<double>();
 }
 
+support::ExactCount ResultReader::count(const ResultJson& object, const char* key) const {
+  const auto& value = at(object, key);
+  const bool digits = value.is_string();
+  if (digits || value.is_number_unsigned() || value.is_number_integer()) {
+    const auto count =
+        support::ExactCount::read(digits ? value.get_ref<const std::string&>() : value.dump());
+    if (count) return *count;
+  }
+  refuse(fmt::format("'{}' is no count", key));
+}
+
 int ResultReader::index(const ResultJson& value, std::size_t count) const {
   if (!value.is_number_integer() || value.get<std::int64_t>() < 0 ||
       value.get<std::uint64_t>() >= count) {

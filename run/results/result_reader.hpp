@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "run/results/result_parser.hpp"
+#include "support/exact_count.hpp"
 
 namespace kusabi::run {
 
@@ -34,6 +35,8 @@ class ResultReader {
 
   [[nodiscard]] std::string text(const ResultJson& object, const char* key) const;
   [[nodiscard]] double number(const ResultJson& object, const char* key) const;
+  /// A count of any size: a number, or its decimal digits.
+  [[nodiscard]] support::ExactCount count(const ResultJson& object, const char* key) const;
   /// 0 <= the number < count.
   [[nodiscard]] int index(const ResultJson& value, std::size_t count) const;
   [[nodiscard]] const ResultJson& list(const ResultJson& object, const char* key) const;

@@ -55,12 +55,10 @@ class WrittenVerdict {
     return value.get<bool>();
   }
   /// Digits of a count of any size.
-  [[nodiscard]] std::string digits(const ResultJson& object, const char* key) const {
-    auto text = reader_.text(object, key);
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    if (text.empty() || !std::ranges::all_of(text, is_digit))
-      reader_.refuse(fmt::format("'{}' is no count", key));
-    return text;
+  [[nodiscard]] support::ExactCount digits(const ResultJson& object, const char* key) const {
+    auto count = support::ExactCount::read(reader_.text(object, key));
+    if (!count) reader_.refuse(fmt::format("'{}' is no count", key));
+    return *std::move(count);
   }
   [[nodiscard]] std::optional<double> some_number(const ResultJson& object, const char* key) const {
     if (ResultReader::find(object, key) == nullptr) return std::nullopt;

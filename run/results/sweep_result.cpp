@@ -2,8 +2,13 @@
 #include "run/results/sweep_result.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -52,49 +57,79 @@ class SweptFriction : public Swept {
 
   [[nodiscard]] std::optional<Chart> chart() const {
     if (list("staircase").empty()) return {};
+    // So many digits an axis has room for.
+    constexpr double most_digits = 8;
+    const bool many = std::ranges::any_of(list("staircase"), [&](const ResultJson& step) {
+      return known_between(step).log10() > most_digits;
+    });
     Chart chart{.title = problem_name(),
                 .description = sentence_,
                 .lines = {"sign patterns of wedged configurations", sentence_},
                 .x_name = fmt::format("friction coefficient{}", times()),
-                .y_name = "sign patterns",
-                .whole_numbers = true,
+                .y_name = many ? "log10 (1 + sign patterns)" : "sign patterns",
+                .whole_numbers = !many,
                 .series = {}};
-    chart.series.push_back(stairs());
-    auto asked = points();
+    chart.series.push_back(stairs(many));
+    auto asked = points(many);
     if (!asked.marks.empty()) chart.series.push_back(std::move(asked));
     return chart;
   }
 
  private:
-  [[nodiscard]] ChartSeries stairs() const {
+  [[nodiscard]] ChartSeries stairs(bool as_logarithms) const {
     ChartSeries stairs{.name = "number of sign patterns, exact between its steps",
                        .line = {},
                        .dashed = !list("open").empty(),
                        .marks = {}};
     if (stairs.dashed) stairs.name = "number of sign patterns known; some are open";
     for (const auto& step : list("staircase")) {
+      const double count = height(known_between(step), as_logarithms);
       for (const char* const end : {"from", "to"})
-        stairs.line.emplace_back(number(step, end), number(step, "known"));
+        stairs.line.emplace_back(number(step, end), count);
     }
     return stairs;
   }
-  [[nodiscard]] ChartSeries points() const {
+  [[nodiscard]] ChartSeries points(bool as_logarithms) const {
     ChartSeries asked{.name = "at the points asked for", .line = {}, .marks = {}};
     for (const auto& point : list("points")) {
       if (!has(point, "count")) continue;
       const double mu = number(point, "mu");
-      asked.marks.push_back(
-          {mu, number(point, "count"),
-           fmt::format("{} at {}", counted(count(point, "count"), "sign pattern"), mu)});
+      const auto count = known(point, mu);
+      asked.marks.push_back({mu, height(count, as_logarithms),
+                             fmt::format("{} at {}", counted(count, "sign pattern"), mu)});
     }
     return asked;
   }
 
-  [[nodiscard]] std::uint64_t count(const ResultJson& object, const char* key) const {
-    const auto& value = reader_.at(object, key);
-    if (!value.is_number_integer() || value.get<std::int64_t>() < 0)
-      reader_.refuse(fmt::format("'{}' is no count", key));
-    return value.get<std::uint64_t>();
+  // How many the blocks have of the patterns that are asked for, multiplied.
+  [[nodiscard]] support::ExactCount product_of(
+      const std::function<bool(const ResultJson&)>& asked) const {
+    std::map<std::string, std::uint64_t> of_block;
+    for (const auto& pattern : list("patterns")) {
+      if (!asked(pattern)) continue;
+      const auto* const block = ResultReader::find(pattern, "block");
+      ++of_block[block == nullptr ? "" : block->dump()];
+    }
+    std::vector<std::uint64_t> factors;
+    for (const auto& [block, count] : of_block) factors.push_back(count);
+    return factors.empty() ? support::ExactCount() : support::ExactCount::product(factors);
+  }
+  /// As the file has it, unless that may be a product of 64 bits (0.1) that has wrapped.
+  [[nodiscard]] support::ExactCount known(const ResultJson& counted, double friction) const {
+    if (could_not_wrap_) return reader_.count(counted, "known");
+    return product_of([&](const ResultJson& pattern) {
+      const auto* const absorbed = ResultReader::find(pattern, "absorbed");
+      return number(pattern, "upper") <= friction &&
+             (absorbed == nullptr || friction <= number(*absorbed, "lower"));
+    });
+  }
+  [[nodiscard]] support::ExactCount known_between(const ResultJson& step) const {
+    return known(step, std::midpoint(number(step, "from"), number(step, "to")));
+  }
+  [[nodiscard]] static double height(const support::ExactCount& count, bool as_logarithm) {
+    const auto small = count.number();
+    if (!as_logarithm && small) return static_cast<double>(*small);
+    return small ? std::log10(1 + static_cast<double>(*small)) : count.log10();
   }
   [[nodiscard]] std::string times() const {
     const bool uniform = std::ranges::all_of(
@@ -102,6 +137,9 @@ class SweptFriction : public Swept {
         [this](const ResultJson& each) { return number(each, "friction") == 1; });
     return uniform ? "" : " times that of each candidate";
   }
+
+  const bool could_not_wrap_ =
+      product_of([](const ResultJson&) { return true; }).log10() < 64 * std::log10(2.0);
 };
 
 class SweptLoads : public Swept {

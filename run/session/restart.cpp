@@ -48,7 +48,7 @@ void require_writable_folder(const std::string& checkpoint) {
 }  // namespace
 
 void warn(const std::string& line) {
-  tell_doubt("kusabi: " + line);
+  tell_doubt("kusabi: warning: " + line);
 }
 
 void warn_all(Session& session, const std::vector<std::string>& lines) {

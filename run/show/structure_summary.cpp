@@ -5,13 +5,17 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <set>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "problems/structure/connected_bodies.hpp"
 #include "problems/structure/element_shape.hpp"
 #include "problems/structure/load_cases.hpp"
+#include "problems/structure/rigid_motions.hpp"
 #include "run/output/values.hpp"
 
 namespace kusabi::run {
@@ -39,6 +43,33 @@ std::string bodies(const Structure& structure) {
     parts.push_back(counted(structure.superelements.size(), "stiffness") + " of another program");
   }
   return joined(parts);
+}
+
+// Each connected body, and what holds it.
+std::string connected(const Structure& structure) {
+  constexpr std::size_t most = 12;
+  const auto all = problems::connected_bodies(structure);
+  const auto loose = problems::loose_bodies(structure);
+  const auto held = [&](const std::set<int>& nodes) {
+    const auto own = std::ranges::find_if(
+        loose, [&](const auto& body) { return nodes.contains(body.nodes.front()); });
+    if (own != loose.end()) return "unconstrained, " + described(*own);
+    const bool is_given = std::ranges::any_of(structure.superelements, [&](const auto& each) {
+      return std::ranges::any_of(each.rows,
+                                 [&](const auto& row) { return nodes.contains(row.node); });
+    });
+    return std::string(is_given ? "constrained as its stiffness from a file says" : "constrained");
+  };
+  if (all.empty()) return "";
+  if (all.size() == 1) return fmt::format("  bodies      one, {}\n", held(all.front()));
+  auto text = fmt::format("  bodies      {} that nothing joins\n", all.size());
+  for (const auto& nodes : std::span(all).first(std::min(all.size(), most))) {
+    const auto& first = structure.node_names[static_cast<std::size_t>(*nodes.begin())];
+    text += fmt::format("              {} from {} on, {}\n", counted(nodes.size(), "node"),
+                        support::in_quotes(first), held(nodes));
+  }
+  if (all.size() > most) text += fmt::format("              and {} more\n", all.size() - most);
+  return text;
 }
 
 std::string extent(const Structure& structure) {
@@ -113,10 +144,11 @@ std::string loads(const Structure& structure) {
 
 std::string structure_summary(const Structure& structure) {
   return fmt::format(
-      "{}: {}\n  of          {}\n  extent      {}\n  supports    {}\n  candidates  {}\n"
+      "{}: {}\n  of          {}\n{}  extent      {}\n  supports    {}\n  candidates  {}\n"
       "  loads       {}\n",
       structure.name, structure.dimension == 2 ? "in the plane" : "in space", bodies(structure),
-      extent(structure), supports(structure), candidates(structure), loads(structure));
+      connected(structure), extent(structure), supports(structure), candidates(structure),
+      loads(structure));
 }
 
 }  // namespace kusabi::run

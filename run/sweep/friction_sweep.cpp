@@ -88,15 +88,18 @@ ordered_json bracket_json(const std::optional<wedged::FrictionBracket>& bracket)
   return {{"lower", bracket->lower}, {"upper", bracket->upper}};
 }
 
-ordered_json counted_json(std::uint64_t known, std::size_t open) {
-  return {{"count", open == 0 ? ordered_json(known) : ordered_json()},
-          {"known", known},
-          {"open", open}};
+void add_counts(ordered_json& json, const support::ExactCount& known, std::size_t open) {
+  if (open == 0)
+    add_count(json, "count", known);
+  else
+    json["count"] = nullptr;
+  add_count(json, "known", known);
+  json["open"] = open;
 }
 
 ordered_json point_json(const wedged::ConeCount& count) {
   ordered_json point{{"mu", count.friction}};
-  point.update(counted_json(count.known, count.open));
+  add_counts(point, count.known, count.open);
   return point;
 }
 
@@ -107,7 +110,7 @@ ordered_json FrictionSweep::json() const {
   const auto treads = found_.enumerated ? found_.staircase() : std::vector<wedged::Tread>();
   for (const auto& [from, to, known, open] : treads) {
     ordered_json step{{"from", from}, {"to", to}};
-    step.update(counted_json(known, open));
+    add_counts(step, known, open);
     steps.push_back(std::move(step));
   }
   auto patterns = ordered_json::array();
@@ -146,8 +149,9 @@ ordered_json FrictionSweep::json() const {
 
 void FrictionSweep::write_csv(std::ostream& out) const {
   out << "row,mu,count,known,open\n";
-  const auto row = [&](const char* what, double mu, std::uint64_t known, std::size_t open) {
-    fmt::print(out, "{},{},{},{},{}\n", what, mu, open == 0 ? fmt::format("{}", known) : "", known,
+  const auto row = [&](const char* what, double mu, const support::ExactCount& known,
+                       std::size_t open) {
+    fmt::print(out, "{},{},{},{},{}\n", what, mu, open == 0 ? known.digits() : "", known.digits(),
                open);
   };
   for (const auto& count : counts()) row("point", count.friction, count.known, count.open);
@@ -163,9 +167,9 @@ std::string FrictionSweep::points_text() const {
   std::string text = fmt::format("\n{:>12}  {}\n", "friction", "sign patterns");
   for (const auto& count : counts()) {
     fmt::format_to(std::back_inserter(text), "{:>12.10g}  {}\n", count.friction,
-                   count.exact()
-                       ? fmt::format("{}", count.known)
-                       : fmt::format("undecided: {} known, {} open", count.known, count.open));
+                   count.exact() ? count.known.text()
+                                 : fmt::format("undecided: {} known, {} open", count.known.text(),
+                                               count.open));
   }
   return text;
 }
@@ -217,7 +221,7 @@ Verdict FrictionSweep::verdict() const {
     for (const auto& leaf : found_.open) infeasible = std::min(infeasible, leaf.lower);
     steps.infeasible = Bound{infeasible, Standing::computed};
     const auto last = found_.count_at(found_.most);
-    steps.count = fmt::format("{}", last.known);
+    steps.count = last.known;
     steps.open_at_most = last.open;
   }
   const auto list = counts();

@@ -20,6 +20,7 @@
 #include "run/sweep/sweep_points.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/verdict/words.hpp"
+#include "run/wedged/ignored_loads.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -119,11 +120,14 @@ void Sweep::check() const {
 
 void Sweep::prepare(CommandRun& run) {
   // Every rank works the problem out by itself: the same text gives the same bits everywhere.
-  auto structure = problems::read_structure(text_, options_.file);
+  auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
   warn_all(run.session(), structure.warnings);
   if (options_.alpha.empty()) {
     auto points = friction_points();
     const double most = options_.mu_max.value_or(points.empty() ? 0 : points.back());
+    warn_all(run.session(), ignored_loads(structure, "sweep"));
+    warn_all(run.session(),
+             facet_warnings(facets, points.empty() ? most : points.front(), options_.file));
     swept_ = swept_friction(options_, std::move(structure), std::move(points), most);
   } else {
     swept_ =

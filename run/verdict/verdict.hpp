@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/statistics.hpp"
+#include "support/exact_count.hpp"
 
 namespace kusabi::run {
 
@@ -37,7 +38,7 @@ struct Sticking {
   std::string thing = "way";  ///< counted, in the singular
   double friction = 0;
   bool factor = false;                   ///< `friction` multiplies that of each candidate
-  std::string count = "0";               ///< in decimal digits: it exceeds any integer type
+  support::ExactCount count{};           ///< it may exceed any integer type
   std::uint64_t undecided = 0;           ///< sign patterns that are not counted
   Standing standing = Standing::proved;  ///< of the list
   bool ambiguous = false;                ///< numbers too near to zero to be told from it
@@ -60,7 +61,7 @@ struct FrictionSteps {
   bool factor = false;  ///< coefficients multiply that of each candidate
   /// It cannot stick up to here; absent: the patterns at `most` were not all found.
   std::optional<Bound> infeasible{};
-  std::string count = "0";             ///< of patterns at `most`
+  support::ExactCount count{};         ///< of patterns at `most`
   std::uint64_t open_at_most = 0;      ///< patterns that may be added to it
   std::uint64_t open_patterns = 0;     ///< without a coefficient from which on they stick
   std::uint64_t undecided_points = 0;  ///< of those asked for

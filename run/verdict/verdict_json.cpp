@@ -36,7 +36,7 @@ ordered_json answer_json(const Sticking& found) {
           {"thing", found.thing},
           {"friction", found.friction},
           {"factor", found.factor},
-          {"count", found.count},
+          {"count", found.count.digits()},
           {"undecided", found.undecided},
           {"standing", standing_name(found.standing)},
           {"ambiguous", found.ambiguous}};
@@ -57,7 +57,7 @@ ordered_json answer_json(const FrictionSteps& found) {
           {"most", found.most},
           {"factor", found.factor},
           {"infeasible", bound_json(found.infeasible)},
-          {"count", found.count},
+          {"count", found.count.digits()},
           {"open_at_most", found.open_at_most},
           {"open_patterns", found.open_patterns},
           {"undecided_points", found.undecided_points}};

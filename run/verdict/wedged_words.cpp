@@ -17,10 +17,6 @@ const char* times(bool factor) {
   return factor ? " times that of each candidate" : "";
 }
 
-bool is_none(const std::string& count) {
-  return count.find_first_not_of('0') == std::string::npos;
-}
-
 bool is_proved(const std::optional<Bound>& bound) {
   return bound && bound->standing == Standing::proved;
 }
@@ -30,11 +26,11 @@ bool is_proved(const std::optional<Bound>& bound) {
 std::string headline_of(const Sticking& found, engine::Status ended) {
   const auto where = fmt::format("{} {}{}", coefficient, found.friction, times(found.factor));
   const bool complete = ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous;
-  if (!is_none(found.count)) {
+  if (found.count != 0U) {
     return fmt::format("It can stick: {}{} at {}.", counted(found.count, found.thing),
-                       complete             ? ""
-                       : found.count == "1" ? " is known"
-                                            : " are known",
+                       complete            ? ""
+                       : found.count == 1U ? " is known"
+                                           : " are known",
                        where);
   }
   if (complete) return fmt::format("It cannot stick at {}.", where);
@@ -150,14 +146,14 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
   if (!found.infeasible)
     return fmt::format("It is not known from which {} on it can stick.", coefficient);
   const auto& [value, standing] = *found.infeasible;
-  if (is_none(found.count) && found.open_at_most == 0 && value >= found.most) {
+  if (found.count == 0U && found.open_at_most == 0 && value >= found.most) {
     return fmt::format("It cannot stick up to {} {}{}.", coefficient, most,
                        unless_proved(standing));
   }
   return fmt::format(
       "It cannot stick up to {} {}{}; at {} there {} {}{}{}.", coefficient,
       rounded_down(value, digits_of_sweep), times(found.factor), found.most,
-      found.count == "1" ? "is" : "are", counted(found.count, "sign pattern"),
+      found.count == 1U ? "is" : "are", counted(found.count, "sign pattern"),
       found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most),
       unless_proved(standing));
 }

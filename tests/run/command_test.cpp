@@ -1050,7 +1050,7 @@ TEST_F(Command, WritesExamplesThatItCanSolve) {
 TEST_F(Command, MultipliesTheFrictionOfEachCandidate) {
   const auto file = in_folder("bars.toml");
   std::ofstream(file) << content(std::string(KUSABI_SOURCE_DIR) + "/examples/two-bars.toml")
-                      << "friction = 4\n";
+                      << "friction_factor = 4\n";
   const auto patterns = [&](const std::string& mu) {
     return shell(command + " patterns " + quoted(file) + " --mu " + mu).output;
   };
@@ -1269,7 +1269,7 @@ TEST_F(Command, DrawsNoGraphThatNobodyCouldRead) {
 TEST_F(Command, FindsTheRayOfTheTwoBarsAtEachCandidatesOwnFriction) {
   const auto file = in_folder("bars.toml");
   std::ofstream(file) << content(std::string(KUSABI_SOURCE_DIR) + "/examples/two-bars.toml")
-                      << "friction = 4\n";
+                      << "friction_factor = 4\n";
   const auto rays = [&](const std::string& mu) {
     return shell(command + " rays " + quoted(file) + " --mu " + mu).output;
   };

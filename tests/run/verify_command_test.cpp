@@ -111,7 +111,8 @@ TEST_F(VerifyCommand, AnotherProblemFileIsRefused) {
   const Row table[] = {
       {"EA = 3.0", "EA = 3.00001", "its K is not that of the structure"},
       {"top = [1.0, 1.0]", "top = [1.0, 1.0001]", "its K is not that of the structure"},
-      {"normal = [-1.0, 1.0]", "normal = [-1.0, 1.0]\nfriction = 2.0", ""},  // mu = 1.5: all agree
+      {"normal = [-1.0, 1.0]", "normal = [-1.0, 1.0]\nfriction_factor = 2.0",
+       ""},  // mu = 1.5: all agree
       {"normal = [-1.0, 1.0]", "normal = [-1.0, 1.001]", "its K is not that of the structure"},
   };
   for (const auto& [what, with, said] : table) {

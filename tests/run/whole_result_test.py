@@ -53,7 +53,7 @@ to = ["tip"]
 [[contact]]
 nodes = ["tip", "tip2"]
 normal = [-1.0, 1.0]
-friction = 2
+friction_factor = 2
 """
 
 

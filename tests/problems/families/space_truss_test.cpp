@@ -98,7 +98,7 @@ normal = [-1, 2]
 nodes = ["tip"]
 normal = [0, 1]
 tangent = [1, 0.5]
-friction = 0.1
+friction_factor = 0.1
 )",
                                         "original");
   const auto copy = read_structure(structure_text(structure), "copy");

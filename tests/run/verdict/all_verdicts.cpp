@@ -32,7 +32,7 @@ void add_sticking(std::vector<AnyAnswer>& all) {
           all.push_back(Sticking{.thing = "way",
                                  .friction = 0.65,
                                  .factor = ambiguous,
-                                 .count = count,
+                                 .count = *support::ExactCount::read(count),
                                  .undecided = undecided,
                                  .standing = standing,
                                  .ambiguous = ambiguous});
@@ -68,7 +68,7 @@ void add_steps(std::vector<AnyAnswer>& all) {
         all.push_back(FrictionSteps{.most = 2,
                                     .factor = false,
                                     .infeasible = bound(count[0] == '0' ? 2 : 0.5, standing),
-                                    .count = count,
+                                    .count = *support::ExactCount::read(count),
                                     .open_at_most = open,
                                     .open_patterns = open,
                                     .undecided_points = open});

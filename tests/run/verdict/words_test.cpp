@@ -161,8 +161,10 @@ TEST(CriticalWords, QualifyEachEndByItself) {
 }
 
 TEST(StickingWords, CountBeyondEveryInteger) {
-  EXPECT_EQ(headline({.answer = Sticking{.friction = 2, .count = "18446744073709551616"}}),
-            "It can stick: 18446744073709551616 ways at friction coefficient 2.");
+  EXPECT_EQ(
+      headline({.answer = Sticking{.friction = 2,
+                                   .count = *support::ExactCount::read("18446744073709551616")}}),
+      "It can stick: 18446744073709551616 ways at friction coefficient 2.");
 }
 
 TEST(LoadWords, ReportAnEmptyInterval) {

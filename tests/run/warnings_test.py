@@ -1,0 +1,132 @@
+"""Inputs that look right and are not: what is said of them, and that nothing is said of those that are right.
+
+    python3 warnings_test.py KUSABI SOURCES
+"""
+import pathlib
+import shutil
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main  # noqa: E402: beside the folder of this file
+
+CASES = SOURCES / "tests" / "cases"
+HEAD = 'name = "{name}"\ndimension = {dimension}\nunits = {{ length = "mm", force = "N" }}\n\n[[mesh]]\nname = "w"\nfile = "{mesh}"\n'
+STEEL = 'E = 210000.0\nnu = 0.3\nthickness = 10.0\nplane = "strain"\n'
+WALLS = '\n[[contact]]\nnodes = ["w.left wall", "w.right wall"]\nnormal = "surface"\n'
+CONE = "{{ point = [0, 0, -190.8113668772821], axis = [0, 0, 1], half_angle = {}, body = \"inside\" }}"
+
+
+class Problems(KusabiCase):
+    def problem(self, text, mesh):
+        shutil.copy(CASES / mesh, self.folder)
+        file = self.folder / "problem.toml"
+        file.write_text(text)
+        return file
+
+    def groove(self, more="", material='[[material]]\ngroups = ["w.steel"]\n' + STEEL):
+        head = HEAD.format(name="groove", dimension=2, mesh="vg_o1_msh22.msh")
+        return self.problem(head + material + WALLS + more, "vg_o1_msh22.msh")
+
+    def plug(self, normal):
+        head = HEAD.format(name="plug", dimension=3, mesh="plug_lc8_o1.msh")
+        return self.problem(head + "E = 210000.0\nnu = 0.3\n" + f'\n[[contact]]\nnodes = ["w.seat"]\nnormal = {normal}\n',
+                            "plug_lc8_o1.msh")
+
+    def said(self, *words):
+        run = self.kusabi(*words)
+        self.assertIn(run.returncode, (0, 3), run.stderr)
+        return run
+
+
+class Warnings(Problems):
+    def test_nodes_at_one_place_that_nothing_joins(self):
+        told = self.said("critical", CASES / "dup.toml").stderr
+        self.assertIn("kusabi: warning: ", told)
+        self.assertIn("5 nodes are where another node is and nothing joins them", told)
+        self.assertIn("the structure is of 2 bodies", told)
+        shown = self.said("show", CASES / "dup.toml").stdout
+        self.assertIn("2 that nothing joins", shown)
+        self.assertEqual(shown.count("unconstrained, can move along x and y and turn"), 2)
+
+    def test_loads_that_have_no_part_in_it(self):
+        file = self.groove('\n[[loads]]\nkind = "dead"\nnodes = ["w.20"]\nforce = [0, -100]\n')
+        for words in (("critical",), ("patterns", "--mu", 0.1), ("sweep", "--mu", "0.1,0.2")):
+            told = self.said(words[0], file, *words[1:]).stderr
+            self.assertIn(f"1 load of the file has no part in kusabi {words[0]}", told)
+            self.assertIn("problem.toml:21:", told)
+
+    def test_candidates_that_are_not_on_the_cone(self):
+        told = self.said("critical", self.plug(CONE.format(6)), "--time-limit", 20).stderr
+        self.assertIn("candidates are not on one cone with this axis and half_angle", told)
+        self.assertIn("right for none", told)
+        self.assertNotIn("candidates are not", self.said("show", self.plug(CONE.format(3))).stderr)
+        self.assertNotIn("candidates are not", self.said("show", EXAMPLES / "morse-taper.toml").stderr)
+
+    def test_candidates_that_are_not_on_the_plane(self):
+        head = HEAD.format(name="groove", dimension=2, mesh="vg_o1_msh22.msh") + STEEL
+        for normal, is_right in (("[1, 0.26794919243112270]", True), ("[1, 0]", False)):  # of the left wall: 15 degrees
+            file = self.problem(head + f'\n[[contact]]\nnodes = ["w.left wall"]\nnormal = {{ plane = {normal} }}\n', "vg_o1_msh22.msh")
+            self.assertEqual("not on one plane with this normal" in self.said("show", file).stderr, not is_right)
+
+    def test_facets_that_differ_by_more_than_the_friction_angle(self):
+        told = self.said("critical", self.plug('"surface"')).stderr
+        self.assertIn('normal = "surface" is the mean of faces that differ by up to', told)
+        self.assertIn("the coefficient may be off by up to", told)
+        self.assertNotIn("faces that differ", self.said("critical", self.groove()).stderr)
+        # At a coefficient of 5 they differ by less than the friction angle.
+        self.assertNotIn("faces that differ", self.said("patterns", self.plug('"surface"'), "--mu", 5, "--node-limit", 1).stderr)
+
+    def test_a_factor_that_was_meant_as_the_coefficient(self):
+        told = self.said("critical", self.groove("friction = 0.15\n")).stderr
+        self.assertIn("friction = 0.15 is no coefficient but a factor", told)
+        self.assertEqual(self.said("critical", self.groove("friction_factor = 0.15\n")).stderr.count("factor"), 0)
+        self.assertIn("expected one", self.refused("show", self.groove("friction = 1\nfriction_factor = 1\n")))
+
+    def test_right_files_are_not_doubted(self):
+        for file in (*EXAMPLES.glob("*.toml"), *(EXAMPLES / "paper").glob("*.toml"), *CASES.glob("*.toml")):
+            if file.name != "dup.toml":
+                told = self.kusabi("show", file).stderr
+                for doubt in ("nothing joins", "candidates are not on", "no coefficient but a factor"):
+                    self.assertNotIn(doubt, told, file.name)
+
+
+class Messages(Problems):
+    """Each names the cause and the remedy, in one line."""
+
+    def test_a_group_that_is_spelt_otherwise(self):
+        told = self.refused("show", self.groove(material='[[material]]\ngroups = ["w.Steel"]\n' + STEEL))
+        self.assertIn('problem.toml:9:11: no mesh has a group "w.Steel"', told)
+        self.assertIn('did you mean "w.steel"?', told)
+
+    def test_meshes_that_gmsh_saves_without_what_is_meant(self):
+        for mesh, *words in (("nosurf.msh", "no elements of dimension 2", "Physical Surface", "Mesh.SaveAll = 1"),
+                             ("nophys.msh", '"w.left wall" does not exist', "its mesh has no groups", "Physical Curve"),
+                             ("q9.msh", "a quadrilateral of 9 nodes", "Mesh.SecondOrderIncomplete = 1")):
+            told = self.refused("show", self.problem(HEAD.format(name="w", dimension=2, mesh=mesh) + STEEL + WALLS, mesh))
+            for word in words:
+                self.assertIn(word, told)
+
+    def test_a_body_that_is_almost_incompressible(self):
+        told = self.refused("critical", self.groove(material='[[material]]\ngroups = ["w.steel"]\n' + STEEL.replace("0.3", "0.4999999")))
+        self.assertIn("nu is 0.4999999", told)
+        self.assertNotIn("axial", told)
+
+    def test_abaqus_files_in_parts_and_with_contact(self):
+        for mesh, keyword, remedy in (("parts.inp", "*PART", "Do not use parts and assemblies"),
+                                      ("contact.inp", "*SURFACE INTERACTION", "leave this keyword and its data out")):
+            told = self.refused("show", self.problem(HEAD.format(name="w", dimension=2, mesh=mesh) + WALLS, mesh))
+            for word in (f'keyword "{keyword}" is not understood: flat decks', remedy):
+                self.assertIn(word, told)
+
+    def test_no_help_ends_with_two_stops(self):
+        for command in ("patterns", "rays", "critical", "limit", "sweep", "mip", "verify", "show", "draw", "report"):
+            text = " ".join(self.said(command, "--help").stdout.split())
+            self.assertNotIn(". .", text, command)
+
+    def test_one_pattern_is_one(self):
+        said = self.said("sweep", EXAMPLES / "two-bars.toml", "--mu", "2.5").stdout
+        self.assertIn("there is 1 sign pattern.", said)
+
+
+if __name__ == "__main__":
+    main()
