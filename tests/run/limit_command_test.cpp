@@ -283,7 +283,7 @@ TEST_F(LimitCommand, WritesNoCertificateOfAStoppedTreeAndSaysSo) {
       shell(command + " limit " + example("paper/limit-3x3.toml") +
             " --alpha 40 --cuts none --big-m 5 --node-limit 30 --certificate " + argument("cert"));
   EXPECT_EQ(run.exit_code, 3) << run.output;
-  EXPECT_THAT(run.output, HasSubstr("no certificate ("));
+  EXPECT_THAT(run.output, HasSubstr("No certificate ("));
   EXPECT_THAT(run.output, HasSubstr("stopped before the two ends were proved"));
   EXPECT_THAT(run.output, Not(HasSubstr("wrote ")));
   EXPECT_EQ(shell("test -e " + argument("cert")).exit_code, 1);

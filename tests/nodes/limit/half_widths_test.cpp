@@ -50,12 +50,13 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
     const auto [findings, problem] = found(truss, {.alpha = alpha});
     const auto least = PlainTruss(all).least_of_all_corners(1);
     if (!least) continue;
-    const auto& [answer, certificate] = findings;
-    ASSERT_TRUE(answer.worst && certificate);
+    const auto& [answer, statements] = findings;
+    ASSERT_TRUE(answer.worst && !statements.empty());
+    const auto& certificate = statements.front().evidence;
     EXPECT_TRUE(answer.whole());
     EXPECT_NEAR(answer.worst->ends.upper, *least, near);
     for (const auto* file : {&truss, &all}) {
-      const auto claim = test::shown(*certificate, *file);
+      const auto claim = test::shown(certificate, *file);
       EXPECT_EQ(claim.why, "");
       EXPECT_LE(claim.lower, *least + near);
       EXPECT_NEAR(claim.lower, claim.upper, near);
@@ -63,9 +64,9 @@ TEST(HalfWidths, OfTheirOwnAreKeptToByEachParameter) {
     // The file says another one; or the certificate does.
     auto other = truss;
     other.uncertain->front().half_width = 1.125 * *parameters.front().half_width;
-    EXPECT_THAT(test::shown(*certificate, other).why, HasSubstr("half-width"));
-    for (std::size_t j = 0; j < certificate->alpha.size(); ++j) {
-      auto wider = *certificate;
+    EXPECT_THAT(test::shown(certificate, other).why, HasSubstr("half-width"));
+    for (std::size_t j = 0; j < certificate.alpha.size(); ++j) {
+      auto wider = certificate;
       wider.alpha[j] *= 1.5;
       EXPECT_NE(test::shown(wider, all).why, "");
     }
