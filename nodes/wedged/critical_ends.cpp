@@ -67,7 +67,7 @@ bool is_cone(const Configuration& leaf) {
 
 support::LongWork long_work(engine::Campaign& campaign) {
   return {
-      .stop = campaign.budget().stop(), .tell = [&campaign](const char* work, double share) {
+      .stop = campaign.budget().stop(), .report = [&campaign](const char* work, double share) {
         campaign.say_now_and_then([&] { return fmt::format("{}: {:.0f} %", work, 100 * share); });
       }};
 }
