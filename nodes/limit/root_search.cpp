@@ -11,6 +11,7 @@
 
 #include "engine/together.hpp"
 #include "nodes/limit/balanced_model.hpp"
+#include "nodes/limit/split_root.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -105,12 +106,18 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
 
 RootResult RootSearch::solve(double alpha) {
   load_factor().restart();
+  const RootControl control{.stop = lockstep_stop(),
+                            .watcher = [this](std::uint64_t round, double lower, double upper) {
+                              say_ends(round, lower, upper);
+                            }};
+  if (alpha > 0 && getenv("SPLIT") != nullptr) {
+    auto split = split_root(model(), alpha, nominal(), load_factor(), {}, control);
+    if (split.status != RootStatus::open && split.status != RootStatus::failed) return split;
+  }
   return solve_root(
       model(), alpha, nominal(), load_factor(),
       [this](const Eigen::VectorXd& z, std::span<const int> columns) { return price(z, columns); },
-      {.stop = lockstep_stop(), .watcher = [this](std::uint64_t round, double lower, double upper) {
-         say_ends(round, lower, upper);
-       }});
+      control);
 }
 
 RootResult RootSearch::solve_balanced(double alpha) {
