@@ -1,12 +1,14 @@
 // Two iterations in turn, each with bounds at any time.
 #include "nodes/limit/split_root.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
 
-#include <cstdio>
-#include <ctime>
 #include "nodes/limit/fixed_shares.hpp"
 #include "nodes/limit/splitting/affine_iteration.hpp"
 #include "nodes/limit/splitting/affine_program.hpp"
@@ -31,23 +33,30 @@ constexpr double factor_metric = 0.1;
 /// A certificate is tried where sets are as near to each other as this.
 constexpr double near = 1e-3;
 
-/// The face of a collapse is looked at when the sets are as near as this, and no worse load was
-/// found in this share of all steps.
+/// The face of a collapse is looked at when the sets are as near as this: once for each collapse,
+/// and again when the steps have grown by a share.
 constexpr double near_enough = 2e-3;
-constexpr double quiet_share = 0.25;
+constexpr double again_share = 0.1;
 constexpr int least_steps = 100;
 
-/// It is left when the residual has not fallen to this share in so many steps.
+/// It is left at once if the first look finds its sets no nearer to each other than this share of
+/// what the iteration has without it: then it is most likely not the face of the worst case. Later
+/// when its residual has not fallen to a share in so many steps.
+constexpr double face_start = 0.5;
 constexpr double face_fall = 0.7;
 constexpr int face_steps = 200;
 
-/// Ends that differ by less are told after all, where they do not meet soon.
+/// A face on which nothing more can be gained by steps.
+constexpr double no_residual = 1e-12;
+
+/// Ends that differ by less are as good as met if they do not meet soon: after a quarter of the
+/// steps more.
 constexpr double good_gap = 2e-7;
+constexpr double patience = 1.25;
+constexpr int more_steps = 100;
 
-/// Faces that were looked at in vain.
-constexpr int most_faces = 6;
-
-double cpu() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+/// Steps after which static cuts do not suffice, most likely, or the collapse is not known.
+constexpr int most_steps = 4000;
 
 class SplitRoot {
  public:
@@ -70,6 +79,7 @@ class SplitRoot {
   RootStatus look_at_face(splitting::AffineIteration& iteration);
   bool improve(Eigen::VectorXd motion);
   void bound(const splitting::ColumnBlocks& y);
+  [[nodiscard]] double share_of_best(const std::vector<double>& taken) const;
   [[nodiscard]] double gap() const { return result_.worst->collapse.factor - result_.lower; }
   [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
   void tell(int steps) const;
@@ -83,6 +93,7 @@ class SplitRoot {
   splitting::AffineProjection projection_;
   splitting::SafeBound bound_;
   std::optional<splitting::ColumnBlocks> best_;  // of the bound
+  std::vector<double> best_taken_;               // what it takes of each member
   bool improved_ = false;
   RootResult result_;
 };
@@ -104,13 +115,36 @@ bool SplitRoot::improve(Eigen::VectorXd motion) {
   return true;
 }
 
+// How much of the best certificate so far there must be in a mean of both, so that no member is
+// asked for more than it has; 1: no other is possible.
+double SplitRoot::share_of_best(const std::vector<double>& taken) const {
+  constexpr double room = 1e-12;
+  double share = 0;
+  for (int i = 0; i < program_.members(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double excess = taken[at] - program_.capacity(i) + room;
+    if (taken[at] <= program_.capacity(i)) continue;
+    if (!best_) return 1;
+    share = std::max(share, std::min(1.0, excess / (taken[at] - best_taken_[at])));
+  }
+  return share;
+}
+
 void SplitRoot::bound(const splitting::ColumnBlocks& y) {
-  const auto state = bound_.state(splitting::row_sizes(y, sharing_),
-                                  Eigen::VectorXd::Zero(model_.member_count()));
+  auto point = y;
+  auto taken = splitting::row_sizes(point, sharing_);
+  const double share = share_of_best(taken);
+  if (share >= 1) return;
+  if (share > 0) {
+    splitting::blend(point, *best_, share);
+    taken = splitting::row_sizes(point, sharing_);
+  }
+  const auto state = bound_.state(taken, Eigen::VectorXd::Zero(model_.member_count()));
   ++result_.counts.relaxations;
   if (!state || state->bound <= result_.lower) return;
   result_.lower = state->bound;
-  best_ = y;
+  best_ = std::move(point);
+  best_taken_ = std::move(taken);
 }
 
 void SplitRoot::tell(int steps) const {
@@ -119,6 +153,7 @@ void SplitRoot::tell(int steps) const {
                    result_.worst->collapse.factor);
 }
 
+// @return open: nothing has come of it
 RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
   std::vector<int> signs;
   for (const double zeta : result_.worst->zeta) signs.push_back(zeta < 0 ? -1 : 1);
@@ -126,22 +161,30 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
   splitting::FaceIteration face(
       program_, projection_, sharing_,
       splitting::face_of(program_, collapse.factor, collapse.motion, std::move(signs)), iteration);
-  double last = std::numeric_limits<double>::infinity();
+  double last = 0;
   int last_steps = 0;
   int good_steps = 0;
   for (;;) {
     if (face.steps() % steps_a_question == 0 && stopped()) return RootStatus::stopped;
     face.step();
-    if (face.steps() % steps_a_look != 0 && face.residual() > 1e-12) continue;
+    const bool done = face.residual() <= no_residual;
+    if (face.steps() % steps_a_look != 0 && !done) continue;
     bound(face.affine_point());
     tell(iteration.steps() + face.steps());
-    fprintf(stderr, "  face %d res %.3e lower %.9g upper %.9g gap %.2e cpu %.2f\n", face.steps(), face.residual(), result_.lower * model_.factor_unit, collapse.factor * model_.factor_unit, gap(), cpu());
     if (gap() <= closed_gap) return RootStatus::closed;
-    if (gap() <= good_gap && good_steps == 0) good_steps = face.steps();
-    if (good_steps > 0 && face.steps() > 1.25 * good_steps + 100) return RootStatus::closed;
-    if (face.residual() <= 1e-12) return RootStatus::open;
-    if (face.steps() - last_steps < face_steps) continue;
-    if (face.residual() > face_fall * last) return gap() <= good_gap ? RootStatus::closed : RootStatus::open;
+    const bool good = gap() <= good_gap;
+    if (good && good_steps == 0) good_steps = face.steps();
+    if (good && (done || face.steps() > patience * good_steps + more_steps)) {
+      return RootStatus::closed;
+    }
+    if (done) return RootStatus::open;
+    if (last_steps == 0) {
+      if (face.residual() > face_start * iteration.residual()) return RootStatus::open;
+    } else if (face.steps() - last_steps < face_steps) {
+      continue;
+    } else if (face.residual() > face_fall * last) {
+      return good ? RootStatus::closed : RootStatus::open;
+    }
     last = face.residual();
     last_steps = face.steps();
   }
@@ -149,32 +192,24 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
 
 RootStatus SplitRoot::iterate() {
   splitting::AffineIteration iteration(program_, projection_, sharing_);
-  int last_found = 0;
-  int faces = 0;
-  for (;;) {
+  double next_face = 0;
+  while (iteration.steps() < most_steps) {
     for (int k = 0; k < steps_a_look; ++k) {
       if (iteration.steps() % steps_a_question == 0 && stopped()) return RootStatus::stopped;
       iteration.step(result_.worst->collapse.factor);
     }
-    const auto u = iteration.motion();
-    if (!improve(u)) return RootStatus::not_carried;
-    if (improved_) last_found = iteration.steps();
+    if (!improve(iteration.motion())) return RootStatus::not_carried;
+    if (improved_) next_face = 0;
     if (iteration.residual() < near) bound(iteration.affine_point());
-    tell(iteration.steps());
-    {
-      const auto& w = result_.worst->collapse.motion;
-      const Eigen::VectorXd e1 = model_.equilibrium.transpose() * u / model_.reference.dot(u), e2 = model_.equilibrium.transpose() * w;
-      fprintf(stderr, "it %d res %.3e lower %.9g upper %.9g gap %.2e cpu %.2f cos %.8f d1 %.2e\n", iteration.steps(), iteration.residual(), result_.lower * model_.factor_unit, result_.worst->collapse.factor * model_.factor_unit, gap(), cpu(), e1.dot(e2) / e1.norm() / e2.norm(), (e1 - e2).lpNorm<1>() / e2.lpNorm<1>());
-    }
-    if (gap() <= closed_gap) return RootStatus::closed;
     const int steps = iteration.steps();
-    const bool quiet = steps - last_found >= quiet_share * steps;
-    if (!quiet || steps < least_steps || iteration.residual() > near_enough) continue;
+    tell(steps);
+    if (gap() <= closed_gap) return RootStatus::closed;
+    if (steps < least_steps || steps < next_face || iteration.residual() > near_enough) continue;
     const auto status = look_at_face(iteration);
     if (status != RootStatus::open) return status;
-    if (++faces == most_faces) return RootStatus::open;
-    last_found = steps;  // so that phase one goes on for a while
+    next_face = (1 + again_share) * steps;
   }
+  return RootStatus::open;
 }
 
 RootResult SplitRoot::run(const Collapse& nominal) {

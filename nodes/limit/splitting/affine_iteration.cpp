@@ -73,7 +73,7 @@ void AffineIteration::move(double relaxation, double share) {
           own = share * anchor->part[h] + (1 - share) * (own + relaxation * apart);
         }
         if (row < members) return;
-        square += sum_of(sum.part[0] + sum.part[1]);
+        square += sum_of(sum);
         sum = {};
         if (is_first(place)) motion_ = projection_.multipliers(0);
       });

@@ -68,20 +68,16 @@ void AffineProjection::begin(const std::vector<Load>& loads, int first_column) {
 
 void AffineProjection::solve() {
   const auto eliminate = [this](std::size_t k, const Triangle& triangle) {
-    auto& own = solution_[k];
-    Lanes first = own.part[0];
-    Lanes second = own.part[1];
+    Segment own = solution_[k];
     for (int at = triangle.first[k]; at < triangle.first[k + 1]; ++at) {
       const double value = triangle.value[static_cast<std::size_t>(at)];
       const auto& other =
           solution_[static_cast<std::size_t>(triangle.place[static_cast<std::size_t>(at)])];
-      first -= value * other.part[0];
-      second -= value * other.part[1];
+      for (int h = 0; h < block_lanes; ++h) own.part[h] -= value * other.part[h];
     }
-    own.part[0] = first * inverse_diagonal_[k];
-    own.part[1] = second * inverse_diagonal_[k];
+    for (auto& part : own.part) part *= inverse_diagonal_[k];
+    solution_[k] = own;
   };
-  static_assert(block_lanes == 2);
   for (std::size_t k = 0; k < solution_.size(); ++k) eliminate(k, by_row_);
   for (std::size_t k = solution_.size(); k-- > 0;) eliminate(k, by_column_);
 }

@@ -32,6 +32,15 @@ void ColumnBlocks::set(int row, int column, double value) {
   segment.part[within % block_columns / lanes][within % lanes] = value;
 }
 
+void blend(ColumnBlocks& point, const ColumnBlocks& other, double share) {
+  for (std::size_t k = 0; k < point.numbers().size(); ++k) {
+    for (int h = 0; h < block_lanes; ++h) {
+      auto& own = point.numbers()[k].part[h];
+      own = (1 - share) * own + share * other.numbers()[k].part[h];
+    }
+  }
+}
+
 std::vector<double> all_columns(const ColumnBlocks& blocks, const Sharing& sharing) {
   const auto rows = static_cast<std::size_t>(blocks.rows());
   std::vector<double> all(rows * group_columns * static_cast<std::size_t>(blocks.groups()));

@@ -12,8 +12,8 @@
 
 namespace kusabi::limit::splitting {
 
-inline constexpr int lanes = 8;
-inline constexpr int block_lanes = 2;
+inline constexpr int lanes = 2;
+inline constexpr int block_lanes = 8;
 inline constexpr int block_columns = lanes * block_lanes;
 inline constexpr int group_blocks = 4;
 inline constexpr int group_columns = block_columns * group_blocks;
@@ -22,6 +22,12 @@ inline constexpr int group_columns = block_columns * group_blocks;
 struct Segment {
   Lanes part[block_lanes];
 };
+
+inline double sum_of(const Segment& segment) {
+  const auto& part = segment.part;
+  return sum_of(((part[0] + part[1]) + (part[2] + part[3])) +
+                ((part[4] + part[5]) + (part[6] + part[7])));
+}
 
 /// Who has which groups, and how ranks tell each other what they have worked out.
 struct Sharing {
@@ -63,6 +69,7 @@ class ColumnBlocks {
   void set(int row, int column, double value);
 
   [[nodiscard]] std::vector<Segment>& numbers() { return numbers_; }
+  [[nodiscard]] const std::vector<Segment>& numbers() const { return numbers_; }
 
  private:
   [[nodiscard]] std::size_t place(int group, int number) const {
@@ -76,6 +83,9 @@ class ColumnBlocks {
   int end_ = 0;
   std::vector<Segment> numbers_;
 };
+
+/// (1 - share) point + share other, in place of the point.
+void blend(ColumnBlocks& point, const ColumnBlocks& other, double share);
 
 /// All columns of all ranks, by rows: row i, column j is at i + j * rows. Every rank makes the same
 /// call.

@@ -127,7 +127,7 @@ void FaceIteration::step() {
           z.part[h] += relaxation * apart;
         }
         if (row < program_.members()) return;
-        squares[static_cast<std::size_t>(place.group)] += sum_of(sum.part[0] + sum.part[1]);
+        squares[static_cast<std::size_t>(place.group)] += sum_of(sum);
         sum = {};
       });
   residual_ = std::sqrt(square + added(squares, 1, sharing_).front());

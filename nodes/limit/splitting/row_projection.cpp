@@ -42,8 +42,8 @@ void RowProjection::evaluate(const ColumnBlocks& z) {
     }
     auto* const target = shared_.data() + static_cast<std::size_t>(group) * rows * 2;
     for (std::size_t k = 0; k < rows; ++k) {
-      target[2 * k] = sum_of(over[k].part[0] + over[k].part[1]);
-      target[2 * k + 1] = sum_of(count[k].part[0] + count[k].part[1]);
+      target[2 * k] = sum_of(over[k]);
+      target[2 * k + 1] = sum_of(count[k]);
     }
   }
   const auto sums = added(shared_, rows * 2, sharing_);
@@ -104,7 +104,8 @@ std::vector<double> row_sizes(const ColumnBlocks& y, const Sharing& sharing) {
       for (std::size_t i = 0; i < rows; ++i) {
         Segment segment = block[i];
         if (group == 0 && number == 0) segment.part[0][0] = 0;
-        target[i] += sum_of(size_of(segment.part[0]) + size_of(segment.part[1]));
+        for (auto& part : segment.part) part = size_of(part);
+        target[i] += sum_of(segment);
       }
     }
   }
