@@ -95,7 +95,8 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
     double least = infinite();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       double shown = has_proof[k] ? lower_end(proof, certificate.nodes[k]) : -infinite();
-      const double wanted = ends.upper - 2 * closed_gap * evidence.model.factor_unit;
+      const double wanted =
+          std::min(ends.upper, evidence.lower) - 2 * closed_gap * evidence.model.factor_unit;
       if (again && shown < wanted) {
         const double more = with_more_room(evidence, truss, nodes[k], shown, wanted);
         changed = changed || more > shown;

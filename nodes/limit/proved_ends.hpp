@@ -2,6 +2,7 @@
 // here, in exact arithmetic, from the evidence that a certificate holds.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct LimitEvidence {
   const Worst& worst;
   const std::vector<StaticCut>& cuts;  ///< those that all nodes share
   std::vector<ClosedNode> nodes;       ///< which cover all signs
+  /// What the nodes are thought to show, in the unit of the load factor; a proof of more is not
+  /// looked for.
+  double lower = std::numeric_limits<double>::infinity();
 };
 
 /// What is shown, with its evidence.

@@ -11,6 +11,7 @@
 
 #include "engine/together.hpp"
 #include "nodes/limit/balanced_model.hpp"
+#include "nodes/limit/split_root.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -18,6 +19,9 @@ namespace {
 /// How often a worst case that collapses in another order of forces than the nominal load is
 /// searched for again, in that one.
 constexpr int most_balances = 3;
+
+/// From so many uncertain loads on splitting is faster than a linear program for each cut.
+constexpr int columns_to_split = 150;
 
 /// What takes less is over before it is read.
 constexpr auto patience = std::chrono::seconds(2);
@@ -105,12 +109,20 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
 
 RootResult RootSearch::solve(double alpha) {
   load_factor().restart();
+  const RootControl control{.stop = lockstep_stop(),
+                            .watcher = [this](std::uint64_t round, double lower, double upper) {
+                              say_ends(round, lower, upper);
+                            }};
+  if (alpha > 0 && model().uncertain_count() >= columns_to_split) {
+    // Every rank makes all steps: they do not depend on how many there are.
+    auto split = split_root(model(), alpha, nominal(), load_factor(), {}, control);
+    if (split.status != RootStatus::open && split.status != RootStatus::failed) return split;
+    load_factor().restart();
+  }
   return solve_root(
       model(), alpha, nominal(), load_factor(),
       [this](const Eigen::VectorXd& z, std::span<const int> columns) { return price(z, columns); },
-      {.stop = lockstep_stop(), .watcher = [this](std::uint64_t round, double lower, double upper) {
-         say_ends(round, lower, upper);
-       }});
+      control);
 }
 
 RootResult RootSearch::solve_balanced(double alpha) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "nodes/limit/fixed_shares.hpp"
 #include "nodes/limit/pricing_order.hpp"
 
 namespace kusabi::limit {
@@ -81,20 +82,8 @@ class Rounds {
   RootResult result_;
 };
 
-// A descent from the worst load of a motion. @return false if a load on the way is not carried
 bool Rounds::improve(const Eigen::VectorXd& motion) {
-  const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model_.uncertain_count());
-  auto found = descend(model_, load_factor_, alpha_, worst_for(model_, alpha_, motion, plus));
-  if (found.status == LoadStatus::not_carried) {
-    result_.overpowering_load = std::move(found.overpowering_load);
-    result_.overpowering_motion = std::move(found.overpowering_motion);
-    return false;
-  }
-  if (found.status != LoadStatus::collapses) return true;
-  if (!result_.worst || found.worst.collapse.factor < result_.worst->collapse.factor) {
-    result_.worst = std::move(found.worst);
-  }
-  return true;
+  return descend_from(model_, alpha_, load_factor_, motion, result_);
 }
 
 // Adds the cuts that the point violates, or all if there is no point yet. @return whether any
@@ -247,6 +236,22 @@ RootResult Rounds::run(const Collapse& nominal) {
 
 }  // namespace
 
+bool descend_from(const LimitModel& model, double alpha, LoadFactor& load_factor,
+                  const Eigen::VectorXd& motion, RootResult& result) {
+  const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model.uncertain_count());
+  auto found = descend(model, load_factor, alpha, worst_for(model, alpha, motion, plus));
+  if (found.status == LoadStatus::not_carried) {
+    result.overpowering_load = std::move(found.overpowering_load);
+    result.overpowering_motion = std::move(found.overpowering_motion);
+    return false;
+  }
+  if (found.status != LoadStatus::collapses) return true;
+  if (!result.worst || found.worst.collapse.factor < result.worst->collapse.factor) {
+    result.worst = std::move(found.worst);
+  }
+  return true;
+}
+
 std::vector<StaticCut> price_block(StaticPricing& pricing, std::span<const int> columns) {
   std::vector<StaticCut> cuts;
   pricing.restart();
@@ -292,6 +297,10 @@ RootResult solve_root(const LimitModel& model, double alpha, const Collapse& nom
 std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha,
                                            std::span<const StaticCut> cuts, const Signs& signs,
                                            double share, bool for_all) {
+  const bool decided = std::ranges::any_of(signs, [](int sign) { return sign != 0; });
+  if (!decided && is_one_for_each(cuts, model)) {
+    return proof_of_fixed_shares(model, alpha, cuts, share, for_all);
+  }
   Master master(model, alpha);
   for (const auto& cut : cuts) master.add(cut);
   master.decide(signs);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -67,7 +68,8 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
     const bool any = again || !nodes.front().forces.empty();  // else only the upper end is left
     auto [ends, certificate] =
         proved_ends({truss_, search_.problem(), model(), alpha(), *root.worst,
-                     any ? root.cuts : std::vector<StaticCut>(), std::move(nodes)},
+                     any ? root.cuts : std::vector<StaticCut>(), std::move(nodes),
+                     of_a_tree ? std::numeric_limits<double>::infinity() : root.lower * unit},
                     again);
     if (ends.lower_proved && ends.upper_proved) certificate_ = std::move(certificate);
     if (!ends.upper_proved) ends.upper = root.worst->collapse.factor * unit;

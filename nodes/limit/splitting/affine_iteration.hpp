@@ -1,0 +1,70 @@
+// A certificate of a target is looked for: Douglas-Rachford splitting between A X = T and the rows,
+// as a reflected Halpern iteration with restarts.
+//
+//   x = rows(z),  y = affine(2 x - z),  z <- (k+1)/(k+2) (z + 2 (y - x)) + 1/(k+2) z_0
+//
+// z_0 is where the epoch of k steps began; a new one begins when |y - x| has fallen enough.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "nodes/limit/splitting/affine_program.hpp"
+#include "nodes/limit/splitting/affine_projection.hpp"
+#include "nodes/limit/splitting/column_blocks.hpp"
+#include "nodes/limit/splitting/row_projection.hpp"
+
+namespace kusabi::limit::splitting {
+
+class AffineIteration {
+ public:
+  /// All must outlive it.
+  AffineIteration(const AffineProgram& program, AffineProjection& projection,
+                  const Sharing& sharing);
+
+  /// @param target a factor that the certificate is to show, scaled; minus infinity: any
+  void step(double target);
+
+  [[nodiscard]] int steps() const { return steps_; }
+  /// |y - x| of the last step.
+  [[nodiscard]] double residual() const { return residual_; }
+  /// Of the last step: the multiplier of the dead load, not scaled; on every rank. Every rank makes
+  /// the same call.
+  [[nodiscard]] Eigen::VectorXd motion() const;
+
+  /// A X = T to the last bit or so: the forces of the loads are a certificate if there is room
+  /// for them. Column 0, lambda_0 included, is that of the dead load.
+  [[nodiscard]] const ColumnBlocks& affine_point();
+  /// Row by row within the bounds: x of the last step but for its factor.
+  [[nodiscard]] double row_point(int row, int column) const;
+  [[nodiscard]] bool has(int column) const {
+    const int group = column / group_columns;
+    return group >= z_.first_group() && group < z_.end_group();
+  }
+  [[nodiscard]] const ColumnBlocks& blocks() const { return z_; }
+
+ private:
+  [[nodiscard]] Segment reflected(bool first, int row, const Segment& z) const;
+  void move(double relaxation, double share);
+  void end_of_epoch();
+
+  const AffineProgram& program_;
+  AffineProjection& projection_;
+  const Sharing& sharing_;
+  RowProjection rows_;
+  ColumnBlocks z_;
+  double factor_ = 0;  // lambda_0 of z, which has zero in its place
+  std::vector<Segment> anchor_;
+  double anchor_factor_ = 0;
+  ColumnBlocks y_;
+  Eigen::VectorXd motion_;
+  int steps_ = 0;
+  int epoch_ = 0;  // steps of it
+  double residual_ = std::numeric_limits<double>::infinity();
+  double first_residual_ = 0;  // of the epoch
+  double last_residual_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace kusabi::limit::splitting

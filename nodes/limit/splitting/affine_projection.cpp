@@ -1,0 +1,94 @@
+// Both triangular solves gather, so that sixteen sums stay in registers.
+#include "nodes/limit/splitting/affine_projection.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/SparseCholesky>
+
+namespace kusabi::limit::splitting {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+AffineProjection::AffineProjection(const Sparse& a, Eigen::VectorXd metric)
+    : metric_(std::move(metric)) {
+  const Sparse gram = a * metric_.asDiagonal() * a.transpose();
+  const Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::AMDOrdering<int>> factor(gram);
+  if (factor.info() != Eigen::Success) return;
+  definite_ = true;
+  const Sparse lower = factor.matrixL();
+  const Sparse upper = lower.transpose();
+  by_column_ = triangle(lower);
+  by_row_ = triangle(upper);
+  for (int k = 0; k < lower.rows(); ++k) inverse_diagonal_.push_back(1 / lower.coeff(k, k));
+  const auto& order = factor.permutationP().indices();
+  order_.assign(order.data(), order.data() + order.size());
+  first_.push_back(0);
+  for (int i = 0; i < a.cols(); ++i) {
+    for (Sparse::InnerIterator entry(a, i); entry; ++entry) {
+      place_.push_back(order_[static_cast<std::size_t>(entry.row())]);
+      value_.push_back(entry.value());
+      scaled_.push_back(entry.value() * metric_(i));
+    }
+    first_.push_back(place_.size());
+  }
+  solution_.resize(order_.size());
+}
+
+AffineProjection::Triangle AffineProjection::triangle(const Sparse& matrix) {
+  Triangle triangle;
+  triangle.first.push_back(0);
+  for (int k = 0; k < matrix.outerSize(); ++k) {
+    for (Sparse::InnerIterator entry(matrix, k); entry; ++entry) {
+      if (entry.row() == entry.col()) continue;
+      triangle.place.push_back(static_cast<int>(entry.row()));
+      triangle.value.push_back(entry.value());
+    }
+    triangle.first.push_back(static_cast<int>(triangle.place.size()));
+  }
+  return triangle;
+}
+
+double AffineProjection::work() const {
+  return block_columns * (2.0 * static_cast<double>(by_row_.value.size() + value_.size()) +
+                          10.0 * static_cast<double>(first_.size()));
+}
+
+void AffineProjection::begin(const std::vector<Load>& loads, int first_column) {
+  std::ranges::fill(solution_, Segment{});
+  const int end = std::min(static_cast<int>(loads.size()), first_column + block_columns);
+  for (int j = first_column; j < end; ++j) {
+    const int within = j - first_column;
+    for (const auto& [degree, value] : loads[static_cast<std::size_t>(j)]) {
+      const auto at = static_cast<std::size_t>(order_[static_cast<std::size_t>(degree)]);
+      solution_[at].part[within / lanes][within % lanes] -= value;
+    }
+  }
+}
+
+void AffineProjection::solve() {
+  const auto eliminate = [this](std::size_t k, const Triangle& triangle) {
+    Segment own = solution_[k];
+    for (int at = triangle.first[k]; at < triangle.first[k + 1]; ++at) {
+      const double value = triangle.value[static_cast<std::size_t>(at)];
+      const auto& other =
+          solution_[static_cast<std::size_t>(triangle.place[static_cast<std::size_t>(at)])];
+      for (int h = 0; h < block_lanes; ++h) own.part[h] -= value * other.part[h];
+    }
+    for (auto& part : own.part) part *= inverse_diagonal_[k];
+    solution_[k] = own;
+  };
+  for (std::size_t k = 0; k < solution_.size(); ++k) eliminate(k, by_row_);
+  for (std::size_t k = solution_.size(); k-- > 0;) eliminate(k, by_column_);
+}
+
+Eigen::VectorXd AffineProjection::multipliers(int column) const {
+  Eigen::VectorXd u(static_cast<Eigen::Index>(order_.size()));
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    u(static_cast<Eigen::Index>(k)) =
+        solution_[static_cast<std::size_t>(order_[k])].part[column / lanes][column % lanes];
+  }
+  return u;
+}
+
+}  // namespace kusabi::limit::splitting

@@ -1,0 +1,45 @@
+// One pass over the columns of this rank: each block is reflected row by row, projected on A X = T,
+// and handed over row by row.
+#pragma once
+
+#include <vector>
+
+#include "nodes/limit/splitting/affine_projection.hpp"
+#include "nodes/limit/splitting/column_blocks.hpp"
+
+namespace kusabi::limit::splitting {
+
+/// A block of a group.
+struct BlockPlace {
+  int group = 0;
+  int number = 0;
+  [[nodiscard]] int first_column() const { return group * group_columns + number * block_columns; }
+};
+
+/// @param right_sides by column
+/// @param reflect (place, row, z) -> Segment: 2 x - z
+/// @param visit (place, row, y): y may be changed
+template <class Reflect, class Visit>
+void sweep(AffineProjection& projection, const std::vector<Load>& right_sides,
+           const ColumnBlocks& z, const Reflect& reflect, const Visit& visit) {
+  std::vector<Segment> w(static_cast<std::size_t>(z.rows()));
+  for (BlockPlace place{z.first_group(), 0}; place.group < z.end_group(); ++place.group) {
+    for (place.number = 0; place.number < z.blocks_of(place.group); ++place.number) {
+      const Segment* const block = z.block(place.group, place.number);
+      projection.begin(right_sides, place.first_column());
+      for (int i = 0; i < z.rows(); ++i) {
+        auto& row = w[static_cast<std::size_t>(i)];
+        row = reflect(place, i, block[i]);
+        projection.take(i, row);
+      }
+      projection.solve();
+      for (int i = 0; i < z.rows(); ++i) {
+        auto& row = w[static_cast<std::size_t>(i)];
+        projection.project(i, row);
+        visit(place, i, row);
+      }
+    }
+  }
+}
+
+}  // namespace kusabi::limit::splitting

@@ -1,0 +1,49 @@
+// Signs of elongations, and of works.
+#include "nodes/limit/splitting/face.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace kusabi::limit::splitting {
+namespace {
+
+/// Members that stretch less than this share of the most, and loads that do less than this share of
+/// the most work for their size, are taken not to.
+constexpr double no_stretch = 1e-8;
+constexpr double no_work = 1e-9;
+
+}  // namespace
+
+Face face_of(const AffineProgram& program, double factor, const Eigen::VectorXd& motion,
+             std::vector<int> signs) {
+  Face face;
+  face.factor = factor;
+  const int members = program.members();
+  const Eigen::VectorXd stretch =
+      program.equilibrium.leftCols(members).transpose() * motion;
+  const double most_stretch = stretch.cwiseAbs().maxCoeff();
+  for (int i = 0; i < members; ++i) {
+    const bool yields = std::abs(stretch(i)) > no_stretch * most_stretch;
+    face.stretches.push_back(!yields ? 0 : stretch(i) > 0 ? 1 : -1);
+  }
+  const double most_motion = motion.cwiseAbs().maxCoeff();
+  face.critical = program.dead;
+  face.columns.emplace_back();
+  for (std::size_t j = 0; j < program.loads.size(); ++j) {
+    Load load = program.loads[j];
+    double work = 0;
+    double size = 0;
+    for (auto& [degree, value] : load) {
+      value *= signs[j];
+      work += value * motion(degree);
+      size += std::abs(value);
+      face.critical(degree) += value;
+    }
+    face.works.push_back(std::abs(work) > no_work * size * most_motion);
+    face.columns.push_back(std::move(load));
+  }
+  face.signs = std::move(signs);
+  return face;
+}
+
+}  // namespace kusabi::limit::splitting

@@ -1,0 +1,158 @@
+// Steps on a face.
+#include "nodes/limit/splitting/face_iteration.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "nodes/limit/splitting/block_sweep.hpp"
+#include "nodes/limit/splitting/row_projection.hpp"
+
+namespace kusabi::limit::splitting {
+namespace {
+
+constexpr double relaxation = 1.2;
+
+/// The members that do not stretch may hold less than all displacements.
+constexpr double shift = 1e-11;
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+}  // namespace
+
+FaceIteration::FaceIteration(const AffineProgram& program, AffineProjection& projection,
+                             const Sharing& sharing, Face face, AffineIteration& start)
+    : program_(program),
+      projection_(projection),
+      sharing_(sharing),
+      face_(std::move(face)),
+      rows_(program, face_, sharing),
+      z_(program.rows(), static_cast<int>(program.columns.size()), sharing),
+      y_(z_) {
+  still_load_ = face_.critical;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < program.rows(); ++i) {
+    const int stretch =
+        i < program.members() ? face_.stretches[static_cast<std::size_t>(i)] : 0;
+    for (Sparse::InnerIterator entry(program.equilibrium, i); entry; ++entry) {
+      if (stretch == 0) {
+        entries.emplace_back(static_cast<int>(entry.row()), i, entry.value());
+      } else {
+        still_load_(entry.row()) -= entry.value() * stretch * program.capacity(i);
+      }
+    }
+  }
+  still_.resize(program.displacements(), program.rows());
+  still_.setFromTriplets(entries.begin(), entries.end());
+  Sparse identity(program.displacements(), program.displacements());
+  identity.setIdentity();
+  const Sparse gram = still_ * still_.transpose();
+  factor_.compute(gram + shift * identity);
+  start_from(start);
+}
+
+void FaceIteration::start_from(AffineIteration& start) {
+  const auto rows = static_cast<std::size_t>(program_.rows());
+  const auto& y = start.affine_point();
+  std::vector<double> sums(rows * static_cast<std::size_t>(z_.groups()), 0.0);
+  for (int group = z_.first_group(); group < z_.end_group(); ++group) {
+    auto* const sum = sums.data() + static_cast<std::size_t>(group) * rows;
+    const int end = std::min(z_.columns(), (group + 1) * group_columns);
+    for (int column = group * group_columns; column < end; ++column) {
+      for (int i = 0; i < program_.rows(); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (column == 0) {
+          sum[at] += y.at(i, 0);
+          continue;
+        }
+        const double w =
+            face_.signs[static_cast<std::size_t>(column - 1)] * start.row_point(i, column);
+        z_.set(i, column, w);
+        sum[at] += w;
+      }
+    }
+  }
+  const auto total = added(sums, rows, sharing_);
+  state_ = Eigen::Map<const Eigen::VectorXd>(total.data(), program_.rows());
+  state_(program_.members()) = face_.factor;
+}
+
+Segment FaceIteration::reflected(int first_column, int row, const Segment& z) const {
+  const Segment cut = rows_.cut_off(row, z, rows_.works(first_column));
+  Segment w;
+  for (int h = 0; h < block_lanes; ++h) w.part[h] = z.part[h] - 2 * cut.part[h];
+  return w;
+}
+
+// The same step for the state, on every rank.
+void FaceIteration::move_state(double& square) {
+  const auto& nearest = rows_.state();
+  Eigen::VectorXd y = 2 * nearest - state_;
+  const auto is_still = [this](int i) {
+    return i == program_.members() || face_.stretches[static_cast<std::size_t>(i)] == 0;
+  };
+  for (int i = 0; i < program_.rows(); ++i) {
+    if (!is_still(i)) y(i) = 0;
+  }
+  for (int time = 0; time < 2; ++time) {
+    const Eigen::VectorXd lacking = still_ * y - still_load_;
+    y -= still_.transpose() * factor_.solve(lacking);
+  }
+  for (int i = 0; i < program_.rows(); ++i) {
+    if (!is_still(i)) continue;
+    const double apart = y(i) - nearest(i);
+    state_(i) += relaxation * apart;
+    square += apart * apart;
+  }
+}
+
+void FaceIteration::step() {
+  rows_.find(z_, state_);
+  double square = 0;
+  move_state(square);
+  std::vector<double> squares(static_cast<std::size_t>(z_.groups()), 0.0);
+  Segment sum{};
+  const auto& metric = projection_.metric();
+  sweep(
+      projection_, face_.columns, z_,
+      [this](const BlockPlace& place, int row, const Segment& z) {
+        return reflected(place.first_column(), row, z);
+      },
+      [&](const BlockPlace& place, int row, const Segment& y) {
+        Segment& z = z_.block(place.group, place.number)[row];
+        const Segment cut = rows_.cut_off(row, z, rows_.works(place.first_column()));
+        const double weight = 1 / metric(row);
+        for (int h = 0; h < block_lanes; ++h) {
+          const Lanes apart = y.part[h] - z.part[h] + cut.part[h];
+          sum.part[h] += weight * apart * apart;
+          z.part[h] += relaxation * apart;
+        }
+        if (row < program_.members()) return;
+        squares[static_cast<std::size_t>(place.group)] += sum_of(sum);
+        sum = {};
+      });
+  residual_ = std::sqrt(square + added(squares, 1, sharing_).front());
+  ++steps_;
+}
+
+const ColumnBlocks& FaceIteration::affine_point() {
+  sweep(
+      projection_, face_.columns, z_,
+      [this](const BlockPlace& place, int row, const Segment& z) {
+        return reflected(place.first_column(), row, z);
+      },
+      [&](const BlockPlace& place, int row, const Segment& y) {
+        Segment& target = y_.block(place.group, place.number)[row];
+        for (int h = 0; h < block_lanes; ++h) {
+          Lanes signs{};
+          for (int l = 0; l < lanes; ++l) {
+            const int column = place.first_column() + h * lanes + l;
+            const bool is_load = column > 0 && column < z_.columns();
+            signs[l] = is_load ? face_.signs[static_cast<std::size_t>(column - 1)] : 0;
+          }
+          target.part[h] = signs * y.part[h];
+        }
+      });
+  return y_;
+}
+
+}  // namespace kusabi::limit::splitting

@@ -1,0 +1,56 @@
+// A certificate on a face is looked for: Douglas-Rachford splitting between A [W; K] = alpha s t,
+// the state in equilibrium with the critical load, and the rows of the face.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+
+#include "nodes/limit/splitting/affine_iteration.hpp"
+#include "nodes/limit/splitting/affine_program.hpp"
+#include "nodes/limit/splitting/affine_projection.hpp"
+#include "nodes/limit/splitting/column_blocks.hpp"
+#include "nodes/limit/splitting/face.hpp"
+#include "nodes/limit/splitting/face_projection.hpp"
+
+namespace kusabi::limit::splitting {
+
+class FaceIteration {
+ public:
+  /// From where `start` is. All but `start` must outlive it. Every rank makes the same call.
+  FaceIteration(const AffineProgram& program, AffineProjection& projection, const Sharing& sharing,
+                Face face, AffineIteration& start);
+
+  void step();
+
+  [[nodiscard]] int steps() const { return steps_; }
+  [[nodiscard]] double residual() const { return residual_; }
+  [[nodiscard]] const Face& face() const { return face_; }
+
+  /// P and kappa, A X = T to the last bit or so; column 0 is zero.
+  [[nodiscard]] const ColumnBlocks& affine_point();
+
+ private:
+  void start_from(AffineIteration& start);
+  void move_state(double& square);
+  [[nodiscard]] Segment reflected(int first_column, int row, const Segment& z) const;
+
+  const AffineProgram& program_;
+  AffineProjection& projection_;
+  const Sharing& sharing_;
+  Face face_;
+  FaceProjection rows_;
+  ColumnBlocks z_;
+  ColumnBlocks y_;
+  // The state under the critical load: forces of members that do not stretch, and the factor.
+  Eigen::SparseMatrix<double> still_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
+  Eigen::VectorXd still_load_;
+  Eigen::VectorXd state_;  // a of z
+  int steps_ = 0;
+  double residual_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace kusabi::limit::splitting
