@@ -157,7 +157,7 @@ bool ContactSolver::has_centre(const conic::Answer& answer, conic::StopEarly sto
 }
 
 bool ContactSolver::is_open(const conic::Answer& answer, conic::StopEarly stop) const {
-  if (answer.sign == conic::Sign::marginal) return !conic::is_tie(answer, tolerances_);
+  if (answer.sign == conic::Sign::marginal) return !conic::is_resolved_tie(answer, tolerances_);
   return answer.sign == conic::Sign::alive && !stop.when_alive &&
          answer.upper - answer.lower > three_digits * answer.lower;
 }

@@ -29,6 +29,7 @@
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/cuts_words.hpp"
+#include "run/wedged/exact_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 #include "support/fingerprint.hpp"
@@ -162,6 +163,9 @@ void Patterns::describe(OptionTable& table) {
              "write what each rank did when to this file, for ui.perfetto.dev");
   table.file("--certificate", options_.certificate, Role::evidence,
              "write the evidence to this file, for kusabi verify");
+  table.flag("--prove", options_.prove,
+             "put every node to the exact test of kusabi verify while it is searched; without it "
+             "this is done where the scales of the structure are more than 1e7 apart");
   table.quiet();
   table.serial();
 }
@@ -193,6 +197,7 @@ std::uint64_t Patterns::tree_fingerprint() const {
     fingerprint.add(static_cast<std::uint64_t>(options_.tightening));
   fingerprint.add(static_cast<std::uint64_t>(options_.facets_in_use()));
   if (options_.probes > 0) fingerprint.add(static_cast<std::uint64_t>(options_.probes));
+  if (options_.prove) fingerprint.add(std::string_view("prove"));
   return fingerprint.value();
 }
 
@@ -215,6 +220,8 @@ void Patterns::prepare(CommandRun& run) {
                     .probes = options_.probes,
                     .facets = options_.facets_in_use(),
                     .thorough = !options_.certificate.empty()};
+  question_.structure = &structure_;
+  if (options_.prove) question_.proving = wedged::Proving::always;
   auto& search = question_.search;
   search.order = options_.order;
   const auto fingerprint = tree_fingerprint();
@@ -264,7 +271,12 @@ void Patterns::end_certificate() {
 }
 
 std::string Patterns::what_became_of_the_certificate() const {
-  if (whole()) return "wrote " + options_.certificate;
+  if (whole()) {
+    const auto ties = findings_->exact.ties;
+    return fmt::format(
+        "wrote {}{}", options_.certificate,
+        ties == 0 ? "" : fmt::format("; it claims nothing of {}", counted(ties, "node")));
+  }
   if (goes_on_) return fmt::format("what is proved so far is in {}.part.*", options_.certificate);
   return "no certificate: nothing could go on with an incomplete one";
 }
@@ -302,7 +314,9 @@ std::vector<Step> Patterns::results(CommandRun& run) {
 Verdict Patterns::verdict(CommandRun& run) {
   const auto open = findings_->open();
   const auto& outcome = findings_->outcome;
-  Verdict verdict{.remarks = {}, .code = whole() && open == 0 ? solved : stopped_early};
+  const auto& exact = findings_->exact;
+  const bool sure = open == 0 && !exact.leaves_doubt();
+  Verdict verdict{.remarks = {}, .code = whole() && sure ? solved : stopped_early};
   auto& remarks = verdict.remarks;
   if (!whole()) {
     remarks.push_back(
@@ -317,6 +331,7 @@ Verdict Patterns::verdict(CommandRun& run) {
         "complete but for {}",
         open, open == 1 ? "" : "s", open == 1 ? "it" : "them"));
   }
+  if (exact.leaves_doubt()) remarks.push_back(exact_doubt(exact));
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_->leaves.empty()) {
     verdict.code = stopped_early;
     remarks.emplace_back(

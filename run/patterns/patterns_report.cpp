@@ -12,6 +12,7 @@
 #include "run/output/values.hpp"
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/cuts_words.hpp"
+#include "run/wedged/exact_words.hpp"
 #include "run/wedged/nearest_failure.hpp"
 #include "run/wedged/pattern_groups.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -74,11 +75,13 @@ ordered_json PatternsReport::candidates_json() const {
 std::string PatternsReport::sentence() const {
   const auto open = static_cast<double>(findings_.open());
   auto text =
-      '\n' + page_.strong(sticking_sentence({.thing = "way",
-                                             .friction = options_.friction,
-                                             .count = static_cast<double>(findings_.count()),
-                                             .doubtful = open,
-                                             .whole = findings_.whole()}));
+      '\n' +
+      page_.strong(sticking_sentence(
+          {.thing = "way",
+           .friction = options_.friction,
+           .count = findings_.exact.unable.empty() ? static_cast<double>(findings_.count()) : 0,
+           .doubtful = open,
+           .whole = findings_.whole() && !findings_.exact.leaves_doubt()}));
   text += firmest() + '\n';
   if (open > 0) text += page_.doubtful(doubtful_sentence(open)) + '\n';
   return text;
@@ -219,10 +222,11 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
-  ordered_json result = {{"friction", options_.friction},  {"tolerance", options_.tolerance},
-                         {"count", findings_.count()},     {"flat", findings_.flat},
-                         {"marginal", findings_.marginal}, {"undecided", findings_.undecided},
-                         {"blocks", std::move(blocks)},    {"tree", std::move(tree)}};
+  ordered_json result = {{"friction", options_.friction},       {"tolerance", options_.tolerance},
+                         {"count", findings_.count()},          {"flat", findings_.flat},
+                         {"marginal", findings_.marginal},      {"undecided", findings_.undecided},
+                         {"blocks", std::move(blocks)},         {"tree", std::move(tree)},
+                         {"exact", exact_json(findings_.exact)}};
   if (options_.polyhedral) result["candidates"] = candidates_json();
   result["patterns"] = patterns_json(whole);
   if (options_.group > 0) result["groups"] = groups_json();
@@ -235,6 +239,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
       {"cuts", name_of(options_.tightening)},
       {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}};
   if (options_.probes > 0) chosen["probe"] = options_.probes;
+  if (options_.prove) chosen["prove"] = true;
   if (options_.group > 0) chosen["group"] = options_.group;
   return {{"command", "patterns"},
           {"version", KUSABI_VERSION},

@@ -229,7 +229,7 @@ def _stamp(path):
 def _is_partial(content):
     """What exit code 3 says, from the file alone."""
     answer = content["result"]
-    if content["status"] not in ("solved", "not-carried"):
+    if content["status"] not in ("solved", "not-carried") or "doubt" in answer.get("exact", {}):
         return True
     if content["command"] == "patterns":
         return answer["marginal"] + answer["undecided"] > 0

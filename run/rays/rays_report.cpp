@@ -15,6 +15,7 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/configuration_csv.hpp"
+#include "run/wedged/exact_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -165,10 +166,11 @@ std::string RaysReport::summary() const {
 }
 
 std::string RaysReport::sentence() const {
-  const auto text = sticking_sentence({.thing = "extremal ray",
-                                       .friction = options_.friction,
-                                       .count = static_cast<double>(found_.rays.size()),
-                                       .whole = found_.status == engine::Status::solved});
+  const auto text = sticking_sentence(
+      {.thing = "extremal ray",
+       .friction = options_.friction,
+       .count = exact_.unable.empty() ? static_cast<double>(found_.rays.size()) : 0,
+       .whole = found_.status == engine::Status::solved && !exact_.leaves_doubt()});
   return '\n' + page_.strong(text) + '\n' +
          (found_.health.sound() ? "" : page_.doubtful(unsound_sentence()) + '\n');
 }
@@ -207,6 +209,7 @@ void RaysReport::end_rays_and_all(JsonWriter& json) {
                          {"largest_zero", health.largest_zero},
                          {"smallest_nonzero", health.smallest_nonzero},
                          {"doubtful", health.doubtful}});
+  json.member("exact", exact_json(exact_));
   json.end_object();
   json.member("statistics", statistics_json(found_));
   json.end_object();

@@ -53,12 +53,28 @@ class Concluding {
     return value != nullptr && value->is_boolean() && value->get<bool>();
   }
 
+  // Whether it leaves anything.
+  bool reserve_what_the_exact_test_leaves() {
+    const auto* const exact = ResultReader::find(result_, "exact");
+    if (exact == nullptr || ResultReader::find(*exact, "doubt") == nullptr) return false;
+    reserve(reader_.text(*exact, "doubt"));
+    return true;
+  }
+
+  // Whether the exact test was to be done and was not, or found another list.
+  bool is_refuted() {
+    const auto* const exact = ResultReader::find(result_, "exact");
+    return exact != nullptr && ResultReader::find(*exact, "doubt") != nullptr &&
+           !is_true(*exact, "done");
+  }
+
   void ways(std::string_view thing) {
+    const bool in_doubt = reserve_what_the_exact_test_leaves();
     const Sticking found{.thing = thing,
                          .friction = reader_.number(result_, "friction"),
-                         .count = reader_.number(result_, "count"),
+                         .count = is_refuted() ? 0 : reader_.number(result_, "count"),
                          .doubtful = count_of("marginal") + count_of("undecided"),
-                         .whole = status_ == "solved"};
+                         .whole = status_ == "solved" && !in_doubt};
     all_.sentence = sticking_sentence(found);
     if (found.doubtful > 0) reserve(doubtful_sentence(found.doubtful));
     const auto* const health = ResultReader::find(result_, "health");
@@ -90,6 +106,7 @@ class Concluding {
     if (status_ != "solved" && status_ != "not-carried")
       reserve(fmt::format("The question is not answered in full ({}).", status_));
     if (sweeps_loads(reader_)) return;
+    reserve_what_the_exact_test_leaves();
     if (const auto open = reader_.list(result_, "open").size(); open > 0) {
       reserve(fmt::format("Of {} it could not be told what {} above a certain coefficient.",
                           counted(open, "pattern"), open == 1 ? "it is" : "they are"));

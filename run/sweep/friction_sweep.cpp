@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/sweep_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/name_ranges.hpp"
@@ -13,6 +14,7 @@
 #include "run/output/values.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/wedged/agreement.hpp"
+#include "run/wedged/exact_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -46,6 +48,11 @@ class FrictionSweep final : public Swept {
   void search(CommandRun& run) override {
     engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
     found_ = wedged::sweep_friction(campaign, problem_, question_);
+    const bool searched =
+        run.session().from_first_rank([&] { return found_.status == engine::Status::solved; });
+    if (!searched) return;
+    const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
+    exact_ = wedged::tested_counts(campaign, {structure_, problem_, proving}, points_, found_);
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
@@ -69,6 +76,7 @@ class FrictionSweep final : public Swept {
   std::vector<double> points_;
   wedged::SweepQuestion question_;
   wedged::SweepFindings found_;
+  wedged::ExactTest exact_;  // of its counts
 };
 
 std::vector<wedged::ConeCount> FrictionSweep::counts() const {
@@ -133,7 +141,8 @@ ordered_json FrictionSweep::json() const {
          found_.enumerated ? point_json(found_.count_at(found_.most)) : ordered_json()},
         {"staircase", std::move(steps)},
         {"patterns", std::move(patterns)},
-        {"open", std::move(open)}}},
+        {"open", std::move(open)},
+        {"exact", exact_json(exact_)}}},
       {"statistics",
        {{"tree", rank_reports(found_.tree_ranks, counts_json<wedged::SignPatternTally>)},
         {"histories", rank_reports(found_.history_ranks, counts_json<wedged::SweepTree::Tally>)}}}};
@@ -208,7 +217,9 @@ std::string FrictionSweep::table(const std::string& sentence) const {
 Verdict FrictionSweep::verdict() const {
   const auto list = counts();
   const bool undecided = std::ranges::any_of(list, [](const auto& each) { return !each.exact(); });
-  Verdict verdict{.remarks = {}, .code = found_.answered() && !undecided ? solved : stopped_early};
+  const bool sure = !undecided && !exact_.leaves_doubt();
+  Verdict verdict{.remarks = {}, .code = found_.answered() && sure ? solved : stopped_early};
+  if (exact_.leaves_doubt()) verdict.remarks.push_back(exact_doubt(exact_));
   if (found_.status != engine::Status::solved) {
     verdict.remarks.push_back(fmt::format(
         "stopped early ({}): {}", status_name(found_.status),

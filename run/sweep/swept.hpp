@@ -24,6 +24,7 @@ struct SweepOptions {
   double width = 1e-8;           ///< of the brackets of friction coefficients
   std::string alpha;             ///< points of the uncertainty; empty: friction is swept
   std::string load_case;         ///< of a truss; empty: the file has one
+  bool prove = false;            ///< whether the counts are held against proved lists of patterns
   engine::Limits limits;
   CheckpointChoice checkpoint;
 };

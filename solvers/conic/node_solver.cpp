@@ -145,7 +145,7 @@ void NodeSolver<D>::prove_upper_loose(Answer& answer) {
       answer.upper = upper;
       best_ = forces;
     }
-    if (answer.upper < -tolerances_.sign) return;
+    if (answer.upper < -tolerances_.least_told()) return;
   }
 }
 

@@ -489,7 +489,7 @@ void PlainSolver<D, Real>::prove_upper_loose(Answer& answer) {
       answer.upper = upper;
       multipliers_ = forces;
     }
-    if (answer.upper < -tolerances_.sign) return;
+    if (answer.upper < -tolerances_.least_told()) return;
   }
 }
 
