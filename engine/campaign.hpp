@@ -126,7 +126,7 @@ class Campaign {
   /// Since it began.
   [[nodiscard]] double seconds() const { return budget_.seconds(); }
 
-  /// Whether the budget of rank 0 is spent, on all ranks alike.
+  /// True on all ranks if the budget of rank 0 is spent.
   bool ended() {
     return from_first_rank(transport_, [this] { return budget_.spent(); });
   }

@@ -29,13 +29,13 @@ inline void leave_if(const Stop& stop) {
 /// Work that takes long in steps: whoever waits for it sees how far it is, and can end it.
 struct LongWork {
   Stop stop = {};
-  /// Told the name of the work and the share of it that is done, 0 to 1; empty: nobody.
-  std::function<void(const char* work, double share)> tell = {};
+  /// Called with the name of the work and the share of it that is done, 0 to 1; may be empty.
+  std::function<void(const char* work, double share)> report = {};
 
   /// @throws Stopped if an end is asked for
   void reached(const char* work, double share) const {
     leave_if(stop);
-    if (tell) tell(work, share);
+    if (report) report(work, share);
   }
 };
 

@@ -154,11 +154,11 @@ class SmallestWays {
     return dive.all_dead;
   }
 
-  // Only what is below the leaf that is known is of interest. @return whether that is the answer
+  // Nothing above the leaf that is known is of interest; below it, that leaf would be in doubt.
+  // @return whether that is the answer
   bool try_from_below() {
     CriticalGrid below = grid_;
-    if (bracket_.leaf())
-      below.most = FrictionGrid(grid_.width).at(multiples(*bracket_.upper(), grid_.width) - 1);
+    if (bracket_.leaf()) below.most = *bracket_.upper();
     auto trial = trial_from_below(campaign_, problem_, question_, below, bracket_.lower());
     if (campaign_.is_first()) findings_.global_ranks = std::move(trial.ranks);
     findings_.costs.push_back({CriticalPhase::trial, 0, trial.opened, trial.programs});

@@ -121,7 +121,7 @@ support::LongWork CommandRun::long_work() {
     };
   }
   if (shows()) {
-    work.tell = [this](const char* name, double share) {
+    work.report = [this](const char* name, double share) {
       const auto now = std::chrono::steady_clock::now();
       if (now - told_ < between_lines) return;
       told_ = now;

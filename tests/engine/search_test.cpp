@@ -249,7 +249,7 @@ TEST(Search, AnExceptionNamesTheNodeAndCarriesItsCause) {
 }
 
 // A binary tree of depth 4; the node of a given depth that is opened first takes until the search
-// is told to end.
+// is asked to end.
 struct Endless {
   struct Node {
     std::uint32_t left = 4;
@@ -278,7 +278,7 @@ struct Endless {
 TEST(Search, ANodeThatIsPutBackWaitsUnopened) {
   Endless endless;
   Options options;
-  options.survey_interval = 0;
+  options.reduction_interval = 0;
   options.interrupt = [&] { return endless.asked ? Interrupt::stop : Interrupt::none; };
   const auto outcome = search(endless, options);
   EXPECT_EQ(outcome.status, Status::interrupted);

@@ -199,13 +199,13 @@ TEST(LoadModel, MayActAlongTheReferenceLoad) {
       EXPECT_NEAR(PlainTruss(truss).least_of_all_corners(alpha).value(), *before - alpha / 4, near);
     }
     parameters.push_back({"component", {along.components.front()}});
-    const auto [answer, certificate] = findings(truss, {.alpha = alpha});
+    const auto [answer, statements] = findings(truss, {.alpha = alpha});
     const auto least = PlainTruss(truss).least_of_all_corners(alpha);
     if (!least) continue;
-    ASSERT_TRUE(answer.worst && certificate);
+    ASSERT_TRUE(answer.worst && !statements.empty());
     EXPECT_TRUE(answer.whole());
     EXPECT_NEAR(answer.worst->ends.upper, *least, near);
-    const auto claim = test::shown(*certificate, truss);
+    const auto claim = test::shown(statements.front().evidence, truss);
     EXPECT_EQ(claim.why, "");
     EXPECT_LE(claim.lower, *least + near);
     EXPECT_NEAR(claim.lower, claim.upper, near);
