@@ -72,7 +72,7 @@ class Ends {
   /// Whether the search may be wrong by more than an end can be moved, and all can be put to the
   /// verifier's test.
   [[nodiscard]] bool is_to_bisect() const {
-    return scale_ratio_ > wide_scales &&
+    return scale_ratio_ > wide_scales && problem_.motions.cols() > 0 &&
            std::holds_alternative<verify::EnclosedProblem>(stiffness_);
   }
   void bisect(CriticalFindings& findings);
