@@ -82,11 +82,12 @@ PatternFindings find_patterns(engine::Campaign& campaign, const problems::Wedged
     const bool far_apart = findings.exact.scale_ratio > wide_scales;
     check.emplace(problem, *enclosed, friction, findings.bounds,
                   far_apart ? FarMotion::counted : FarMotion::left_out);
-    if (!check->is_able()) {
-      findings.exact.done = false;
+    findings.exact.done = check->is_able();
+    // Of held bodies the solver's own bounds hold; its cut-offs are of motions.
+    if (!check->is_able() && problem.motions.cols() > 0)
       findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
-    }
-    tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
+    if (check->is_able() || problem.motions.cols() > 0)
+      tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
   }
   findings.outcome = campaign.search(tree, search);
   if (enough) findings.outcome.status = engine::Status::solution_limit;
