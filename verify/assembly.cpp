@@ -3,6 +3,7 @@
 #include "verify/assembly.hpp"
 
 #include "verify/disjoint_sets.hpp"
+#include "verify/placed_nodes.hpp"
 #include "verify/solid_element.hpp"
 
 namespace kusabi::verify {
@@ -30,8 +31,8 @@ Components components(const Vector& vector, std::size_t dimension) {
 Components difference(const Structure& structure, const Bar& bar) {
   Components along;
   for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
-    along.push_back(Enclosure(structure.places[bar.second][axis]) -
-                    Enclosure(structure.places[bar.first][axis]));
+    along.push_back(coordinate(structure, bar.second, axis) -
+                    coordinate(structure, bar.first, axis));
   }
   return along;
 }

@@ -177,7 +177,7 @@ Certificate read_certificate(std::string_view text, const std::string& file) {
                         .has_motions = third,
                         .has_bounds = fourth};
   if (!version.names_blocks && beginning.text() != first_line) {
-    beginning.refuse("'" + std::string(second_version) + "'");
+    beginning.refuse("'" + std::string(fourth_version) + "'");
   }
   Lines lines(without_digest(text, file), file);
   lines.next();

@@ -9,6 +9,7 @@
 
 #include "verify/disjoint_sets.hpp"
 #include "verify/enclosure.hpp"
+#include "verify/placed_nodes.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -80,12 +81,10 @@ std::vector<Body> bodies_of(const Structure& structure) {
 }
 
 // What a motion, velocity of the centre and angular velocity, does to a place along one axis.
-Rationals lever(const Structure& structure, const Vector& centre, std::size_t node,
-                std::size_t axis) {
-  const auto d = structure.dimension;
+Rationals lever(const Vector& centre, const Rationals& place, std::size_t axis) {
+  const auto d = place.size();
   std::vector<mpq_class> arm;
-  for (std::size_t k = 0; k < d; ++k)
-    arm.emplace_back(mpq_class(structure.places[node][k]) - mpq_class(centre[k]));
+  for (std::size_t k = 0; k < d; ++k) arm.emplace_back(place[k] - mpq_class(centre[k]));
   Rationals row(d == 2 ? 3 : 6);
   row[axis] = 1;
   if (d == 2) {
@@ -97,6 +96,14 @@ Rationals lever(const Structure& structure, const Vector& centre, std::size_t no
     row[3 + last] = -arm[next];
   }
   return row;
+}
+
+Rationals lever(const Structure& structure, const Vector& centre, std::size_t node,
+                std::size_t axis) {
+  Rationals place;
+  for (std::size_t k = 0; k < structure.dimension; ++k)
+    place.emplace_back(structure.places[node][k]);
+  return lever(centre, place, axis);
 }
 
 // What inclined supports and ties ask of the motions of a body.
@@ -182,11 +189,14 @@ class LooseBodies {
   std::size_t size_;  // numbers of a motion of one body
   std::vector<Placed> bodies_;
   std::map<std::size_t, std::size_t> body_of_;  // by node
+  std::map<std::size_t, Rationals> placed_;     // where they are meant to be
   std::vector<Rationals> motions_;
 };
 
 LooseBodies::LooseBodies(const Structure& structure)
-    : structure_(structure), size_(structure.dimension == 2 ? 3 : 6) {
+    : structure_(structure),
+      size_(structure.dimension == 2 ? 3 : 6),
+      placed_(placed_nodes(structure)) {
   for (const auto& body : bodies_of(structure)) {
     // Numbers of another program say no motion exactly: K must resist them all, which is proved
     // with all else.
@@ -210,7 +220,9 @@ Rationals LooseBodies::at(std::size_t node, std::size_t axis) const {
   const auto found = body_of_.find(node);
   if (found == body_of_.end()) return row;
   const auto& [centre, first] = bodies_[found->second];
-  const auto own = lever(structure_, centre, node, axis);
+  const auto moved = placed_.find(node);
+  const auto own = moved == placed_.end() ? lever(structure_, centre, node, axis)
+                                          : lever(centre, moved->second, axis);
   std::copy(own.begin(), own.end(), row.begin() + static_cast<std::ptrdiff_t>(first));
   return row;
 }

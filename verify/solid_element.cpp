@@ -1,6 +1,7 @@
 // Jacobians, gradients and stresses, as any book on finite elements has them.
 #include "verify/solid_element.hpp"
 
+#include "verify/placed_nodes.hpp"
 #include "verify/reference_element.hpp"
 
 namespace kusabi::verify {
@@ -34,12 +35,11 @@ Elasticity elasticity(const Element& element, std::size_t dimension) {
 std::array<Vector3, 3> jacobian(const Structure& structure, const Element& element,
                                 const ReferencePoint& point) {
   const auto d = structure.dimension;
-  const auto& origin = structure.places[element.nodes.front()];
   std::array<Vector3, 3> matrix;
   for (std::size_t node = 1; node < element.nodes.size(); ++node) {
-    const auto& place = structure.places[element.nodes[node]];
     for (std::size_t l = 0; l < d; ++l) {
-      const auto along = Enclosure(place[l]) - Enclosure(origin[l]);
+      const auto along = coordinate(structure, element.nodes[node], l) -
+                         coordinate(structure, element.nodes.front(), l);
       for (std::size_t k = 0; k < d; ++k) matrix[k][l].add_product(point.slopes[node][k], along);
     }
   }

@@ -16,9 +16,16 @@ from concurrent.futures import ProcessPoolExecutor
 
 import compare
 import generate
+import generate_bodies
+import outputs
 import transform
-from oracle import Oracle
-from structure import from_toml, to_toml
+from oracle import BodiesOracle, Oracle
+from structure import Mechanism, from_toml, to_toml
+
+#: Kinds whose scales are so far apart that an answer may be left open; one that is given must be right all the same.
+FAR = ("lever", "coupling")
+#: A corner that holds by itself leaves the critical coefficient open (docs/theory/wedged.md).
+MAY_BE_OPEN = (*FAR, "corner", "loose-corner")
 
 
 class Settings:
@@ -26,16 +33,75 @@ class Settings:
 
     def __init__(self, arguments):
         self.kusabi, self.seed = arguments.kusabi, arguments.seed
-        self.kinds = arguments.kinds.split(",") if arguments.kinds else list(generate.KINDS)
+        self.kinds = arguments.kinds.split(",") if arguments.kinds else [*generate.KINDS, *generate_bodies.KINDS]
         self.contrasts = [float(x) for x in arguments.contrasts.split(",")]
         self.frictionless = not arguments.no_frictionless
         self.of_structure = arguments.of_structure
-        self.certificates = arguments.certificates
+        self.certificates, self.outputs = arguments.certificates, arguments.outputs
         self.skip = arguments.skip.split(",") if arguments.skip else []
+
+
+def _outputs(settings, judge, case, rng):
+    """What all outputs of some commands say of one answer."""
+    mus = sorted({case.mu, float(f"{case.mu * rng.uniform(0.3, 0.9):.6g}")})
+    for words in (["patterns", judge.file, "--mu", repr(case.mu)], ["critical", judge.file],
+                  ["sweep", judge.file, "--mu", ",".join(map(repr, mus))],
+                  *([] if case.kind.startswith("space") else [["rays", judge.file, "--mu", repr(case.mu)]])):
+        for line in outputs.contradictions(judge.kusabi, words, judge.tally):
+            judge.findings.append(compare.Finding(compare.DISAGREE, "outputs of " + words[0], line))
+
+
+def _sweep(judge, case):
+    """The counts of a sweep."""
+    asked = sorted({case.mu, float(f"{0.7 * case.mu:.6g}"), float(f"{1.5 * case.mu:.6g}")})
+    code, result, _, said = judge._ask("sweep", judge.file, "--mu", ",".join(map(repr, asked)))
+    if result is None:
+        return
+    for point in result["points"]:
+        truth = judge.oracle.cones(point["mu"])
+        if point["count"] is None or code == 3:
+            judge.left_open(said, f"count at {point['mu']} open")
+        elif point["count"] != len(truth.cones):
+            judge._find(compare.DOUBTFUL if judge.excuse(truth) else compare.DISAGREE, said,
+                        f"{point['count']} at {point['mu']}, but {len(truth.cones)}")
+
+
+def _truths(settings, judge, case, rng):
+    judge.patterns(case.mu, 0)
+    if "rays" not in settings.skip:
+        judge.rays(case.mu)
+    if "critical" not in settings.skip:
+        judge.ends()
+    if "sweep" not in settings.skip and rng.random() < 0.3:
+        _sweep(judge, case)
+
+
+def _examine_bodies(settings, index, kind):
+    """The same of a case of generate_bodies."""
+    case = generate_bodies.make(settings.seed, index, [kind], settings.contrasts)
+    rng = random.Random(f"ask/{settings.seed}/{index}")
+    tally = {}
+    in_space = kind.startswith("space")
+    try:
+        oracle = None if in_space else BodiesOracle(case.text)
+    except Mechanism:
+        return case, [], {"mechanisms": 1}
+    with tempfile.TemporaryDirectory() as folder:
+        judge = compare.Judge(compare.Kusabi(settings.kusabi, folder), oracle, case, tally, kind in FAR, kind in MAY_BE_OPEN)
+        if not in_space:
+            _truths(settings, judge, case, rng)
+        if rng.random() < settings.certificates:
+            judge.certificates(case.mu, True, ("--cuts", "always") if rng.random() < 0.3 else ())
+        if rng.random() < settings.outputs:
+            _outputs(settings, judge, case, rng)
+    return case, judge.findings, tally
 
 
 def examine(settings, index):
     """(case, findings, tally) of case number `index`."""
+    kind = settings.kinds[index % len(settings.kinds)]
+    if kind in generate_bodies.KINDS:
+        return _examine_bodies(settings, index, kind)
     case = generate.make(settings.seed, index, settings.kinds, settings.contrasts, settings.frictionless)
     rng = random.Random(f"ask/{settings.seed}/{index}")
     tally = {}
@@ -56,6 +122,8 @@ def examine(settings, index):
             judge.patterns(bracket[1] * (1 + 10 ** -rng.uniform(1, 6)), margins=1)
         if rng.random() < settings.certificates:
             judge.certificates(case.mu, settings.of_structure)
+        if rng.random() < settings.outputs:
+            _outputs(settings, judge, case, rng)
         if got is not None and case.kind != "mesh" and "transform" not in settings.skip:
             name = rng.choice(list(transform.ALL))
             other = transform.ALL[name](rng, from_toml(case.text))
@@ -98,12 +166,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first case")
     parser.add_argument("--count", default="130", help="number of cases; small: as many as take some seconds")
-    parser.add_argument("--kinds", help="some of " + ",".join(generate.KINDS))
+    parser.add_argument("--kinds", help="some of " + ",".join([*generate.KINDS, *generate_bodies.KINDS]))
     parser.add_argument("--contrasts", default="1,1e2,1e4,1e6", help="ratios of stiffness within a structure")
     parser.add_argument("--no-frictionless", action="store_true", help="no candidates with friction 0")
     parser.add_argument("--certificates", type=float, default=0.2, help="share of cases whose certificates are verified")
+    parser.add_argument("--outputs", type=float, default=0.2, help="share of cases of which all outputs are compared")
     parser.add_argument("--of-structure", action="store_true", help="verify with --problem")
-    parser.add_argument("--skip", help="some of rays,critical,near,transform")
+    parser.add_argument("--skip", help="some of rays,critical,near,transform,sweep")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--seconds", type=float, help="begin no case after so long")
     parser.add_argument("--found", help="write disagreeing cases to this folder")
@@ -111,7 +180,7 @@ def main():
     arguments = parser.parse_args()
     settings = Settings(arguments)
     begin = time.time()
-    count = 3 * len(settings.kinds) if arguments.count == "small" else int(arguments.count)
+    count = 2 * len(settings.kinds) if arguments.count == "small" else int(arguments.count)
     indices = range(arguments.first, arguments.first + count)
     totals, kinds = {}, {}
     cases = 0

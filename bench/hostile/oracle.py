@@ -1,8 +1,9 @@
 """The truth about a problem file: its maximal cones at a friction coefficient, and whether anything can wedge."""
 
-from decimal import Decimal
+from decimal import Decimal, localcontext
 from itertools import product
 
+import bodies
 import cone_program
 import plane
 import space
@@ -98,3 +99,81 @@ class Oracle:
         local = {self.names[i]: k for k, i in enumerate(members)}
         return cone_program.margin(self.block(members), self.d, [friction[i] for i in members],
                                    sorted(local[name] for name in contact), sorted(local[name] for name in separated))
+
+
+class BodiesOracle:
+    """The same questions about bodies of any kind in the plane, held or not (bodies.py)."""
+
+    d = 2
+    DIGITS = 140  # long levers and weak couplings take forty of them
+
+    def __init__(self, text):
+        self.structure = bodies.Bodies(text)
+        self.names = self.structure.names
+        with localcontext() as context:
+            context.prec = self.DIGITS
+            self.flexibility, self.motions = bodies.compliance(self.structure)
+            for l in range(len(self.motions[0])):  # of the order of one
+                top = max(abs(row[l]) for row in self.motions)
+                for row in self.motions:
+                    row[l] = row[l] / top if top else row[l]
+
+    def _blocks(self):
+        """Candidates that the compliance or a loose body connects."""
+        m = len(self.names)
+        linked = lambda i, j: any(self.flexibility[2 * i + a][2 * j + b] for a in (0, 1) for b in (0, 1)) or any(
+            any(self.motions[2 * i + a][l] for a in (0, 1)) and any(self.motions[2 * j + a][l] for a in (0, 1))
+            for l in range(len(self.motions[0])))
+        left, result = list(range(m)), []
+        while left:
+            block, front = [], [left.pop(0)]
+            while front:
+                i = front.pop()
+                block.append(i)
+                near = [j for j in left if linked(i, j)]
+                front += near
+                left = [j for j in left if j not in near]
+            result.append(sorted(block))
+        return result
+
+    def _enumerate(self, mu, block):
+        # The command takes the product of both as a double.
+        friction = [Decimal(float(mu) * self.structure.candidates[i].friction) for i in block]
+        at = [2 * i + a for i in block for a in (0, 1)]
+        columns = [l for l in range(len(self.motions[0])) if any(self.motions[row][l] for row in at)]
+        with localcontext() as context:
+            context.prec = self.DIGITS
+            return plane.enumerate_plane([[self.flexibility[i][j] for j in at] for i in at], friction,
+                                         [[self.motions[row][l] for l in columns] for row in at] if columns else ())
+
+    def _named(self, block, numbers):
+        return frozenset(self.names[block[k]] for k in numbers)
+
+    def cones(self, mu):
+        """Of `patterns`: a block that cannot wedge is at rest, even if its body could move away."""
+        least, parts = Decimal(1), []
+        for block in self._blocks():
+            found = self._enumerate(mu, block)
+            least = min(least, found.least)
+            if found.leaves:
+                parts.append([(block, key, solid) for key, solid in plane.maximal(found.leaves).items()])
+        cones = {}
+        for choice in product(*parts) if parts else ():
+            pressing = frozenset().union(*(self._named(block, s) for block, (s, _), _ in choice))
+            parted = frozenset().union(*(self._named(block, g) for block, (_, g), _ in choice))
+            whole = len(pressing) + len(parted) == len(self.names)
+            cones[pressing, parted] = whole and all(solid for _, _, solid in choice)
+        return self._answer(cones, least)
+
+    def by_rays(self, mu):
+        """Of `rays`: of the whole at once, with what moves away without a reaction."""
+        everything = range(len(self.names))
+        found = self._enumerate(mu, everything)
+        return self._answer({(self._named(everything, s), self._named(everything, g)): solid
+                             for (s, g), solid in plane.maximal(found.leaves).items()}, found.least)
+
+    def _answer(self, cones, least):
+        return Answer(cones, None, f"a displacement is {float(least):.1e} of its parts" if least < Decimal("1e-11") else None)
+
+    def wedges(self, mu):
+        return any(self._enumerate(mu, block).leaves for block in self._blocks())

@@ -12,7 +12,8 @@ from structure import ZERO
 
 
 class Ray:
-    """coefficients of the friction edges, normal displacements, and the bits of what is zero."""
+    """coefficients of the friction edges and of motions, normal displacements and what is missing in equilibrium, and the
+    bits of what is zero."""
 
     __slots__ = ("x", "u", "zeros", "support", "gaps")
 
@@ -27,28 +28,37 @@ class PlaneAnswer:
         self.least = Decimal(1)
 
 
-def _edges(flexibility, friction):
-    """Columns of u_n for the edges of all friction cones: [(candidate, u_n of every candidate, sums of sizes)]."""
+def _edges(flexibility, friction, motions):
+    """Columns for the edges of all friction cones: [(candidate, u_n of every candidate and then G'r, sums of sizes)]; and
+    for each motion one either way, of no candidate."""
     m = len(friction)
+    count = len(motions[0]) if motions else 0
+    of_equations = lambda row, k: [motions[2 * k + row][l] for l in range(count)]
     columns = []
     for k in range(m):
         mu = friction[k]
         for sign in ((1, -1) if mu else (0,)):
             scale = 1 + abs(mu)
-            normal = [flexibility[2 * i][2 * k] / scale for i in range(m)]
-            shear = [sign * mu * flexibility[2 * i][2 * k + 1] / scale for i in range(m)]
+            normal = [x / scale for x in [flexibility[2 * i][2 * k] for i in range(m)] + of_equations(0, k)]
+            shear = [sign * mu * x / scale for x in [flexibility[2 * i][2 * k + 1] for i in range(m)] + of_equations(1, k)]
             columns.append((k, [a + b for a, b in zip(normal, shear)], [abs(a) + abs(b) for a, b in zip(normal, shear)]))
+    for l in range(count):
+        lift = [motions[2 * i][l] for i in range(m)] + [Decimal(0)] * count
+        for sign in (1, -1):
+            columns.append((None, [sign * x for x in lift], [abs(x) for x in lift]))
     return columns
 
 
-def enumerate_plane(flexibility, friction):
-    """All leaves with a nonzero solution.
+def enumerate_plane(flexibility, friction, motions=()):
+    """All leaves with a nonzero reaction.
 
-    flexibility: 2m x 2m in (n, t); friction: m Decimals, 0 allowed. Returns a PlaneAnswer whose `leaves` are
+    flexibility: 2m x 2m in (n, t); friction: m Decimals, 0 allowed; motions: G of bodies that nothing holds, 2m rows: then
+    G'r = 0, and u_n has any combination of them beside F r. Returns a PlaneAnswer whose `leaves` are
     (U, S, G, solid): candidates in contact, with reaction, with gap, and whether D(Y) has an interior.
     """
     m = len(friction)
-    columns = _edges(flexibility, friction)
+    columns = _edges(flexibility, friction, motions)
+    equations = len(columns[0][1]) - m
     of_candidate = [sum(1 << c for c, (k, _, _) in enumerate(columns) if k == i) for i in range(m)]
     width = len(columns)
     answer = PlaneAnswer()
@@ -60,7 +70,7 @@ def enumerate_plane(flexibility, friction):
         ray.u = []
         ray.support = sum(1 << c for c, value in enumerate(ray.x) if value)
         ray.gaps = 0
-        for i in range(m):
+        for i in range(m + equations):
             total = sum(columns[c][1][i] * value for c, value in enumerate(ray.x) if value)
             size = sum(columns[c][2][i] * value for c, value in enumerate(ray.x) if value)
             if not size or abs(total) < ZERO * size:
@@ -68,7 +78,7 @@ def enumerate_plane(flexibility, friction):
             else:
                 answer.least = min(answer.least, abs(total) / size)
             ray.u.append(total)
-            if total > 0:
+            if total > 0 and i < m:
                 ray.gaps |= 1 << i
         return ray
 
@@ -105,13 +115,15 @@ def enumerate_plane(flexibility, friction):
                 support |= ray.support
                 gaps |= ray.gaps
                 answer.rays.add((ray.support, ray.gaps))
+            if not any(support & bits for bits in of_candidate):
+                return
             reacting = frozenset(k for k in range(m) if support & of_candidate[k])
             parted = frozenset(k for k in range(m) if gaps >> k & 1)
             full = all(support & of_candidate[k] == of_candidate[k] for k in contact)
             solid = full and reacting == frozenset(contact) and len(parted) == m - len(contact)
             answer.leaves.append((frozenset(contact), reacting, parted, solid))
             return
-        done = range(i)
+        done = [*range(m, m + equations), *range(i)]
         walk(i + 1, cut(rays, i, done, True), contact + [i])
         apart = [ray for ray in rays if not ray.support & of_candidate[i]]
         walk(i + 1, cut(apart, i, done, False), contact)
@@ -119,6 +131,8 @@ def enumerate_plane(flexibility, friction):
     start = []
     for c in range(width):
         start.append(make([Decimal(1) if k == c else Decimal(0) for k in range(width)]))
+    for l in range(equations):
+        start = cut(start, m + l, range(m, m + l), True)
     walk(0, start, [])
     return answer
 

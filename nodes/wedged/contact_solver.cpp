@@ -166,7 +166,7 @@ bool ContactSolver::has_centre(const conic::ConicResult& answer, conic::StopEarl
 
 bool ContactSolver::is_open(const conic::ConicResult& answer, conic::StopEarly stop) const {
   if (precision_ == Precision::doubles) return false;
-  if (answer.sign == conic::Sign::marginal) return !conic::is_tie(answer, tolerances_);
+  if (answer.sign == conic::Sign::marginal) return !conic::is_resolved_tie(answer, tolerances_);
   return answer.sign == conic::Sign::alive && !stop.when_alive &&
          answer.upper - answer.lower > three_digits * answer.lower;
 }

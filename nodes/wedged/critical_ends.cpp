@@ -2,21 +2,26 @@
 #include "nodes/wedged/critical_ends.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <numeric>
 #include <utility>
 
 #include <boost/serialization/vector.hpp>
-#include <fmt/format.h>
 
 #include "engine/together.hpp"
 #include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/critical_friction.hpp"
-#include "nodes/wedged/judged_tree.hpp"
+#include "nodes/wedged/enclosure.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/preparation.hpp"
+#include "nodes/wedged/smallest_search.hpp"
 #include "problems/wedged/problem_block.hpp"
+#include "problems/wedged/scale_ratio.hpp"
 
 namespace kusabi::wedged {
 
@@ -33,6 +38,12 @@ struct DecidedEnd {
 
   [[nodiscard]] bool solved() const { return status == engine::Status::solved; }
   [[nodiscard]] bool all_dead() const { return leaves.empty(); }
+  /// Null: there is none.
+  [[nodiscard]] const Configuration* first(LeafState state) const {
+    const auto found = std::ranges::find(leaves, state, &Configuration::state);
+    return found == leaves.end() ? nullptr : &*found;
+  }
+  [[nodiscard]] bool is_proved_dead() const { return all_dead() && unproved == 0; }
 };
 
 /// A leaf at one coefficient.
@@ -65,13 +76,6 @@ bool is_cone(const Configuration& leaf) {
   return leaf.state == LeafState::alive || leaf.state == LeafState::flat;
 }
 
-support::LongWork long_work(engine::Campaign& campaign) {
-  return {
-      .stop = campaign.budget().stop(), .report = [&campaign](const char* work, double share) {
-        campaign.say_now_and_then([&] { return fmt::format("{}: {:.0f} %", work, 100 * share); });
-      }};
-}
-
 engine::Status why(engine::Campaign& campaign) {
   return engine::from_first_rank(campaign.transport(), [&] { return campaign.budget().why(); });
 }
@@ -97,18 +101,35 @@ CriticalEnds::CriticalEnds(engine::Campaign& campaign, const problems::Structure
       question_(question),
       recorder_(recorder),
       bracket_(bracket),
-      costs_(costs) {}
+      costs_(costs),
+      far_apart_(problem.motions.cols() > 0 &&
+                 problems::scale_ratio(structure, problem) > wide_scales) {}
 
-// Every rank computes it, and all or none go on with it.
 bool CriticalEnds::enclose() {
-  bool stopped = false;
-  try {
-    if (!stiffness_) stiffness_.emplace(enclosed_stiffness(structure_, long_work(campaign_)));
-  } catch (const support::Stopped&) {
-    stopped = true;
+  if (!stiffness_) stiffness_ = enclosed_within(campaign_, structure_, enclosed_stiffness);
+  return stiffness_.has_value();
+}
+
+// The solver's own bounds count where K cannot be enclosed, but not where they may be wrong.
+CriticalEnds::Test CriticalEnds::test(std::span<const double> friction,
+                                      std::span<const ProvedBound> bounds) const {
+  const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_);
+  if (stiffness == nullptr) {
+    return [far_apart = far_apart_](const Evidence& evidence) {
+      return !far_apart && evidence.kind != Evidence::Kind::marginal;
+    };
   }
-  const engine::Reduction own{.ranks = 1, .found = stopped ? 1U : 0U};
-  return engine::all_reduce(campaign_.transport(), own).found == 0;
+  return [check = std::make_shared<const EvidenceCheck>(
+              problem_, *stiffness, friction, bounds,
+              far_apart_ ? FarMotion::counted : FarMotion::left_out)](const Evidence& evidence) {
+    return check->holds(evidence);
+  };
+}
+
+conic::Tolerances CriticalEnds::tolerances() const {
+  auto tolerances = CriticalFriction::tolerances;
+  if (far_apart_) tolerances.resolution = finest;
+  return tolerances;
 }
 
 void CriticalEnds::know(std::vector<Configuration> found) {
@@ -141,12 +162,10 @@ bool CriticalEnds::roots_are_dead(double factor) {
         problem_, friction,
         {.tolerances = CriticalFriction::tolerances, .precision = Precision::doubles});
     tree.end_when(campaign_.budget().stop());
-    std::optional<EvidenceCheck> check;
-    if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_))
-      check.emplace(problem_, *stiffness, friction);
+    const auto accepts = test(friction);
     bool holds = true;
     tree.report_to([&](const auto& evidence) {
-      holds = holds && evidence.kind == Evidence::Kind::dead && (!check || check->holds(evidence));
+      holds = holds && evidence.kind == Evidence::Kind::dead && accepts(evidence);
     });
     const auto blocks = static_cast<std::uint32_t>(problems::blocks_of(problem_).size());
     try {
@@ -167,17 +186,14 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
   const auto record = recorded ? recorder_(CriticalEnd::upper, factor, friction) : nullptr;
   const auto decide = [&] {
     DecidedLeaf decided;
-    SignPatternTree tree(problem_, friction,
-                         {.tolerances = CriticalFriction::tolerances,
-                          .thorough = true,
-                          .precision = question_.grid.precision});
+    SignPatternTree tree(
+        problem_, friction,
+        {.tolerances = tolerances(), .thorough = true, .precision = question_.grid.precision});
     tree.end_when(campaign_.budget().stop());
-    std::optional<EvidenceCheck> check;
-    if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_))
-      check.emplace(problem_, *stiffness, friction);
+    const auto accepts = test(friction);
     tree.report_to([&](const auto& evidence) {
       if (record) record->add(evidence);
-      decided.holds = evidence.kind == Evidence::Kind::alive && (!check || check->holds(evidence));
+      decided.holds = evidence.kind == Evidence::Kind::alive && accepts(evidence);
     });
     try {
       auto fate = tree.decide(leaf);
@@ -197,26 +213,20 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
 /// All sign patterns at one coefficient; what that takes is added to the costs.
 /// @param wanted whether what was found is worth a record
 template <class Wanted>
-DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase phase, Wanted wanted,
-                                std::uint64_t nodes) {
+DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase phase,
+                                const EndRecorder& recorder, Wanted wanted, std::uint64_t nodes) {
   const auto friction = candidate_friction(problem_, factor);
-  const SignPatternOptions options{.tolerances = CriticalFriction::tolerances,
+  const SignPatternOptions options{.tolerances = tolerances(),
                                    .tightening = question_.tightening,
                                    .thorough = true,
                                    .precision = question_.grid.precision};
-  SignPatternTree patterns(problem_, friction, options);
+  SignPatternTree tree(problem_, friction, options);
   const auto prepared = prepare(campaign_, problem_, friction, options);
-  inform(patterns, prepared);
+  inform(tree, prepared);
   const auto bounds = proved_bounds(prepared);
-  const auto record = recorder_ ? recorder_(end, factor, friction) : nullptr;
-  std::optional<EvidenceCheck> check;
-  if (const auto* const stiffness = std::get_if<verify::EnclosedProblem>(&*stiffness_)) {
-    check.emplace(problem_, *stiffness, friction, bounds);
-  }
-  JudgedTree tree(std::move(patterns), [&](const auto& evidence) {
-    if (record) record->add(evidence);
-    return !check || check->holds(evidence);
-  });
+  const auto record = recorder ? recorder(end, factor, friction) : nullptr;
+  tree.judge_by(test(friction, bounds), far_apart_);
+  if (record) tree.report_to([&record](const auto& evidence) { record->add(evidence); });
   engine::Options search;
   search.limits.nodes = nodes;
   // A record is of one run.
@@ -228,11 +238,49 @@ DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase ph
     const auto judged = outcome.tally();
     return DecidedEnd{.status = outcome.status,
                       .leaves = maximal_cones(std::move(leaves)),
-                      .alive = judged.alive,
-                      .unproved = judged.unproved};
+                      .alive = judged.proved,
+                      .unproved = judged.doubted + judged.unproved};
   });
   if (record) record->end(bounds, EndClaim::all_patterns, decided.solved() && wanted(decided));
   return decided;
+}
+
+// The verifier's test alone says where something lives: what lives at a coefficient lives above it.
+// The search's own ends are asked first.
+engine::Status CriticalEnds::bisect() {
+  const double width = question_.grid.width;
+  const FrictionGrid grid(width);
+  const auto most = multiples(question_.grid.most, width);
+  const double least = CriticalFriction::range(problem_).least;
+  const std::array ends{multiples(bracket_.lower(), width),
+                        bracket_.upper() ? multiples(*bracket_.upper(), width) : most, most};
+  std::int64_t dead = 0;
+  auto not_dead = std::numeric_limits<std::int64_t>::max();
+  bracket_.prove_lower(0);
+  bracket_.move_upper(std::nullopt);
+  const auto ask = [&](std::int64_t cell) {
+    const auto decided = decide(
+        CriticalEnd::lower, grid.at(cell), CriticalPhase::lower_end, {},
+        [](const DecidedEnd& all) { return all.is_proved_dead(); }, engine::Limits{}.nodes);
+    if (!decided.solved()) return decided.status;
+    (decided.is_proved_dead() ? dead : not_dead) = cell;
+    if (decided.is_proved_dead()) bracket_.prove_lower(grid.at(cell));
+    if (const auto* const leaf = decided.first(LeafState::alive); leaf && decided.alive != 0) {
+      const auto block = problems::blocks_of(problem_)[leaf->block];
+      bracket_.prove_upper(grid.at(cell), {leaf->block, own_leaf(*leaf, block)});
+      know({*leaf});
+    }
+    bracket_.show();
+    return decided.status;
+  };
+  auto status = engine::Status::solved;
+  const auto goes_on = [&] { return status == engine::Status::solved; };
+  for (const auto end : ends)
+    if (goes_on() && end > dead && end < not_dead && grid.at(end) > least) status = ask(end);
+  while (goes_on() && not_dead <= most && not_dead - dead > 1 &&
+         grid.at(std::midpoint(dead, not_dead)) > least)
+    status = ask(std::midpoint(dead, not_dead));
+  return status;
 }
 
 // Down to where everything is dead, and the verifier says so. Without friction nothing wedges, K
@@ -245,11 +293,11 @@ engine::Status CriticalEnds::prove_lower() {
   double factor = bracket_.lower();
   double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor >= least; ++move, step *= growth) {
-    const auto decided = decide(CriticalEnd::lower, factor, CriticalPhase::lower_end, all_dead,
-                                engine::Limits{}.nodes);
+    const auto decided = decide(CriticalEnd::lower, factor, CriticalPhase::lower_end, recorder_,
+                                all_dead, engine::Limits{}.nodes);
     if (!decided.solved()) return decided.status;
     if (decided.all_dead() && !dead) dead = factor;
-    if (decided.all_dead() && decided.unproved == 0) {
+    if (decided.is_proved_dead()) {
       bracket_.prove_lower(factor);
       return engine::Status::solved;
     }
@@ -293,13 +341,13 @@ engine::Status CriticalEnds::prove_by_any(double factor) {
   if (question_.list || question_.grid.precision == Precision::doubles)
     return engine::Status::solved;
   const auto decided = decide(
-      CriticalEnd::upper, factor, CriticalPhase::upper_end,
+      CriticalEnd::upper, factor, CriticalPhase::upper_end, recorder_,
       [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, is_cone); },
       engine::Limits{}.nodes);
   if (!decided.solved()) return decided.status;
   for (const LeafState state : {LeafState::alive, LeafState::flat}) {
-    const auto found = std::ranges::find(decided.leaves, state, &Configuration::state);
-    if (found == decided.leaves.end()) continue;
+    const auto* const found = decided.first(state);
+    if (found == nullptr) continue;
     const auto block = problems::blocks_of(problem_)[found->block];
     bracket_.move_upper(factor, {found->block, own_leaf(*found, block)});
     if (decided.alive != 0) bracket_.prove_upper(factor, *bracket_.leaf());
@@ -312,7 +360,7 @@ engine::Status CriticalEnds::prove_by_any(double factor) {
 engine::Status CriticalEnds::list(CriticalFindings& findings) {
   const double factor = bracket_.upper().value_or(question_.grid.most);
   const auto decided = decide(
-      CriticalEnd::upper, factor, CriticalPhase::list,
+      CriticalEnd::upper, factor, CriticalPhase::list, recorder_,
       [](const DecidedEnd& all) { return std::ranges::any_of(all.leaves, is_cone); },
       question_.list_nodes);
   std::vector<Configuration> cones;
@@ -368,6 +416,8 @@ void CriticalEnds::prove(CriticalFindings& findings) {
   bracket_.show();
   if (findings.status == engine::Status::solved && !enclose())
     stopped(CriticalPhase::lower_end, why(campaign_));
+  if (findings.status == engine::Status::solved && is_to_bisect())
+    stopped(CriticalPhase::lower_end, bisect());
   if (findings.status == engine::Status::solved &&
       !stopped(CriticalPhase::lower_end, prove_lower())) {
     bracket_.show();

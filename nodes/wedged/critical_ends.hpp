@@ -14,6 +14,7 @@
 #include "engine/campaign.hpp"
 #include "nodes/wedged/critical_bracket.hpp"
 #include "nodes/wedged/critical_findings.hpp"
+#include "nodes/wedged/enclosure.hpp"
 #include "nodes/wedged/evidence_check.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
 #include "problems/structure/structure.hpp"
@@ -76,14 +77,26 @@ class CriticalEnds {
 
  private:
   struct DecidedLeaf;
+  /// Whether evidence proves what it claims.
+  using Test = std::function<bool(const Evidence&)>;
 
   bool enclose();
   void know(std::vector<Configuration> found);
   bool roots_are_dead(double factor);
   DecidedLeaf decide_leaf(const PatternNode& leaf, double factor, bool recorded);
+  /// Whether the search may be wrong by more than an end can be moved, and all can be put to the
+  /// verifier's test.
+  [[nodiscard]] bool is_to_bisect() const {
+    return far_apart_ && question_.grid.precision == Precision::escalating &&
+           std::holds_alternative<verify::EnclosedProblem>(*stiffness_);
+  }
+  [[nodiscard]] Test test(std::span<const double> friction,
+                          std::span<const ProvedBound> bounds = {}) const;
+  [[nodiscard]] conic::Tolerances tolerances() const;
   template <class Wanted>
-  DecidedEnd decide(CriticalEnd end, double factor, CriticalPhase phase, Wanted wanted,
-                    std::uint64_t nodes);
+  DecidedEnd decide(CriticalEnd end, double factor, CriticalPhase phase,
+                    const EndRecorder& recorder, Wanted wanted, std::uint64_t nodes);
+  engine::Status bisect();
   engine::Status prove_lower();
   engine::Status prove_upper();
   engine::Status prove_by_any(double factor);
@@ -99,7 +112,8 @@ class CriticalEnds {
   CriticalBracket& bracket_;
   std::vector<CriticalCost>& costs_;
   /// Or why the ends cannot be put to the verifier's test; nothing before it is computed.
-  std::optional<std::variant<verify::EnclosedProblem, std::string>> stiffness_;
+  std::optional<Enclosure> stiffness_;
+  bool far_apart_;  ///< scales of unconstrained bodies: what the solver finds may be wrong
   double proved_lower_ = 0;
   std::vector<Configuration> known_;       ///< feasible at the upper end, and
   std::optional<PatternNode> known_leaf_;  ///< the leaf that the bracket had then

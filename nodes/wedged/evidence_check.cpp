@@ -10,13 +10,19 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
     const problems::Structure& structure, const support::LongWork& work) {
   if (structure.coordinates.size() > most_enclosed_displacements)
     return "the structure is too large to enclose its stiffness on the way; verify does it";
+  return enclosed_stiffness_of_any(structure, work);
+}
+
+std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_of_any(
+    const problems::Structure& structure, const support::LongWork& work) {
   return verify::enclosed_problem(evidence::verified_structure(structure), work);
 }
 
 EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
                              const verify::EnclosedProblem& enclosed,
-                             std::span<const double> friction,
-                             std::span<const ProvedBound> bounds) {
+                             std::span<const double> friction, std::span<const ProvedBound> bounds,
+                             FarMotion far_motion)
+    : far_motion_(far_motion) {
   certificate_.dimension = static_cast<std::size_t>(problem.dimension);
   certificate_.names = problem.contact_names;
   certificate_.friction = {friction.begin(), friction.end()};
@@ -58,14 +64,17 @@ verify::Claim claim_of(Evidence::Kind kind) {
 }  // namespace
 
 bool EvidenceCheck::holds(const Evidence& evidence) const {
-  if (evidence.kind == Evidence::Kind::marginal || !proof_->least_eigenvalue()) return false;
+  if (!proof_->least_eigenvalue()) return false;
   verify::Record record;
   record.claim = claim_of(evidence.kind);
   record.block = evidence.block;
   record.contact = evidence.node.contact;
   record.separated = evidence.node.separated;
   record.numbers = {evidence.numbers.begin(), evidence.numbers.end()};
-  return !proof_->judgement(record).refusal;
+  const auto judgement = proof_->judgement(record);
+  if (record.claim == verify::Claim::marginal) return judgement.unloaded;
+  return !judgement.refusal &&
+         (far_motion_ == FarMotion::left_out || !judgement.but_for_far_motion);
 }
 
 }  // namespace kusabi::wedged

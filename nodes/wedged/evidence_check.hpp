@@ -28,20 +28,34 @@ inline constexpr int most_enclosed_displacements = 2000;
 std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
     const problems::Structure& structure, const support::LongWork& work = {});
 
+/// The same of a structure of any size.
+std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_of_any(
+    const problems::Structure& structure, const support::LongWork& work = {});
+
+/// Whether a proof counts that leaves out configurations which move far (verify/block_proof.hpp).
+/// Where levers are long, those do that turn a little.
+enum class FarMotion { left_out, counted };
+
 class EvidenceCheck {
  public:
   /// Begins with the proof that K is positive definite but for the motions.
   /// @param friction of each candidate  @param bounds of candidates; one that does not
   /// stand the test is not used, nor those after it
   EvidenceCheck(const problems::WedgedProblem& problem, const verify::EnclosedProblem& enclosed,
-                std::span<const double> friction, std::span<const ProvedBound> bounds = {});
+                std::span<const double> friction, std::span<const ProvedBound> bounds = {},
+                FarMotion far_motion = FarMotion::left_out);
   EvidenceCheck(const EvidenceCheck&) = delete;
   EvidenceCheck& operator=(const EvidenceCheck&) = delete;
 
-  /// Whether the evidence proves what it claims. What claims nothing is not proved.
+  /// Whether K was proved to be positive definite but for the motions: without that nothing holds.
+  [[nodiscard]] bool is_able() const { return proof_->least_eigenvalue().has_value(); }
+
+  /// Whether the evidence proves what it claims. Where nothing is claimed of a node: whether a
+  /// contact without a reaction shows that all its configurations are those of others.
   [[nodiscard]] bool holds(const Evidence& evidence) const;
 
  private:
+  FarMotion far_motion_;
   verify::Certificate certificate_;
   std::optional<verify::Proof> proof_;
 };

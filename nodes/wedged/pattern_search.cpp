@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
+#include "nodes/wedged/enclosure.hpp"
+#include "nodes/wedged/evidence_check.hpp"
 #include "nodes/wedged/preparation.hpp"
 #include "nodes/wedged/simple_leaves.hpp"
 #include "problems/wedged/problem_block.hpp"
+#include "problems/wedged/scale_ratio.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -22,25 +26,69 @@ void add_missing(std::vector<Configuration>& known, std::uint64_t most,
   }
 }
 
+/// K of the structure, enclosed for the exact test, if the question asks for it or the scales of
+/// the structure do.
+std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Campaign& campaign,
+                                                         const problems::WedgedProblem& problem,
+                                                         const PatternQuestion& question,
+                                                         ExactTest& exact) {
+  const auto* const structure = question.structure;
+  if (structure == nullptr) return {};
+  exact.scale_ratio = problems::scale_ratio(*structure, problem);
+  const bool asked = exact.asked = question.proving == Proving::always;
+  if (!asked && exact.scale_ratio <= wide_scales) return {};
+  auto enclosed =
+      enclosed_within(campaign, *structure, asked ? enclosed_stiffness_of_any : enclosed_stiffness);
+  if (!enclosed) {
+    exact.unable = "the search ended before the exact test began";
+    return {};
+  }
+  if (auto* why = std::get_if<std::string>(&*enclosed)) {
+    exact.unable = *why + (asked ? "" : ", as does --prove");
+    return {};
+  }
+  exact.done = true;
+  return std::get<verify::EnclosedProblem>(*std::move(enclosed));
+}
+
 }  // namespace
 
 PatternFindings find_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
                               std::span<const double> friction, const PatternQuestion& question) {
-  SignPatternTree tree(problem, friction, question.tree);
+  PatternFindings findings;
+  auto options = question.tree;
+  const auto enclosed = enclosed_for_test(campaign, problem, question, findings.exact);
+  if (enclosed) {
+    options.thorough = true;
+    if (options.tolerances.sign <= conic::Tolerances{}.sign) options.tolerances.resolution = finest;
+  }
+  SignPatternTree tree(problem, friction, options);
   std::vector<Configuration> known;
-  if (question.tree.facets == 0)
-    known = simple_leaves(campaign, problem, friction, question.tree.tolerances);
+  if (options.facets == 0 && !enclosed)
+    known = simple_leaves(campaign, problem, friction, options.tolerances);
   // Without a search where these are all that is asked for.
   const bool enough = known.size() >= campaign.budget().left().solutions;
   auto search = question.search;
   if (enough) search.limits.nodes = 0;
-  const SignPatternOptions as_it_is{.tolerances = question.tree.tolerances,
+  const SignPatternOptions as_it_is{.tolerances = options.tolerances,
                                     .branching = Branching::relative,
                                     .tightening = Tightening::never};
-  const auto prepared = prepare(campaign, problem, friction, enough ? as_it_is : question.tree);
+  const auto prepared = prepare(campaign, problem, friction, enough ? as_it_is : options);
   inform(tree, prepared);
   if (question.witness) tree.report_to(question.witness);
-  PatternFindings findings;
+  findings.bounds = proved_bounds(prepared);
+  std::optional<EvidenceCheck> check;
+  if (enclosed) {
+    const bool far_apart = findings.exact.scale_ratio > wide_scales;
+    check.emplace(problem, *enclosed, friction, findings.bounds,
+                  far_apart ? FarMotion::counted : FarMotion::left_out);
+    findings.exact.done = check->is_able();
+    // Of held bodies the solver's own bounds hold; its cut-offs are of motions.
+    if (!check->is_able() && problem.motions.cols() > 0)
+      findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
+    if (check->is_able() || problem.motions.cols() > 0)
+      tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
+  }
   findings.outcome = campaign.search(tree, search);
   if (enough) findings.outcome.status = engine::Status::solution_limit;
   std::vector<Configuration> leaves;
@@ -51,7 +99,9 @@ PatternFindings find_patterns(engine::Campaign& campaign, const problems::Wedged
   std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {
     return a.block != b.block ? a.block < b.block : comes_before(a.pattern, b.pattern);
   });
-  findings.bounds = proved_bounds(prepared);
+  findings.exact.refused = findings.outcome.tally().refused;
+  findings.exact.ties = findings.outcome.tally().unproved;
+  findings.exact.doubted = findings.outcome.tally().doubted;
   for (const auto& candidates : problems::blocks_of(problem)) {
     const auto& own = prepared[findings.blocks.size()];
     findings.blocks.push_back({.candidates = candidates,

@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/campaign.hpp"
 #include "nodes/wedged/candidate_bounds.hpp"
 #include "nodes/wedged/maximal_cones.hpp"
 #include "nodes/wedged/sign_pattern.hpp"
+#include "problems/structure/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {
@@ -26,6 +28,35 @@ struct PatternBlock {
   [[nodiscard]] bool rests() const { return cones == 0 && open == 0; }
 };
 
+/// Whether every node is put to the exact test of `kusabi verify` while it is searched.
+enum class Proving {
+  automatic,  ///< where floating point may miss something: scale_ratio() is above wide_scales
+  always,     ///< however large the structure is
+};
+
+/// Scales of a structure farther apart than this are too far for cut-offs of 1e-10 and 1e-12 of the
+/// largest: what they leave out may count.
+inline constexpr double wide_scales = 1e7;
+
+/// What is told by its sign then, though it is a tie in sixteen digits.
+inline constexpr double finest = 1e-22;
+
+/// What the exact test was for, and what it left.
+struct ExactTest {
+  double scale_ratio = 1;
+  bool asked = false;
+  bool done = false;
+  std::string unable{};       ///< why it was not done although it should have been, a sentence
+  std::uint64_t refused = 0;  ///< claims that it did not accept
+  std::uint64_t doubted = 0;  ///< nodes closed all the same, since too much is below them
+  std::uint64_t ties = 0;     ///< closed nodes of which nothing is claimed, and it proves nothing
+
+  /// Whether the list is less than what was asked for, though nothing on it is open.
+  [[nodiscard]] bool leaves_doubt() const {
+    return !unable.empty() || doubted > 0 || (asked && ties > 0);
+  }
+};
+
 /// The answer, of rank 0.
 struct PatternFindings {
   engine::Outcome<SignPatternTree> outcome;
@@ -35,6 +66,7 @@ struct PatternFindings {
   /// Of Algorithm 5.8: the leaves to test, block by block in the order of a dictionary.
   std::vector<PolyhedralCandidate> tested;
   std::size_t flat = 0, marginal = 0, undecided = 0;  ///< of the leaves
+  ExactTest exact;
 
   [[nodiscard]] bool whole() const { return outcome.status == engine::Status::solved; }
 
@@ -54,6 +86,8 @@ struct PatternQuestion {
   SignPatternOptions tree;
   engine::Options search;  ///< checkpoints, traces, whom to warn
   Witness witness;         ///< told, on each rank, why nodes are closed there; empty: nobody
+  const problems::Structure* structure = nullptr;  ///< of the problem; null: no exact test
+  Proving proving = Proving::automatic;
 };
 
 /// Every rank makes the same call. The findings are whole on rank 0; elsewhere the status counts.

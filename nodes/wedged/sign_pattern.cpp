@@ -138,7 +138,9 @@ std::optional<SignPatternTree::Fate> SignPatternTree::decide_with_cuts(const Nod
   const auto free = block.free(node.pattern);
   if (block.bounds.empty()) return {};
   const auto& [contact, separated, at_rest] = node.pattern;
-  if (leaves_nothing(block.bounds, contact, separated)) return prune_by_bounds(node);
+  if (leaves_nothing(block.bounds, contact, separated)) {
+    if (auto fate = prune_by_bounds(node)) return fate;
+  }
   if (free.empty()) return {};
   if (const auto known = one_sided(free, block.bounds)) return split(node, *known);
   const auto cuts = cuts_of(free, block.bounds);
@@ -171,7 +173,7 @@ void SignPatternTree::note_tested(const Node& leaf, double polyhedral,
 SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
                                                     const conic::ConicResult& answer) {
   Block& block = blocks_[node.block];
-  const bool tie = conic::is_tie(answer, tolerances_);
+  const bool tie = conic::is_resolved_tie(answer, tolerances_);
   const auto free = block.free(node.pattern);
   if (tie) {
     const Eigen::VectorXd multipliers = block.solver.multipliers();
@@ -180,13 +182,13 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
     if (inside && inside->loaded.empty()) {  // dead, though by less than the tolerance
       if (answer.upper < 0) return prune(node, multipliers);
       ++tally_.dead;
-      if (witness_) report_open(node);
+      report_open(node);
       return {};
     }
     const bool repeated = inside && !inside->loaded.includes(node.pattern.contact);
     if (repeated && (!thorough_ || free.empty())) {
       ++tally_.faces;
-      if (witness_) report_open(node);
+      report_open(node);
       return {};
     }
     if (inside && !repeated && !inside->loaded.meets(inside->moved)) {
@@ -202,7 +204,7 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
         tally_.iterations += static_cast<std::uint64_t>(own.iterations);
         if (own.sign == conic::Sign::alive)
           return close(node, configuration({node.block, cone}, LeafState::alive, own));
-        if (!conic::is_tie(own, tolerances_)) return branch(node, free);
+        if (!conic::is_resolved_tie(own, tolerances_)) return branch(node, free);
       }
       return close(node, configuration({node.block, cone}, LeafState::flat, answer));
     }
@@ -270,45 +272,81 @@ SignPatternTree::Fate SignPatternTree::split(const Node& node, int candidate) {
   return {.children = {both.begin(), both.end()}, .leaf = {}};
 }
 
+// Tells the witness that a node is closed, unless the exact test refuses why.
+bool SignPatternTree::closes(const Node& node, Evidence::Kind kind,
+                             std::span<const double> numbers) {
+  const Evidence evidence{.kind = kind,
+                          .block = node.block,
+                          .node = in_whole(node.pattern, blocks_[node.block].candidates),
+                          .numbers = numbers};
+  const bool accepted = !judge_ || judge_(evidence);
+  if (!accepted) {
+    ++tally_.refused;
+    if (binding_) return false;
+    if (kind != Evidence::Kind::alive) ++tally_.doubted;
+  } else if (kind == Evidence::Kind::alive) {
+    ++tally_.proved;
+  }
+  if (witness_) witness_(evidence);
+  return true;
+}
+
+// A node whose evidence is refused is branched, unless that would be all that is below it; a leaf
+// is left open.
+SignPatternTree::Fate SignPatternTree::doubt(const Node& node) {
+  constexpr int most_free = 8;
+  Block& block = blocks_[node.block];
+  const auto free = block.free(node.pattern);
+  if (free.size() > most_free) {
+    ++tally_.dead;
+    ++tally_.doubted;
+    report_open(node);
+    return {};
+  }
+  if (block.outer) block.solver.solve(node.pattern.contact, node.pattern.separated, {});
+  if (!free.empty()) return branch(node, free);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return close(node,
+               configuration(node, LeafState::undecided, {.lower = -infinity, .upper = infinity}));
+}
+
 SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {
+  if (witness_ || judge_) {
+    const Block& block = blocks_[node.block];
+    const auto numbers = block.mean_motion.with_multipliers(multipliers, block.solver.unit());
+    if (!closes(node, Evidence::Kind::dead, numbers)) return doubt(node);
+  }
   ++tally_.dead;
-  if (!witness_) return {};
-  const Block& block = blocks_[node.block];
-  const auto numbers = block.mean_motion.with_multipliers(multipliers, block.solver.unit());
-  witness_({.kind = Evidence::Kind::dead,
-            .block = node.block,
-            .node = in_whole(node.pattern, block.candidates),
-            .numbers = numbers});
   return {};
 }
 
-SignPatternTree::Fate SignPatternTree::prune_with(std::span<const conic::Cut> cuts,
-                                                  const Node& node) {
+std::optional<SignPatternTree::Fate> SignPatternTree::prune_with(std::span<const conic::Cut> cuts,
+                                                                 const Node& node) {
+  if (witness_ || judge_) {
+    const Block& block = blocks_[node.block];
+    const auto numbers = cut_evidence(block.solver, block.mean_motion, cuts);
+    if (!closes(node, Evidence::Kind::cut, numbers)) return {};
+  }
   ++tally_.dead;
-  if (!witness_) return {};
-  const Block& block = blocks_[node.block];
-  report_cut(node, cut_evidence(block.solver, block.mean_motion, cuts));
-  return {};
+  return Fate{};
 }
 
-// The bound says it all.
-SignPatternTree::Fate SignPatternTree::prune_by_bounds(const Node& node) {
+// Infeasible by the bounds alone.
+std::optional<SignPatternTree::Fate> SignPatternTree::prune_by_bounds(const Node& node) {
+  if (witness_ || judge_) {
+    const Block& block = blocks_[node.block];
+    const std::vector<double> nothing(2 * block.bounds.size() +
+                                      static_cast<std::size_t>(block.mean_motion.count()));
+    if (!closes(node, Evidence::Kind::cut, nothing)) return {};
+  }
   ++tally_.dead;
-  const Block& block = blocks_[node.block];
-  if (witness_)
-    report_cut(node, std::vector<double>(2 * block.bounds.size() +
-                                         static_cast<std::size_t>(block.mean_motion.count())));
-  return {};
-}
-
-void SignPatternTree::report_cut(const Node& node, std::span<const double> numbers) const {
-  witness_({.kind = Evidence::Kind::cut,
-            .block = node.block,
-            .node = in_whole(node.pattern, blocks_[node.block].candidates),
-            .numbers = numbers});
+  return Fate{};
 }
 
 SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration leaf) {
+  const bool alive = leaf.state == LeafState::alive;
+  if (alive && !closes(node, Evidence::Kind::alive, evidence_of(node, leaf)))
+    leaf.state = LeafState::undecided;
   switch (leaf.state) {
     case LeafState::alive:
       ++tally_.found;
@@ -323,7 +361,7 @@ SignPatternTree::Fate SignPatternTree::close(const Node& node, Configuration lea
       ++tally_.undecided;
       break;
   }
-  if (witness_) report_leaf(node, leaf);
+  if (leaf.state != LeafState::alive) report_open(node);
   return {.children = {}, .leaf = std::move(leaf)};
 }
 
@@ -341,8 +379,8 @@ Configuration SignPatternTree::configuration(const Node& node, LeafState state,
           .displacement = {u.begin(), u.end()}};
 }
 
-void SignPatternTree::report_leaf(const Node& node, const Configuration& leaf) const {
-  if (leaf.state != LeafState::alive) return report_open(node);
+std::vector<double> SignPatternTree::evidence_of(const Node& node,
+                                                 const Configuration& leaf) const {
   const Block& block = blocks_[node.block];
   std::vector<double> numbers;  // tangential reactions first
   for (const int touching : node.pattern.contact) {
@@ -353,17 +391,16 @@ void SignPatternTree::report_leaf(const Node& node, const Configuration& leaf) c
                                             static_cast<Eigen::Index>(leaf.displacement.size()));
   const auto mean = block.mean_motion.of(u);
   numbers.insert(numbers.end(), mean.begin(), mean.end());
-  witness_({.kind = Evidence::Kind::alive,
-            .block = node.block,
-            .node = in_whole(node.pattern, block.candidates),
-            .numbers = numbers});
+  return numbers;
 }
 
-void SignPatternTree::report_open(const Node& node) const {
-  witness_({.kind = Evidence::Kind::marginal,
-            .block = node.block,
-            .node = in_whole(node.pattern, blocks_[node.block].candidates),
-            .numbers = {}});
+void SignPatternTree::report_open(const Node& node) {
+  const Evidence evidence{.kind = Evidence::Kind::marginal,
+                          .block = node.block,
+                          .node = in_whole(node.pattern, blocks_[node.block].candidates),
+                          .numbers = {}};
+  if (!judge_ || !judge_(evidence)) ++tally_.unproved;
+  if (witness_) witness_(evidence);
 }
 
 }  // namespace kusabi::wedged

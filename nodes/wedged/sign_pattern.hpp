@@ -140,6 +140,10 @@ struct Evidence {
 /// Told of every node that is closed.
 using Witness = std::function<void(const Evidence&)>;
 
+/// Whether an exact test accepts what is said of a node that is to be closed; of one of which
+/// nothing is claimed, whether it has nothing that others do not have.
+using Judge = std::function<bool(const Evidence&)>;
+
 /// What became of the nodes that were opened, and what it cost.
 struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t branched = 0;    ///< had both children put into the tree
@@ -155,9 +159,17 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
   std::uint64_t candidates = 0;  ///< leaves to test of Algorithm 5.8
   std::vector<PolyhedralCandidate> tested;  ///< these; no count, and so not among the fields
+  std::uint64_t proved = 0;                 ///< leaves whose life an exact test has accepted
+  std::uint64_t refused = 0;                ///< claims that it has not
+  std::uint64_t doubted = 0;                ///< nodes closed as dead although it refuses why
+  std::uint64_t unproved = 0;  ///< closed nodes of which nothing is claimed, and no test proves it
 
   SignPatternTally& operator+=(const SignPatternTally& other) {
     Counts::operator+=(other);
+    proved += other.proved;
+    refused += other.refused;
+    doubted += other.doubted;
+    unproved += other.unproved;
     tested.insert(tested.end(), other.tested.begin(), other.tested.end());
     return *this;
   }
@@ -165,7 +177,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   template <class Archive>
   void serialize(Archive& archive, unsigned version) {
     Counts::serialize(archive, version);
-    archive& tested;
+    archive& tested& proved& refused& doubted& unproved;
   }
 
   static constexpr auto fields() {
@@ -265,6 +277,14 @@ class SignPatternTree {
   /// From now on `witness` is told why nodes are closed. A branched node is not closed.
   void report_to(Witness witness) { witness_ = std::move(witness); }
 
+  /// From now on what is said of a node is put to this test, and what it refuses is counted.
+  /// @param binding whether it is not said then: a node is branched that few candidates are free
+  /// at, a leaf is undecided
+  void judge_by(Judge judge, bool binding) {
+    judge_ = std::move(judge);
+    binding_ = binding;
+  }
+
  private:
   // What it takes to bound the nodes of one block.
   struct Block {
@@ -295,14 +315,15 @@ class SignPatternTree {
   conic::ConicResult probe(const Node& child);
   Fate split(const Node& node, int candidate);
   Fate prune(const Node& node, const Eigen::VectorXd& multipliers);
-  Fate prune_with(std::span<const conic::Cut> cuts, const Node& node);
-  Fate prune_by_bounds(const Node& node);
-  void report_cut(const Node& node, std::span<const double> numbers) const;
+  std::optional<Fate> prune_with(std::span<const conic::Cut> cuts, const Node& node);
+  std::optional<Fate> prune_by_bounds(const Node& node);
+  bool closes(const Node& node, Evidence::Kind kind, std::span<const double> numbers);
+  Fate doubt(const Node& node);
   Fate close(const Node& node, Configuration leaf);
   [[nodiscard]] Configuration configuration(const Node& node, LeafState state,
                                             const conic::ConicResult& answer) const;
-  void report_leaf(const Node& node, const Configuration& leaf) const;
-  void report_open(const Node& node) const;
+  [[nodiscard]] std::vector<double> evidence_of(const Node& node, const Configuration& leaf) const;
+  void report_open(const Node& node);
 
   conic::Tolerances tolerances_;
   int probes_;
@@ -311,6 +332,8 @@ class SignPatternTree {
   std::vector<Block> blocks_;
   Tally tally_;
   Witness witness_;
+  Judge judge_;
+  bool binding_ = false;
 };
 
 }  // namespace kusabi::wedged

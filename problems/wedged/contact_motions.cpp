@@ -22,6 +22,10 @@ using numbers::PreciseVector;
 /// Roundings of a frame, a displacement and two projections, with room.
 constexpr double motion_roundings = 512;
 
+/// A node that is off the place that it is against by no more than this share of the largest
+/// coordinate is meant to be there.
+constexpr double rounded_place = 0x1p-48;
+
 /// By node, its body; and where the motions of each body begin.
 struct Numbering {
   std::map<int, std::size_t> body;
@@ -47,6 +51,38 @@ void add_motions(const Structure& structure, std::span<const LooseBody> bodies,
   seen.block(row, numbering.first[found->second], frame.cols(), body.count()) +=
       Precise(share.weight) *
       (frame.transpose() * displacements(body, structure.coordinates.col(share.node)));
+}
+
+/// How far the place that a candidate is against is from its node, if that is the rounding of
+/// coordinates alone; otherwise, and of a rigid obstacle, zero.
+Eigen::VectorXd rounding_of_place(const Structure& structure, const ContactCandidate& candidate) {
+  const auto node = structure.coordinates.col(candidate.node);
+  PreciseVector away = -node.cast<Precise>();
+  double largest = node.cwiseAbs().maxCoeff();
+  for (const auto& [other, weight] : candidate.against) {
+    const auto place = structure.coordinates.col(other);
+    away += Precise(weight) * place.cast<Precise>();
+    largest = std::max(largest, place.cwiseAbs().maxCoeff());
+  }
+  Eigen::VectorXd rounded = away.cast<double>();
+  const bool is_rounding = rounded.cwiseAbs().maxCoeff() <= rounded_place * largest;
+  if (candidate.against.empty() || !is_rounding) rounded.setZero();
+  return rounded;
+}
+
+/// Adds what the node of a candidate moves by more where it is meant to be.
+void add_placing(const Structure& structure, std::span<const LooseBody> bodies,
+                 const Numbering& numbering, const ContactCandidate& candidate,
+                 const PreciseMatrix& frame, Eigen::Index row, PreciseMatrix& seen) {
+  const auto found = numbering.body.find(candidate.node);
+  const Eigen::VectorXd away = rounding_of_place(structure, candidate);
+  if (found == numbering.body.end() || away.isZero(0)) return;
+  LooseBody about_origin = bodies[found->second];
+  about_origin.centre.setZero();
+  const PreciseMatrix more = displacements(about_origin, away) -
+                             displacements(about_origin, Eigen::VectorXd::Zero(away.size()));
+  seen.block(row, numbering.first[found->second], frame.cols(), about_origin.count()) +=
+      frame.transpose() * more;
 }
 
 std::string name(const Structure& structure, int node) {
@@ -113,6 +149,7 @@ PreciseMatrix seen_motions(const Structure& structure, std::span<const LooseBody
     add_motions(structure, bodies, numbering, {candidate.node, 1}, frame, row, seen);
     for (const auto& [node, weight] : candidate.against)
       add_motions(structure, bodies, numbering, {node, -weight}, frame, row, seen);
+    add_placing(structure, bodies, numbering, candidate, frame, row, seen);
     row += d;
   }
   return seen;

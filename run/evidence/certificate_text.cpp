@@ -26,13 +26,6 @@ void append(std::string& text, const Numbers& numbers) {
   for (const double number : numbers) fmt::format_to(std::back_inserter(text), " {:a}", number);
 }
 
-// The oldest that can say it.
-int version_of(const problems::WedgedProblem& problem,
-               std::span<const wedged::ProvedBound> bounds) {
-  if (!bounds.empty()) return 4;
-  return problem.motions.cols() == 0 ? 2 : 3;
-}
-
 void append_bound(std::string& text, const wedged::ProvedBound& bound) {
   const auto* const side = bound.side == wedged::Side::contact ? "contact" : "separated";
   const auto* const kind = bound.never() ? "never" : "bound";
@@ -63,9 +56,8 @@ std::string certificate_header(const problems::WedgedProblem& problem,
                                std::span<const double> friction,
                                std::span<const wedged::ProvedBound> bounds) {
   const auto& motions = problem.motions;
-  auto text =
-      fmt::format("kusabi certificate {}\ndimension {}\ncandidates {}\n",
-                  version_of(problem, bounds), problem.dimension, problem.contact_names.size());
+  auto text = fmt::format("kusabi certificate 4\ndimension {}\ncandidates {}\n", problem.dimension,
+                          problem.contact_names.size());
   for (const auto& name : problem.contact_names) text += fmt::format("name {}\n", one_line(name));
   text += "friction";
   append(text, friction);
@@ -80,13 +72,13 @@ std::string certificate_header(const problems::WedgedProblem& problem,
     }
     text += '\n';
   }
-  if (motions.cols() > 0 || !bounds.empty()) text += fmt::format("motions {}\n", motions.cols());
+  text += fmt::format("motions {}\n", motions.cols());
   for (Eigen::Index i = 0; i < motions.rows() && motions.cols() > 0; ++i) {
     for (Eigen::Index k = 0; k < motions.cols(); ++k)
       text += fmt::format("{}{:a}", k == 0 ? "" : " ", motions(i, k));
     text += '\n';
   }
-  if (!bounds.empty()) text += fmt::format("bounds {}\n", bounds.size());
+  text += fmt::format("bounds {}\n", bounds.size());
   for (const auto& bound : bounds) append_bound(text, bound);
   return text + "nodes\n";
 }

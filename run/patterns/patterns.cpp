@@ -163,6 +163,9 @@ void Patterns::describe(OptionTable& table) {
              "write what each rank did when to this file, for ui.perfetto.dev");
   table.file("--certificate", options_.certificate, Role::evidence,
              "write the evidence to this file, for kusabi verify");
+  table.flag("--prove", options_.prove,
+             "put every node to the exact test of kusabi verify while it is searched; without it "
+             "this is done where the scales of the structure are more than 1e7 apart");
   table.quiet();
   table.serial();
 }
@@ -194,6 +197,7 @@ std::uint64_t Patterns::tree_fingerprint() const {
     fingerprint.add(static_cast<std::uint64_t>(options_.tightening));
   fingerprint.add(static_cast<std::uint64_t>(options_.facets_in_use()));
   if (options_.probes > 0) fingerprint.add(static_cast<std::uint64_t>(options_.probes));
+  if (options_.prove) fingerprint.add(std::string_view("prove"));
   return fingerprint.value();
 }
 
@@ -220,6 +224,8 @@ void Patterns::prepare(CommandRun& run) {
                     .probes = options_.probes,
                     .facets = options_.facets_in_use(),
                     .thorough = !options_.certificate.empty()};
+  question_.structure = &structure_;
+  if (options_.prove) question_.proving = wedged::Proving::always;
   auto& search = question_.search;
   search.order = options_.order;
   const auto fingerprint = tree_fingerprint();
@@ -269,7 +275,12 @@ void Patterns::end_certificate() {
 }
 
 std::string Patterns::what_became_of_the_certificate() const {
-  if (whole()) return "wrote " + options_.certificate;
+  if (whole()) {
+    const auto ties = findings_->exact.ties;
+    return fmt::format(
+        "wrote {}{}", options_.certificate,
+        ties == 0 ? "" : fmt::format("; it claims nothing of {}", counted(ties, "node")));
+  }
   if (goes_on_) return fmt::format("what is proved so far is in {}.part.*", options_.certificate);
   return "no certificate: nothing could go on with an incomplete one";
 }

@@ -41,6 +41,7 @@ struct PatternsOptions {
   engine::Limits limits;        ///< where to stop early
   CheckpointChoice checkpoint;  ///< where the state is kept
   std::string certificate;      ///< the evidence goes here; empty: nowhere
+  bool prove = false;           ///< whether every node is put to the exact test
 
   /// Of polyhedral cones; 0: the cones themselves.
   [[nodiscard]] int facets_in_use() const { return polyhedral ? facets : 0; }

@@ -12,6 +12,7 @@
 #include "run/verdict/ending.hpp"
 #include "run/wedged/configuration_csv.hpp"
 #include "run/wedged/cuts_words.hpp"
+#include "run/wedged/exact_json.hpp"
 #include "run/wedged/nearest_failure.hpp"
 #include "run/wedged/pattern_groups.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -78,15 +79,18 @@ ordered_json PatternsReport::candidates_json() const {
 }
 
 Verdict PatternsReport::verdict() const {
-  // Ties are found by cut-offs, and so is what unconstrained bodies do.
-  const bool proved = findings_.flat == 0 && problem_.loose_bodies.empty();
+  // Ties are found by cut-offs, and so is what unconstrained bodies do, but for the exact test.
+  const auto& exact = findings_.exact;
+  const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
+                                 : findings_.flat == 0 && problem_.loose_bodies.empty();
   Verdict verdict{.ended = findings_.outcome.status,
                   .nodes_left = findings_.outcome.open,
                   .answer = Sticking{.friction = options_.friction,
                                      .factor = !problems::uniform_friction(problem_),
                                      .count = findings_.count(),
                                      .undecided = findings_.open(),
-                                     .standing = proved ? Standing::proved : Standing::computed}};
+                                     .standing = proved ? Standing::proved : Standing::computed,
+                                     .doubt = doubt_of(exact)}};
   if (auto text = firmest(); !text.empty()) verdict.details.push_back(std::move(text));
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
@@ -243,6 +247,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
   result["undecided"] = findings_.undecided;
   result["blocks"] = std::move(blocks);
   result["tree"] = std::move(tree);
+  result["exact"] = exact_json(findings_.exact);
   if (options_.polyhedral) result["candidates"] = candidates_json();
   result["patterns"] = patterns_json(whole);
   if (options_.group > 0) result["groups"] = groups_json();
@@ -255,6 +260,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
       {"cuts", name_of(options_.tightening)},
       {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}};
   if (options_.probes > 0) chosen["probe"] = options_.probes;
+  if (options_.prove) chosen["prove"] = true;
   if (options_.group > 0) chosen["group"] = options_.group;
   return {{"command", "patterns"},
           {"version", KUSABI_VERSION},

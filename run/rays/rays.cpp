@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "nodes/wedged/divided_rays.hpp"
+#include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/ray_search.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
@@ -25,6 +26,7 @@
 #include "run/session/restart.hpp"
 #include "run/wedged/agreement.hpp"
 #include "run/wedged/configuration_grid.hpp"
+#include "run/wedged/exact_json.hpp"
 #include "run/wedged/ignored_loads.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
@@ -82,6 +84,7 @@ class Rays final : public Subcommand {
   std::vector<double> friction_;
   std::optional<rays::ReactionCone> cone_;
   wedged::RayFindings found_;  // on rank 0
+  wedged::ExactTest exact_;    // of its cones
 
   [[nodiscard]] bool whole() const { return found_.status == engine::Status::solved; }
 };
@@ -115,6 +118,9 @@ void Rays::describe(OptionTable& table) {
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint,
                "; the steps that all ranks make together, which are short, begin anew");
+  table.flag("--prove", options_.prove,
+             "hold the cones against the list of patterns with the exact test of kusabi verify; "
+             "without it this is done where the scales of the structure are more than 1e7 apart");
   table.quiet();
   table.serial();
 }
@@ -179,6 +185,10 @@ std::string Rays::announcement(const std::string& ranks) const {
 void Rays::search(CommandRun& run) {
   engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
   found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, options_.method);
+  const bool searched = run.session().from_first_rank([&] { return whole(); });
+  if (!searched) return;
+  const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
+  exact_ = wedged::tested_cones(campaign, {structure_, problem_, proving}, friction_, found_.cones);
 }
 
 void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
@@ -200,7 +210,7 @@ void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
 std::vector<Step> Rays::results(CommandRun& run) {
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
   const auto report =
-      std::make_shared<RaysReport>(options_, *states, *cone_, found_, CommandRun::page());
+      std::make_shared<RaysReport>(options_, *states, *cone_, found_, exact_, CommandRun::page());
   // All is written in one pass over the rays, so that their numbers are made only once.
   const auto table = std::make_shared<std::ostringstream>();
   const auto write = [&run, report, table, states](JsonWriter* json) {
@@ -222,7 +232,8 @@ Verdict Rays::verdict() const {
                              .factor = !uniform_friction(problem_),
                              .count = found_.rays.size(),
                              .standing = Standing::computed,
-                             .ambiguous = !found_.health.sound()}};
+                             .ambiguous = !found_.health.sound(),
+                             .doubt = doubt_of(exact_)}};
 }
 
 std::vector<std::string> Rays::remarks(CommandRun& run) {

@@ -16,6 +16,7 @@ struct RaysOptions {
   double friction = 0;  ///< mu
   wedged::RayMethod method = wedged::RayMethod::automatic;
   bool whole = false;     ///< with all displacements and support reactions in the result file
+  bool prove = false;     ///< whether the cones are held against a proved list of patterns
   engine::Limits limits;  ///< where to stop early; wedged::RayMethod::tree only
   CheckpointChoice checkpoint;
 };

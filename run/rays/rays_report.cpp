@@ -14,6 +14,7 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/configuration_csv.hpp"
+#include "run/wedged/exact_json.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
@@ -197,6 +198,7 @@ void RaysReport::end_rays_and_all(JsonWriter& json) {
                          {"largest_zero", health.largest_zero},
                          {"smallest_nonzero", health.smallest_nonzero},
                          {"doubtful", health.doubtful}});
+  json.member("exact", exact_json(exact_));
   json.end_object();
   json.member("statistics", statistics_json(found_));
   json.end_object();

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/ray_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/csv.hpp"
@@ -32,11 +33,12 @@ class RaysReport {
  public:
   /// All must outlive it.
   RaysReport(const RaysOptions& options, const WholeStates& states, const rays::ReactionCone& cone,
-             wedged::RayFindings& found, const Page& page)
+             wedged::RayFindings& found, const wedged::ExactTest& exact, const Page& page)
       : options_(options),
         problem_(states.problem()),
         cone_(cone),
         found_(found),
+        exact_(exact),
         page_(page),
         whole_(states) {}
 
@@ -70,6 +72,7 @@ class RaysReport {
   const problems::WedgedProblem& problem_;
   const rays::ReactionCone& cone_;
   wedged::RayFindings& found_;
+  const wedged::ExactTest& exact_;
   Page page_;
   WholeStateJson whole_;
 };

@@ -90,6 +90,13 @@ class WrittenVerdict {
     return {bound(found, "lower"), bound(found, "upper")};
   }
 
+  [[nodiscard]] std::optional<ExactDoubt> doubt(const ResultJson& answer) const {
+    const auto* const found = ResultReader::find(answer, "doubt");
+    if (found == nullptr) return std::nullopt;
+    return ExactDoubt{reader_.number(*found, "scale_ratio"), reader_.text(*found, "why"),
+                      count(*found, "nodes")};
+  }
+
   [[nodiscard]] Sticking sticking(const ResultJson& answer) const {
     return {.thing = reader_.text(answer, "thing"),
             .friction = reader_.number(answer, "friction"),
@@ -97,7 +104,8 @@ class WrittenVerdict {
             .count = digits(answer, "count"),
             .undecided = count(answer, "undecided"),
             .standing = standing(answer, "standing"),
-            .ambiguous = truth(answer, "ambiguous")};
+            .ambiguous = truth(answer, "ambiguous"),
+            .doubt = doubt(answer)};
   }
   [[nodiscard]] CriticalBracket critical(const ResultJson& answer) const {
     return {.bracket = bracket(answer, "bracket"),
@@ -114,7 +122,8 @@ class WrittenVerdict {
             .count = digits(answer, "count"),
             .open_at_most = count(answer, "open_at_most"),
             .open_patterns = count(answer, "open_patterns"),
-            .undecided_points = count(answer, "undecided_points")};
+            .undecided_points = count(answer, "undecided_points"),
+            .doubt = doubt(answer)};
   }
   [[nodiscard]] LoadInterval load_interval(const ResultJson& answer) const {
     LoadInterval found{.uncertain = {},

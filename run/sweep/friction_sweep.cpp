@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/sweep_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/name_ranges.hpp"
@@ -15,6 +16,7 @@
 #include "run/verdict/ending.hpp"
 #include "run/verdict/shown_bracket.hpp"
 #include "run/wedged/agreement.hpp"
+#include "run/wedged/exact_json.hpp"
 #include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
 
@@ -50,6 +52,11 @@ class FrictionSweep final : public Swept {
   void search(CommandRun& run) override {
     engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
     found_ = wedged::sweep_friction(campaign, problem_, question_);
+    const bool searched =
+        run.session().from_first_rank([&] { return found_.status == engine::Status::solved; });
+    if (!searched) return;
+    const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
+    exact_ = wedged::tested_counts(campaign, {structure_, problem_, proving}, points_, found_);
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;
@@ -74,6 +81,7 @@ class FrictionSweep final : public Swept {
   std::vector<double> points_;
   wedged::SweepQuestion question_;
   wedged::SweepFindings found_;
+  wedged::ExactTest exact_;  // of its counts
 };
 
 std::vector<wedged::ConeCount> FrictionSweep::counts() const {
@@ -141,7 +149,8 @@ ordered_json FrictionSweep::json() const {
          found_.enumerated ? point_json(found_.count_at(found_.most)) : ordered_json()},
         {"staircase", std::move(steps)},
         {"patterns", std::move(patterns)},
-        {"open", std::move(open)}}},
+        {"open", std::move(open)},
+        {"exact", exact_json(exact_)}}},
       {"statistics",
        {{"tree", rank_reports(found_.tree_ranks, counts_json<wedged::SignPatternTally>)},
         {"histories", rank_reports(found_.history_ranks, counts_json<wedged::SweepTree::Tally>)}}}};
@@ -224,6 +233,7 @@ Verdict FrictionSweep::verdict() const {
     steps.count = last.known;
     steps.open_at_most = last.open;
   }
+  steps.doubt = doubt_of(exact_);
   const auto list = counts();
   steps.undecided_points = static_cast<std::uint64_t>(
       std::ranges::count_if(list, [](const auto& each) { return !each.exact(); }));

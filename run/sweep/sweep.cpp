@@ -91,6 +91,10 @@ void Sweep::describe(OptionTable& table) {
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint);
+  table.flag("--prove", options_.prove,
+             "of friction: hold the counts against lists of patterns with the exact test of kusabi "
+             "verify; without it this is done where the scales of the structure are more than 1e7 "
+             "apart");
   table.quiet();
   table.serial();
 }

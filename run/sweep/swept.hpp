@@ -25,6 +25,7 @@ struct SweepOptions {
   std::string alpha;             ///< points of the uncertainty; empty: friction is swept
   std::string load_case;         ///< of a truss; empty: the file has one
   std::string group_alpha;       ///< of a truss: half-widths of some groups, which are not swept
+  bool prove = false;            ///< whether the counts are held against proved lists of patterns
   engine::Limits limits;
   CheckpointChoice checkpoint;
 };

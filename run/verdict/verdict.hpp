@@ -33,6 +33,13 @@ struct Bracket {
   std::optional<Bound> lower{}, upper{};
 };
 
+/// The remainder of an exact test of a list of patterns (`--prove`, or scales that are far apart).
+struct ExactDoubt {
+  double scale_ratio = 1;   ///< of the structure
+  std::string why{};        ///< the list may be another one, a clause; empty: all but `nodes` holds
+  std::uint64_t nodes = 0;  ///< closed ones of which the test says nothing
+};
+
 /// Wedged configurations at one friction coefficient: `patterns`, `rays`.
 struct Sticking {
   std::string thing = "way";  ///< counted, in the singular
@@ -42,6 +49,7 @@ struct Sticking {
   std::uint64_t undecided = 0;           ///< sign patterns that are not counted
   Standing standing = Standing::proved;  ///< of the list
   bool ambiguous = false;                ///< numbers too near to zero to be told from it
+  std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was called for, or it leaves none
 };
 
 /// The critical friction coefficient: `critical`.
@@ -65,6 +73,7 @@ struct FrictionSteps {
   std::uint64_t open_at_most = 0;      ///< patterns that may be added to it
   std::uint64_t open_patterns = 0;     ///< without a coefficient from which on they stick
   std::uint64_t undecided_points = 0;  ///< of those asked for
+  std::optional<ExactDoubt> doubt{};   ///< of the counts
 };
 
 /// Bounds of an uncertain dead load.

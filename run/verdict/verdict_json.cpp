@@ -27,6 +27,11 @@ ordered_json text_or_null(const std::optional<std::string>& text) {
   return text ? ordered_json(*text) : ordered_json();
 }
 
+ordered_json doubt_json(const std::optional<ExactDoubt>& doubt) {
+  if (!doubt) return nullptr;
+  return {{"scale_ratio", doubt->scale_ratio}, {"why", doubt->why}, {"nodes", doubt->nodes}};
+}
+
 ordered_json answer_json(const std::monostate& /*none*/) {
   return nullptr;
 }
@@ -39,7 +44,8 @@ ordered_json answer_json(const Sticking& found) {
           {"count", found.count.digits()},
           {"undecided", found.undecided},
           {"standing", standing_name(found.standing)},
-          {"ambiguous", found.ambiguous}};
+          {"ambiguous", found.ambiguous},
+          {"doubt", doubt_json(found.doubt)}};
 }
 
 ordered_json answer_json(const CriticalBracket& found) {
@@ -60,7 +66,8 @@ ordered_json answer_json(const FrictionSteps& found) {
           {"count", found.count.digits()},
           {"open_at_most", found.open_at_most},
           {"open_patterns", found.open_patterns},
-          {"undecided_points", found.undecided_points}};
+          {"undecided_points", found.undecided_points},
+          {"doubt", doubt_json(found.doubt)}};
 }
 
 ordered_json range_json(const LoadRange& loads) {

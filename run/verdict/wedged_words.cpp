@@ -17,6 +17,23 @@ const char* times(bool factor) {
   return factor ? " times that of each candidate" : "";
 }
 
+bool is_refuted(const std::optional<ExactDoubt>& doubt) {
+  return doubt && !doubt->why.empty();
+}
+
+void reserve(const ExactDoubt& doubt, std::vector<Reservation>& all) {
+  if (!doubt.why.empty()) {
+    all.push_back({fmt::format("The scales of the structure are {:.1e} apart: floating point may "
+                               "miss a pattern or add one. The exact test does not settle it: {}.",
+                               doubt.scale_ratio, doubt.why),
+                   true});
+  } else {
+    all.push_back({fmt::format("The exact test says nothing of {}, with a margin of zero.",
+                               counted(doubt.nodes, "node")),
+                   true});
+  }
+}
+
 bool is_proved(const std::optional<Bound>& bound) {
   return bound && bound->standing == Standing::proved;
 }
@@ -25,8 +42,9 @@ bool is_proved(const std::optional<Bound>& bound) {
 
 std::string headline_of(const Sticking& found, engine::Status ended) {
   const auto where = fmt::format("{} {}{}", coefficient, found.friction, times(found.factor));
-  const bool complete = ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous;
-  if (found.count != 0U) {
+  const bool complete =
+      ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous && !found.doubt;
+  if (found.count != 0U && !is_refuted(found.doubt)) {
     return fmt::format("It can stick: {}{} at {}.", counted(found.count, found.thing),
                        complete            ? ""
                        : found.count == 1U ? " is known"
@@ -50,6 +68,7 @@ void reserve(const Sticking& found, std::vector<Reservation>& all) {
     all.push_back(
         {"Some numbers are too near to zero to be told from it: the lists may be wrong.", true});
   }
+  if (found.doubt) reserve(*found.doubt, all);
   if (found.standing == Standing::computed)
     all.push_back(
         {"The list is computed in floating point, not proved in exact arithmetic.", false});
@@ -143,7 +162,7 @@ std::string bracket_line(const CriticalBracket& found) {
 
 std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
   const auto most = fmt::format("{}{}", found.most, times(found.factor));
-  if (!found.infeasible)
+  if (!found.infeasible || is_refuted(found.doubt))
     return fmt::format("It is not known from which {} on it can stick.", coefficient);
   const auto& [value, standing] = *found.infeasible;
   if (found.count == 0U && found.open_at_most == 0 && value >= found.most) {
@@ -159,6 +178,7 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
 }
 
 void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
+  if (found.doubt) reserve(*found.doubt, all);
   if (!found.infeasible) {
     all.push_back(
         {fmt::format("The patterns at {} were not all found, so no count is known.", found.most),

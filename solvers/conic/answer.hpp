@@ -17,6 +17,12 @@ struct Tolerances {
   /// width of the bracket, relative to max(1, |t*|), at which the iteration ends
   double value = 1e-8;
   int iterations = 60;  ///< ordinary nodes need 10 to 20
+  /// Above this |t*| is told by its sign even where it counts as a tie by `sign`: the structure is
+  /// meant as its numbers stand.
+  double resolution = std::numeric_limits<double>::infinity();
+
+  /// |t*| above this is told by its sign.
+  [[nodiscard]] double least_told() const { return std::min(sign, resolution); }
 };
 
 /// Early stop as soon as the sign is proved; otherwise the iteration continues to the full accuracy
@@ -34,8 +40,9 @@ struct StopEarly {
 /// Bracket lower <= t* <= upper and its conclusion. Both bounds include rounding errors and the
 /// stated error of F.
 struct ConicResult {
-  /// alive: lower > tolerance; dead: upper < -tolerance; otherwise marginal: degenerate if the
-  /// bracket lies within [-tolerance, tolerance], numerically undecided if it does not.
+  /// alive: lower > tolerance; dead: upper < -tolerance, or the resolution if it is less; otherwise
+  /// marginal: degenerate if the bracket lies within [-tolerance, tolerance], numerically undecided
+  /// if it does not.
   Sign sign = Sign::marginal;
   double lower = 0;    ///< minus infinity if nothing is proved
   double upper = 0;    ///< proved by multipliers(); minus infinity if R contains all candidates
@@ -48,13 +55,20 @@ struct ConicResult {
 
 /// Sign proved by the bracket.
 inline Sign sign_of(const ConicResult& answer, const Tolerances& tolerances) {
-  if (answer.upper < -tolerances.sign) return Sign::dead;
-  return answer.lower > tolerances.sign ? Sign::alive : Sign::marginal;
+  const double least = tolerances.least_told();
+  if (answer.upper < -least) return Sign::dead;
+  return answer.lower > least ? Sign::alive : Sign::marginal;
 }
 
 /// True if the bracket of a marginal result lies within the tolerance.
 inline bool is_tie(const ConicResult& answer, const Tolerances& tolerances) {
   return answer.upper <= tolerances.sign && answer.lower >= -tolerances.sign;
+}
+
+/// True if the bracket is so narrow about zero that no sign is told.
+inline bool is_resolved_tie(const ConicResult& answer, const Tolerances& tolerances) {
+  const double least = tolerances.least_told();
+  return answer.upper <= least && answer.lower >= -least;
 }
 
 /// Width of a bracket, relative to its bounds, below which the value has three digits to spare.
@@ -65,7 +79,7 @@ inline bool is_settled(const ConicResult& answer, StopEarly stop, const Toleranc
   // A bound this low means that u_n = 0 on U has no solution: t* is minus infinity, and further
   // iterations would lower the bound without end.
   constexpr double bottom = -1e9;
-  if (answer.upper < bottom || is_tie(answer, tolerances)) return true;
+  if (answer.upper < bottom || is_resolved_tie(answer, tolerances)) return true;
   if (answer.lower >= stop.above || answer.upper <= stop.below ||
       answer.upper - answer.lower <= stop.width)
     return true;

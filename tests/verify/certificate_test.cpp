@@ -68,7 +68,7 @@ TEST(Certificate, EveryAlteredByteIsNoticed) {
     altered[generator() % text.size()] ^= static_cast<char>(1 + generator() % 255);
     EXPECT_THAT(complaint(altered), testing::AnyOf(HasSubstr("cert: was altered: digest '"),
                                                    HasSubstr("cert: is not complete"),
-                                                   HasSubstr("expected 'kusabi certificate 2'")));
+                                                   HasSubstr("expected 'kusabi certificate 4'")));
   }
 }
 
@@ -134,8 +134,8 @@ TEST(Certificate, SaysWhatIsWrongAndWhatWasExpected) {
     EXPECT_THAT(complained, HasSubstr(said)) << with;
     EXPECT_EQ(complained.find('\n'), std::string::npos);
   }
-  EXPECT_EQ(complaint(""), "cert:1: the file ends here, expected 'kusabi certificate 2'");
-  EXPECT_EQ(complaint("name = 1\n"), "cert:1: 'name = 1', expected 'kusabi certificate 2'");
+  EXPECT_EQ(complaint(""), "cert:1: the file ends here, expected 'kusabi certificate 4'");
+  EXPECT_EQ(complaint("name = 1\n"), "cert:1: 'name = 1', expected 'kusabi certificate 4'");
   EXPECT_THAT(complaint("kusabi certificate 1\n"), HasSubstr("cert: is not complete"));
   EXPECT_THAT(complaint(text + "\n"), HasSubstr("cert: is not complete"));
   EXPECT_THAT(complaint(sealed("")), HasSubstr("cert"));

@@ -1,0 +1,227 @@
+"""A structure of any bodies, held or not, in the plane, in 80 digits: pairs, corners, triangles and loose bodies.
+
+Reads a problem file by itself (nodes, members, elements of three or four nodes, springs of none, supports along the axes,
+candidates with weights). A body that nothing holds has a compliance only with springs that hold it; reactions in
+equilibrium make no force in these, so u = F r + G a with any a, and G'r = 0. A node of a pair that is off its place by the
+rounding of its coordinates alone is put there, exactly.
+"""
+
+import tomllib
+from decimal import Decimal, localcontext
+from fractions import Fraction
+
+import structure
+from structure import ZERO, dot, unit
+
+
+class Candidate:
+    """node, outward normal, friction, and [(node, weight)] of the place that it is against."""
+
+    def __init__(self, node, normal, friction, against):
+        self.node, self.normal, self.friction, self.against = node, normal, friction, against
+
+
+class Bodies:
+    """What a problem file says: as structure.Structure, with candidates as above; names of the candidates."""
+
+    def __init__(self, text):
+        table = tomllib.loads(text)
+        assert table["dimension"] == 2
+        self.nodes = {name: [float(x) for x in place] for name, place in table["nodes"].items()}
+        self.bars = [(float(g["EA"]), a, b) for g in table.get("members", []) for a, b in g["between"]]
+        self.elements = [(float(g["E"]), float(g["nu"]), float(g["thickness"]), g["plane"], list(between))
+                         for g in table.get("elements", []) for between in g["between"]]
+        self.fixed = {}
+        for group in table.get("supports", []):
+            for node in group["nodes"]:
+                self.fixed.setdefault(node, set()).update("xy".index(axis) for axis in group.get("fixed", "xy"))
+        self.candidates = []
+        for group in table["contact"]:
+            for i, node in enumerate(group["nodes"]):
+                place = group["against"][i] if "against" in group else {"nodes": [], "weights": []}
+                self.candidates.append(Candidate(node, [float(x) for x in group["normal"]], float(group.get("friction", 1)),
+                                                 list(zip(place["nodes"], map(float, place["weights"])))))
+        self._place()
+        self.names = [self._name(i) for i in range(len(self.candidates))]
+
+    def _place(self):
+        """Exact places of all nodes; as decimals where they were moved."""
+        self.places = {name: [Fraction(x) for x in place] for name, place in self.nodes.items()}
+        for own in self.candidates:
+            if not own.against:
+                continue
+            place = [sum(Fraction(weight) * self.places[node][axis] for node, weight in own.against) for axis in (0, 1)]
+            largest = max(abs(x) for node in [own.node, *(n for n, _ in own.against)] for x in self.places[node])
+            off = max(abs(x - y) for x, y in zip(place, self.places[own.node]))
+            if 0 < off <= largest * Fraction(1, 2 ** 48):
+                self.places[own.node] = place
+                with localcontext() as context:
+                    context.prec = 140
+                    self.nodes[own.node] = [Decimal(x.numerator) / Decimal(x.denominator) for x in place]
+
+    def _name(self, index):
+        own = self.candidates[index]
+        same = [i for i, other in enumerate(self.candidates) if other.node == own.node]
+        name = own.node + (f"@{same.index(index) + 1}" if len(same) > 1 else "")
+        if own.against:
+            name += "|" + max(own.against, key=lambda part: part[1])[0] + ("+" if len(own.against) > 1 else "")
+        return name
+
+    def is_ground(self, node):
+        return self.fixed.get(node, set()) == {0, 1}
+
+
+def _bodies(bodies):
+    """Connected pieces: [(own nodes, nodes of the ground that they hang on)]."""
+    parent = {node: node for node in bodies.nodes if not bodies.is_ground(node)}
+
+    def root(node):
+        while parent[node] != node:
+            node = parent[node]
+        return node
+
+    links = [[a, b] for _, a, b in bodies.bars] + [between for *_, between in bodies.elements]
+    for nodes in links:
+        own = [node for node in nodes if node in parent]
+        for node in own[1:]:
+            parent[root(node)] = root(own[0])
+    result = {}
+    for node in parent:
+        result.setdefault(root(node), ([], []))[0].append(node)
+    for nodes in links:
+        own = [node for node in nodes if node in parent]
+        if own:
+            result[root(own[0])][1].extend(node for node in nodes if node not in parent)
+    return list(result.values())
+
+
+def _lever(bodies, centre, node, axis):
+    """Row of a motion (vx, vy, w) about a centre, at a node along an axis, exactly."""
+    arm = [x - c for x, c in zip(bodies.places[node], bodies.places[centre])]
+    return [Fraction(axis == 0), Fraction(axis == 1), -arm[1] if axis == 0 else arm[0]]
+
+
+def _left(columns, row):
+    """What of the columns (vectors) satisfies row'x = 0, and the one that goes, or None."""
+    products = [sum(a * b for a, b in zip(row, column)) for column in columns]
+    pivot = next((k for k, value in enumerate(products) if value), None)
+    if pivot is None:
+        return columns, None
+    taken = columns[pivot]
+    rest = [[a - products[k] / products[pivot] * b for a, b in zip(column, taken)]
+            for k, column in enumerate(columns) if k != pivot]
+    return rest, taken
+
+
+def _motions(bodies):
+    """[(centre, nodes of the body, a motion)] of all bodies, and as many springs (node, axis) that would hold them."""
+    result, springs = [], []
+    for nodes, ground in _bodies(bodies):
+        centre = nodes[0]
+        left = [[Fraction(i == k) for i in range(3)] for k in range(3)]
+        for node in nodes + ground:
+            for axis in bodies.fixed.get(node, ()):
+                left, _ = _left(left, _lever(bodies, centre, node, axis))
+        result += [(centre, set(nodes), motion) for motion in left]
+        while left:
+            best = max(((abs(sum(a * b for a, b in zip(_lever(bodies, centre, node, axis), left[0]))), node, axis)
+                        for node in nodes for axis in (0, 1) if axis not in bodies.fixed.get(node, ())))
+            springs.append(best[1:])
+            left, _ = _left(left, _lever(bodies, centre, *best[1:]))
+    return result, springs
+
+
+def _triangle_strain(bodies, element):
+    """Strain vectors of a triangle, as structure._quad_strain has them of a quadrilateral."""
+    modulus, ratio, thickness, plane, between = element
+    modulus, ratio, thickness = Decimal(modulus), Decimal(ratio), Decimal(thickness)
+    shear = modulus / (2 * (1 + ratio))
+    bulk = modulus / (2 * (1 - ratio)) if plane == "stress" else modulus / (2 * (1 + ratio) * (1 - 2 * ratio))
+    places = [[Decimal(x) for x in bodies.nodes[node]] for node in between]
+    double = sum(places[i][0] * (places[(i + 1) % 3][1] - places[(i + 2) % 3][1]) for i in range(3))
+    grad = [[(places[(i + 1) % 3][1] - places[(i + 2) % 3][1]) / double,
+             (places[(i + 2) % 3][0] - places[(i + 1) % 3][0]) / double] for i in range(3)]
+    area = thickness * abs(double) / 2
+    vectors = []
+    for factor, parts in (((area * bulk).sqrt(), ((0, 0, 1), (1, 1, 1))), ((area * shear).sqrt(), ((0, 0, 1), (1, 1, -1))),
+                          ((area * shear).sqrt(), ((0, 1, 1), (1, 0, 1)))):
+        strain = {}
+        for corner, node in enumerate(between):
+            for axis, slope, sign in parts:
+                strain[node, axis] = strain.get((node, axis), Decimal(0)) + sign * factor * grad[corner][slope]
+        vectors.append(strain)
+    return vectors
+
+
+def _stiffness(bodies, number, springs):
+    size = len(number)
+    matrix = [[Decimal(0)] * size for _ in range(size)]
+    vectors = [s for bar in bodies.bars for s in structure._bar_strain(bodies, bar)]
+    for element in bodies.elements:
+        vectors += (_triangle_strain if len(element[4]) == 3 else structure._quad_strain)(bodies, element)
+    for vector in vectors:
+        entries = [(number[key], value) for key, value in vector.items() if key in number]
+        for i, x in entries:
+            for j, y in entries:
+                matrix[i][j] += x * y
+    for key in springs:
+        at = number[key]
+        matrix[at][at] += max(matrix[at][at], Decimal(1).scaleb(-30))
+    return matrix
+
+
+def _solved(matrix, loads):
+    """K^-1 of each load, by Cholesky's method."""
+    size = len(matrix)
+    start = [matrix[i][i] for i in range(size)]
+    for i in range(size):
+        row = matrix[i]
+        for j in range(i):
+            other = matrix[j]
+            row[j] = (row[j] - sum(row[k] * other[k] for k in range(j) if row[k] and other[k])) / other[j]
+        pivot = row[i] - sum(x * x for x in row[:i] if x)
+        if start[i] <= 0 or pivot <= start[i] * Decimal("1e-40"):
+            raise structure.Mechanism(i)
+        row[i] = pivot.sqrt()
+    result = []
+    for load in loads:
+        x = list(load)
+        for i in range(size):
+            x[i] = (x[i] - sum(matrix[i][k] * x[k] for k in range(i) if matrix[i][k] and x[k])) / matrix[i][i]
+        for i in reversed(range(size)):
+            x[i] = (x[i] - sum(matrix[k][i] * x[k] for k in range(i + 1, size) if matrix[k][i] and x[k])) / matrix[i][i]
+        result.append(x)
+    return result
+
+
+def compliance(bodies):
+    """F, 2m x 2m in (n, t) of each candidate, and G, rows of the motions. @raises structure.Mechanism"""
+    motions, springs = _motions(bodies)
+    number = {}
+    for node in bodies.nodes:
+        for axis in (0, 1):
+            if axis not in bodies.fixed.get(node, ()):
+                number[node, axis] = len(number)
+    loads, rows = [], []
+    decimal = lambda fraction: Decimal(fraction.numerator) / Decimal(fraction.denominator)
+    for own in bodies.candidates:
+        n = unit(own.normal)
+        for direction in (n, [n[1], -n[0]]):
+            load, row = [Decimal(0)] * len(number), []
+            parts = [(own.node, Decimal(1))] + [(node, -Decimal(weight)) for node, weight in own.against]
+            for node, weight in parts:
+                for axis in (0, 1):
+                    if (node, axis) in number:
+                        load[number[node, axis]] += weight * direction[axis]
+            for centre, nodes, motion in motions:
+                row.append(sum((weight * direction[axis] * decimal(sum(a * b for a, b in zip(_lever(bodies, centre, node, axis), motion)))
+                                for node, weight in parts if node in nodes for axis in (0, 1)), Decimal(0)))
+            loads.append(load)
+            rows.append(row)
+    moved = _solved(_stiffness(bodies, number, springs), loads)
+    flexibility = [[dot(a, b) for b in moved] for a in loads]
+    for i, row in enumerate(flexibility):
+        for j in range(len(row)):
+            if abs(row[j]) < ZERO * (flexibility[i][i] * flexibility[j][j]).sqrt():
+                row[j] = Decimal(0)
+    return flexibility, rows

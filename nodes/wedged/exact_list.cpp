@@ -1,0 +1,145 @@
+// One tree with the exact test for each coefficient.
+#include "nodes/wedged/exact_list.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+#include <fmt/format.h>
+
+#include "engine/together.hpp"
+#include "nodes/wedged/candidate_friction.hpp"
+#include "problems/wedged/scale_ratio.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// Trees for a sweep; more steps than these many are not tested.
+constexpr std::size_t most_tested = 400;
+
+using Cones = std::set<std::pair<rays::Candidates, rays::Candidates>>;
+
+ExactTest test_of(const ExactQuestion& question) {
+  return {.scale_ratio = problems::scale_ratio(question.structure, question.problem),
+          .asked = question.proving == Proving::always};
+}
+
+bool is_wanted(const ExactTest& test) {
+  return test.asked || test.scale_ratio > wide_scales;
+}
+
+PatternFindings exact_list(engine::Campaign& campaign, const ExactQuestion& question,
+                           std::span<const double> friction) {
+  PatternQuestion patterns;
+  patterns.structure = &question.structure;
+  patterns.proving = question.proving;
+  return find_patterns(campaign, question.problem, friction, patterns);
+}
+
+/// Takes over what a list says of its test, and why it is none to hold anything against.
+void add(ExactTest& test, const PatternFindings& list) {
+  test.done = list.exact.done;
+  test.refused += list.exact.refused;
+  test.ties += list.exact.ties;
+  test.doubted += list.exact.doubted;
+  test.unable = list.exact.unable;
+  if (test.unable.empty() && !list.whole()) test.unable = "the exact test was stopped early";
+  if (test.unable.empty() && list.open() > 0) test.unable = "the exact test leaves patterns open";
+  test.done = test.unable.empty();
+}
+
+/// The list is another one.
+void refute(ExactTest& test, std::string why) {
+  test.unable = std::move(why);
+  test.done = false;
+}
+
+rays::Candidates bits_of(const support::IndexSet& candidates) {
+  rays::Candidates bits = 0;
+  for (const int candidate : candidates) bits |= rays::bit(candidate);
+  return bits;
+}
+
+/// The list's, block by block; any of one block goes with any of another. Of a block without a
+/// reaction the list says nothing, and a cone where one that can have some has none is no part of
+/// it: that body moves away.
+bool is_same(const std::vector<rays::Cone>& found, const PatternFindings& list) {
+  std::vector<rays::Candidates> blocks;
+  std::vector<Cones> listed(list.blocks.size());
+  std::vector<Cones> own(list.blocks.size());
+  for (const auto& block : list.blocks) blocks.push_back(bits_of(block.candidates));
+  for (const auto& leaf : list.leaves)
+    listed[leaf.block].emplace(bits_of(leaf.pattern.contact), bits_of(leaf.pattern.separated));
+  Cones whole;
+  for (const auto& cone : found) {
+    rays::Candidates separated = 0;
+    bool moves_away = false;
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      const bool has_reaction = (cone.reaction & blocks[k]) != 0;
+      if (has_reaction) separated |= cone.separated & blocks[k];
+      moves_away = moves_away || (!has_reaction && !listed[k].empty());
+    }
+    if (moves_away) continue;
+    whole.emplace(cone.reaction, separated);
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+      if ((cone.reaction & blocks[k]) != 0)
+        own[k].emplace(cone.reaction & blocks[k], separated & blocks[k]);
+  }
+  return own == listed && whole.size() == list.count();
+}
+
+}  // namespace
+
+ExactTest tested_cones(engine::Campaign& campaign, const ExactQuestion& question,
+                       std::span<const double> friction, const std::vector<rays::Cone>& found) {
+  auto test = test_of(question);
+  if (!is_wanted(test)) return test;
+  const auto list = exact_list(campaign, question, friction);
+  add(test, list);
+  if (campaign.is_first() && test.unable.empty() && !is_same(found, list)) {
+    refute(test, fmt::format("by the exact test there are {} maximal cones, not these {}",
+                             list.count(), found.size()));
+  }
+  return test;
+}
+
+ExactTest tested_counts(engine::Campaign& campaign, const ExactQuestion& question,
+                        std::span<const double> points, const SweepFindings& found) {
+  auto test = test_of(question);
+  if (!is_wanted(test)) return test;
+  const auto coefficients = engine::from_first_rank(campaign.transport(), [&] {
+    std::set<double> all(points.begin(), points.end());
+    all.insert(found.most);
+    for (const auto& cone : found.cones) {
+      all.insert({cone.begins.lower, cone.begins.upper});
+      if (cone.absorbed) all.insert({cone.absorbed->lower, cone.absorbed->upper});
+    }
+    all.erase(all.begin(), all.upper_bound(0));
+    return std::vector<double>(all.begin(), all.end());
+  });
+  if (coefficients.size() > most_tested) {
+    test.unable = fmt::format("{} coefficients are more than are tested", coefficients.size());
+    return test;
+  }
+  for (const double coefficient : coefficients) {
+    const auto list =
+        exact_list(campaign, question, candidate_friction(question.problem, coefficient));
+    const bool goes_on = engine::from_first_rank(campaign.transport(), [&] {
+      add(test, list);
+      const auto count = found.count_at(coefficient);
+      if (test.unable.empty() && count.exact() && count.known != list.count()) {
+        refute(test, fmt::format("by the exact test there are {} patterns at {}, not {}",
+                                 list.count(), coefficient, count.known));
+      }
+      return test.unable.empty();
+    });
+    if (!goes_on) break;
+  }
+  return test;
+}
+
+}  // namespace kusabi::wedged

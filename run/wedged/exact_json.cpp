@@ -1,0 +1,19 @@
+// Of a result file and of a verdict.
+#include "run/wedged/exact_json.hpp"
+
+namespace kusabi::run {
+
+nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {
+  return {{"scale_ratio", test.scale_ratio},
+          {"done", test.done},
+          {"refused", test.refused},
+          {"doubted", test.doubted},
+          {"ties", test.ties}};
+}
+
+std::optional<ExactDoubt> doubt_of(const wedged::ExactTest& test) {
+  if (!test.leaves_doubt()) return std::nullopt;
+  return ExactDoubt{test.scale_ratio, test.unable, test.doubted + test.ties};
+}
+
+}  // namespace kusabi::run
