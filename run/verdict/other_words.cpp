@@ -24,8 +24,12 @@ std::string of_list(const CertificateCheck::List& list) {
     return fmt::format("PROVED but for {}: the list of {} is complete but for these",
                        counted(list.undecided, "marginal node"), patterns);
   }
-  return fmt::format("PROVED: the list of {} is complete{}", patterns,
-                     list.patterns == 0 ? ": it cannot stick" : "");
+  const auto except = list.but_far_motions == 0
+                          ? std::string{}
+                          : fmt::format(", except for displacements over {:.2g} times the strains",
+                                        list.far_motion);
+  return fmt::format("PROVED: the list of {} is complete{}{}", patterns,
+                     list.patterns == 0 ? ": it cannot stick" : "", except);
 }
 
 std::string of_factor(const CertificateCheck::Factor& factor) {

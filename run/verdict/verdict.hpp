@@ -130,6 +130,9 @@ struct CertificateCheck {
     std::uint64_t patterns = 0;
     std::uint64_t nodes = 0;      ///< of which something is proved
     std::uint64_t undecided = 0;  ///< nodes of which nothing is claimed
+    /// Nodes whose proof leaves out displacements over `far_motion` times the strains.
+    std::uint64_t but_far_motions = 0;
+    double far_motion = 0;
   };
   /// Load factors under all admissible loads.
   struct Factor {

@@ -182,14 +182,17 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
   const bool one_pattern = certificate.one_pattern;
   auto flaw = one_pattern ? std::optional<std::string>() : verify::flaw_of_cover(certificate);
   if (one_pattern && proved.alive == 0) flaw = "the pattern that it is about is not there";
-  VerifyFindings findings{.check = {.refusals = outcome.solutions.size() + bounds_refused.size() +
-                                                (flaw ? 1U : 0U)}};
+  VerifyFindings findings{
+      .check = {.refusals = outcome.solutions.size() + bounds_refused.size() + (flaw ? 1U : 0U)}};
   if (one_pattern) {
     findings.check.claim = CertificateCheck::Example{.patterns = proved.alive};
   } else {
-    findings.check.claim = CertificateCheck::List{.patterns = proved.alive,
-                                          .nodes = proved.dead + proved.alive + proved.unloaded,
-                                          .undecided = proved.open()};
+    findings.check.claim =
+        CertificateCheck::List{.patterns = proved.alive,
+                               .nodes = proved.dead + proved.alive + proved.unloaded,
+                               .undecided = proved.open(),
+                               .but_far_motions = proved.but_for_far_motion,
+                               .far_motion = verify::farthest_motion};
   }
   if (!run.session().speaks()) return findings;  // what was refused is known to rank 0 alone
   for (const auto& refusal : bounds_refused) findings.refusals += refusal;

@@ -22,7 +22,7 @@ struct Tolerances {
   double resolution = std::numeric_limits<double>::infinity();
 
   /// |t*| above this is told by its sign.
-  [[nodiscard]] double least_told() const { return std::min(sign, resolution); }
+  [[nodiscard]] double least_resolved() const { return std::min(sign, resolution); }
 };
 
 /// Early stop as soon as the sign is proved; otherwise the iteration continues to the full accuracy
@@ -55,7 +55,7 @@ struct ConicResult {
 
 /// Sign proved by the bracket.
 inline Sign sign_of(const ConicResult& answer, const Tolerances& tolerances) {
-  const double least = tolerances.least_told();
+  const double least = tolerances.least_resolved();
   if (answer.upper < -least) return Sign::dead;
   return answer.lower > least ? Sign::alive : Sign::marginal;
 }
@@ -67,7 +67,7 @@ inline bool is_tie(const ConicResult& answer, const Tolerances& tolerances) {
 
 /// True if the bracket is so narrow about zero that no sign is told.
 inline bool is_resolved_tie(const ConicResult& answer, const Tolerances& tolerances) {
-  const double least = tolerances.least_told();
+  const double least = tolerances.least_resolved();
   return answer.upper <= least && answer.lower >= -least;
 }
 

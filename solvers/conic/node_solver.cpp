@@ -149,7 +149,7 @@ void NodeSolver<D>::prove_upper_unconstrained(ConicResult& answer) {
       answer.upper = upper;
       best_ = forces;
     }
-    if (answer.upper < -tolerances_.least_told()) return;
+    if (answer.upper < -tolerances_.least_resolved()) return;
   }
 }
 

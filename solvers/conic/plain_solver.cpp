@@ -491,7 +491,7 @@ void PlainSolver<D, Real>::prove_upper_unconstrained(ConicResult& answer) {
       answer.upper = upper;
       multipliers_ = forces;
     }
-    if (answer.upper < -tolerances_.least_told()) return;
+    if (answer.upper < -tolerances_.least_resolved()) return;
   }
 }
 
