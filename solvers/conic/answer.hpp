@@ -65,7 +65,7 @@ inline bool is_tie(const ConicResult& answer, const Tolerances& tolerances) {
   return answer.upper <= tolerances.sign && answer.lower >= -tolerances.sign;
 }
 
-/// True if the bracket is so narrow about zero that no sign is told.
+/// True if the bracket is so narrow about zero that its sign is not resolved.
 inline bool is_resolved_tie(const ConicResult& answer, const Tolerances& tolerances) {
   const double least = tolerances.least_resolved();
   return answer.upper <= least && answer.lower >= -least;
