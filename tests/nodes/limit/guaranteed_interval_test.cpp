@@ -9,8 +9,6 @@
 namespace kusabi::limit {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 LimitWorstCase worst_case(double lower, double upper, bool lower_proved, bool upper_proved) {
   LimitWorstCase worst;
   worst.status = RootStatus::closed;
@@ -55,7 +53,7 @@ TEST(GuaranteedInterval, KnowsTheLoadsThatWereLookedAt) {
   const auto interval = guaranteed_interval(answer);
   EXPECT_EQ(interval.least.lower, 0.25);
   EXPECT_FALSE(interval.least.lower_proved);
-  EXPECT_EQ(interval.least.upper, infinity);
+  EXPECT_EQ(interval.least.upper, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(interval.decided());
 }
 
