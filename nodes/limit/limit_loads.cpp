@@ -40,7 +40,7 @@ void find_nominal(RootSearch& search, const verify::Structure& truss, LimitAnswe
 LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure& structure,
                           const problems::LimitProblem& problem, const LimitQuestion& question) {
   const auto truss = evidence::verified_structure(structure);
-  RootSearch search(campaign, problem);
+  RootSearch search(campaign, problem, question.split_from);
   LimitFindings findings;
   auto& answer = findings.answer;
   find_nominal(search, truss, answer);
