@@ -103,7 +103,7 @@ void find_worst_cases(RootSearch& search, const LimitQuestion& question,
 LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure& structure,
                           const problems::LimitProblem& problem, const LimitQuestion& question) {
   const auto truss = evidence::verified_structure(structure);
-  RootSearch search(campaign, problem);
+  RootSearch search(campaign, problem, question.split_from);
   LimitFindings findings;
   auto& answer = findings.answer;
   find_nominal(search, truss, question, findings);

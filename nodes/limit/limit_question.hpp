@@ -19,6 +19,10 @@ enum class LimitMethod {
   all,          ///< (29) with static cuts as rows, tightened M, and disjunctive cuts
 };
 
+/// From so many uncertain loads on splitting is faster than a linear program for each cut
+/// (bench/README.md).
+inline constexpr int usual_split_from = 150;
+
 struct LimitQuestion {
   /// Half-width of the uncertain loads, relative to those of the columns of T
   /// (`problems::settle_half_widths`); nothing: nominal only.
@@ -28,6 +32,8 @@ struct LimitQuestion {
   /// The evidence of both ends is wanted: of the method as printed they are proved, too, once its
   /// tree is done. All other methods prove them anyway.
   bool evidence = false;
+  /// From so many uncertain loads on static cuts come from operator splitting.
+  int split_from = usual_split_from;
   /// Random dead loads to compare with; `fixed` and `disjunctive` start from the best of them.
   std::uint64_t samples = 0;
   std::uint64_t seed = 1;  ///< of those

@@ -20,9 +20,6 @@ namespace {
 /// searched for again, in that one.
 constexpr int most_balances = 3;
 
-/// From so many uncertain loads on splitting is faster than a linear program for each cut.
-constexpr int columns_to_split = 150;
-
 /// What takes less is over before it is read.
 constexpr auto patience = std::chrono::seconds(2);
 
@@ -113,7 +110,7 @@ RootResult RootSearch::solve(double alpha) {
                             .watcher = [this](std::uint64_t round, double lower, double upper) {
                               say_ends(round, lower, upper);
                             }};
-  if (alpha > 0 && model().uncertain_count() >= columns_to_split) {
+  if (alpha > 0 && model().uncertain_count() > 0 && model().uncertain_count() >= split_from_) {
     // Every rank makes all steps: they do not depend on how many there are.
     auto split = split_root(model(), alpha, nominal(), load_factor(), {}, control);
     if (split.status != RootStatus::open && split.status != RootStatus::failed) return split;

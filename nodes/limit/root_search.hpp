@@ -11,6 +11,7 @@
 
 #include "engine/campaign.hpp"
 #include "nodes/limit/limit_answer.hpp"
+#include "nodes/limit/limit_question.hpp"
 #include "nodes/limit/worst_case.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
@@ -20,8 +21,10 @@ namespace kusabi::limit {
 class RootSearch {
  public:
   /// Both must outlive it. Every rank makes the same calls.
-  RootSearch(engine::Campaign& campaign, const problems::LimitProblem& problem)
-      : campaign_(campaign), problem_(problem) {}
+  /// @param split_from as in LimitQuestion
+  RootSearch(engine::Campaign& campaign, const problems::LimitProblem& problem,
+             int split_from = usual_split_from)
+      : campaign_(campaign), problem_(problem), split_from_(split_from) {}
 
   /// Solves the nominal load in a model, which is the one from now on.
   LoadStatus set_up(problems::LimitModel model);
@@ -72,6 +75,7 @@ class RootSearch {
 
   engine::Campaign& campaign_;
   const problems::LimitProblem& problem_;
+  int split_from_;
   bool ended_ = false;    // all ranks have agreed to end
   bool sharing_ = false;  // each rank does something else just now
   std::unique_ptr<Solvers> solvers_;

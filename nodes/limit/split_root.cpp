@@ -2,6 +2,8 @@
 #include "nodes/limit/split_root.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -21,6 +23,7 @@
 namespace kusabi::limit {
 namespace {
 
+using Clock = std::chrono::steady_clock;
 using problems::LimitModel;
 
 /// Steps between two looks at the motion and the bound, and between two questions for an end.
@@ -39,15 +42,24 @@ constexpr double near_enough = 2e-3;
 constexpr double again_share = 0.1;
 constexpr int least_steps = 100;
 
-/// It is left at once if the first look finds its sets no nearer to each other than this share of
-/// what the iteration has without it: then it is most likely not the face of the worst case. Later
-/// when its residual has not fallen to a share in so many steps.
+/// It is left when its residual has not fallen to a share in so many steps; mostly at once, if the
+/// first look finds its sets no nearer to each other than a share of what the iteration has without
+/// it: then it is most likely not the face of the worst case.
 constexpr double face_start = 0.5;
 constexpr double face_fall = 0.7;
 constexpr int face_steps = 200;
 
 /// A face on which nothing more can be gained by steps.
 constexpr double no_residual = 1e-12;
+
+/// A bound costs a linear program: it is looked for when the residual has fallen to this share.
+constexpr double bound_fall = 0.5;
+
+/// When it ends early, a bound is looked for with this share of the time more, and at least the
+/// milliseconds, so many steps for each.
+constexpr double share_at_the_end = 0.1;
+constexpr double milliseconds_at_the_end = 300;
+constexpr int steps_a_bound = 10;
 
 /// Ends that differ by less are as good as met if they do not meet soon: after a quarter of the
 /// steps more.
@@ -75,8 +87,9 @@ class SplitRoot {
 
  private:
   static Eigen::VectorXd metric(const LimitModel& model);
-  RootStatus iterate();
-  RootStatus look_at_face(splitting::AffineIteration& iteration);
+  RootStatus iterate(splitting::AffineIteration& iteration);
+  void bound_at_the_end(splitting::AffineIteration& iteration);
+  RootStatus look_at_face(splitting::AffineIteration& iteration, bool patient);
   bool improve(Eigen::VectorXd motion);
   void bound(const splitting::ColumnBlocks& y);
   [[nodiscard]] double share_of_best(const std::vector<double>& taken) const;
@@ -95,6 +108,7 @@ class SplitRoot {
   std::optional<splitting::ColumnBlocks> best_;  // of the bound
   std::vector<double> best_taken_;               // what it takes of each member
   bool improved_ = false;
+  Clock::time_point began_ = Clock::now();
   RootResult result_;
 };
 
@@ -154,13 +168,14 @@ void SplitRoot::tell(int steps) const {
 }
 
 // @return open: nothing has come of it
-RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
+RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration, bool patient) {
   std::vector<int> signs;
   for (const double zeta : result_.worst->zeta) signs.push_back(zeta < 0 ? -1 : 1);
   const auto& collapse = result_.worst->collapse;
   splitting::FaceIteration face(
       program_, projection_, sharing_,
       splitting::face_of(program_, collapse.factor, collapse.motion, std::move(signs)), iteration);
+  double bounded = std::numeric_limits<double>::infinity();  // residual at the last bound
   double last = 0;
   int last_steps = 0;
   int good_steps = 0;
@@ -169,7 +184,10 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
     face.step();
     const bool done = face.residual() <= no_residual;
     if (face.steps() % steps_a_look != 0 && !done) continue;
-    bound(face.affine_point());
+    if (face.residual() <= bound_fall * bounded || done) {
+      bound(face.affine_point());
+      bounded = face.residual();
+    }
     tell(iteration.steps() + face.steps());
     if (gap() <= closed_gap) return RootStatus::closed;
     const bool good = gap() <= good_gap;
@@ -179,7 +197,8 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
     }
     if (done) return RootStatus::open;
     if (last_steps == 0) {
-      if (face.residual() > face_start * iteration.residual()) return RootStatus::open;
+      const bool far = face.residual() > face_start * iteration.residual();
+      if (far && !patient) return RootStatus::open;
     } else if (face.steps() - last_steps < face_steps) {
       continue;
     } else if (face.residual() > face_fall * last) {
@@ -190,22 +209,44 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration) {
   }
 }
 
-RootStatus SplitRoot::iterate() {
-  splitting::AffineIteration iteration(program_, projection_, sharing_);
+// Any certificate at all is a bound: without a target the sets have points in common soon.
+void SplitRoot::bound_at_the_end(splitting::AffineIteration& iteration) {
+  const auto now = Clock::now();
+  const std::chrono::duration<double, std::milli> so_far = now - began_;
+  const std::chrono::duration<double, std::milli> grace(
+      std::max(milliseconds_at_the_end, share_at_the_end * so_far.count()));
+  const auto over = [end = now + grace] { return Clock::now() > end; };
+  bound_.set_stop(over);
+  while (!best_ && !over()) {
+    for (int k = 0; k < steps_a_bound; ++k) {
+      iteration.step(-std::numeric_limits<double>::infinity());
+    }
+    bound(iteration.affine_point());
+  }
+}
+
+RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
   double next_face = 0;
+  unsigned faces = 0;  // of this collapse
   while (iteration.steps() < most_steps) {
     for (int k = 0; k < steps_a_look; ++k) {
       if (iteration.steps() % steps_a_question == 0 && stopped()) return RootStatus::stopped;
       iteration.step(result_.worst->collapse.factor);
     }
     if (!improve(iteration.motion())) return RootStatus::not_carried;
-    if (improved_) next_face = 0;
+    if (improved_) {
+      next_face = 0;
+      faces = 0;
+    }
     if (iteration.residual() < near) bound(iteration.affine_point());
     const int steps = iteration.steps();
     tell(steps);
     if (gap() <= closed_gap) return RootStatus::closed;
     if (steps < least_steps || steps < next_face || iteration.residual() > near_enough) continue;
-    const auto status = look_at_face(iteration);
+    ++faces;
+    const bool patient =
+        faces > 2 && std::has_single_bit(faces - 1);  // the third, fifth, ninth, ...
+    const auto status = look_at_face(iteration, patient);
     if (status != RootStatus::open) return status;
     next_face = (1 + again_share) * steps;
   }
@@ -219,7 +260,13 @@ RootResult SplitRoot::run(const Collapse& nominal) {
   if (carried && !result_.worst) {
     result_.status = stopped() ? RootStatus::stopped : RootStatus::failed;
   } else if (carried) {
-    result_.status = projection_.definite() ? iterate() : RootStatus::failed;
+    if (projection_.definite()) {
+      splitting::AffineIteration iteration(program_, projection_, sharing_);
+      result_.status = iterate(iteration);
+      if (result_.status == RootStatus::stopped && !best_) bound_at_the_end(iteration);
+    } else {
+      result_.status = RootStatus::failed;
+    }
   }
   if (best_) {
     result_.cuts = cuts_of_point(*best_, sharing_, model_, alpha_);

@@ -67,8 +67,8 @@ struct RootResult {
   WorstCaseCounts counts;
 };
 
-/// Descends from the worst load of a motion; `worst` becomes what is found if that is worse, or what
-/// is overpowering. @return false if a load on the way is carried at no factor
+/// Descends from the worst load of a motion; `worst` becomes what is found if that is worse, or
+/// what is overpowering. @return false if a load on the way is carried at no factor
 bool descend_from(const problems::LimitModel& model, double alpha, LoadFactor& load_factor,
                   const Eigen::VectorXd& motion, RootResult& result);
 

@@ -19,8 +19,7 @@ Face face_of(const AffineProgram& program, double factor, const Eigen::VectorXd&
   Face face;
   face.factor = factor;
   const int members = program.members();
-  const Eigen::VectorXd stretch =
-      program.equilibrium.leftCols(members).transpose() * motion;
+  const Eigen::VectorXd stretch = program.equilibrium.leftCols(members).transpose() * motion;
   const double most_stretch = stretch.cwiseAbs().maxCoeff();
   for (int i = 0; i < members; ++i) {
     const bool yields = std::abs(stretch(i)) > no_stretch * most_stretch;

@@ -31,8 +31,7 @@ FaceIteration::FaceIteration(const AffineProgram& program, AffineProjection& pro
   still_load_ = face_.critical;
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < program.rows(); ++i) {
-    const int stretch =
-        i < program.members() ? face_.stretches[static_cast<std::size_t>(i)] : 0;
+    const int stretch = i < program.members() ? face_.stretches[static_cast<std::size_t>(i)] : 0;
     for (Sparse::InnerIterator entry(program.equilibrium, i); entry; ++entry) {
       if (stretch == 0) {
         entries.emplace_back(static_cast<int>(entry.row()), i, entry.value());

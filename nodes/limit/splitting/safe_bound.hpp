@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,6 +25,8 @@ class SafeBound {
  public:
   /// The model must outlive it.
   explicit SafeBound(const problems::LimitModel& model, support::Stop stop = {});
+
+  void set_stop(support::Stop stop) { stop_ = std::move(stop); }
 
   /// @param taken sum_j |P_ij| for each member, then sum_j |kappa_j|
   /// @param room what is left of each yield force besides, n^m

@@ -1,0 +1,240 @@
+// Operator splitting: projections against optimality conditions and searches by hand, and worst
+// cases against all corners.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "nodes/limit/split_root.hpp"
+#include "nodes/limit/splitting/affine_projection.hpp"
+#include "nodes/limit/splitting/face_projection.hpp"
+#include "nodes/limit/splitting/row_projection.hpp"
+#include "tests/nodes/limit/load_model.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+using namespace splitting;
+using test::findings;
+using test::PlainTruss;
+using test::problem_of;
+using test::shown;
+
+/// Three groups of columns, the last of which is not full.
+constexpr int columns = 140;
+
+ColumnBlocks random_blocks(int rows, std::mt19937& bits, const Sharing& sharing) {
+  std::normal_distribution<double> normal;
+  ColumnBlocks z(rows, columns, sharing);
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) z.set(i, j, normal(bits));
+  }
+  return z;
+}
+
+// The number at which a falling function passes zero.
+double root_of(const std::function<double(double)>& falling, double lower, double upper) {
+  for (int k = 0; k < 200; ++k) {
+    const double middle = (lower + upper) / 2;
+    (falling(middle) > 0 ? lower : upper) = middle;
+  }
+  return (lower + upper) / 2;
+}
+
+TEST(RowProjection, FindsTheThresholdOfEachBall) {
+  std::mt19937 bits(1);
+  const Sharing alone;
+  const Eigen::VectorXd capacity{{0.0, 1.0, 20.0, 1000.0, 0.3}};
+  RowProjection rows(capacity, alone);
+  for (int time = 0; time < 3; ++time) {  // the second and third start from other thresholds
+    auto z = random_blocks(6, bits, alone);
+    z.set(5, 0, 0);
+    const double factor = 0.5;
+    const double target = 0.7;
+    rows.find(z, factor, target);
+    for (int i = 0; i < 6; ++i) {
+      const auto left = [&](double threshold) {
+        double sum = i < 5 ? -capacity(i) : target - factor - threshold;
+        for (int j = 0; j < columns; ++j) sum += std::max(0.0, std::abs(z.at(i, j)) - threshold);
+        return sum;
+      };
+      const double expected = left(0) <= 0 ? 0 : root_of(left, 0, 100);
+      EXPECT_NEAR(rows.threshold(i), expected, 1e-12) << i;
+    }
+  }
+}
+
+TEST(AffineProjection, IsTheNearestPointInItsMetric) {
+  std::mt19937 bits(2);
+  std::normal_distribution<double> normal;
+  constexpr int rows = 9;
+  constexpr int displacements = 5;
+  Eigen::MatrixXd a(displacements, rows);
+  for (auto& entry : a.reshaped()) entry = normal(bits);
+  Eigen::VectorXd metric = Eigen::VectorXd::Ones(rows);
+  metric(rows - 1) = 0.1;
+  AffineProjection projection(a.sparseView(), metric);
+  ASSERT_TRUE(projection.definite());
+  std::vector<Load> loads(block_columns + 3);
+  loads.back() = {{1, 2.0}, {4, -1.0}};
+  const auto w = random_blocks(rows, bits, {});
+  projection.begin(loads, block_columns);
+  const Segment* const block = w.block(0, 1);
+  for (int i = 0; i < rows; ++i) projection.take(i, block[i]);
+  projection.solve();
+  const Eigen::MatrixXd gram = a * metric.asDiagonal() * a.transpose();
+  for (int c = 0; c < block_columns; ++c) {
+    Eigen::VectorXd given(rows);
+    for (int i = 0; i < rows; ++i) given(i) = w.at(i, block_columns + c);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(displacements);
+    if (c == 2) load << 0, 2, 0, 0, -1;
+    const Eigen::VectorXd u = gram.lu().solve(a * given - load);
+    const Eigen::VectorXd expected = given - metric.asDiagonal() * a.transpose() * u;
+    EXPECT_LT((projection.multipliers(c) - u).norm(), 1e-12);
+    for (int i = 0; i < rows; ++i) {
+      Segment row = block[i];
+      projection.project(i, row);
+      EXPECT_NEAR(row.part[c / lanes][c % lanes], expected(i), 1e-12);
+    }
+  }
+}
+
+// What sum [x]_+ is at most leaves of the positive numbers of a row.
+double squared_cut(const ColumnBlocks& z, int row, double sign, double most) {
+  const auto over = [&](double threshold) {
+    double sum = -std::max(0.0, most);
+    for (int j = 1; j < columns; ++j) sum += std::max(0.0, sign * z.at(row, j) - threshold);
+    return sum;
+  };
+  const double threshold = over(0) <= 0 ? 0 : root_of(over, 0, 100);
+  double total = 0;
+  for (int j = 1; j < columns; ++j) {
+    const double cut = std::min(threshold, std::max(0.0, sign * z.at(row, j)));
+    total += cut * cut;
+  }
+  return total;
+}
+
+TEST(FaceProjection, FindsTheNearestStateAndBothThresholds) {
+  std::mt19937 bits(3);
+  const Sharing alone;
+  AffineProgram program;
+  program.capacity = Eigen::VectorXd{{1.0, 30.0, 2.0, 500.0, 40.0}};
+  program.columns.resize(columns);
+  Face face;
+  face.stretches = {0, 0, 1, 0, -1};
+  face.works.assign(columns - 1, true);
+  face.works[7] = false;
+  FaceProjection rows(program, face, alone);
+  for (int time = 0; time < 3; ++time) {
+    auto z = random_blocks(6, bits, alone);
+    for (int i = 0; i < 6; ++i) z.set(i, 0, 0);
+    const Eigen::VectorXd state{{0.3, 55.0, 0.0, -20.0, 0.0, 9.0}};
+    rows.find(z, state);
+    for (const int i : {0, 1, 3}) {
+      const double capacity = program.capacity(i);
+      const auto distance = [&](double a) {
+        return (a - state(i)) * (a - state(i)) + squared_cut(z, i, 1, (capacity + a) / 2) +
+               squared_cut(z, i, -1, (capacity - a) / 2);
+      };
+      EXPECT_LE(std::abs(rows.state()(i)), capacity + 1e-12);
+      const double found = distance(rows.state()(i));
+      for (const double step : {1e-3, 1e-2, 1e-1}) {
+        for (const double sign : {-1.0, 1.0}) {
+          const double other = std::clamp(rows.state()(i) + sign * step, -capacity, capacity);
+          EXPECT_LE(found, distance(other) + 1e-9) << i;
+        }
+      }
+    }
+    EXPECT_EQ(rows.state()(2), 2);
+    EXPECT_EQ(rows.state()(4), -40);
+    for (const int i : {2, 4, 5}) {
+      double sum = 0;
+      for (int j = 0; j < columns; ++j) {
+        const auto& works = rows.works(j / block_columns * block_columns);
+        const Segment segment = z.block(j / group_columns, j % group_columns / block_columns)[i];
+        const Segment cut = rows.cut_off(i, segment, works);
+        const int within = j % block_columns;
+        const double x = z.at(i, j) - cut.part[within / lanes][within % lanes];
+        EXPECT_GE(i == 2 ? x : -x, 0);
+        if (j == 8) {  // the load that does no work
+          EXPECT_EQ(x, 0);
+        }
+        sum += std::abs(x);
+      }
+      if (i < 5) {
+        EXPECT_LE(sum, program.capacity(i) * (1 + 1e-12));
+      }
+    }
+  }
+}
+
+// The sums do not depend on who has which columns.
+TEST(ColumnBlocks, SumsAreTheSameOnAnyNumberOfRanks) {
+  std::mt19937 bits(4);
+  const auto whole = random_blocks(4, bits, {});
+  const auto expected = row_sizes(whole, {});
+  for (const int ranks : {2, 3, 5}) {
+    std::vector<std::vector<double>> parts;
+    for (int rank = 0; rank < ranks; ++rank) {
+      Sharing sharing{rank, ranks, [&](std::span<double> numbers) {
+                        parts.emplace_back(numbers.begin(), numbers.end());
+                      }};
+      ColumnBlocks own(4, columns, sharing);
+      for (int j = own.first_group() * group_columns;
+           j < std::min(columns, own.end_group() * group_columns); ++j) {
+        for (int i = 0; i < 4; ++i) own.set(i, j, whole.at(i, j));
+      }
+      row_sizes(own, sharing);
+    }
+    std::vector<double> sums(4, 0.0);
+    for (std::size_t k = 0; k < parts.front().size(); ++k) {
+      double only = 0;
+      for (const auto& part : parts) only += part[k];  // all but one are zero
+      sums[k % 4] += only;
+    }
+    EXPECT_EQ(sums, expected) << ranks;
+  }
+}
+
+TEST(Splitting, AgreesWithAllCornersOnRandomTrusses) {
+  int compared = 0;
+  for (std::uint32_t seed = 5001; seed < 5061; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto [truss, alpha] = test::correlated_truss(seed);
+    if (!problem_of(truss)) continue;
+    const auto [answer, certificate] = findings(truss, {.alpha = alpha, .split_from = 1});
+    EXPECT_TRUE(answer.whole());
+    if (!answer.worst) continue;
+    const auto least = PlainTruss(truss).least_of_all_corners(alpha);
+    if (!least) {
+      EXPECT_EQ(answer.worst->status, RootStatus::not_carried);
+      continue;
+    }
+    ++compared;
+    EXPECT_NEAR(answer.worst->ends.upper, *least, test::near);
+    EXPECT_NEAR(answer.worst->ends.lower, *least, test::near);
+    ASSERT_TRUE(certificate);
+    EXPECT_EQ(shown(*certificate, truss).why, "");
+  }
+  EXPECT_GE(compared, 25);
+}
+
+TEST(Splitting, LeavesTrueGapsToTheTree) {
+  for (const std::uint32_t seed : {1807U, 2041U}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto [truss, alpha] = test::correlated_truss(seed);
+    const auto [answer, certificate] = findings(truss, {.alpha = alpha, .split_from = 1});
+    EXPECT_GT(answer.worst->nodes, 1U);
+    EXPECT_NEAR(answer.worst->ends.upper, PlainTruss(truss).least_of_all_corners(alpha).value(),
+                test::near);
+    EXPECT_TRUE(certificate);
+  }
+}
+
+}  // namespace
+}  // namespace kusabi::limit
