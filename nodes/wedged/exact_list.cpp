@@ -102,7 +102,7 @@ ExactTest tested_cones(engine::Campaign& campaign, const ExactQuestion& question
   add(test, list);
   if (campaign.is_first() && test.unable.empty() && !is_same(found, list)) {
     refute(test, fmt::format("by the exact test there are {} maximal cones, not these {}",
-                             list.count(), found.size()));
+                             list.count().text(), found.size()));
   }
   return test;
 }
@@ -133,7 +133,7 @@ ExactTest tested_counts(engine::Campaign& campaign, const ExactQuestion& questio
       const auto count = found.count_at(coefficient);
       if (test.unable.empty() && count.exact() && count.known != list.count()) {
         refute(test, fmt::format("by the exact test there are {} patterns at {}, not {}",
-                                 list.count(), coefficient, count.known));
+                                 list.count().text(), coefficient, count.known.text()));
       }
       return test.unable.empty();
     });
