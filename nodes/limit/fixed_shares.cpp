@@ -62,7 +62,12 @@ std::optional<StaticProof> proof_of_fixed_shares(const problems::LimitModel& mod
     taken.back() += share * std::abs(cut.factor);
   }
   splitting::SafeBound bound(model);
-  Eigen::VectorXd of_member = Eigen::VectorXd::Constant(members, room);
+  const Eigen::VectorXd yield = model.yield();
+  Eigen::VectorXd of_member(members);  // no more than half of what there is
+  for (int i = 0; i < members; ++i) {
+    const double left = yield(i) - taken[static_cast<std::size_t>(i)];
+    of_member(i) = std::clamp(left / 2, 0.0, room);
+  }
   auto state = bound.state(taken, of_member);
   while (!state && !for_all) {
     bool any = false;

@@ -132,14 +132,15 @@ bool SplitRoot::improve(Eigen::VectorXd motion) {
 // How much of the best certificate so far there must be in a mean of both, so that no member is
 // asked for more than it has; 1: no other is possible.
 double SplitRoot::share_of_best(const std::vector<double>& taken) const {
-  constexpr double room = 1e-12;
+  constexpr double room = 2e-9;  // is left for a proof, if there is
   double share = 0;
   for (int i = 0; i < program_.members(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double excess = taken[at] - program_.capacity(i) + room;
-    if (taken[at] <= program_.capacity(i)) continue;
+    double most = program_.capacity(i);
+    if (best_ && best_taken_[at] < most - room) most -= room;
+    if (taken[at] <= most) continue;
     if (!best_) return 1;
-    share = std::max(share, std::min(1.0, excess / (taken[at] - best_taken_[at])));
+    share = std::max(share, std::min(1.0, (taken[at] - most) / (taken[at] - best_taken_[at])));
   }
   return share;
 }

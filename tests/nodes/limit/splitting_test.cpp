@@ -48,7 +48,7 @@ double root_of(const std::function<double(double)>& falling, double lower, doubl
 TEST(RowProjection, FindsTheThresholdOfEachBall) {
   std::mt19937 bits(1);
   const Sharing alone;
-  const Eigen::VectorXd capacity{{0.0, 1.0, 20.0, 1000.0, 0.3}};
+  const Eigen::VectorXd capacity{{0.01, 1.0, 20.0, 1000.0, 0.3}};
   RowProjection rows(capacity, alone);
   for (int time = 0; time < 3; ++time) {  // the second and third start from other thresholds
     auto z = random_blocks(6, bits, alone);
