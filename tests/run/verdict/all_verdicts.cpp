@@ -11,6 +11,10 @@ namespace {
 using Standings = std::initializer_list<std::optional<Standing>>;
 constexpr Standings standings{std::nullopt, Standing::computed, Standing::proved};
 
+const std::initializer_list<std::optional<ExactDoubt>> doubts{
+    std::nullopt, ExactDoubt{.scale_ratio = 3e11, .why = "the exact test leaves patterns open"},
+    ExactDoubt{.scale_ratio = 1, .nodes = 1}};
+
 std::optional<Bound> bound(double value, std::optional<Standing> standing) {
   if (!standing) return std::nullopt;
   return Bound{value, *standing};
@@ -29,13 +33,16 @@ void add_sticking(std::vector<AnyAnswer>& all) {
     for (const std::uint64_t undecided : {0U, 1U, 6U}) {
       for (const auto standing : {Standing::computed, Standing::proved}) {
         for (const bool ambiguous : {false, true}) {
-          all.push_back(Sticking{.thing = "way",
-                                 .friction = 0.65,
-                                 .factor = ambiguous,
-                                 .count = *support::ExactCount::read(count),
-                                 .undecided = undecided,
-                                 .standing = standing,
-                                 .ambiguous = ambiguous});
+          for (const auto& doubt : doubts) {
+            all.push_back(Sticking{.thing = "way",
+                                   .friction = 0.65,
+                                   .factor = ambiguous,
+                                   .count = *support::ExactCount::read(count),
+                                   .undecided = undecided,
+                                   .standing = standing,
+                                   .ambiguous = ambiguous,
+                                   .doubt = doubt});
+          }
         }
       }
     }
@@ -65,13 +72,16 @@ void add_steps(std::vector<AnyAnswer>& all) {
   for (const auto& standing : standings) {
     for (const char* const count : {"0", "1", "340282366920938463463374607431768211456"}) {
       for (const std::uint64_t open : {0U, 1U, 3U}) {
-        all.push_back(FrictionSteps{.most = 2,
-                                    .factor = false,
-                                    .infeasible = bound(count[0] == '0' ? 2 : 0.5, standing),
-                                    .count = *support::ExactCount::read(count),
-                                    .open_at_most = open,
-                                    .open_patterns = open,
-                                    .undecided_points = open});
+        for (const auto& doubt : doubts) {
+          all.push_back(FrictionSteps{.most = 2,
+                                      .factor = false,
+                                      .infeasible = bound(count[0] == '0' ? 2 : 0.5, standing),
+                                      .count = *support::ExactCount::read(count),
+                                      .open_at_most = open,
+                                      .open_patterns = open,
+                                      .undecided_points = open,
+                                      .doubt = doubt});
+        }
       }
     }
   }

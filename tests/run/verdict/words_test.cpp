@@ -31,12 +31,16 @@ bool is_computed(const std::optional<Bound>& bound) {
   return bound && bound->standing == Standing::computed;
 }
 
+bool is_refuted(const std::optional<ExactDoubt>& doubt) {
+  return doubt && !doubt->why.empty();
+}
+
 /// Whether a bound that the headline speaks of is not proved.
 bool names_what_is_not_proved(const Verdict& verdict) {
   if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer))
     return is_computed(found->bracket.lower) || is_computed(found->bracket.upper);
   if (const auto* const found = std::get_if<FrictionSteps>(&verdict.answer))
-    return is_computed(found->infeasible);
+    return is_computed(found->infeasible) && !is_refuted(found->doubt);
   if (const auto* const found = std::get_if<LoadInterval>(&verdict.answer)) {
     if (found->carried_at_none) return found->carried_at_none == Standing::computed;
     const bool empty = found->uncertain && found->least.lower && found->most.upper &&
@@ -70,10 +74,12 @@ TEST(Verdicts, ClaimThatItCannotStickOnlyOfWholeSearchesOrWithALowerBound) {
       EXPECT_EQ(verdict.ended, engine::Status::solved) << sentence;
       EXPECT_EQ(list->undecided, 0U) << sentence;
       EXPECT_EQ(list->count, "0") << sentence;
+      EXPECT_FALSE(list->doubt.has_value()) << sentence;
     } else if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer)) {
       EXPECT_TRUE(found->bracket.lower.has_value()) << sentence;
     } else if (const auto* const steps = std::get_if<FrictionSteps>(&verdict.answer)) {
       EXPECT_TRUE(steps->infeasible.has_value()) << sentence;
+      EXPECT_FALSE(is_refuted(steps->doubt)) << sentence;
     }
   }
 }
@@ -165,6 +171,15 @@ TEST(StickingWords, CountBeyondEveryInteger) {
       headline({.answer = Sticking{.friction = 2,
                                    .count = *support::ExactCount::read("18446744073709551616")}}),
       "It can stick: 18446744073709551616 ways at friction coefficient 2.");
+}
+
+TEST(StickingWords, CountNothingOfAListThatTheExactTestDoesNotShow) {
+  const Verdict verdict{
+      .answer = Sticking{.friction = 0.5,
+                         .count = 1,
+                         .doubt = ExactDoubt{3e11, "the exact test was stopped early", 0}}};
+  EXPECT_EQ(headline(verdict), "It is not known whether it can stick at friction coefficient 0.5.");
+  EXPECT_EQ(exit_code(verdict), stopped_early);
 }
 
 TEST(LoadWords, ReportAnEmptyInterval) {
