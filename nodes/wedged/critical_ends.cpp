@@ -421,7 +421,8 @@ void CriticalEnds::prove(CriticalFindings& findings) {
   if (findings.status == engine::Status::solved &&
       !stopped(CriticalPhase::lower_end, prove_lower())) {
     bracket_.show();
-    if (bracket_.leaf() && !stopped(CriticalPhase::upper_end, prove_upper()) && question_.list)
+    if (bracket_.leaf() && bracket_.upper() && !stopped(CriticalPhase::upper_end, prove_upper()) &&
+        question_.list)
       stopped(CriticalPhase::list, list(findings));
   }
   findings.lower = bracket_.lower();
