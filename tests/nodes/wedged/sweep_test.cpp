@@ -179,7 +179,7 @@ TEST(FrictionSweep, PutsHistoriesTogether) {
   EXPECT_EQ(first.absorbed->lower, 40);
   const auto at = [&](double friction) {
     const auto count = findings.count_at(friction);
-    return std::pair(count.known, count.open);
+    return std::pair(count.known.number().value(), count.open);
   };
   EXPECT_EQ(at(10), std::pair(std::uint64_t{0}, std::size_t{0}));
   EXPECT_EQ(at(11), std::pair(std::uint64_t{1}, std::size_t{0}));

@@ -147,7 +147,11 @@ void add_certificates(std::vector<AnyAnswer>& all) {
             refusals,
             CertificateCheck::List{.patterns = 0, .nodes = nodes, .undecided = undecided}});
     }
-    all.push_back(CertificateCheck{refusals, CertificateCheck::Factor{{}, 1, 1.1}});
+    all.push_back(CertificateCheck{
+        refusals, CertificateCheck::List{
+                      .patterns = 2, .nodes = 9, .but_far_motions = 1, .far_motion = 1e6}});
+    all.push_back(CertificateCheck{refusals, CertificateCheck::Example{.patterns = 1}});
+    all.push_back(CertificateCheck{refusals, CertificateCheck::Factor{.lower = 1, .upper = 1.1}});
   }
   for (const bool agrees : {false, true}) all.push_back(Measurement{agrees});
 }

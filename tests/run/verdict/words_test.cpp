@@ -73,7 +73,7 @@ TEST(Verdicts, ClaimThatItCannotStickOnlyOfWholeSearchesOrWithALowerBound) {
     if (const auto* const list = std::get_if<Sticking>(&verdict.answer)) {
       EXPECT_EQ(verdict.ended, engine::Status::solved) << sentence;
       EXPECT_EQ(list->undecided, 0U) << sentence;
-      EXPECT_EQ(list->count, "0") << sentence;
+      EXPECT_EQ(list->count, support::ExactCount(0)) << sentence;
       EXPECT_FALSE(list->doubt.has_value()) << sentence;
     } else if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer)) {
       EXPECT_TRUE(found->bracket.lower.has_value()) << sentence;
@@ -123,11 +123,11 @@ TEST(Verdicts, CountInTheSingularAndInThePlural) {
 
 TEST(Verdicts, SayTheSameWhenTheyAreReadBack) {
   for (const auto& verdict : all_verdicts()) {
-    const auto json = verdict_json(verdict);
-    if (json["answer"].is_null()) continue;
+    const auto written = verdict_json(verdict);
+    if (written["answer"].is_null()) continue;
     const ResultReader reader(
         ResultJson::parse(
-            nlohmann::ordered_json{{"verdict", json}, {"warnings", verdict.warnings}}.dump()),
+            nlohmann::ordered_json{{"verdict", written}, {"warnings", verdict.warnings}}.dump()),
         "result.json");
     const auto again = result_verdict(reader);
     EXPECT_EQ(all_words(again), all_words(verdict));
@@ -135,8 +135,8 @@ TEST(Verdicts, SayTheSameWhenTheyAreReadBack) {
     EXPECT_EQ(again.warnings, verdict.warnings);
     EXPECT_EQ(exit_code(again), exit_code(verdict));
     EXPECT_EQ(status_text(again), status_text(verdict));
-    EXPECT_EQ(json["sentence"], headline(again));
-    EXPECT_EQ(json["exit_code"], static_cast<int>(exit_code(again)));
+    EXPECT_EQ(written["sentence"], headline(again));
+    EXPECT_EQ(written["exit_code"], static_cast<int>(exit_code(again)));
   }
 }
 
