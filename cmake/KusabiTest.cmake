@@ -19,7 +19,8 @@ function(kusabi_share_headers name)
   endif()
   target_precompile_headers(${name} REUSE_FROM kusabi_test_headers)
   # GCC 12 forgets that what is precompiled are headers of the system, and warns of std::string.
-  target_compile_options(${name} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+  target_compile_options(${name} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>)
 endfunction()
 
 # One GoogleTest executable a folder of tests:  kusabi_test(NAME SOURCES a.cpp b.cpp LIBRARIES x y)

@@ -110,7 +110,7 @@ RootResult RootSearch::solve(double alpha) {
                             .watcher = [this](std::uint64_t round, double lower, double upper) {
                               say_ends(round, lower, upper);
                             }};
-  if (alpha > 0 && model().uncertain_count() > 0 && model().uncertain_count() >= split_from_) {
+  if (alpha > 0 && model().uncertain_count() > 0 && splits()) {
     // Every rank makes all steps: they do not depend on how many there are.
     auto split = split_root(model(), alpha, nominal(), load_factor(), {}, control);
     if (split.status != RootStatus::open && split.status != RootStatus::failed) return split;

@@ -42,6 +42,9 @@ class RootSearch {
   /// ones may break what those never touch. @param alpha in the unit of force
   RootResult solve_balanced(double alpha);
 
+  /// True if solve() finds all cuts at a time.
+  [[nodiscard]] bool splits() const { return model().uncertain_count() >= split_from_; }
+
   /// Whether the ranks have agreed to end; all get the same answer.
   bool ended();
 

@@ -69,7 +69,8 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
     auto [ends, certificate] =
         proved_ends({truss_, search_.problem(), model(), alpha(), *root.worst,
                      any ? root.cuts : std::vector<StaticCut>(), std::move(nodes),
-                     of_a_tree ? std::numeric_limits<double>::infinity() : root.lower * unit},
+                     of_a_tree || !search_.splits() ? std::numeric_limits<double>::infinity()
+                                                    : root.lower * unit},
                     again);
     if (ends.lower_proved && ends.upper_proved) certificate_ = std::move(certificate);
     if (!ends.upper_proved) ends.upper = root.worst->collapse.factor * unit;

@@ -49,11 +49,12 @@ struct DecidedEnd {
 /// A leaf at one coefficient.
 struct CriticalEnds::DecidedLeaf {
   std::vector<Configuration> found;  ///< it, if it is not dead
-  bool holds = false;                ///< that it is alive, by the verifier's test
+  bool holds = false;                ///< that it is feasible, by the verifier's test
+  bool tie = false;                  ///< t* = 0 within the tolerance: nothing is claimed of it
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& found& holds;
+    archive& found& holds& tie;
   }
 
   [[nodiscard]] bool is(LeafState state) const {
@@ -194,6 +195,7 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
     tree.report_to([&](const auto& evidence) {
       if (record) record->add(evidence);
       decided.holds = evidence.kind == Evidence::Kind::alive && accepts(evidence);
+      decided.tie = evidence.kind == Evidence::Kind::marginal;
     });
     try {
       auto fate = tree.decide(leaf);
@@ -315,6 +317,7 @@ engine::Status CriticalEnds::prove_upper() {
   if (bracket_.upper_proved() && !recorded) return engine::Status::solved;
   const auto leaf = *bracket_.leaf();
   std::optional<double> living;
+  bool ties_decided = false;  // by the other patterns, at the first tie
   double factor = *bracket_.upper();
   double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor <= question_.grid.most; ++move, step *= growth) {
@@ -330,6 +333,11 @@ engine::Status CriticalEnds::prove_upper() {
       know(decided.found);
     }
     if (decided.is(LeafState::flat)) break;
+    if (decided.tie && !ties_decided) {
+      ties_decided = true;
+      const auto status = prove_by_any(factor);
+      if (status != engine::Status::solved || known_at(factor)) return status;
+    }
     factor += step;
   }
   bracket_.move_upper(living);

@@ -100,6 +100,10 @@ class CriticalEnds {
   engine::Status prove_lower();
   engine::Status prove_upper();
   engine::Status prove_by_any(double factor);
+  /// True if the upper bound is `factor` and a configuration of its pattern is known.
+  [[nodiscard]] bool known_at(double factor) const {
+    return !known_.empty() && bracket_.upper() == factor && known_leaf_ == bracket_.leaf();
+  }
   engine::Status list(CriticalFindings& findings);
   void note_patterns(CriticalFindings& findings) const;
   void note_what_is_open(CriticalFindings& findings) const;

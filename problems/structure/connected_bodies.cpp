@@ -21,6 +21,8 @@ namespace {
 /// Nodes that are nearer to each other, relative to the extent of the structure, are at one place:
 /// far more than meshers leave between two nodes that they mean to be one, far less than elements.
 constexpr double one_place = 1e-7;
+/// And relative to the shortest bar or edge, which may be far shorter than a lever beside it.
+constexpr double one_place_of_edges = 1e-3;
 
 /// Cells of the size of what counts as one place.
 class Cells {
@@ -29,6 +31,11 @@ class Cells {
     const auto& places = structure.coordinates;
     least_ = places.rowwise().minCoeff();
     size_ = one_place * (places.rowwise().maxCoeff() - least_).maxCoeff();
+    for (const Member& member : structure.members) limit_by(member.first, member.second);
+    for (const Element& element : structure.elements) {
+      for (std::size_t i = 1; i < element.nodes.size(); ++i)
+        limit_by(element.nodes[i - 1], element.nodes[i]);
+    }
   }
   [[nodiscard]] double size() const { return size_; }
 
@@ -54,6 +61,11 @@ class Cells {
 
  private:
   using Cell = std::array<std::int64_t, 3>;
+
+  void limit_by(int first, int second) {
+    const double edge = distance(first, second);
+    if (edge > 0) size_ = std::min(size_, one_place_of_edges * edge);
+  }
 
   [[nodiscard]] Cell cell(int node) const {
     Cell cell{};

@@ -65,12 +65,14 @@ class OlderVerdict {
   // From the blocks: before 0.2 the count of the file was a product that could wrap.
   [[nodiscard]] support::ExactCount count_of_ways() const {
     if (!has(result_, "blocks")) return reader_.count(result_, "count");
+    constexpr double safe_digits = 19;  // of a product in 64 bits
     std::vector<std::uint64_t> factors;
     for (const auto& block : reader_.list(result_, "blocks")) {
       const auto cones = reader_.count(block, "count").number();
       if (cones && *cones != 0) factors.push_back(*cones);
     }
-    return factors.empty() ? support::ExactCount() : support::ExactCount::product(factors);
+    const auto product = support::ExactCount::product(factors);
+    return product.log10() < safe_digits ? reader_.count(result_, "count") : product;
   }
 
   [[nodiscard]] Sticking sticking(const char* thing) const {

@@ -1295,7 +1295,7 @@ TEST_F(Command, StopsTheTreeOfRaysAtALimitWithAPartialAnswer) {
       command + " rays " + plane_truss + " --mu 1 --node-limit 1 --output " + quoted(file);
   const auto run = shell(call + " --method tree");
   EXPECT_EQ(run.exit_code, 3) << run.output;
-  EXPECT_THAT(run.output, HasSubstr("the list of rays is not complete"));
+  EXPECT_THAT(run.output, HasSubstr("Stopped early (node-limit): the list is not complete."));
   const auto json = nlohmann::json::parse(content(file));
   EXPECT_EQ(json["status"], "node-limit");
   EXPECT_EQ(json["options"]["method"], "tree");

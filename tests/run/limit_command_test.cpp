@@ -248,7 +248,7 @@ TEST_F(LimitCommand, TakesNothingFromStaticCutsIfMIsGiven) {
     const auto run = shell(command + " limit " + call);
     EXPECT_EQ(run.exit_code, 3) << run.output;
     EXPECT_THAT(run.output, HasSubstr("the ends of the 0-1 program (29) with M = 20, not proved"));
-    EXPECT_THAT(run.output, HasSubstr("--certificate FILE has them proved"));
+    EXPECT_THAT(run.output, HasSubstr("The bounds of (29) hold only if its M is large enough."));
     EXPECT_THAT(run.output, Not(HasSubstr("static evidence:")));
     const auto json = result_of(call, 3);
     EXPECT_EQ(json["status"], "open");

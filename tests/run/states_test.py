@@ -172,6 +172,8 @@ class States(KusabiCase):
                            **{words[i].lstrip("-").replace("-", "_"): words[i + 1] if i + 1 < len(words) and
                               not str(words[i + 1]).startswith("--") else True
                               for i in range(1, len(words)) if str(words[i]).startswith("--")})
+        result = json.loads(self.result.read_text())  # of this run: a limit may come elsewhere
+        verdict = result["verdict"]
         self.assertEqual(quiet.partial, code == 3)
         self.assertEqual(quiet.sentence, verdict["sentence"])
         self.assertEqual(quiet.reservations, verdict["reservations"])
@@ -193,7 +195,7 @@ class States(KusabiCase):
         self.assertTrue(result["warnings"])
         for warning in result["warnings"]:
             self.assertIn("Warning: " + warning, run.stdout)
-            self.assertIn("kusabi: " + warning, run.stderr)
+            self.assertIn("kusabi: warning: " + warning, run.stderr)
         self.check_report(result)
         self.assertEqual(kusabi.load(self.result).warnings, result["warnings"])
         shown = self.kusabi("show", place).stdout

@@ -84,7 +84,7 @@ class Warnings(Problems):
 
     def test_right_files_are_not_doubted(self):
         for file in (*EXAMPLES.glob("*.toml"), *(EXAMPLES / "paper").glob("*.toml"), *CASES.glob("*.toml")):
-            if file.name != "dup.toml":
+            if file.name not in ("dup.toml", "long_lever_critical.toml"):
                 told = self.kusabi("show", file).stderr
                 for doubt in ("nothing joins", "candidates are not on", "no coefficient but a factor"):
                     self.assertNotIn(doubt, told, file.name)
@@ -125,7 +125,7 @@ class Messages(Problems):
 
     def test_one_pattern_is_one(self):
         said = self.said("sweep", EXAMPLES / "two-bars.toml", "--mu", "2.5").stdout
-        self.assertIn("there is 1 sign pattern.", said)
+        self.assertIn("there is 1 sign pattern ", said)
 
 
 if __name__ == "__main__":
