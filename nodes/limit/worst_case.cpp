@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "nodes/limit/fixed_shares.hpp"
+#include "nodes/limit/limit_question.hpp"
 #include "nodes/limit/pricing_order.hpp"
 
 namespace kusabi::limit {
@@ -298,7 +299,8 @@ std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha
                                            std::span<const StaticCut> cuts, const Signs& signs,
                                            double share, bool for_all) {
   const bool decided = std::ranges::any_of(signs, [](int sign) { return sign != 0; });
-  if (!decided && is_one_for_each(cuts, model)) {
+  // The master program is too large there, and proves by less where it is not.
+  if (!decided && model.uncertain_count() >= usual_split_from && is_one_for_each(cuts, model)) {
     return proof_of_fixed_shares(model, alpha, cuts, share, for_all);
   }
   Master master(model, alpha);

@@ -200,8 +200,8 @@ std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
     options.incumbent = zero_one::ZeroOnePoint{known.factor, options.start};
   }
   if (question.of_the_paper()) start_from(model, start, options);
-  auto result =
-      search(campaign, model, *mixed, options, question, {model.factor_unit, known.factor, root.lower});
+  auto result = search(campaign, model, *mixed, options, question,
+                       {model.factor_unit, known.factor, root.lower});
   result.found.big_m = question.big_m;
   if (start && question.of_the_paper()) result.found.start = start->factor;
   return result;

@@ -58,8 +58,8 @@ Smallest find_smallest(engine::Campaign& campaign, const problems::WedgedProblem
   auto outcome = campaign.search(tree, options);
   costs.push_back({phase, direction == CriticalDirection::up ? known : grid.most, outcome.opened(),
                    bounds.programs + outcome.tally().programs});
-  const auto result = engine::from_first_rank(campaign.transport(),
-                                              [&] { return smallest_of(outcome, grid, known); });
+  const auto result = engine::from_first_rank(
+      campaign.transport(), [&] { return smallest_of(outcome, question.grid, question.known); });
   if (campaign.is_first()) ranks = std::move(outcome.ranks);
   return result;
 }

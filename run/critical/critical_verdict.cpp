@@ -45,9 +45,8 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
   if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
   using enum wedged::CriticalDoubt;
   found.wide = std::ranges::find(findings.open, wide_bracket) != findings.open.end();
-  found.patterns_open =
-      (findings.upper && findings.patterns.empty()) ||
-      std::ranges::find(findings.open, list_not_complete) != findings.open.end();
+  found.patterns_open = (findings.upper && findings.patterns.empty()) ||
+                        std::ranges::find(findings.open, list_not_complete) != findings.open.end();
   return found;
 }
 

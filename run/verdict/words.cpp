@@ -65,7 +65,7 @@ std::vector<Reservation> reservations(const Verdict& verdict) {
       },
       verdict.answer);
   for (const auto& each : verdict.missing) all.push_back({.sentence = each, .open = true});
-  std::ranges::stable_partition(all, &Reservation::open);
+  std::stable_partition(all.begin(), all.end(), [](const auto& each) { return each.open; });
   return all;
 }
 

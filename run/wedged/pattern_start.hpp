@@ -4,7 +4,8 @@
 namespace kusabi::run {
 
 inline constexpr const char* begins_explained =
-    "       (a pattern begins at the least coefficient at which some configuration loads exactly its "
+    "       (a pattern begins at the least coefficient at which some configuration loads exactly "
+    "its "
     "candidates in contact and opens exactly those separated)\n";
 
 }  // namespace kusabi::run

@@ -84,7 +84,7 @@ class Warnings(Problems):
 
     def test_right_files_are_not_doubted(self):
         for file in (*EXAMPLES.glob("*.toml"), *(EXAMPLES / "paper").glob("*.toml"), *CASES.glob("*.toml")):
-            if file.name not in ("dup.toml", "long_lever_critical.toml"):
+            if file.name not in ("dup.toml", "long_lever_critical.toml", "lever_1e12.toml"):
                 told = self.kusabi("show", file).stderr
                 for doubt in ("nothing joins", "candidates are not on", "no coefficient but a factor"):
                     self.assertNotIn(doubt, told, file.name)
