@@ -67,6 +67,7 @@ std::optional<std::string> place_fault(const ProblemDraft& draft, const Surface&
   auto offsets = offsets_of_faces(body, surfaces, nodes, tolerance);
   const bool none = offsets.empty();
   std::vector<double> own;
+  own.reserve(nodes.size());
   for (const auto& each : nodes) own.push_back(surfaces.offset(each.node));
   if (none) {
     auto sorted = own;
