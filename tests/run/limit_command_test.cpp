@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limit_calls.hpp"
 #include "shell.hpp"
 #include "tests/nodes/limit/two_bars.hpp"
 
@@ -16,21 +17,10 @@ using testing::HasSubstr;
 using testing::Not;
 using Json = nlohmann::json;
 
-std::string case_file(const std::string& name) {
-  return quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/" + name);
-}
-
-std::string example(const std::string& name) {
-  return quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
-}
-
-class LimitCommand : public Command {
+class LimitCommand : public LimitCalls {
  protected:
-  // The result of a call, which must exit with `exit_code`.
   Json result_of(const std::string& call, int exit_code = 0) const {
-    const auto run = shell(command + " limit " + call + " --output " + argument("out.json"));
-    EXPECT_EQ(run.exit_code, exit_code) << run.output;
-    return Json::parse(content(in_folder("out.json")));
+    return file_of(call, exit_code);
   }
 };
 

@@ -1,0 +1,31 @@
+// Calls of `kusabi limit`: the files they read, and the result of one.
+#pragma once
+
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shell.hpp"
+
+namespace kusabi::test {
+
+inline std::string case_file(const std::string& name) {
+  return quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/" + name);
+}
+
+inline std::string example(const std::string& name) {
+  return quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
+}
+
+class LimitCalls : public Command {
+ protected:
+  /// The result file of a call, which must exit with `exit_code`.
+  nlohmann::json file_of(const std::string& call, int exit_code = 0) const {
+    const auto run = shell(command + " limit " + call + " --output " + argument("out.json"));
+    EXPECT_EQ(run.exit_code, exit_code) << run.output;
+    return nlohmann::json::parse(content(in_folder("out.json")));
+  }
+};
+
+}  // namespace kusabi::test
