@@ -107,18 +107,23 @@ def factors(truss, load, number=float):
     return tuple(ends)
 
 
-def _case_interval(truss, case, number):
-    """(least, largest, some load is carried at none) over all corners of one load case."""
+def _in_all(intervals):
+    """What all intervals have in common, perhaps least > largest; None: one of them is None."""
     least, largest = -math.inf, math.inf
-    for signs in itertools.product((-1, 1), repeat=len(case["uncertain"])):
-        load = list(case["dead"])
-        for sign, (column, half_width) in zip(signs, case["uncertain"]):
-            load = [value + sign * half_width * part for value, part in zip(load, column)]
-        ends = factors(truss, load, number)
+    for ends in intervals:
         if ends is None:
             return None
         least, largest = max(least, ends[0]), min(largest, ends[1])
     return least, largest
+
+
+def _corners(case):
+    """The dead load at every corner of one load case."""
+    for signs in itertools.product((-1, 1), repeat=len(case["uncertain"])):
+        load = list(case["dead"])
+        for sign, (column, half_width) in zip(signs, case["uncertain"]):
+            load = [value + sign * half_width * part for value, part in zip(load, column)]
+        yield load
 
 
 def make(seed, index):
@@ -189,13 +194,7 @@ def make(seed, index):
 
 def truth(truss, cases, number=float):
     """(least, largest) over all corners of all cases; None: some load is carried at no factor."""
-    least, largest = -math.inf, math.inf
-    for case in cases:
-        ends = _case_interval(truss, case, number)
-        if ends is None:
-            return None
-        least, largest = max(least, ends[0]), min(largest, ends[1])
-    return least, largest
+    return _in_all(factors(truss, load, number) for case in cases for load in _corners(case))
 
 
 def same(said, true):
