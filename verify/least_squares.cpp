@@ -1,28 +1,56 @@
-// By the normal equations: the columns are motions of bodies, far from parallel.
+// Gram-Schmidt orthogonalisation of the columns, each twice: the rotation of a long lever is as far
+// from its translations in size as the lever is long, which normal equations would square.
 #include "verify/least_squares.hpp"
 
-#include "verify/cholesky.hpp"
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace kusabi::verify {
+namespace {
+
+using Column = std::vector<double>;
+
+double product(const Column& a, const Column& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+// Takes the part along a unit vector out of a column. @return its size
+double take_out(const Column& unit, Column& from) {
+  const double part = product(unit, from);
+  for (std::size_t row = 0; row < unit.size(); ++row) from[row] -= part * unit[row];
+  return part;
+}
+
+}  // namespace
 
 std::optional<std::vector<double>> least_squares(std::span<const double> matrix,
                                                  std::span<const double> right) {
   if (right.empty() || matrix.empty()) return std::vector<double>{};
   const auto columns = matrix.size() / right.size();
-  const auto profile = Profile::full(columns);
-  std::vector<double> products(profile.entries(), 0);
-  std::vector<double> sums(columns, 0);
-  for (std::size_t row = 0; row < right.size(); ++row) {
-    const auto own = matrix.subspan(columns * row, columns);
-    for (std::size_t i = 0; i < columns; ++i) {
-      sums[i] += own[i] * right[row];
-      for (std::size_t j = 0; j <= i; ++j) products[profile.at(i, j)] += own[i] * own[j];
+  std::vector<Column> units;
+  std::vector<Column> parts(columns, Column(columns, 0));  // parts[i][j]: of column i along unit j
+  for (std::size_t i = 0; i < columns; ++i) {
+    Column column;
+    for (std::size_t row = 0; row < right.size(); ++row)
+      column.push_back(matrix[columns * row + i]);
+    for (int time = 0; time < 2; ++time) {
+      for (std::size_t j = 0; j < i; ++j) parts[i][j] += take_out(units[j], column);
     }
+    const double size = std::sqrt(product(column, column));
+    if (!(size > 0)) return {};
+    for (double& each : column) each /= size;
+    parts[i][i] = size;
+    units.push_back(std::move(column));
   }
-  const auto factor = Cholesky::of(profile, products);
-  if (!factor) return {};
-  factor->solve(sums);
-  return sums;
+  Column rest(right.begin(), right.end());
+  std::vector<double> solution;
+  for (const auto& unit : units) solution.push_back(take_out(unit, rest));
+  for (std::size_t i = columns; i-- > 0;) {
+    for (std::size_t j = i + 1; j < columns; ++j) solution[i] -= parts[j][i] * solution[j];
+    solution[i] /= parts[i][i];
+  }
+  return solution;
 }
 
 }  // namespace kusabi::verify

@@ -1,0 +1,49 @@
+// Combinations of columns whose sizes are far apart, as the motions of a long lever are.
+#include "verify/least_squares.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace kusabi::verify {
+namespace {
+
+TEST(LeastSquares, FindsTheMotionOfALongLever) {
+  // Two translations and a rotation in the plane, of nodes about the origin and one far away.
+  const std::vector<std::vector<double>> nodes{{0.86, -0.09}, {-0.35, -0.76}, {8.8e6, -1.9e7}};
+  std::vector<double> matrix;
+  for (const auto& node : nodes) {
+    for (const double each : {1.0, 0.0, -node[1], 0.0, 1.0, node[0]}) matrix.push_back(each);
+  }
+  const std::vector<double> shares{0.3, -0.7, 2e-7};
+  std::vector<double> right;
+  for (std::size_t row = 0; row < 6; ++row) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += matrix[3 * row + k] * shares[k];
+    right.push_back(sum);
+  }
+  const auto found = least_squares(matrix, right);
+  ASSERT_TRUE(found);
+  // Rounding of the right-hand side, 1e-16 of numbers of the order of 4, and no more.
+  for (std::size_t row = 0; row < 6; ++row) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += matrix[3 * row + k] * (*found)[k];
+    EXPECT_NEAR(sum, right[row], 1e-13) << row;
+  }
+}
+
+TEST(LeastSquares, HasTheLeastResidual) {
+  const auto found = least_squares(std::vector{1.0, 0.0, 1.0, 1.0, 1.0, 2.0},
+                                   std::vector{0.0, 1.0, 1.0});  // a line through three points
+  ASSERT_TRUE(found);
+  EXPECT_NEAR((*found)[0], 1.0 / 6, 1e-15);
+  EXPECT_NEAR((*found)[1], 0.5, 1e-15);
+}
+
+TEST(LeastSquares, RefusesAColumnOfZeros) {
+  EXPECT_FALSE(least_squares(std::vector{1.0, 0.0, 2.0, 0.0}, std::vector{1.0, 1.0}));
+}
+
+}  // namespace
+}  // namespace kusabi::verify
