@@ -9,14 +9,14 @@
 namespace kusabi::verify {
 namespace {
 
-using Column = std::vector<double>;
+using Numbers = std::vector<double>;
 
-double product(const Column& a, const Column& b) {
+double product(const Numbers& a, const Numbers& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 // Takes the part along a unit vector out of a column. @return its size
-double take_out(const Column& unit, Column& from) {
+double take_out(const Numbers& unit, Numbers& from) {
   const double part = product(unit, from);
   for (std::size_t row = 0; row < unit.size(); ++row) from[row] -= part * unit[row];
   return part;
@@ -28,10 +28,11 @@ std::optional<std::vector<double>> least_squares(std::span<const double> matrix,
                                                  std::span<const double> right) {
   if (right.empty() || matrix.empty()) return std::vector<double>{};
   const auto columns = matrix.size() / right.size();
-  std::vector<Column> units;
-  std::vector<Column> parts(columns, Column(columns, 0));  // parts[i][j]: of column i along unit j
+  std::vector<Numbers> units;
+  std::vector<Numbers> parts(columns,
+                             Numbers(columns, 0));  // parts[i][j]: of column i along unit j
   for (std::size_t i = 0; i < columns; ++i) {
-    Column column;
+    Numbers column;
     for (std::size_t row = 0; row < right.size(); ++row)
       column.push_back(matrix[columns * row + i]);
     for (int time = 0; time < 2; ++time) {
@@ -43,7 +44,7 @@ std::optional<std::vector<double>> least_squares(std::span<const double> matrix,
     parts[i][i] = size;
     units.push_back(std::move(column));
   }
-  Column rest(right.begin(), right.end());
+  Numbers rest(right.begin(), right.end());
   std::vector<double> solution;
   for (const auto& unit : units) solution.push_back(take_out(unit, rest));
   for (std::size_t i = columns; i-- > 0;) {
