@@ -46,6 +46,7 @@ std::optional<std::vector<double>> least_squares(std::span<const double> matrix,
   }
   Numbers rest(right.begin(), right.end());
   std::vector<double> solution;
+  solution.reserve(columns);
   for (const auto& unit : units) solution.push_back(take_out(unit, rest));
   for (std::size_t i = columns; i-- > 0;) {
     for (std::size_t j = i + 1; j < columns; ++j) solution[i] -= parts[j][i] * solution[j];

@@ -111,6 +111,7 @@ class SweptFriction : public Swept {
       ++of_block[block == nullptr ? "" : block->dump()];
     }
     std::vector<std::uint64_t> factors;
+    factors.reserve(of_block.size());
     for (const auto& [block, count] : of_block) factors.push_back(count);
     return factors.empty() ? support::ExactCount() : support::ExactCount::product(factors);
   }
