@@ -152,13 +152,13 @@ TEST_F(CurveCommand, TheTableForPlotsHasEveryBreakpoint) {
   for (const auto& [name, key, load] :
        {std::tuple("critical", "curve", 0.45), std::tuple("worst", "worst_curve", 0.45),
         std::tuple("load", "load_curve", 5.0)}) {
-    const auto next = [&] {
+    const auto next = [&, curve = std::string(name), shared = load] {
       std::getline(lines, line);
       auto cells = cells_of(line);
       EXPECT_EQ(cells.size(), 8U) << line;
       cells.resize(8);
-      EXPECT_EQ(cells[0], name);
-      EXPECT_EQ(std::stod(cells[2]), std::stod(cells[1]) * load);
+      EXPECT_EQ(cells[0], curve);
+      EXPECT_EQ(std::stod(cells[2]), std::stod(cells[1]) * shared);
       return cells;
     };
     for (const auto& piece : found[key]) {

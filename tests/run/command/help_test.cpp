@@ -56,9 +56,8 @@ TEST(Help, HasAllOptionsAndTheirChoices) {
     }
     // Choices may be on several lines.
     std::ranges::replace(text, '\n', ' ');
-    text.erase(
-        std::ranges::unique(text, [](char a, char b) { return a == ' ' && b == ' '; }).begin(),
-        text.end());
+    const auto both_spaces = [](char a, char b) { return a == ' ' && b == ' '; };
+    text.erase(std::unique(text.begin(), text.end(), both_spaces), text.end());
     for (const auto& row : entry.table.rows()) {
       if (row.words.empty()) continue;
       EXPECT_THAT(text, HasSubstr("O" + row.expected.substr(1) + "."));
