@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace kusabi::verify {
@@ -16,6 +18,7 @@ struct Parts {
 };
 
 Parts parts_of(double value) {
+  if (!std::isfinite(value)) throw std::domain_error("a number is too large to compute with");
   constexpr int digits = std::numeric_limits<double>::digits;
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);

@@ -16,7 +16,7 @@ namespace kusabi::verify {
 class Dyadic {
  public:
   Dyadic() = default;
-  /// @pre finite
+  /// @throws std::domain_error if it is infinite or not a number
   explicit Dyadic(double value);
   Dyadic(mpz_class mantissa, long exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
 

@@ -262,7 +262,10 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
     share_of[cut.column] = share_of[cut.column] + mu;
     value = value - product(mu, std::abs(cut.factor));
     for (const auto& [i, force] : cut.forces) taken[i] = taken[i] + product(mu, std::abs(force));
-    for (const auto& [e, missing] : defects_[c]) defects[e] = defects[e] + product(mu, missing);
+    for (const auto& [e, missing] : defects_[c]) {
+      if (!std::isfinite(missing)) return "the defect of a cut is too large to compute with";
+      defects[e] = defects[e] + product(mu, missing);
+    }
   }
   // f_D + sum over decided signs of s (alpha_j w + nu) d + lambda f_R - B q
   std::vector<Dyadic> load;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -81,6 +82,14 @@ TEST(DyadicList, AddsExactly) {
     EXPECT_TRUE(same(sum[i], Dyadic(large[i]) + Dyadic(small[i])));
     EXPECT_TRUE(same(other[i], sum[i]));
     EXPECT_TRUE(same(from_nothing[i], Dyadic(small[i])));
+  }
+}
+
+TEST(Dyadic, RefusesWhatIsNoNumber) {
+  for (const double wrong :
+       {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+        std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(Dyadic{wrong}, std::domain_error);
   }
 }
 
