@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 
 #include "engine/search.hpp"
-#include "nodes/limit/sign_tree.hpp"
+#include "nodes/limit/search/sign_tree.hpp"
 #include "problems/families/grid_truss.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "support/input_error.hpp"

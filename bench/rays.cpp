@@ -22,8 +22,8 @@
 #include <unistd.h>
 
 #include "engine/search.hpp"
-#include "nodes/wedged/divided_rays.hpp"
-#include "nodes/wedged/ray_tree.hpp"
+#include "nodes/wedged/rays/divided_rays.hpp"
+#include "nodes/wedged/rays/ray_tree.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "problems/wedged/wedged_problem.hpp"

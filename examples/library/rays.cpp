@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "engine/transport/single_process.hpp"
-#include "nodes/wedged/candidate_friction.hpp"
-#include "nodes/wedged/ray_search.hpp"
+#include "nodes/wedged/rays/ray_search.hpp"
+#include "nodes/wedged/tree/candidate_friction.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "problems/structure/structure.hpp"
-#include "verify/structure.hpp"
+#include "problems/structure/model/structure.hpp"
+#include "verify/structure/structure.hpp"
 
 namespace kusabi::evidence {
 

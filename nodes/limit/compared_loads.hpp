@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "nodes/limit/limit_question.hpp"
-#include "nodes/limit/root_search.hpp"
-#include "nodes/limit/zero_one_worst.hpp"
+#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/root/root_search.hpp"
+#include "nodes/limit/search/zero_one_worst.hpp"
 
 namespace kusabi::limit {
 

@@ -11,8 +11,8 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/together.hpp"
-#include "nodes/limit/proved_ends.hpp"
-#include "nodes/limit/worst_case_search.hpp"
+#include "nodes/limit/search/proved_ends.hpp"
+#include "nodes/limit/search/worst_case_search.hpp"
 #include "solvers/linear/linear_program.hpp"
 
 namespace kusabi::limit {

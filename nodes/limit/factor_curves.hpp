@@ -9,9 +9,9 @@
 
 #include <Eigen/Core>
 
-#include "nodes/limit/load_curve.hpp"
-#include "nodes/limit/root_search.hpp"
-#include "verify/structure.hpp"
+#include "nodes/limit/model/load_curve.hpp"
+#include "nodes/limit/root/root_search.hpp"
+#include "verify/structure/structure.hpp"
 
 namespace kusabi::limit {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "nodes/limit/limit_answer.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
 
 namespace kusabi::limit {
 

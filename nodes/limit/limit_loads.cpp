@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "nodes/evidence/verified_structure.hpp"
-#include "nodes/limit/balanced_model.hpp"
 #include "nodes/limit/compared_loads.hpp"
 #include "nodes/limit/factor_curves.hpp"
 #include "nodes/limit/guaranteed_interval.hpp"
-#include "nodes/limit/proved_ends.hpp"
-#include "nodes/limit/root_search.hpp"
-#include "nodes/limit/worst_case_search.hpp"
-#include "verify/limit_agreement.hpp"
+#include "nodes/limit/model/balanced_model.hpp"
+#include "nodes/limit/root/root_search.hpp"
+#include "nodes/limit/search/proved_ends.hpp"
+#include "nodes/limit/search/worst_case_search.hpp"
+#include "verify/limit/limit_agreement.hpp"
 
 namespace kusabi::limit {
 namespace {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "engine/campaign.hpp"
-#include "nodes/limit/limit_answer.hpp"
-#include "nodes/limit/limit_question.hpp"
+#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "problems/structure/structure.hpp"
-#include "verify/limit_certificate.hpp"
+#include "problems/structure/model/structure.hpp"
+#include "verify/limit/limit_certificate.hpp"
 
 namespace kusabi::limit {
 

@@ -9,9 +9,9 @@
 
 #include "engine/campaign.hpp"
 #include "nodes/limit/guaranteed_interval.hpp"
-#include "nodes/limit/limit_answer.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::limit {
 

@@ -13,13 +13,13 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/together.hpp"
-#include "nodes/wedged/candidate_friction.hpp"
-#include "nodes/wedged/critical_friction.hpp"
-#include "nodes/wedged/enclosure.hpp"
-#include "nodes/wedged/maximal_cones.hpp"
+#include "nodes/wedged/critical/smallest_search.hpp"
+#include "nodes/wedged/friction/critical_friction.hpp"
 #include "nodes/wedged/pattern_search.hpp"
-#include "nodes/wedged/preparation.hpp"
-#include "nodes/wedged/smallest_search.hpp"
+#include "nodes/wedged/tree/candidate_friction.hpp"
+#include "nodes/wedged/tree/enclosure.hpp"
+#include "nodes/wedged/tree/maximal_cones.hpp"
+#include "nodes/wedged/tree/preparation.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/scale_ratio.hpp"
 

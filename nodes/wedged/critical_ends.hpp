@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "engine/campaign.hpp"
-#include "nodes/wedged/critical_bracket.hpp"
-#include "nodes/wedged/critical_findings.hpp"
-#include "nodes/wedged/enclosure.hpp"
-#include "nodes/wedged/evidence_check.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
-#include "problems/structure/structure.hpp"
+#include "nodes/wedged/critical/critical_bracket.hpp"
+#include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/tree/enclosure.hpp"
+#include "nodes/wedged/tree/evidence_check.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {

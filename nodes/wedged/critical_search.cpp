@@ -11,13 +11,13 @@
 #include <boost/serialization/vector.hpp>
 
 #include "engine/together.hpp"
-#include "nodes/wedged/candidate_friction.hpp"
-#include "nodes/wedged/critical_descent.hpp"
-#include "nodes/wedged/critical_dive.hpp"
-#include "nodes/wedged/critical_start.hpp"
-#include "nodes/wedged/maximal_cones.hpp"
-#include "nodes/wedged/pattern_brackets.hpp"
-#include "nodes/wedged/smallest_search.hpp"
+#include "nodes/wedged/critical/critical_descent.hpp"
+#include "nodes/wedged/critical/critical_dive.hpp"
+#include "nodes/wedged/critical/critical_start.hpp"
+#include "nodes/wedged/critical/smallest_search.hpp"
+#include "nodes/wedged/sweep/pattern_brackets.hpp"
+#include "nodes/wedged/tree/candidate_friction.hpp"
+#include "nodes/wedged/tree/maximal_cones.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {

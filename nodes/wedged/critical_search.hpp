@@ -4,9 +4,9 @@
 #pragma once
 
 #include "engine/campaign.hpp"
+#include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/critical_ends.hpp"
-#include "nodes/wedged/critical_findings.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "engine/together.hpp"
-#include "nodes/wedged/candidate_friction.hpp"
+#include "nodes/wedged/tree/candidate_friction.hpp"
 #include "problems/wedged/scale_ratio.hpp"
 
 namespace kusabi::wedged {

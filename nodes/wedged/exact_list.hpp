@@ -7,9 +7,9 @@
 
 #include "engine/campaign.hpp"
 #include "nodes/wedged/pattern_search.hpp"
-#include "nodes/wedged/ray_search.hpp"
-#include "nodes/wedged/sweep_findings.hpp"
-#include "problems/structure/structure.hpp"
+#include "nodes/wedged/rays/ray_search.hpp"
+#include "nodes/wedged/sweep/sweep_findings.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {

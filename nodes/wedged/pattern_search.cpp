@@ -5,10 +5,10 @@
 #include <utility>
 #include <variant>
 
-#include "nodes/wedged/enclosure.hpp"
-#include "nodes/wedged/evidence_check.hpp"
-#include "nodes/wedged/preparation.hpp"
 #include "nodes/wedged/simple_leaves.hpp"
+#include "nodes/wedged/tree/enclosure.hpp"
+#include "nodes/wedged/tree/evidence_check.hpp"
+#include "nodes/wedged/tree/preparation.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/scale_ratio.hpp"
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "engine/campaign.hpp"
-#include "nodes/wedged/candidate_bounds.hpp"
-#include "nodes/wedged/maximal_cones.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
-#include "problems/structure/structure.hpp"
+#include "nodes/wedged/tree/candidate_bounds.hpp"
+#include "nodes/wedged/tree/maximal_cones.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {

@@ -5,8 +5,8 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "nodes/wedged/critical_findings.hpp"
-#include "nodes/wedged/critical_start.hpp"
+#include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/critical/critical_start.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/campaign.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::wedged {

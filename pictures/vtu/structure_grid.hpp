@@ -10,7 +10,7 @@
 
 #include "pictures/contact_state.hpp"
 #include "pictures/vtu/unstructured_grid.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::pictures {
 

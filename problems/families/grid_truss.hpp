@@ -3,7 +3,7 @@
 // the truss of the limit paper's section 6.2, which is examples/paper/limit-4x4.toml, too.
 #pragma once
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::problems {
 

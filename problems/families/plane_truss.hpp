@@ -3,7 +3,7 @@
 // trusses of the wedged paper's section 7.2.
 #pragma once
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::problems {
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "problems/structure/structure_check.hpp"
+#include "problems/structure/checks/structure_check.hpp"
 
 namespace kusabi::problems {
 namespace {

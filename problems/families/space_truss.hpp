@@ -3,7 +3,7 @@
 // the member of it with the sizes below.
 #pragma once
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::problems {
 

@@ -10,12 +10,12 @@
 
 #include <fmt/format.h>
 
-#include "problems/files/abaqus_text.hpp"
-#include "problems/files/matrix_file.hpp"
-#include "problems/files/mesh_file.hpp"
-#include "problems/files/mesh_texts.hpp"
+#include "problems/files/matrices/matrix_file.hpp"
+#include "problems/files/meshes/abaqus_text.hpp"
+#include "problems/files/meshes/mesh_file.hpp"
+#include "problems/files/meshes/mesh_texts.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/files/toml_reader.hpp"
+#include "problems/files/toml/toml_reader.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::problems {

@@ -10,14 +10,14 @@
 
 #include <fmt/format.h>
 
-#include "problems/files/loads_file.hpp"
-#include "problems/files/problem_draft.hpp"
-#include "problems/files/problem_sections.hpp"
 #include "problems/files/problem_text.hpp"
-#include "problems/files/toml_reader.hpp"
-#include "problems/structure/connected_bodies.hpp"
-#include "problems/structure/structure_check.hpp"
-#include "problems/structure/surface.hpp"
+#include "problems/files/sections/loads_file.hpp"
+#include "problems/files/sections/problem_draft.hpp"
+#include "problems/files/sections/problem_sections.hpp"
+#include "problems/files/toml/toml_reader.hpp"
+#include "problems/structure/bodies/connected_bodies.hpp"
+#include "problems/structure/checks/structure_check.hpp"
+#include "problems/structure/geometry/surface.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/files/facet_doubt.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/files/sections/facet_doubt.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::problems {
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "problems/structure/constraints.hpp"
-#include "problems/structure/load_cases.hpp"
-#include "problems/structure/mechanism.hpp"
-#include "problems/structure/structure_check.hpp"
+#include "problems/structure/bodies/mechanism.hpp"
+#include "problems/structure/checks/structure_check.hpp"
+#include "problems/structure/model/constraints.hpp"
+#include "problems/structure/model/load_cases.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::problems {

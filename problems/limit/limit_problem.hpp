@@ -17,8 +17,8 @@
 #include <Eigen/SparseCore>
 
 #include "problems/limit/uncertain_column.hpp"
-#include "problems/structure/structure.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/model/structure.hpp"
+#include "problems/structure/model/truss.hpp"
 
 namespace kusabi::problems {
 

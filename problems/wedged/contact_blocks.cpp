@@ -5,9 +5,9 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include "problems/structure/corner.hpp"
-#include "problems/structure/elongation.hpp"
-#include "problems/structure/superelement.hpp"
+#include "problems/structure/model/corner.hpp"
+#include "problems/structure/model/elongation.hpp"
+#include "problems/structure/model/superelement.hpp"
 
 namespace kusabi::problems {
 namespace {

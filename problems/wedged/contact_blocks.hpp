@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-#include "problems/structure/rigid_motions.hpp"
-#include "problems/structure/structure.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
+#include "problems/structure/model/structure.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "support/index_set.hpp"
 
 namespace kusabi::problems {

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "problems/structure/constraints.hpp"
-#include "problems/structure/contact_frame.hpp"
+#include "problems/structure/assembly/contact_frame.hpp"
+#include "problems/structure/model/constraints.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "problems/structure/rigid_motions.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {

@@ -11,11 +11,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 
-#include "problems/structure/contact_frame.hpp"
-#include "problems/structure/corner.hpp"
-#include "problems/structure/rigid_motions.hpp"
-#include "problems/structure/temporary_springs.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/assembly/contact_frame.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
+#include "problems/structure/bodies/temporary_springs.hpp"
+#include "problems/structure/model/corner.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "problems/wedged/scaled_stiffness.hpp"
 #include "problems/wedged/stiffness_factor.hpp"
 #include "problems/wedged/tangential_springs.hpp"

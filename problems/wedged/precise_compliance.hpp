@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "support/numbers/precise.hpp"
 #include "support/stop.hpp"
 

@@ -1,7 +1,7 @@
 // Rows, columns and bits picked out.
 #include "problems/wedged/problem_block.hpp"
 
-#include "problems/structure/rigid_motions.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
 
 namespace kusabi::problems {
 using support::IndexSet;

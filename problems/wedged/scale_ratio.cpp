@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/structure/rigid_motions.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::problems {

@@ -2,7 +2,7 @@
 // largest of what they compare, so far apart they may take what counts for rounding.
 #pragma once
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::problems {

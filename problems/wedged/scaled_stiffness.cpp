@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "problems/structure/elongation.hpp"
-#include "problems/structure/solid_element.hpp"
-#include "problems/structure/superelement.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/model/elongation.hpp"
+#include "problems/structure/model/superelement.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "problems/structure/structure.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/model/structure.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "support/numbers/precise.hpp"
 
 namespace kusabi::problems {

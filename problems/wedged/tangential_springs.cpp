@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "problems/structure/constraints.hpp"
-#include "problems/structure/contact_frame.hpp"
-#include "problems/structure/corner.hpp"
+#include "problems/structure/assembly/contact_frame.hpp"
+#include "problems/structure/model/constraints.hpp"
+#include "problems/structure/model/corner.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -3,8 +3,8 @@
 // question depends on it (docs/theory/wedged.md, "Rollers at candidates" and "Corners").
 #pragma once
 
-#include "problems/structure/structure.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/model/structure.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "problems/wedged/scaled_stiffness.hpp"
 #include "support/numbers/precise.hpp"
 

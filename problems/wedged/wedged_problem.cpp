@@ -9,13 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "problems/structure/contact_frame.hpp"
-#include "problems/structure/mechanism.hpp"
-#include "problems/structure/rigid_motions.hpp"
-#include "problems/structure/structure_check.hpp"
-#include "problems/structure/superelement_check.hpp"
-#include "problems/structure/temporary_springs.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/assembly/contact_frame.hpp"
+#include "problems/structure/bodies/mechanism.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
+#include "problems/structure/bodies/temporary_springs.hpp"
+#include "problems/structure/checks/structure_check.hpp"
+#include "problems/structure/checks/superelement_check.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "problems/wedged/contact_blocks.hpp"
 #include "problems/wedged/contact_motions.hpp"
 #include "problems/wedged/precise_compliance.hpp"

@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "problems/structure/contact_frame.hpp"
-#include "problems/structure/elongation.hpp"
-#include "problems/structure/rigid_motions.hpp"
-#include "problems/structure/solid_element.hpp"
-#include "problems/structure/superelement.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/assembly/contact_frame.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
+#include "problems/structure/model/elongation.hpp"
+#include "problems/structure/model/superelement.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "problems/wedged/contact_motions.hpp"
 
 namespace kusabi::problems {

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
 namespace kusabi::problems {

@@ -13,7 +13,7 @@
 #include <fmt/ranges.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/files/toml_reader.hpp"
+#include "problems/files/toml/toml_reader.hpp"
 #include "support/input_error.hpp"
 #include "support/nearest.hpp"
 

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "nodes/wedged/critical_friction.hpp"
 #include "nodes/wedged/critical_search.hpp"
+#include "nodes/wedged/friction/critical_friction.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/wedged/critical_findings.hpp"
+#include "nodes/wedged/critical/critical_findings.hpp"
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "nodes/wedged/critical_findings.hpp"
+#include "nodes/wedged/critical/critical_findings.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/critical/critical.hpp"
 #include "run/output/page.hpp"

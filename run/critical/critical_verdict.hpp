@@ -1,7 +1,7 @@
 // The verdict of `kusabi critical`.
 #pragma once
 
-#include "nodes/wedged/critical_findings.hpp"
+#include "nodes/wedged/critical/critical_findings.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/critical/critical.hpp"
 #include "run/verdict/verdict.hpp"

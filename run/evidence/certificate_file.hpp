@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/output_file.hpp"
 #include "run/session/session.hpp"

@@ -11,7 +11,7 @@
 #include "problems/families/grid_truss.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/families/space_truss.hpp"
-#include "problems/files/structure_writer.hpp"
+#include "problems/files/toml/structure_writer.hpp"
 #include "run/command/command_run.hpp"
 #include "run/output/wrong_input.hpp"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/files/matrix_market.hpp"
+#include "problems/files/matrices/matrix_market.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/free_stiffness.hpp"
 #include "problems/wedged/wedged_problem.hpp"

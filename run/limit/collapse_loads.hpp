@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 
-#include "nodes/limit/limit_answer.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::run {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "problems/files/node_forces.hpp"
+#include "problems/files/sections/node_forces.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::run {

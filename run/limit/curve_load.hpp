@@ -10,7 +10,8 @@
 namespace kusabi::run {
 
 /// g, n^d, force. What is on supports goes straight to the ground.
-/// @param text a TOML file (problems/files/node_forces.hpp) or a result of `kusabi limit --alpha`
+/// @param text a TOML file (problems/files/sections/node_forces.hpp) or a result of `kusabi limit
+/// --alpha`
 /// @param file how errors name it
 /// @throws support::InputError; also if nothing is left of the load on the free displacements
 Eigen::VectorXd curve_load(const std::string& text, const std::string& file,

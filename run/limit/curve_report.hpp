@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "nodes/limit/limit_answer.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/limit/limit.hpp"
 

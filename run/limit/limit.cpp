@@ -15,7 +15,7 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "problems/structure/load_cases.hpp"
+#include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/group_half_widths.hpp"
 #include "run/limit/curve_load.hpp"
@@ -31,7 +31,7 @@
 #include "run/session/progress_text.hpp"
 #include "run/session/restart.hpp"
 #include "support/fingerprint.hpp"
-#include "verify/limit_certificate.hpp"
+#include "verify/limit/limit_certificate.hpp"
 
 namespace kusabi::run {
 namespace {

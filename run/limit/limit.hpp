@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/limit/limit_question.hpp"
+#include "nodes/limit/model/limit_question.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "run/command/subcommand.hpp"
 

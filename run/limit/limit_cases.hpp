@@ -10,8 +10,8 @@
 #include "nodes/limit/guaranteed_interval.hpp"
 #include "nodes/limit/limit_loads.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "problems/structure/structure.hpp"
-#include "verify/limit_certificate.hpp"
+#include "problems/structure/model/structure.hpp"
+#include "verify/limit/limit_certificate.hpp"
 
 namespace kusabi::run {
 

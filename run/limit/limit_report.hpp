@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "nodes/limit/limit_answer.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "run/limit/limit.hpp"
 #include "run/limit/limit_cases.hpp"
 #include "run/output/page.hpp"

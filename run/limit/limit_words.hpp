@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "nodes/limit/limit_answer.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "run/limit/limit.hpp"
 #include "run/limit/limit_cases.hpp"

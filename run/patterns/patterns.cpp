@@ -10,9 +10,9 @@
 
 #include "engine/campaign.hpp"
 #include "engine/checkpoint.hpp"
-#include "nodes/wedged/facets.hpp"
-#include "nodes/wedged/pattern_brackets.hpp"
 #include "nodes/wedged/pattern_search.hpp"
+#include "nodes/wedged/sweep/pattern_brackets.hpp"
+#include "nodes/wedged/tree/facets.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"

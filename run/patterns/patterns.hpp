@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "run/command/subcommand.hpp"
 #include "solvers/conic/node_solver.hpp"
 

@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "nodes/wedged/pattern_brackets.hpp"
 #include "nodes/wedged/pattern_search.hpp"
+#include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/page.hpp"
 #include "run/patterns/patterns.hpp"

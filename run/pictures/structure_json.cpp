@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/structure/element_shape.hpp"
+#include "problems/structure/model/element_shape.hpp"
 #include "run/output/values.hpp"
 
 namespace kusabi::run {

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::run {
 

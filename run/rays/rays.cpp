@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
-#include "nodes/wedged/divided_rays.hpp"
 #include "nodes/wedged/exact_list.hpp"
-#include "nodes/wedged/ray_search.hpp"
+#include "nodes/wedged/rays/divided_rays.hpp"
+#include "nodes/wedged/rays/ray_search.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"

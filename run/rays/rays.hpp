@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/wedged/ray_search.hpp"
+#include "nodes/wedged/rays/ray_search.hpp"
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nodes/wedged/pattern_search.hpp"
-#include "nodes/wedged/ray_search.hpp"
+#include "nodes/wedged/rays/ray_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/json_writer.hpp"

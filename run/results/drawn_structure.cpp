@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "problems/structure/element_faces.hpp"
-#include "problems/structure/element_shape.hpp"
+#include "problems/structure/geometry/element_faces.hpp"
+#include "problems/structure/model/element_shape.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -12,10 +12,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/structure/connected_bodies.hpp"
-#include "problems/structure/element_shape.hpp"
-#include "problems/structure/load_cases.hpp"
-#include "problems/structure/rigid_motions.hpp"
+#include "problems/structure/bodies/connected_bodies.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
+#include "problems/structure/model/element_shape.hpp"
+#include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
 
 namespace kusabi::run {

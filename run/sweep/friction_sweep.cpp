@@ -7,7 +7,7 @@
 #include <fmt/ostream.h>
 
 #include "nodes/wedged/exact_list.hpp"
-#include "nodes/wedged/sweep_search.hpp"
+#include "nodes/wedged/sweep/sweep_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "nodes/wedged/critical_findings.hpp"
+#include "nodes/wedged/critical/critical_findings.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/structure/load_cases.hpp"
+#include "problems/structure/model/load_cases.hpp"
 #include "run/command/group_half_widths.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"

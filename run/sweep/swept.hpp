@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/options.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "run/command/command_run.hpp"
 
 namespace kusabi::run {

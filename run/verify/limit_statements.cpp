@@ -13,10 +13,10 @@
 #include "engine/campaign.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "problems/structure/load_cases.hpp"
+#include "problems/structure/model/load_cases.hpp"
 #include "support/input_error.hpp"
-#include "verify/limit_agreement.hpp"
-#include "verify/limit_proof.hpp"
+#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::run {
 namespace {

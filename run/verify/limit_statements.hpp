@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "engine/outcome.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "run/command/command_run.hpp"
 #include "run/verify/verify.hpp"
-#include "verify/limit_certificate.hpp"
+#include "verify/limit/limit_certificate.hpp"
 
 namespace kusabi::run {
 

@@ -9,8 +9,8 @@
 #include "engine/counts.hpp"
 #include "engine/expansion.hpp"
 #include "engine/index_range.hpp"
-#include "verify/certificate.hpp"
-#include "verify/proof.hpp"
+#include "verify/wedged/certificate.hpp"
+#include "verify/wedged/proof.hpp"
 
 namespace kusabi::run {
 

@@ -21,7 +21,7 @@
 #include "run/verify/verify_limit.hpp"
 #include "run/verify/verify_patterns.hpp"
 #include "support/fingerprint.hpp"
-#include "verify/limit_certificate.hpp"
+#include "verify/limit/limit_certificate.hpp"
 
 namespace kusabi::run {
 namespace {

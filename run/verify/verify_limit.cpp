@@ -13,13 +13,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "problems/structure/load_cases.hpp"
+#include "problems/structure/model/load_cases.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/limit_statements.hpp"
 #include "support/input_error.hpp"
-#include "verify/certificate.hpp"
-#include "verify/limit_certificate.hpp"
+#include "verify/limit/limit_certificate.hpp"
+#include "verify/wedged/certificate.hpp"
 
 namespace kusabi::run {
 namespace {

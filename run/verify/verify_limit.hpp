@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "run/command/command_run.hpp"
 #include "run/verify/verify.hpp"
 

@@ -17,10 +17,10 @@
 #include "run/output/wrong_input.hpp"
 #include "run/session/progress_line.hpp"
 #include "run/verify/verification.hpp"
-#include "verify/agreement.hpp"
-#include "verify/certificate.hpp"
-#include "verify/cover.hpp"
-#include "verify/proof.hpp"
+#include "verify/wedged/agreement.hpp"
+#include "verify/wedged/certificate.hpp"
+#include "verify/wedged/cover.hpp"
+#include "verify/wedged/proof.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "problems/structure/element_stress.hpp"
+#include "problems/structure/assembly/element_stress.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/problem_summary.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "pictures/vtu/structure_grid.hpp"
 #include "run/wedged/whole_states.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 
 namespace kusabi::run {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::run {
 

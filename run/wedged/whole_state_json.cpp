@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/structure/element_stress.hpp"
+#include "problems/structure/assembly/element_stress.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/structure_json.hpp"
 

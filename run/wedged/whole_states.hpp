@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "problems/wedged/whole_structure.hpp"
 

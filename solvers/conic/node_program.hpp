@@ -28,7 +28,7 @@
 // and its free columns are those of row i times -displacement.
 //
 // A candidate may have several cones, whose reactions sum to its own and which share its row:
-// polyhedral friction cones are thus solved as sums of plane ones (nodes/wedged/facets.hpp).
+// polyhedral friction cones are thus solved as sums of plane ones (nodes/wedged/tree/facets.hpp).
 // docs/theory/wedged.md, "Standard form with m rows", derives it.
 #pragma once
 

@@ -3,7 +3,7 @@
 //
 // Standard form, iteration and proofs are those of node_program.hpp, interior_point.hpp and
 // node_solver.hpp, written without optimisation for any scalar type. The higher precision levels
-// are long double and 104 bits (nodes/wedged/contact_solver.hpp).
+// are long double and 104 bits (nodes/wedged/tree/contact_solver.hpp).
 #pragma once
 
 #include <optional>

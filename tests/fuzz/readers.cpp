@@ -24,9 +24,9 @@
 #include "solvers/linear/program_file.hpp"
 #include "support/input_error.hpp"
 #include "support/sha1.hpp"
-#include "verify/certificate.hpp"
-#include "verify/cover.hpp"
-#include "verify/limit_certificate.hpp"
+#include "verify/limit/limit_certificate.hpp"
+#include "verify/wedged/certificate.hpp"
+#include "verify/wedged/cover.hpp"
 
 namespace kusabi::fuzz {
 namespace {

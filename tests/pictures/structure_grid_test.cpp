@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/structure/element_shape.hpp"
+#include "problems/structure/model/element_shape.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 
 #include <Eigen/LU>
 
-#include "problems/structure/contact_frame.hpp"
-#include "problems/structure/solid_element.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/assembly/contact_frame.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "trusses.hpp"
 
 namespace kusabi::problems::test {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::problems::test {
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes cvxopt_bounds.json: bounds of single candidates, dead nodes with cuts, and what is true.
 
-The proofs of verify/cut_proof.cpp are tested with these. Multipliers are found here by another
+The proofs of verify/wedged/cut_proof.cpp are tested with these. Multipliers are found here by another
 program (cvxopt's conelp), as the least bound that they prove; and what is bounded is computed from
 its definition, over every pattern of contact and separation by itself:
 

@@ -1,5 +1,5 @@
 // A certificate and a problem file: genuine ones are proved of the structure, all others refused.
-#include "verify/agreement.hpp"
+#include "verify/wedged/agreement.hpp"
 
 #include <cmath>
 #include <string>

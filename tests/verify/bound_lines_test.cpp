@@ -8,7 +8,7 @@
 
 #include "searched.hpp"
 #include "two_candidates.hpp"
-#include "verify/certificate.hpp"
+#include "verify/wedged/certificate.hpp"
 
 namespace kusabi::verify {
 namespace {

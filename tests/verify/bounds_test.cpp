@@ -12,8 +12,8 @@
 
 #include "searched.hpp"
 #include "two_candidates.hpp"
-#include "verify/certificate.hpp"
-#include "verify/proof.hpp"
+#include "verify/wedged/certificate.hpp"
+#include "verify/wedged/proof.hpp"
 
 namespace kusabi::verify {
 namespace {

@@ -1,5 +1,5 @@
 // The reader: what it says of files that are not as they should be, and that none of them harms.
-#include "verify/certificate.hpp"
+#include "verify/wedged/certificate.hpp"
 
 #include <algorithm>
 #include <random>

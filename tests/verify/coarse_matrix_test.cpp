@@ -1,6 +1,6 @@
 // What a coarse matrix says of itself, against exact products; and that proofs that need the exact
 // one have it.
-#include "verify/coarse_matrix.hpp"
+#include "verify/arithmetic/coarse_matrix.hpp"
 
 #include <cstdint>
 #include <random>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "verify/held_stiffness.hpp"
+#include "verify/structure/held_stiffness.hpp"
 
 namespace kusabi::verify {
 namespace {

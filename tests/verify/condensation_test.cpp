@@ -1,5 +1,5 @@
 // K from a structure: the closed form lies within the radius, and the radius is next to nothing.
-#include "verify/condensation.hpp"
+#include "verify/structure/condensation.hpp"
 
 #include <cmath>
 #include <string>

@@ -15,8 +15,8 @@
 #include "searched.hpp"
 #include "tests/problems/bodies.hpp"
 #include "tests/problems/corners.hpp"
-#include "verify/certificate.hpp"
-#include "verify/condensation.hpp"
+#include "verify/structure/condensation.hpp"
+#include "verify/wedged/certificate.hpp"
 
 namespace kusabi::verify {
 namespace {

@@ -1,5 +1,5 @@
 // Trees and what is not one, without any mechanics.
-#include "verify/cover.hpp"
+#include "verify/wedged/cover.hpp"
 
 #include <algorithm>
 #include <cstddef>

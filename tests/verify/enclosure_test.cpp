@@ -1,5 +1,5 @@
 // Intervals: they hold what they should, and little else.
-#include "verify/enclosure.hpp"
+#include "verify/arithmetic/enclosure.hpp"
 
 #include <cmath>
 #include <random>

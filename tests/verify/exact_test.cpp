@@ -1,5 +1,5 @@
 // The arithmetic: nothing may be lost, however far apart two numbers are.
-#include "verify/exact.hpp"
+#include "verify/arithmetic/exact.hpp"
 
 #include <cmath>
 #include <limits>

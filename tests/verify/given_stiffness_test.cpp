@@ -9,7 +9,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "searched.hpp"
 #include "tests/problems/bodies.hpp"
-#include "verify/condensation.hpp"
+#include "verify/structure/condensation.hpp"
 
 namespace kusabi::verify {
 namespace {

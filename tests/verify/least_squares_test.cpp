@@ -1,5 +1,5 @@
 // Combinations of columns whose sizes are far apart, as the motions of a long lever are.
-#include "verify/least_squares.hpp"
+#include "verify/arithmetic/least_squares.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,5 +1,5 @@
 // Certificates of limit loads and the truss in a file; and what harms no reader.
-#include "verify/limit_agreement.hpp"
+#include "verify/limit/limit_agreement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What may not carry a defect off: numbers beyond all doubles.
-#include "verify/limit_reach.hpp"
+#include "verify/limit/limit_reach.hpp"
 
 #include <limits>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "verify/limit_proof.hpp"
+#include "verify/limit/limit_proof.hpp"
 
 namespace {
 

@@ -11,17 +11,17 @@
 
 #include "engine/search.hpp"
 #include "nodes/evidence/verified_structure.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/evidence/certificate_file.hpp"
 #include "searched.hpp"
-#include "verify/agreement.hpp"
-#include "verify/certificate.hpp"
-#include "verify/contact_motions.hpp"
-#include "verify/elimination.hpp"
-#include "verify/loose_stiffness.hpp"
-#include "verify/proof.hpp"
+#include "verify/arithmetic/elimination.hpp"
+#include "verify/structure/contact_motions.hpp"
+#include "verify/structure/loose_stiffness.hpp"
+#include "verify/wedged/agreement.hpp"
+#include "verify/wedged/certificate.hpp"
+#include "verify/wedged/proof.hpp"
 
 namespace kusabi::verify {
 namespace {

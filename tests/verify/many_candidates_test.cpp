@@ -7,7 +7,7 @@
 
 #include "searched.hpp"
 #include "tests/nodes/wedged/random_problem.hpp"
-#include "verify/certificate.hpp"
+#include "verify/wedged/certificate.hpp"
 
 namespace kusabi::verify {
 namespace {

@@ -1,5 +1,5 @@
 // What a search records is proved; what is spoilt is refused, and for what is wrong with it.
-#include "verify/proof.hpp"
+#include "verify/wedged/proof.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 
 #include "searched.hpp"
 #include "tests/nodes/wedged/random_problem.hpp"
-#include "verify/certificate.hpp"
+#include "verify/wedged/certificate.hpp"
 
 namespace kusabi::verify {
 namespace {

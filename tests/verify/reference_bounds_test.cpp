@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "verify/certificate.hpp"
-#include "verify/proof.hpp"
+#include "verify/wedged/certificate.hpp"
+#include "verify/wedged/proof.hpp"
 
 namespace kusabi::verify {
 namespace {

@@ -14,9 +14,9 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "searched.hpp"
-#include "verify/agreement.hpp"
-#include "verify/certificate.hpp"
-#include "verify/proof.hpp"
+#include "verify/wedged/agreement.hpp"
+#include "verify/wedged/certificate.hpp"
+#include "verify/wedged/proof.hpp"
 
 namespace kusabi::verify {
 namespace {

@@ -7,14 +7,14 @@
 #include <fmt/format.h>
 
 #include "engine/search.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/evidence/certificate_file.hpp"
 #include "support/sha1.hpp"
-#include "verify/agreement.hpp"
-#include "verify/certificate.hpp"
-#include "verify/cover.hpp"
-#include "verify/proof.hpp"
+#include "verify/wedged/agreement.hpp"
+#include "verify/wedged/certificate.hpp"
+#include "verify/wedged/cover.hpp"
+#include "verify/wedged/proof.hpp"
 
 namespace kusabi::verify {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "support/index_set.hpp"
-#include "verify/structure.hpp"
+#include "verify/structure/structure.hpp"
 
 namespace kusabi::verify {
 

@@ -1,6 +1,6 @@
 // Elements of every shape: the intervals hold what is computed in 104 bits, up to the bound of its
 // roundings, though the two have nothing in common but the nodes.
-#include "verify/solid_element.hpp"
+#include "verify/structure/solid_element.hpp"
 
 #include <cmath>
 #include <random>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "nodes/evidence/verified_structure.hpp"
-#include "problems/structure/solid_element.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
 #include "tests/problems/structure/patches.hpp"
 
 namespace kusabi::verify {

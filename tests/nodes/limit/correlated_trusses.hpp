@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::limit::test {
 

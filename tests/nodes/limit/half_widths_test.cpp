@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/files/structure_writer.hpp"
+#include "problems/files/toml/structure_writer.hpp"
 #include "tests/nodes/limit/load_model.hpp"
 #include "tests/nodes/limit/two_bars.hpp"
 

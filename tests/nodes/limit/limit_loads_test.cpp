@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/transport/single_process.hpp"
-#include "nodes/limit/balanced_model.hpp"
-#include "nodes/limit/load_factor.hpp"
+#include "nodes/limit/model/balanced_model.hpp"
+#include "nodes/limit/model/load_factor.hpp"
 #include "support/input_error.hpp"
 
 namespace kusabi::limit {

@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/search.hpp"
-#include "nodes/limit/limit_evidence.hpp"
-#include "nodes/limit/sign_tree.hpp"
+#include "nodes/limit/search/limit_evidence.hpp"
+#include "nodes/limit/search/sign_tree.hpp"
 #include "problems/families/grid_truss.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/collapse_mode.hpp"
-#include "verify/limit_proof.hpp"
+#include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::limit {
 namespace {

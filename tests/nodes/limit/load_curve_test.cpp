@@ -1,5 +1,5 @@
 // Curves with known breakpoints, made up: all of them are found, and where the curve ends.
-#include "nodes/limit/load_curve.hpp"
+#include "nodes/limit/model/load_curve.hpp"
 
 #include <cmath>
 #include <limits>

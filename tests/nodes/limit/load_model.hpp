@@ -16,8 +16,8 @@
 #include "support/input_error.hpp"
 #include "tests/nodes/limit/correlated_trusses.hpp"
 #include "tests/nodes/limit/plain_truss.hpp"
-#include "verify/limit_agreement.hpp"
-#include "verify/limit_proof.hpp"
+#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::limit::test {
 

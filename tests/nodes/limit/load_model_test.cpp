@@ -12,7 +12,7 @@
 
 #include "nodes/limit/guaranteed_interval.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/files/structure_writer.hpp"
+#include "problems/files/toml/structure_writer.hpp"
 
 namespace kusabi::limit {
 namespace {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "nodes/limit/limit_evidence.hpp"
-#include "nodes/limit/master.hpp"
+#include "nodes/limit/root/master.hpp"
+#include "nodes/limit/search/limit_evidence.hpp"
 #include "problems/files/structure_file.hpp"
 #include "tests/nodes/limit/load_model.hpp"
 #include "tests/nodes/limit/two_bars.hpp"
-#include "verify/limit_proof.hpp"
+#include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::limit {
 namespace {

@@ -1,6 +1,6 @@
 // The order of the pricing programs against distances between all pairs, from the members of a
 // grid.
-#include "nodes/limit/pricing_order.hpp"
+#include "nodes/limit/root/pricing_order.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -9,7 +9,7 @@
 
 #include "engine/transport/single_process.hpp"
 #include "nodes/limit/limit_loads.hpp"
-#include "nodes/limit/load_factor.hpp"
+#include "nodes/limit/model/load_factor.hpp"
 #include "nodes/zero_one/disjunctive_cuts.hpp"
 #include "problems/families/grid_truss.hpp"
 #include "problems/files/structure_file.hpp"

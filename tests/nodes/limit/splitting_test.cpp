@@ -9,7 +9,7 @@
 
 #include <Eigen/LU>
 
-#include "nodes/limit/split_root.hpp"
+#include "nodes/limit/root/split_root.hpp"
 #include "nodes/limit/splitting/affine_projection.hpp"
 #include "nodes/limit/splitting/face_projection.hpp"
 #include "nodes/limit/splitting/row_projection.hpp"

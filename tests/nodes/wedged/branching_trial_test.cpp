@@ -1,5 +1,5 @@
 // The trial of rules against whole trees by each of them.
-#include "nodes/wedged/branching_trial.hpp"
+#include "nodes/wedged/tree/branching_trial.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // The bounds of candidates against the configurations of the tree without cuts: what rays, or walks
 // to the boundary of each cone, find beyond a bound would refute it.
-#include "nodes/wedged/candidate_bounds.hpp"
+#include "nodes/wedged/tree/candidate_bounds.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 #include "engine/search.hpp"
 #include "engine/transport/single_process.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "random_problem.hpp"
 #include "random_truss.hpp"

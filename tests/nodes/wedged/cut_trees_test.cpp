@@ -14,14 +14,14 @@
 
 #include "engine/transport/single_process.hpp"
 #include "nodes/evidence/verified_structure.hpp"
-#include "nodes/wedged/evidence_check.hpp"
 #include "nodes/wedged/pattern_search.hpp"
+#include "nodes/wedged/tree/evidence_check.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/families/space_truss.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "random_structure.hpp"
 #include "support/input_error.hpp"
-#include "verify/proof.hpp"
+#include "verify/wedged/proof.hpp"
 
 namespace kusabi::wedged {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "engine/campaign.hpp"
 #include "engine/transport/single_process.hpp"
-#include "nodes/wedged/candidate_friction.hpp"
 #include "nodes/wedged/pattern_search.hpp"
-#include "nodes/wedged/sweep_search.hpp"
+#include "nodes/wedged/sweep/sweep_search.hpp"
+#include "nodes/wedged/tree/candidate_friction.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/scale_ratio.hpp"
 

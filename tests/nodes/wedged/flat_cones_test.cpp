@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
-#include "nodes/wedged/maximal_cones.hpp"
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/maximal_cones.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/families/space_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "random_structure.hpp"

@@ -1,5 +1,5 @@
 // Where a curve of values and slopes passes zero: on curves whose zeros are known.
-#include "nodes/wedged/level_curve.hpp"
+#include "nodes/wedged/friction/level_curve.hpp"
 
 #include <cmath>
 #include <limits>

@@ -12,8 +12,8 @@
 
 #include "engine/search.hpp"
 #include "engine/transport/single_process.hpp"
-#include "nodes/wedged/maximal_cones.hpp"
-#include "nodes/wedged/ray_search.hpp"
+#include "nodes/wedged/rays/ray_search.hpp"
+#include "nodes/wedged/tree/maximal_cones.hpp"
 #include "random_truss.hpp"
 
 namespace kusabi::wedged {

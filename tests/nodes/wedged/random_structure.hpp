@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::wedged {
 

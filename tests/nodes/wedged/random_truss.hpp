@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "support/input_error.hpp"
 

@@ -1,5 +1,5 @@
 // The rays pattern by pattern are those of Algorithm 4.2.
-#include "nodes/wedged/ray_tree.hpp"
+#include "nodes/wedged/rays/ray_tree.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/search.hpp"
-#include "nodes/wedged/divided_rays.hpp"
-#include "nodes/wedged/ray_trial.hpp"
+#include "nodes/wedged/rays/divided_rays.hpp"
+#include "nodes/wedged/rays/ray_trial.hpp"
 #include "problems/families/plane_truss.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 

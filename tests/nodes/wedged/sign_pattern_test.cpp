@@ -1,6 +1,6 @@
 // The tree of sign patterns against the published counts, against all leaves one by one, and
 // against the definition of a wedged configuration.
-#include "nodes/wedged/sign_pattern.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
 
 #include <algorithm>
 #include <bit>

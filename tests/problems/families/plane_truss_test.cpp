@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/files/structure_writer.hpp"
-#include "problems/structure/structure_check.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/files/toml/structure_writer.hpp"
+#include "problems/structure/checks/structure_check.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "tests/problems/trusses.hpp"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/files/structure_writer.hpp"
+#include "problems/files/toml/structure_writer.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "tests/problems/trusses.hpp"
 

@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/structure/element_faces.hpp"
-#include "problems/structure/element_shape.hpp"
-#include "problems/structure/face_geometry.hpp"
-#include "problems/structure/surface.hpp"
+#include "problems/structure/geometry/element_faces.hpp"
+#include "problems/structure/geometry/face_geometry.hpp"
+#include "problems/structure/geometry/surface.hpp"
+#include "problems/structure/model/element_shape.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "tests/problems/files/mesh_problems.hpp"
 

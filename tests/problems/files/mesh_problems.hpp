@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problems/files/problem_text.hpp"
-#include "problems/structure/structure.hpp"
+#include "problems/structure/model/structure.hpp"
 
 namespace kusabi::problems::test {
 

@@ -8,11 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/files/matrix_market.hpp"
+#include "problems/files/matrices/matrix_market.hpp"
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/structure/solid_element.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "tests/problems/files/mesh_problems.hpp"
 #include "tests/problems/trusses.hpp"

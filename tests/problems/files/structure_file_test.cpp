@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/files/structure_writer.hpp"
+#include "problems/files/toml/structure_writer.hpp"
 #include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/files/structure_writer.hpp"
-#include "problems/structure/element_shape.hpp"
-#include "problems/structure/surface_place.hpp"
+#include "problems/files/toml/structure_writer.hpp"
+#include "problems/structure/geometry/surface_place.hpp"
+#include "problems/structure/model/element_shape.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "tests/problems/bodies.hpp"
 

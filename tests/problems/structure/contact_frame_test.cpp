@@ -1,5 +1,5 @@
 // Contact frames: orthonormal, right-handed in space, and what the user wished for.
-#include "problems/structure/contact_frame.hpp"
+#include "problems/structure/assembly/contact_frame.hpp"
 
 #include <cmath>
 

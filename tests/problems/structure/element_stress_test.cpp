@@ -1,5 +1,5 @@
 // Stresses against Hooke's law in its inverse form, and against the forces of the stiffness matrix.
-#include "problems/structure/element_stress.hpp"
+#include "problems/structure/assembly/element_stress.hpp"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "patches.hpp"
-#include "problems/structure/solid_element.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -1,6 +1,6 @@
 // Mechanisms are found and named; slender, stiff, soft and mixed stable trusses are not taken for
 // one.
-#include "problems/structure/mechanism.hpp"
+#include "problems/structure/bodies/mechanism.hpp"
 
 #include <cmath>
 

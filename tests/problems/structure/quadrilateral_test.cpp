@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/files/structure_writer.hpp"
-#include "problems/structure/mechanism.hpp"
-#include "problems/structure/solid_element.hpp"
-#include "problems/structure/structure_check.hpp"
+#include "problems/files/toml/structure_writer.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/bodies/mechanism.hpp"
+#include "problems/structure/checks/structure_check.hpp"
 #include "problems/wedged/precise_compliance.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "tests/problems/trusses.hpp"

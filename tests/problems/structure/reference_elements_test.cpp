@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "patches.hpp"
-#include "problems/structure/element_shape.hpp"
-#include "problems/structure/solid_element.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/model/element_shape.hpp"
 #include "tests/problems/trusses.hpp"
 
 namespace kusabi::problems {

@@ -1,11 +1,11 @@
 // Which motions supports leave a body: by hand, in any place and any unit.
-#include "problems/structure/rigid_motions.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/structure/mechanism.hpp"
-#include "problems/structure/temporary_springs.hpp"
+#include "problems/structure/bodies/mechanism.hpp"
+#include "problems/structure/bodies/temporary_springs.hpp"
 #include "support/input_error.hpp"
 #include "tests/problems/trusses.hpp"
 

@@ -1,5 +1,5 @@
 // Elements of every shape: rigid motions, patch tests, symmetries of the numbering, bending.
-#include "problems/structure/solid_element.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
 
 #include <cmath>
 #include <functional>
@@ -10,9 +10,9 @@
 
 #include "patches.hpp"
 #include "problems/files/structure_file.hpp"
-#include "problems/files/structure_writer.hpp"
-#include "problems/structure/element_check.hpp"
-#include "problems/structure/mechanism.hpp"
+#include "problems/files/toml/structure_writer.hpp"
+#include "problems/structure/bodies/mechanism.hpp"
+#include "problems/structure/checks/element_check.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -1,6 +1,6 @@
 // The rules for a structure that a program made. Those that a file can break too have a malformed
 // file each in tests/bad-input; here are the ones that a file cannot break.
-#include "problems/structure/structure_check.hpp"
+#include "problems/structure/checks/structure_check.hpp"
 
 #include <functional>
 #include <limits>

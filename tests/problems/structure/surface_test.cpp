@@ -1,5 +1,5 @@
 // Faces of elements, the surface that they make up, and its normals.
-#include "problems/structure/surface.hpp"
+#include "problems/structure/geometry/surface.hpp"
 
 #include <array>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/structure/element_faces.hpp"
-#include "problems/structure/element_shape.hpp"
-#include "problems/structure/face_geometry.hpp"
+#include "problems/structure/geometry/element_faces.hpp"
+#include "problems/structure/geometry/face_geometry.hpp"
+#include "problems/structure/model/element_shape.hpp"
 
 namespace kusabi::problems {
 namespace {

@@ -1,5 +1,5 @@
 // The stiffness of a truss: hand calculations and rigid-body motions.
-#include "problems/structure/truss.hpp"
+#include "problems/structure/model/truss.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Nodes that are several candidates: F by multipliers, which know nothing of corners; names; the
 // whole structure; what is refused.
-#include "problems/structure/corner.hpp"
+#include "problems/structure/model/corner.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/files/structure_writer.hpp"
+#include "problems/files/toml/structure_writer.hpp"
 #include "problems/wedged/whole_structure.hpp"
 #include "tests/problems/bodies.hpp"
 #include "tests/problems/corners.hpp"

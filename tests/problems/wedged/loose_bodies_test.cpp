@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/structure/solid_element.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "problems/wedged/whole_structure.hpp"

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/structure/rigid_motions.hpp"
+#include "problems/structure/bodies/rigid_motions.hpp"
 #include "problems/wedged/whole_structure.hpp"
 #include "tests/problems/bodies.hpp"
 #include "tests/problems/structure/patches.hpp"

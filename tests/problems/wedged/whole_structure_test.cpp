@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/files/structure_file.hpp"
-#include "problems/structure/truss.hpp"
+#include "problems/structure/model/truss.hpp"
 #include "support/input_error.hpp"
 
 namespace {

@@ -1,0 +1,103 @@
+// Program (5), warm from one dead load to the next.
+#include "nodes/limit/model/load_factor.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace kusabi::limit {
+namespace {
+
+using problems::LimitModel;
+
+/// A descent goes on while the factor falls by this much of the scaled factor: what is less may be
+/// rounding, and the next round would be for nothing.
+constexpr double least_fall = 1e-10;
+
+Eigen::VectorXd values(std::span<const double> numbers) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(),
+                                           static_cast<Eigen::Index>(numbers.size()));
+}
+
+}  // namespace
+
+LoadFactor::LoadFactor(const LimitModel& model, support::Stop stop)
+    : model_(model),
+      stop_(std::move(stop)),
+      simplex_(problems::static_program(model, model.dead)) {}
+
+// The cost of lambda is -1 but in here.
+std::optional<double> LoadFactor::least_factor(const Eigen::VectorXd& dead) {
+  const int factor = model_.member_count();
+  simplex_.set_cost(factor, 1);
+  restart();
+  const auto status = solve(dead);
+  simplex_.set_cost(factor, -1);
+  if (status != LoadStatus::collapses) return {};
+  return simplex_.value(factor);
+}
+
+LoadStatus LoadFactor::solve(const Eigen::VectorXd& dead) {
+  for (int k = 0; k < model_.free_count(); ++k) simplex_.set_row_bounds(k, dead(k), dead(k));
+  switch (simplex_.solve_robustly({.stop = stop_})) {
+    case linear::LinearStatus::optimal:
+      if (!first_) first_ = simplex_.basis();
+      return LoadStatus::collapses;
+    case linear::LinearStatus::infeasible:
+      return LoadStatus::not_carried;
+    default:
+      return LoadStatus::undetermined;
+  }
+}
+
+void LoadFactor::restart() {
+  if (first_) simplex_.set_basis(*first_);
+}
+
+Collapse LoadFactor::collapse() const {
+  const auto columns = simplex_.values();
+  const auto duals = simplex_.duals();
+  return {columns.back(), values(std::span(columns).first(columns.size() - 1)), values(duals)};
+}
+
+Eigen::VectorXd LoadFactor::overpowering_motion() {
+  const auto reason = simplex_.farkas();
+  if (reason.empty()) return {};
+  return values(reason);
+}
+
+Eigen::VectorXd worst_for(const LimitModel& model, double alpha, const Eigen::VectorXd& motion,
+                          const Eigen::VectorXd& otherwise) {
+  Eigen::VectorXd zeta(model.uncertain_count());
+  for (int j = 0; j < model.uncertain_count(); ++j) {
+    double sign = model.uncertain[static_cast<std::size_t>(j)].along(motion);
+    if (sign == 0) sign = otherwise(j);
+    zeta(j) = sign < 0 ? -alpha : alpha;
+  }
+  return zeta;
+}
+
+Descent descend(const LimitModel& model, LoadFactor& load_factor, double alpha,
+                Eigen::VectorXd zeta) {
+  Descent descent;
+  for (;;) {
+    const LoadStatus status = load_factor.solve(problems::dead_load(model, zeta));
+    if (status == LoadStatus::not_carried) {
+      return {status, {}, std::move(zeta), load_factor.overpowering_motion()};
+    }
+    if (status == LoadStatus::undetermined) return descent;
+    Collapse collapse = load_factor.collapse();
+    if (descent.status == LoadStatus::collapses &&
+        collapse.factor >= descent.worst.collapse.factor - least_fall) {
+      return descent;
+    }
+    Eigen::VectorXd next = worst_for(model, alpha, collapse.motion, zeta);
+    const bool settled = next == zeta;
+    descent.status = LoadStatus::collapses;
+    descent.worst = {std::move(zeta), std::move(collapse)};
+    if (settled) return descent;
+    zeta = std::move(next);
+  }
+}
+
+}  // namespace kusabi::limit

@@ -1,0 +1,45 @@
+// D for some rho, the least of which counts.
+#include "nodes/limit/root/motion_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "nodes/limit/root/master.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+/// The bounds are widened by so much: the simplex method's L is right to 1e-9 or so, and an M that
+/// is a little too large costs nothing.
+constexpr double widened = 1e-6;
+
+}  // namespace
+
+std::optional<MotionBounds> motion_bounds(const problems::LimitModel& model, double alpha,
+                                          std::span<const StaticCut> cuts, double upper) {
+  const Eigen::VectorXd yield = model.yield();
+  Master master(model, alpha);
+  for (const StaticCut& cut : cuts) master.add(cut);
+  double most = linear::infinity;  // D
+  for (const double rho : {0.5, 0.3, 0.1, 0.03, 0.01, 0.003, 0.001}) {
+    master.leave_room(rho * yield);
+    if (master.solve() != linear::LinearStatus::optimal || master.presses_box()) continue;
+    most = std::min(most, (upper - master.objective()) / rho);
+  }
+  if (!std::isfinite(most)) return {};
+  most = most * (1 + widened) + widened;
+  MotionBounds bounds;
+  bounds.elongation = most * yield.cwiseInverse();
+  bounds.motion.setConstant(model.uncertain_count(), linear::infinity);
+  for (const StaticCut& cut : cuts) {
+    double largest = 0;
+    for (const auto& [member, force] : cut.forces) {
+      largest = std::max(largest, std::abs(force) / yield(member));
+    }
+    double& bound = bounds.motion(cut.column);
+    bound = std::min(bound, most * largest + std::abs(cut.factor) + widened);
+  }
+  return bounds;
+}
+
+}  // namespace kusabi::limit

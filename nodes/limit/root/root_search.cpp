@@ -1,0 +1,140 @@
+// Rounds in lockstep, cuts priced in blocks.
+#include "nodes/limit/root/root_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/together.hpp"
+#include "nodes/limit/model/balanced_model.hpp"
+#include "nodes/limit/root/split_root.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+/// How often a worst case that collapses in another order of forces than the nominal load is
+/// searched for again, in that one.
+constexpr int most_balances = 3;
+
+/// What takes less is over before it is read.
+constexpr auto patience = std::chrono::seconds(2);
+
+}  // namespace
+
+// Every rank must make this call, and all get the same answer.
+bool RootSearch::ended() {
+  if (!ended_) ended_ = engine::from_first_rank(campaign_.transport(), campaign_.budget().stop());
+  return ended_;
+}
+
+support::Stop RootSearch::lockstep_stop() {
+  return [this] { return sharing_ ? campaign_.budget().spent() : ended(); };
+}
+
+// What a long root is doing, every other second.
+void RootSearch::say(const std::string& what) {
+  campaign_.say_now_and_then([&] { return "at the root: " + what; });
+}
+
+// Each round of a long root. No lower end is known while the dissipation is limited.
+void RootSearch::say_ends(std::uint64_t round, double lower, double upper) {
+  if (std::chrono::steady_clock::now() - began_ < patience) return;
+  const double unit = model().factor_unit;
+  const auto low = std::isfinite(lower) ? fmt::format("{:.6g}", lower * unit) : "unknown";
+  campaign_.say(
+      fmt::format("at the root: round {}, load factor {} ... {:.6g}", round, low, upper * unit));
+}
+
+LoadStatus RootSearch::set_up(problems::LimitModel model) {
+  solvers_ = std::make_unique<Solvers>(std::move(model), lockstep_stop());
+  const auto status = solvers_->load_factor.solve(solvers_->model.dead);
+  if (status == LoadStatus::collapses) solvers_->nominal = solvers_->load_factor.collapse();
+  return status;
+}
+
+void RootSearch::settle_for(double alpha) {
+  double load = 0;
+  for (const auto& column : problem_.uncertain) load = std::max(load, alpha * column.largest());
+  const double before = model().force_unit;
+  constexpr double far = 0x1p6;
+  if (load <= far * before) return;
+  if (set_up(problems::limit_model(problem_, load)) != LoadStatus::collapses) {
+    set_up(problems::limit_model(problem_, before));
+  }
+}
+
+LimitCollapse RootSearch::in_units(const Collapse& collapse, const Eigen::VectorXd& dead) {
+  auto least = load_factor().least_factor(dead);
+  if (least) {
+    // Zero, which is carried where there is no load, to the last bit.
+    if (std::abs(*least) <= closed_gap) *least = 0;
+    *least *= model().factor_unit;
+  }
+  return {collapse.factor * model().factor_unit, least,
+          problems::forces_in_units(model(), collapse.forces),
+          problems::motion_in_units(model(), collapse.motion)};
+}
+
+// The cuts do not depend on who makes them: see pricing_block.
+std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<const int> columns) {
+  auto& pricing = solvers_->pricing;
+  say(fmt::format("{} of {} uncertain loads are looked at for cuts", columns.size(),
+                  model().uncertain_count()));
+  const bool small = campaign_.transport().size() == 1 || columns.size() <= pricing_block;
+  // What is kept is shared even then: a run that goes on need not price it again.
+  if (columns.empty() || (small && !campaign_.is_kept())) {
+    return price_alone(pricing, z, columns);
+  }
+  pricing.aim(z, columns.front());
+  const auto blocks = (columns.size() + pricing_block - 1) / pricing_block;
+  const auto block = [&](std::uint64_t number) {
+    const auto first = number * pricing_block;
+    return price_block(pricing,
+                       columns.subspan(first, std::min(pricing_block, columns.size() - first)));
+  };
+  sharing_ = true;
+  auto shared = campaign_.share<std::vector<StaticCut>>(blocks, block);
+  sharing_ = false;
+  std::vector<StaticCut> cuts;
+  for (auto& some : shared) std::move(some.begin(), some.end(), std::back_inserter(cuts));
+  return cuts;
+}
+
+RootResult RootSearch::solve(double alpha) {
+  load_factor().restart();
+  const RootControl control{.stop = lockstep_stop(),
+                            .watcher = [this](std::uint64_t round, double lower, double upper) {
+                              say_ends(round, lower, upper);
+                            }};
+  if (alpha > 0 && model().uncertain_count() > 0 && splits()) {
+    // Every rank makes all steps: they do not depend on how many there are.
+    auto split = split_root(model(), alpha, nominal(), load_factor(), {}, control);
+    if (split.status != RootStatus::open && split.status != RootStatus::failed) return split;
+    load_factor().restart();
+  }
+  return solve_root(
+      model(), alpha, nominal(), load_factor(),
+      [this](const Eigen::VectorXd& z, std::span<const int> columns) { return price(z, columns); },
+      control);
+}
+
+RootResult RootSearch::solve_balanced(double alpha) {
+  RootResult result = solve(scaled(alpha));
+  for (int time = 0; time < most_balances; ++time) {
+    const bool doubtful = result.status == RootStatus::open ||
+                          result.status == RootStatus::unbounded ||
+                          result.status == RootStatus::failed;
+    if (!doubtful || !result.worst) break;
+    const double size = dissipation(problem_, model(), result.worst->collapse.motion);
+    if (!is_out_of_balance(size)) break;
+    if (set_up(rebalanced(problem_, model(), size, alpha)) != LoadStatus::collapses) break;
+    result = solve(scaled(alpha));
+  }
+  return result;
+}
+
+}  // namespace kusabi::limit

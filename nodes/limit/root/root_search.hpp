@@ -1,0 +1,88 @@
+// What all ranks do at the root of a worst-case limit load: the same programs in the same units,
+// but for the pricing of cuts, which is shared.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/campaign.hpp"
+#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
+#include "nodes/limit/root/worst_case.hpp"
+#include "problems/limit/limit_analysis.hpp"
+#include "problems/limit/limit_problem.hpp"
+
+namespace kusabi::limit {
+
+class RootSearch {
+ public:
+  /// Both must outlive it. Every rank makes the same calls.
+  /// @param split_from as in LimitQuestion
+  RootSearch(engine::Campaign& campaign, const problems::LimitProblem& problem,
+             int split_from = usual_split_from)
+      : campaign_(campaign), problem_(problem), split_from_(split_from) {}
+
+  /// Solves the nominal load in a model, which is the one from now on.
+  LoadStatus set_up(problems::LimitModel model);
+  /// Whether the last set_up() said `collapses`: what follows needs that.
+  [[nodiscard]] bool is_set_up() const { return solvers_ && solvers_->nominal.motion.size() > 0; }
+
+  /// Takes units that are not far below the uncertain loads, if the simplex method can do with
+  /// them. @param alpha in the unit of force
+  void settle_for(double alpha);
+
+  /// The rounds, in the model as it is. @param alpha scaled
+  RootResult solve(double alpha);
+
+  /// The same in units that fit the worst case found, too: loads that are large against the nominal
+  /// ones may break what those never touch. @param alpha in the unit of force
+  RootResult solve_balanced(double alpha);
+
+  /// True if solve() finds all cuts at a time.
+  [[nodiscard]] bool splits() const { return model().uncertain_count() >= split_from_; }
+
+  /// Whether the ranks have agreed to end; all get the same answer.
+  bool ended();
+
+  [[nodiscard]] engine::Campaign& campaign() { return campaign_; }
+  [[nodiscard]] const problems::LimitProblem& problem() const { return problem_; }
+  [[nodiscard]] const problems::LimitModel& model() const { return solvers_->model; }
+  [[nodiscard]] double scaled(double alpha) const { return alpha / model().force_unit; }
+  [[nodiscard]] LoadFactor& load_factor() { return solvers_->load_factor; }
+  /// @pre is_set_up()
+  [[nodiscard]] const Collapse& nominal() const { return solvers_->nominal; }
+
+  /// @param dead the load that it is of, scaled
+  [[nodiscard]] LimitCollapse in_units(const Collapse& collapse, const Eigen::VectorXd& dead);
+
+ private:
+  /// A model and what solves its programs; all are made anew when the model is scaled anew.
+  struct Solvers {
+    problems::LimitModel model;
+    LoadFactor load_factor;
+    StaticPricing pricing;
+    Collapse nominal;
+
+    Solvers(problems::LimitModel of, const support::Stop& stop)
+        : model(std::move(of)), load_factor(model, stop), pricing(model, stop) {}
+  };
+
+  support::Stop lockstep_stop();
+  std::vector<StaticCut> price(const Eigen::VectorXd& z, std::span<const int> columns);
+  void say(const std::string& what);
+  void say_ends(std::uint64_t round, double lower, double upper);
+
+  engine::Campaign& campaign_;
+  const problems::LimitProblem& problem_;
+  int split_from_;
+  bool ended_ = false;    // all ranks have agreed to end
+  bool sharing_ = false;  // each rank does something else just now
+  std::unique_ptr<Solvers> solvers_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace kusabi::limit

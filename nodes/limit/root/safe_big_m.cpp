@@ -1,0 +1,27 @@
+// The bounds are found in the scaled model, and are put into units here.
+#include "nodes/limit/root/safe_big_m.hpp"
+
+#include "nodes/limit/model/balanced_model.hpp"
+#include "nodes/limit/root/motion_bounds.hpp"
+#include "nodes/limit/root/root_search.hpp"
+
+namespace kusabi::limit {
+std::optional<Eigen::VectorXd> safe_big_m(engine::Campaign& campaign,
+                                          const problems::LimitProblem& problem, double alpha) {
+  RootSearch search(campaign, problem);
+  const bool collapses = search.set_up(problems::limit_model(problem)) == LoadStatus::collapses ||
+                         search.set_up(balanced_model(problem, 0)) == LoadStatus::collapses;
+  if (!collapses) return std::nullopt;
+  search.settle_for(alpha);
+  const auto root = search.solve_balanced(alpha);
+  if (!root.worst) return std::nullopt;
+  const auto& model = search.model();
+  const auto bounds =
+      motion_bounds(model, search.scaled(alpha), root.cuts, root.worst->collapse.factor);
+  if (!bounds || !bounds->motion.allFinite()) return std::nullopt;
+  // d_j'u is this times the scaled one.
+  const Eigen::VectorXd unit = model.factor_unit * model.direction_unit.cwiseInverse();
+  return 2 * bounds->motion.cwiseProduct(unit);
+}
+
+}  // namespace kusabi::limit

@@ -1,0 +1,313 @@
+// The rounds at the root.
+#include "nodes/limit/root/worst_case.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/root/fixed_shares.hpp"
+#include "nodes/limit/root/pricing_order.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+using linear::LinearStatus;
+using problems::LimitModel;
+
+/// What members that do not move cost in a pricing program, relative to the mean elongation: first
+/// and, when no cut is violated any more, less and less, the last being zero.
+constexpr double first_share = 1e-3;
+constexpr double least_share = 1e-9;
+constexpr double share_fall = 1e-3;
+
+/// A cut is violated if by more than this, where motions are of the order of one.
+constexpr double violated = 1e-9;
+
+/// The dissipation may be so many times that of the best collapse so far while cuts are few.
+constexpr double dissipation_share = 2;
+
+/// The loosest columns are priced first, one of so many, in whole blocks: the relaxation costs
+/// little beside them, and with their cuts most of the others are loose no longer.
+constexpr int batches = 12;
+
+/// A cut that has not mattered in so many rounds, in which all columns could have been priced
+/// twice, is dropped; it is made again should it ever.
+constexpr int idle_rounds = 2 * batches;
+
+/// A cut does not matter where it leaves so much, motions being of the order of one.
+constexpr double idle = 1e-7;
+
+/// Rounds that no instance we know comes near.
+constexpr int most_rounds = 1000;
+
+/// One run of the rounds.
+class Rounds {
+ public:
+  Rounds(const LimitModel& model, double alpha, LoadFactor& load_factor, const Pricer& pricer,
+         const RootControl& control)
+      : model_(model),
+        alpha_(alpha),
+        load_factor_(load_factor),
+        pricer_(pricer),
+        control_(control),
+        order_(model),
+        master_(model, alpha, control.stop) {}
+
+  RootResult run(const Collapse& nominal);
+
+ private:
+  bool improve(const Eigen::VectorXd& motion);
+  bool price(const Eigen::VectorXd& z, std::span<const int> columns, const Relaxed* point);
+  bool cut_off(const Relaxed& point);
+  void drop_idle_cuts(const Relaxed& point);
+  bool lift_dissipation();
+  void bound_at_the_end();
+  [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
+  RootStatus rounds();
+
+  const LimitModel& model_;
+  double alpha_;
+  LoadFactor& load_factor_;
+  const Pricer& pricer_;
+  const RootControl& control_;
+  PricingOrder order_;
+  Master master_;
+  double share_ = first_share;
+  bool limited_ = true;
+  std::vector<int> idle_;  // by cut, in how many rounds at a stretch it has not mattered
+  RootResult result_;
+};
+
+bool Rounds::improve(const Eigen::VectorXd& motion) {
+  return descend_from(model_, alpha_, load_factor_, motion, result_);
+}
+
+// Adds the cuts that the point violates, or all if there is no point yet. @return whether any
+bool Rounds::price(const Eigen::VectorXd& z, std::span<const int> columns, const Relaxed* point) {
+  bool any = false;
+  result_.counts.pricings += columns.size();
+  for (auto& cut : pricer_(pricing_aim(z, share_), order_.walk(columns))) {
+    if (point != nullptr && point->gamma(cut.column) - cut.bound(point->z) < violated) continue;
+    master_.add(cut);
+    result_.cuts.push_back(std::move(cut));
+    idle_.push_back(0);
+    any = true;
+  }
+  return any;
+}
+
+// Prices loose columns, the loosest first, until some cut is violated; if none is, with less and
+// less cost of members that do not move. @return whether any
+bool Rounds::cut_off(const Relaxed& point) {
+  const Eigen::VectorXd loose = looseness(model_, point);
+  std::vector<int> columns;
+  for (int j = 0; j < model_.uncertain_count(); ++j) {
+    if (loose(j) > violated) columns.push_back(j);
+  }
+  std::ranges::stable_sort(columns, std::greater<>(), [&](int j) { return loose(j); });
+  const auto blocks = model_.uncertain.size() / (static_cast<std::size_t>(batches) * pricing_block);
+  const auto batch = std::max<std::size_t>(1, blocks) * pricing_block;
+  while (!columns.empty()) {
+    for (std::size_t first = 0; first < columns.size(); first += batch) {
+      const auto count = std::min(batch, columns.size() - first);
+      std::vector<int> some(columns.begin() + static_cast<std::ptrdiff_t>(first),
+                            columns.begin() + static_cast<std::ptrdiff_t>(first + count));
+      std::ranges::sort(some);
+      if (price(point.z, some, &point)) return true;
+      if (stopped()) return false;
+    }
+    if (share_ == 0) return false;
+    share_ = share_ > least_share ? share_ * share_fall : 0;
+  }
+  return false;
+}
+
+// The tightest cut of a column always stays.
+void Rounds::drop_idle_cuts(const Relaxed& point) {
+  auto& cuts = result_.cuts;
+  std::vector<double> bounds;
+  Eigen::VectorXd tightest = Eigen::VectorXd::Constant(model_.uncertain_count(), linear::infinity);
+  for (const auto& cut : cuts) {
+    bounds.push_back(cut.bound(point.z));
+    tightest(cut.column) = std::min(tightest(cut.column), bounds.back());
+  }
+  std::vector<std::size_t> dropped;
+  for (std::size_t c = 0; c < cuts.size(); ++c) {
+    idle_[c] = bounds[c] - tightest(cuts[c].column) > idle ? idle_[c] + 1 : 0;
+    if (idle_[c] >= idle_rounds) {
+      dropped.push_back(c);
+      continue;
+    }
+    const auto place = c - dropped.size();
+    if (place == c) continue;
+    cuts[place] = std::move(cuts[c]);
+    idle_[place] = idle_[c];
+  }
+  cuts.resize(cuts.size() - dropped.size());
+  idle_.resize(cuts.size());
+  master_.drop_cuts(dropped);
+}
+
+// @return whether the limit pressed and is gone now
+bool Rounds::lift_dissipation() {
+  if (!limited_ || !master_.dissipation_presses()) return false;
+  limited_ = false;
+  master_.limit_dissipation(linear::infinity);
+  return true;
+}
+
+// What the cuts so far say without the limit of the dissipation, which makes no bound while it
+// presses; in little time.
+void Rounds::bound_at_the_end() {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto grace = std::chrono::milliseconds(300);
+  const auto end = Clock::now() + grace;
+  master_.set_stop([end] { return Clock::now() > end; });
+  master_.limit_dissipation(linear::infinity);
+  if (master_.solve() != LinearStatus::optimal || master_.presses_box()) return;
+  result_.lower = master_.objective();
+  if (master_.make_room(first_room)) result_.proof = master_.proof();
+}
+
+RootStatus Rounds::rounds() {
+  const Eigen::VectorXd z =
+      (model_.equilibrium.transpose() * result_.worst->collapse.motion).cwiseAbs();
+  master_.limit_dissipation(dissipation_share * model_.yield().dot(z));
+  std::vector<int> columns(model_.uncertain.size());
+  for (std::size_t j = 0; j < columns.size(); ++j) columns[j] = static_cast<int>(j);
+  price(z, columns, nullptr);
+  double before = -linear::infinity;
+  while (result_.counts.rounds < most_rounds) {
+    if (stopped()) return RootStatus::stopped;
+    ++result_.counts.rounds;
+    const auto status = master_.solve();
+    if (status == LinearStatus::interrupted) return RootStatus::stopped;
+    if (status != LinearStatus::optimal) return RootStatus::failed;
+    const bool is_bound = !master_.dissipation_presses() && !master_.presses_box();
+    const double bound = master_.objective();
+    if (is_bound) result_.lower = bound;
+    const Relaxed point = master_.relaxed();
+    if (!improve(point.motion)) return RootStatus::not_carried;
+    if (control_.watcher) {
+      control_.watcher(result_.counts.rounds, result_.lower, result_.worst->collapse.factor);
+    }
+    const bool meet = result_.worst->collapse.factor - bound <= closed_gap;
+    // Only where the bound has risen, so that no cut goes and comes for ever.
+    if (!meet && bound > before + closed_gap) drop_idle_cuts(point);
+    before = bound;
+    const bool cut = !meet && cut_off(point);
+    if (stopped()) return RootStatus::stopped;
+    if (cut || lift_dissipation()) continue;
+    return meet ? RootStatus::closed : RootStatus::open;
+  }
+  return RootStatus::open;
+}
+
+RootResult Rounds::run(const Collapse& nominal) {
+  const auto solves = load_factor_.solves();
+  result_.status = improve(nominal.motion) ? RootStatus::open : RootStatus::not_carried;
+  if (result_.status == RootStatus::open && !result_.worst) {
+    result_.status = stopped() ? RootStatus::stopped : RootStatus::failed;
+  }
+  if (result_.status == RootStatus::open) result_.status = rounds();
+  switch (result_.status) {
+    case RootStatus::open:
+    case RootStatus::closed:
+      // At the box of the relaxation the bound is that of the box.
+      if (master_.presses_box()) result_.status = RootStatus::unbounded;
+      if (master_.make_room(first_room)) result_.proof = master_.proof();
+      if (stopped()) result_.status = RootStatus::stopped;
+      result_.basis = master_.basis();
+      break;
+    case RootStatus::stopped:
+      bound_at_the_end();
+      break;
+    default:
+      break;
+  }
+  result_.counts.relaxations = master_.solves();
+  result_.counts.load_factors = load_factor_.solves() - solves;
+  return std::move(result_);
+}
+
+}  // namespace
+
+bool descend_from(const LimitModel& model, double alpha, LoadFactor& load_factor,
+                  const Eigen::VectorXd& motion, RootResult& result) {
+  const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model.uncertain_count());
+  auto found = descend(model, load_factor, alpha, worst_for(model, alpha, motion, plus));
+  if (found.status == LoadStatus::not_carried) {
+    result.overpowering_load = std::move(found.overpowering_load);
+    result.overpowering_motion = std::move(found.overpowering_motion);
+    return false;
+  }
+  if (found.status != LoadStatus::collapses) return true;
+  if (!result.worst || found.worst.collapse.factor < result.worst->collapse.factor) {
+    result.worst = std::move(found.worst);
+  }
+  return true;
+}
+
+std::vector<StaticCut> price_block(StaticPricing& pricing, std::span<const int> columns) {
+  std::vector<StaticCut> cuts;
+  pricing.restart();
+  for (const int column : columns) {
+    if (pricing.stopped()) break;
+    if (auto cut = pricing.cut(column)) cuts.push_back(std::move(*cut));
+  }
+  return cuts;
+}
+
+std::vector<StaticCut> price_alone(StaticPricing& pricing, const Eigen::VectorXd& z,
+                                   std::span<const int> columns) {
+  std::vector<StaticCut> cuts;
+  if (columns.empty()) return cuts;
+  pricing.aim(z, columns.front());
+  for (std::size_t first = 0; first < columns.size(); first += pricing_block) {
+    const auto count = std::min(pricing_block, columns.size() - first);
+    for (auto& cut : price_block(pricing, columns.subspan(first, count))) {
+      cuts.push_back(std::move(cut));
+    }
+  }
+  return cuts;
+}
+
+Eigen::VectorXd looseness(const LimitModel& model, const Relaxed& point) {
+  Eigen::VectorXd loose(model.uncertain_count());
+  for (int j = 0; j < model.uncertain_count(); ++j) {
+    const auto& column = model.uncertain[static_cast<std::size_t>(j)];
+    loose(j) = column.weight * (point.gamma(j) - std::abs(column.along(point.motion)));
+  }
+  return loose;
+}
+
+Eigen::VectorXd pricing_aim(const Eigen::VectorXd& z, double share) {
+  return z.array() + share * z.mean();
+}
+
+RootResult solve_root(const LimitModel& model, double alpha, const Collapse& nominal,
+                      LoadFactor& load_factor, const Pricer& pricer, const RootControl& control) {
+  return Rounds(model, alpha, load_factor, pricer, control).run(nominal);
+}
+
+std::optional<StaticProof> proof_with_room(const LimitModel& model, double alpha,
+                                           std::span<const StaticCut> cuts, const Signs& signs,
+                                           double share, bool for_all) {
+  const bool decided = std::ranges::any_of(signs, [](int sign) { return sign != 0; });
+  // The master program is too large there, and proves by less where it is not.
+  if (!decided && model.uncertain_count() >= usual_split_from && is_one_for_each(cuts, model)) {
+    return proof_of_fixed_shares(model, alpha, cuts, share, for_all);
+  }
+  Master master(model, alpha);
+  for (const auto& cut : cuts) master.add(cut);
+  master.decide(signs);
+  if (master.solve() != LinearStatus::optimal || !master.make_room(share, for_all)) return {};
+  return master.proof();
+}
+
+}  // namespace kusabi::limit

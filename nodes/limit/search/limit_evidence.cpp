@@ -1,0 +1,159 @@
+// A change of units, and the shares of cuts made sure to be large enough.
+#include "nodes/limit/search/limit_evidence.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace kusabi::limit {
+namespace {
+
+using problems::LimitModel;
+
+/// Shares of the cuts of a column add up to alpha times its weight but for rounding; a proof needs
+/// no less than that. The room that the solver leaves is far more.
+constexpr double enough = 1 + 1e-13;
+
+/// A force as near as this to a yield force, in the unit of the member, is that: an idle cable has
+/// none left, and the proof wants to see equilibrium without it.
+constexpr double at_yield = 1e-12;
+
+// B~ y~ - k~ f~_R = d~_j, row e being in units of Y_e.
+verify::LimitCut cut_of(const StaticCut& cut, const LimitModel& model) {
+  const double unit = model.direction_unit(cut.column);
+  verify::LimitCut result;
+  result.column = static_cast<std::size_t>(cut.column);
+  result.factor = cut.factor * model.factor_unit / unit;
+  for (const auto& [member, force] : cut.forces) {
+    result.forces.emplace_back(static_cast<std::size_t>(member),
+                               force * model.member_unit(member) / unit);
+  }
+  return result;
+}
+
+double snapped(double force, double tension, double compression, double unit) {
+  const double near = at_yield * unit;
+  if (std::abs(force - tension) <= near) return tension;
+  if (std::abs(force + compression) <= near) return -compression;
+  return force;
+}
+
+class Converter {
+ public:
+  Converter(const problems::LimitProblem& problem, const LimitModel& model, double alpha)
+      : problem_(problem), model_(model), alpha_(alpha) {}
+
+  // @param columns the column of T of each of the node's cuts; its own come last
+  verify::LimitNode node_of(const ClosedNode& node, const std::vector<std::size_t>& places,
+                            const std::vector<std::size_t>& columns) const;
+
+ private:
+  const problems::LimitProblem& problem_;
+  const LimitModel& model_;
+  double alpha_;
+};
+
+verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<std::size_t>& places,
+                                     const std::vector<std::size_t>& columns) const {
+  verify::LimitNode result;
+  result.signs.assign(node.signs.begin(), node.signs.end());
+  result.factor = node.factor * model_.factor_unit;
+  const auto forces = problems::forces_in_units(
+      model_, Eigen::Map<const Eigen::VectorXd>(node.forces.data(), model_.member_count()));
+  for (int i = 0; i < model_.member_count(); ++i) {
+    result.forces.push_back(
+        snapped(forces(i), problem_.tension(i), problem_.compression(i), model_.member_unit(i)));
+  }
+  const auto unit_of = [this](std::size_t j) {
+    return model_.direction_unit(static_cast<Eigen::Index>(j));
+  };
+  std::vector<double> sum(node.signs.size());
+  for (std::size_t c = 0; c < node.mu.size(); ++c) {
+    sum[columns[c]] += node.mu[c] * unit_of(columns[c]);
+  }
+  for (std::size_t c = 0; c < node.mu.size(); ++c) {
+    const auto j = columns[c];
+    if (node.signs[j] != 0) continue;  // gamma_j is gone there
+    const double needed = alpha_ * problem_.uncertain[j].reach() * enough;
+    double share = node.mu[c] * unit_of(j);
+    if (sum[j] < needed / 2) {
+      // Of next to nothing the simplex method makes nothing: any cut will do.
+      share += needed - sum[j];
+      sum[j] = needed;
+    } else {
+      share *= std::max(1.0, needed / sum[j]);
+    }
+    if (share != 0) result.shares.emplace_back(places[c], share);
+  }
+  for (std::size_t j = 0; j < node.one_sided.size(); ++j) {
+    result.one_sided.push_back(node.one_sided[j] * unit_of(j));
+  }
+  return result;
+}
+
+}  // namespace
+
+verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
+                                           const LimitModel& model, double alpha,
+                                           const Worst& worst,
+                                           const std::vector<StaticCut>& root_cuts,
+                                           const std::vector<ClosedNode>& nodes) {
+  verify::LimitCertificate certificate;
+  certificate.displacements = static_cast<std::size_t>(problem.free_count());
+  certificate.tension.assign(problem.tension.begin(), problem.tension.end());
+  certificate.compression.assign(problem.compression.begin(), problem.compression.end());
+  for (int i = 0; i < problem.member_count(); ++i) {
+    auto& column = certificate.columns.emplace_back();
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(problem.equilibrium, i); entry; ++entry) {
+      column.emplace_back(static_cast<std::size_t>(entry.row()), entry.value());
+    }
+  }
+  certificate.dead.assign(problem.dead.begin(), problem.dead.end());
+  certificate.reference.assign(problem.reference.begin(), problem.reference.end());
+  for (const auto& column : problem.uncertain) {
+    auto& load = certificate.uncertain.emplace_back();
+    for (const auto& [degree, value] : column.direction) {
+      load.emplace_back(static_cast<std::size_t>(degree), column.weight * value);
+    }
+    certificate.names.push_back(column.group.empty() ? column.name : column.group);
+  }
+  // Exact: where half-widths are not 1, alpha is, but for a place on a curve.
+  for (const auto& column : problem.uncertain)
+    certificate.alpha.push_back(alpha * column.half_width);
+  for (Eigen::Index j = 0; j < worst.zeta.size(); ++j) {
+    const double most = certificate.alpha[static_cast<std::size_t>(j)];
+    certificate.load.push_back(worst.zeta(j) == 0 ? 0 : std::copysign(most, worst.zeta(j)));
+  }
+  for (const double u : problems::motion_in_units(model, worst.collapse.motion)) {
+    certificate.motion.push_back(u);
+  }
+  std::vector<std::size_t> shared_places;
+  std::vector<std::size_t> shared_columns;
+  const auto add = [&](const StaticCut& cut, auto& places, auto& columns) {
+    places.push_back(certificate.cuts.size());
+    columns.push_back(static_cast<std::size_t>(cut.column));
+    certificate.cuts.push_back(cut_of(cut, model));
+  };
+  for (const auto& cut : root_cuts) add(cut, shared_places, shared_columns);
+  const Converter converter(problem, model, alpha);
+  for (const auto& node : nodes) {
+    auto places = shared_places;
+    auto columns = shared_columns;
+    for (const auto& cut : node.own_cuts) add(cut, places, columns);
+    certificate.nodes.push_back(converter.node_of(node, places, columns));
+  }
+  return certificate;
+}
+
+verify::LimitNode limit_node(const problems::LimitProblem& problem, const LimitModel& model,
+                             double alpha, std::span<const StaticCut> cuts,
+                             const ClosedNode& node) {
+  std::vector<std::size_t> places;
+  std::vector<std::size_t> columns;
+  for (const auto& cut : cuts) {
+    places.push_back(places.size());
+    columns.push_back(static_cast<std::size_t>(cut.column));
+  }
+  return Converter(problem, model, alpha).node_of(node, places, columns);
+}
+
+}  // namespace kusabi::limit

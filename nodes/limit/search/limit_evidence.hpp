@@ -1,0 +1,28 @@
+// From what the solver found, in its scaled units, to the certificate that verify/ can prove, in
+// those of the problem.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nodes/limit/search/sign_tree.hpp"
+#include "problems/limit/limit_problem.hpp"
+#include "verify/limit/limit_certificate.hpp"
+
+namespace kusabi::limit {
+
+/// @param root_cuts the cuts that all nodes share
+/// @param alpha in the unit of force
+verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
+                                           const problems::LimitModel& model, double alpha,
+                                           const Worst& worst,
+                                           const std::vector<StaticCut>& root_cuts,
+                                           const std::vector<ClosedNode>& nodes);
+
+/// A node of a certificate that has these cuts, in this order, all of them the node's.
+/// @param node its shares `mu` are of `cuts`
+verify::LimitNode limit_node(const problems::LimitProblem& problem,
+                             const problems::LimitModel& model, double alpha,
+                             std::span<const StaticCut> cuts, const ClosedNode& node);
+
+}  // namespace kusabi::limit

@@ -1,0 +1,139 @@
+// Room for rounding, as little as will do.
+#include "nodes/limit/search/proved_ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "nodes/limit/root/worst_case.hpp"
+#include "nodes/limit/search/limit_evidence.hpp"
+#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_proof.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+/// Scaled forces; the first has been tried, but not for all members.
+constexpr double rooms[] = {first_room, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
+
+double infinite() {
+  return std::numeric_limits<double>::infinity();
+}
+
+// The truss with its true directions; as it was computed with if those cannot be told (a bar of no
+// length to speak of).
+verify::LimitTruss meant_truss(const verify::LimitCertificate& certificate,
+                               const verify::Structure& truss) {
+  auto found = verify::limit_agreement(certificate, truss);
+  if (auto* const meant = std::get_if<verify::LimitTruss>(&found)) return std::move(*meant);
+  return verify::recorded_truss(certificate);
+}
+
+// What is shown below all loads of a node; minus infinity: nothing.
+double lower_end(const verify::LimitProof& proof, const verify::LimitNode& node) {
+  const auto found = proof.lower(node);
+  const auto* value = std::get_if<mpq_class>(&found);
+  return value == nullptr ? -infinite() : verify::rounded_down(*value);
+}
+
+verify::LimitCertificate certificate_of(const LimitEvidence& evidence,
+                                        const std::vector<ClosedNode>& nodes) {
+  return limit_certificate(evidence.problem, evidence.model, evidence.alpha, evidence.worst,
+                           evidence.cuts, nodes);
+}
+
+// Replaces the proof of a node by one with more room, if that shows more. @return what is shown
+double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& truss,
+                      ClosedNode& node, double shown, double wanted) {
+  auto cuts = evidence.cuts;
+  cuts.insert(cuts.end(), node.own_cuts.begin(), node.own_cuts.end());
+  // All but the node itself is the same in every room.
+  const auto certificate =
+      limit_certificate(evidence.problem, evidence.model, evidence.alpha, evidence.worst, cuts, {});
+  const verify::LimitProof proof(certificate, truss);
+  const double alpha = evidence.alpha / evidence.model.force_unit;
+  for (const double room : rooms) {
+    for (const bool for_all : {false, true}) {
+      const auto found = proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all);
+      if (!found) continue;
+      auto candidate = closed_node(*found, node.own_cuts);
+      const double lower = lower_end(
+          proof, limit_node(evidence.problem, evidence.model, evidence.alpha, cuts, candidate));
+      if (lower <= shown) continue;
+      shown = lower;
+      node = std::move(candidate);
+      if (shown >= wanted) return shown;
+    }
+  }
+  return shown;
+}
+
+}  // namespace
+
+ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
+  auto& nodes = evidence.nodes;
+  // A node that was closed without a proof has no forces; its signs are enough to look for some.
+  std::vector<bool> has_proof;
+  for (auto& node : nodes) {
+    has_proof.push_back(!node.forces.empty());
+    node.forces.resize(static_cast<std::size_t>(evidence.model.member_count()));
+  }
+  ProvedEnds result;
+  auto& [ends, certificate] = result;
+  certificate = certificate_of(evidence, nodes);
+  const auto truss = meant_truss(certificate, evidence.truss);
+  bool changed = false;
+  {
+    const verify::LimitProof proof(certificate, truss);
+    const auto upper = proof.upper();
+    if (const auto* value = std::get_if<mpq_class>(&upper)) {
+      ends.upper = verify::rounded_up(*value);
+      ends.upper_proved = true;
+    }
+    double least = infinite();
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      double shown = has_proof[k] ? lower_end(proof, certificate.nodes[k]) : -infinite();
+      const double wanted =
+          std::min(ends.upper, evidence.lower) - 2 * closed_gap * evidence.model.factor_unit;
+      if (again && shown < wanted) {
+        const double more = with_more_room(evidence, truss, nodes[k], shown, wanted);
+        changed = changed || more > shown;
+        shown = more;
+      }
+      least = std::min(least, shown);
+    }
+    if (std::isfinite(least) && !verify::flaw_of_sign_cover(certificate)) {
+      ends.lower = least;
+      ends.lower_proved = true;
+    }
+  }
+  if (changed) certificate = certificate_of(evidence, nodes);
+  return result;
+}
+
+std::optional<double> proved_upper(const verify::Structure& truss,
+                                   const problems::LimitProblem& problem,
+                                   const problems::LimitModel& model, double alpha,
+                                   const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion) {
+  const auto evidence = limit_certificate(problem, model, alpha, {zeta, {0, {}, motion}}, {}, {});
+  const auto upper = verify::LimitProof(evidence, meant_truss(evidence, truss)).upper();
+  const auto* const value = std::get_if<mpq_class>(&upper);
+  if (value == nullptr) return {};
+  return verify::rounded_up(*value);
+}
+
+std::optional<verify::LimitCertificate> evidence_of_no_factor(const verify::Structure& truss,
+                                                              const problems::LimitProblem& problem,
+                                                              const problems::LimitModel& model,
+                                                              double alpha,
+                                                              const Eigen::VectorXd& zeta,
+                                                              const Eigen::VectorXd& motion) {
+  if (motion.size() != model.free_count() || !motion.allFinite()) return {};
+  auto evidence = limit_certificate(problem, model, alpha, {zeta, {0, {}, motion}}, {}, {});
+  if (!verify::LimitProof(evidence, meant_truss(evidence, truss)).shows_no_factor()) return {};
+  return evidence;
+}
+
+}  // namespace kusabi::limit

@@ -1,0 +1,171 @@
+// Opening a node: bound, descend, branch.
+#include "nodes/limit/search/sign_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace kusabi::limit {
+namespace {
+
+/// Rounds of cuts at a node below the root: the first ones bring most.
+constexpr int rounds_at_a_node = 4;
+
+/// A cut is made where the point is looser than this, and kept if it is violated by more.
+constexpr double loose_enough = 1e-7;
+
+/// Signs are left alone where the point is tighter than this: the bound is then exact but for less
+/// than the gap that closes a node.
+constexpr double tight_enough = 1e-10;
+
+std::vector<double> numbers(const Eigen::VectorXd& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+}  // namespace
+
+ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts) {
+  return {
+      proof.signs,        proof.factor, numbers(proof.forces), proof.mu, numbers(proof.one_sided),
+      std::move(own_cuts)};
+}
+
+SignTree::SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
+                   bool keep_evidence, support::Stop stop)
+    : model_(model),
+      alpha_(alpha),
+      root_(root),
+      keep_evidence_(keep_evidence),
+      stop_(std::move(stop)),
+      load_factor_(model, stop_),
+      pricing_(model, stop_),
+      master_(model, alpha, stop_) {
+  for (const StaticCut& cut : root.cuts) master_.add(cut);
+  load_factor_.solve(model.dead);  // where every descent starts from
+}
+
+SignTree::Node SignTree::root() const {
+  return {Signs(model_.uncertain.size(), 0)};
+}
+
+SignTree::Tally SignTree::tally() const {
+  Tally tally = tally_;
+  tally.counts.load_factors = load_factor_.solves();
+  tally.counts.relaxations = master_.solves();
+  return tally;
+}
+
+// Nothing if the simplex method fails, or was asked to end.
+std::optional<SignTree::Bounded> SignTree::bounded(const Node& node) {
+  master_.drop_cuts_from(root_.cuts.size());
+  own_cuts_.clear();
+  master_.set_basis(root_.basis);
+  master_.decide(node.signs);
+  Bounded result;
+  for (int round = 0;; ++round) {
+    if (master_.solve() != linear::LinearStatus::optimal) return {};
+    result.bound = master_.objective();
+    result.point = master_.relaxed();
+    if (round == rounds_at_a_node) return result;
+    const Eigen::VectorXd loose = looseness(model_, result.point);
+    std::vector<int> columns;
+    for (int j = 0; j < model_.uncertain_count(); ++j) {
+      if (loose(j) > loose_enough) columns.push_back(j);
+    }
+    bool any = false;
+    tally_.counts.pricings += columns.size();
+    for (auto& cut : price_alone(pricing_, pricing_aim(result.point.z, 0), columns)) {
+      if (result.point.gamma(cut.column) - cut.bound(result.point.z) < loose_enough) continue;
+      master_.add(cut);
+      own_cuts_.push_back(std::move(cut));
+      any = true;
+    }
+    if (!any) return result;
+    ++tally_.counts.rounds;
+  }
+}
+
+// @return the least factor known here afterwards
+double SignTree::descend_from(const Bounded& node, engine::Expansion<SignTree>& out) {
+  const double known = std::min(out.cutoff(), root_.worst->collapse.factor);
+  const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model_.uncertain_count());
+  load_factor_.restart();
+  const auto found =
+      descend(model_, load_factor_, alpha_, worst_for(model_, alpha_, node.point.motion, plus));
+  if (found.status == LoadStatus::not_carried) {
+    out.solution({-linear::infinity,
+                  numbers(found.overpowering_load),
+                  numbers(found.overpowering_motion),
+                  {}});
+    return -linear::infinity;
+  }
+  if (found.status != LoadStatus::collapses) return known;
+  // What is better by less than the gap would be another answer on another number of ranks.
+  const double worst = found.worst.collapse.factor;
+  if (worst < root_.worst->collapse.factor - closed_gap && worst < out.cutoff()) {
+    const auto& [zeta, collapse] = found.worst;
+    out.solution({worst, numbers(zeta), numbers(collapse.motion), numbers(collapse.forces)});
+  }
+  return std::min(known, worst);
+}
+
+void SignTree::close(const Signs& signs) {
+  ++tally_.closed;
+  if (!keep_evidence_) return;
+  if (master_.make_room(first_room)) {
+    tally_.evidence.push_back(closed_node(master_.proof(), own_cuts_));
+  } else {
+    tally_.evidence.push_back({signs, 0, {}, {}, {}, own_cuts_});
+  }
+}
+
+// By the first sign that is open; with none, the node is closed without a proof.
+void SignTree::split_unsolved(const Node& node, engine::Expansion<SignTree>& out) {
+  const auto open = std::ranges::find(node.signs, 0);
+  if (open == node.signs.end()) {
+    ++tally_.closed;
+    ++tally_.unsolved;
+    if (keep_evidence_) tally_.evidence.push_back({node.signs, 0, {}, {}, {}, {}});
+    return;
+  }
+  ++tally_.branched;
+  for (const std::int8_t sign : {std::int8_t{1}, std::int8_t{-1}}) {
+    Node child{node.signs};
+    child.signs[static_cast<std::size_t>(open - node.signs.begin())] = sign;
+    out.branch(std::move(child));
+  }
+}
+
+void SignTree::expand(Node&& node, engine::Expansion<SignTree>& out) {
+  const auto found = bounded(node);
+  // A search that is asked to end keeps the node; its evidence would be of a bound half found.
+  if (support::asked(stop_)) {
+    out.branch(std::move(node));
+    return;
+  }
+  if (!found) {
+    split_unsolved(node, out);
+    return;
+  }
+  const Bounded& here = *found;
+  const double known = descend_from(here, out);
+  const Eigen::VectorXd loose = looseness(model_, here.point);
+  Eigen::Index widest = 0;
+  const double most = loose.size() == 0 ? 0 : loose.maxCoeff(&widest);
+  if (here.bound >= known - closed_gap || most <= tight_enough) {
+    close(node.signs);
+    return;
+  }
+  ++tally_.branched;
+  const auto j = static_cast<std::size_t>(widest);
+  const bool positive = model_.uncertain[j].along(here.point.motion) >= 0;
+  for (const bool same : {true, false}) {
+    Node child{node.signs};
+    child.signs[j] = same == positive ? std::int8_t{1} : std::int8_t{-1};
+    out.branch(std::move(child));
+  }
+}
+
+}  // namespace kusabi::limit

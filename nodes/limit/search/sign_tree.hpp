@@ -1,0 +1,113 @@
+// The tree below the root for worst-case loads that static cuts alone do not decide: branching on
+// the sign of t_j'u, which is the 0-1 variable tau_j of the limit paper's (29) without its big M.
+//
+// A node has some signs decided. Its bound is the relaxation of nodes/limit/root/master.hpp with
+// the cuts of the root and some of its own. With all signs decided the relaxation is exact, so the
+// tree ends; each closed node hands over the static proof of its bound.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <boost/serialization/vector.hpp>
+
+#include "engine/expansion.hpp"
+#include "nodes/limit/root/worst_case.hpp"
+
+namespace kusabi::limit {
+
+/// A closed node and why it was closed.
+struct ClosedNode {
+  Signs signs;
+  double factor = 0;
+  std::vector<double> forces;     ///< empty: without a proof
+  std::vector<double> mu;         ///< of the cuts of the root, then of `own_cuts`
+  std::vector<double> one_sided;  ///< nu
+  std::vector<StaticCut> own_cuts;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& signs& factor& forces& mu& one_sided& own_cuts;
+  }
+};
+
+ClosedNode closed_node(const StaticProof& proof, std::vector<StaticCut> own_cuts);
+
+/// The problem type that engine::search searches, for Goal::best. It gives the engine no bounds of
+/// nodes: each is opened, so that each leaves its proof.
+class SignTree {
+ public:
+  struct Node {
+    Signs signs;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& signs;
+    }
+  };
+
+  /// A load that is worse than the one the search began with.
+  struct Solution {
+    double factor = 0;  ///< minus infinity: the load is carried at no factor, and
+    std::vector<double> zeta;
+    std::vector<double> motion;  ///< this is a motion that shows it, or empty
+    std::vector<double> forces;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& factor& zeta& motion& forces;
+    }
+  };
+
+  struct Tally {
+    std::uint64_t branched = 0;
+    std::uint64_t closed = 0;
+    std::uint64_t unsolved = 0;  ///< closed with all signs decided, where the simplex method failed
+    WorstCaseCounts counts;
+    std::vector<ClosedNode> evidence;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& branched& closed& unsolved& counts.load_factors& counts.relaxations& counts.pricings;
+      archive& counts.rounds& evidence;
+    }
+  };
+
+  /// @param root how the root ended: open. All must outlive the tree
+  /// @param keep_evidence whether closed nodes go into the tally
+  /// @param stop ends the opening of a node, which stays open
+  SignTree(const problems::LimitModel& model, double alpha, const RootResult& root,
+           bool keep_evidence, support::Stop stop = {});
+
+  Node root() const;
+  void expand(Node&& node, engine::Expansion<SignTree>& out);
+  double objective(const Solution& solution) const { return solution.factor; }
+  Tally tally() const;
+
+ private:
+  // The relaxation at a node after rounds of cuts of its own.
+  struct Bounded {
+    double bound = 0;
+    Relaxed point;
+  };
+  std::optional<Bounded> bounded(const Node& node);
+  void split_unsolved(const Node& node, engine::Expansion<SignTree>& out);
+  double descend_from(const Bounded& node, engine::Expansion<SignTree>& out);
+  void close(const Signs& signs);
+
+  const problems::LimitModel& model_;
+  double alpha_;
+  const RootResult& root_;
+  bool keep_evidence_;
+  support::Stop stop_;
+  LoadFactor load_factor_;
+  StaticPricing pricing_;
+  Master master_;
+  std::vector<StaticCut> own_cuts_;  // of the node at hand
+  Tally tally_;
+};
+
+}  // namespace kusabi::limit

@@ -1,0 +1,231 @@
+// Every rank does the work at the root alike; rank 0 proves.
+#include "nodes/limit/search/worst_case_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include "engine/together.hpp"
+#include "nodes/limit/model/balanced_model.hpp"
+#include "nodes/limit/search/proved_ends.hpp"
+#include "nodes/limit/search/zero_one_worst.hpp"
+
+namespace kusabi::limit {
+
+SignSearch search_signs(RootSearch& search, RootResult& root, double alpha) {
+  auto& campaign = search.campaign();
+  SignTree tree(search.model(), alpha, root, true, campaign.budget().stop());
+  engine::Options options;
+  options.goal = engine::Goal::best;
+  const auto outcome = campaign.search(
+      tree, options, {search.model().factor_unit, root.worst->collapse.factor, root.lower});
+  SignSearch result;
+  std::vector<SignTree::Solution> best;
+  std::tie(best, result.status) = engine::from_first_rank(campaign.transport(), [&] {
+    result.nodes = outcome.opened();
+    for (const auto* const reports : {&outcome.earlier, &outcome.ranks}) {
+      for (const auto& rank : *reports) {
+        const auto& tally = rank.tally;
+        result.programs +=
+            tally.counts.load_factors + tally.counts.relaxations + tally.counts.pricings;
+        result.closed.insert(result.closed.end(), tally.evidence.begin(), tally.evidence.end());
+      }
+    }
+    std::ranges::sort(result.closed, {}, &ClosedNode::signs);
+    std::vector<SignTree::Solution> found;
+    if (!outcome.solutions.empty()) found.push_back(outcome.solutions.front().solution);
+    return std::pair(found, outcome.status);
+  });
+  if (best.empty()) return result;
+  const auto vector = [](const std::vector<double>& values) {
+    return Eigen::VectorXd(
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  const auto& found = best.front();
+  if (std::isfinite(found.factor)) {
+    root.worst =
+        Worst{vector(found.zeta), {found.factor, vector(found.forces), vector(found.motion)}};
+  } else {
+    root.status = RootStatus::not_carried;
+    root.overpowering_load = vector(found.zeta);
+    root.overpowering_motion = vector(found.motion);
+  }
+  return result;
+}
+
+// Both ends in exact arithmetic, on rank 0; all are told what has come of it.
+void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> nodes,
+                            LimitWorstCase& worst) {
+  const double unit = model().factor_unit;
+  const bool of_a_tree = nodes.size() > 1;
+  worst.ends = engine::from_first_rank(search_.campaign().transport(), [&] {
+    const bool again = worst.search == engine::Status::solved;
+    const bool any = again || !nodes.front().forces.empty();  // else only the upper end is left
+    auto [ends, certificate] =
+        proved_ends({truss_, search_.problem(), model(), alpha(), *root.worst,
+                     any ? root.cuts : std::vector<StaticCut>(), std::move(nodes),
+                     of_a_tree || !search_.splits() ? std::numeric_limits<double>::infinity()
+                                                    : root.lower * unit},
+                    again);
+    if (ends.lower_proved && ends.upper_proved) certificate_ = std::move(certificate);
+    if (!ends.upper_proved) ends.upper = root.worst->collapse.factor * unit;
+    if (!ends.lower_proved) ends.lower = root.lower * unit;
+    // What the nodes of a tree prove beyond the gap depends on what was known when they were
+    // closed, and so on the number of ranks.
+    ends.lower = std::min(ends.lower, of_a_tree ? ends.upper - 2 * closed_gap * unit : ends.upper);
+    return ends;
+  });
+  const auto& ends = worst.ends;
+  const bool near = ends.upper - ends.lower <= answered_gap * unit;
+  worst.status = near ? RootStatus::closed : RootStatus::open;
+  worst.proved = near && ends.lower_proved && ends.upper_proved;
+}
+
+// @param zeta scaled, as the motion
+void WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
+                                      LimitWorstCase& worst) {
+  certificate_ = evidence_of_no_factor(truss_, search_.problem(), model(), alpha(), zeta, motion);
+  worst.proved = worst.ends.upper_proved = certificate_.has_value();
+}
+
+// From the root on: the tree, if it is open, and the proof.
+void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
+  std::vector<ClosedNode> nodes;
+  if (root.status == RootStatus::open || root.status == RootStatus::unbounded) {
+    auto tree = search_signs(search_, root, search_.scaled(alpha()));
+    worst.search = tree.status;
+    worst.nodes = tree.nodes;
+    worst.tree_programs += tree.programs;
+    // Nodes that do not cover all signs prove nothing, but the root still does.
+    if (tree.status == engine::Status::solved) nodes = std::move(tree.closed);
+  }
+  if (root.status == RootStatus::stopped) worst.search = search_.campaign().budget().why();
+  if (root.status == RootStatus::not_carried) {
+    worst.status = RootStatus::not_carried;
+    worst.zeta = root.overpowering_load * model().force_unit;
+    if (root.overpowering_motion.size() > 0) {
+      worst.overpowering_motion = problems::motion_in_units(model(), root.overpowering_motion);
+    }
+    prove_no_factor(root.overpowering_load, root.overpowering_motion, worst);
+    return;
+  }
+  if (!root.worst) {
+    // The nominal load is one of the admissible ones.
+    root.worst = Worst{Eigen::VectorXd::Zero(model().uncertain_count()), search_.nominal()};
+  }
+  if (nodes.empty()) {
+    root.proof.signs.resize(model().uncertain.size());
+    nodes.push_back(closed_node(root.proof, {}));
+  }
+  prove(root, std::move(nodes), worst);
+  worst.zeta = root.worst->zeta * model().force_unit;
+  worst.collapse = search_.in_units(root.worst->collapse, dead_load(model(), root.worst->zeta));
+}
+
+LimitWorstCase WorstCaseSearch::by_static_cuts() {
+  for (;;) {
+    LimitWorstCase worst;
+    RootResult result = search_.solve_balanced(alpha());
+    worst.counts = result.counts;
+    worst.cuts = result.cuts.size();
+    conclude(result, worst);
+    if (worst.proved || worst.search != engine::Status::solved) return worst;
+    auto model_with_more = with_more_yield(search_.problem(), model());
+    if (!model_with_more) return worst;
+    if (search_.set_up(*std::move(model_with_more)) != LoadStatus::collapses) return worst;
+  }
+}
+
+// The load of a motion, and where the descent from it ends, if that is worse than what is known.
+void WorstCaseSearch::take_if_worse(const Eigen::VectorXd& motion, Worst& known) {
+  const auto descent = descend(model(), search_.load_factor(), search_.scaled(alpha()),
+                               worst_for(model(), search_.scaled(alpha()), motion, known.zeta));
+  if (descent.status == LoadStatus::collapses &&
+      descent.worst.collapse.factor < known.collapse.factor) {
+    known = descent.worst;
+  }
+}
+
+// By (29), and then the ends by the same evidence as without it: what a 0-1 tree finds in floating
+// point, with an M that is thought to be large enough, proves nothing.
+LimitWorstCase WorstCaseSearch::by_zero_one_program() {
+  LimitWorstCase worst;
+  RootResult result = search_.solve_balanced(alpha());
+  worst.counts = result.counts;
+  worst.cuts = result.cuts.size();
+  const bool usable = result.worst && result.status != RootStatus::not_carried &&
+                      result.status != RootStatus::stopped;
+  std::optional<ZeroOneWorst> zero_one;
+  if (usable) {
+    zero_one = zero_one_worst(search_.campaign(), question_, model(), search_.scaled(alpha()),
+                              result, start_);
+    worst.no_safe_m = !zero_one;
+  }
+  if (zero_one) {
+    if (zero_one->motion.size() > 0) take_if_worse(zero_one->motion, *result.worst);
+    if (zero_one->status != engine::Status::solved) {
+      worst.search = zero_one->status;
+      result.status = RootStatus::closed;  // no tree of signs: there is no time left
+    }
+  }
+  conclude(result, worst);
+  if (zero_one) worst.zero_one = zero_one->found;
+  return worst;
+}
+
+// The load that belongs to the best point of (29), and how it collapses: one program (5).
+void WorstCaseSearch::show_critical_load(const Eigen::VectorXd& motion, LimitWorstCase& worst) {
+  const Eigen::VectorXd plus = Eigen::VectorXd::Zero(model().uncertain_count());
+  // The sign of t_j'u is that of the motion in the model's units, where t_j has several components.
+  const Eigen::VectorXd scaled = motion.cwiseQuotient(model().displacement_unit);
+  const auto zeta = worst_for(model(), search_.scaled(alpha()), scaled, plus);
+  worst.zeta = zeta * model().force_unit;
+  const auto dead = dead_load(model(), zeta);
+  auto& load_factor = search_.load_factor();
+  load_factor.restart();
+  const auto status = load_factor.solve(dead);
+  if (status == LoadStatus::collapses) {
+    worst.collapse = search_.in_units(load_factor.collapse(), dead);
+  }
+  if (status != LoadStatus::not_carried) return;
+  worst.status = RootStatus::not_carried;
+  worst.ends = {};
+  const auto overpowering = load_factor.overpowering_motion();
+  if (overpowering.size() > 0) {
+    worst.overpowering_motion = problems::motion_in_units(model(), overpowering);
+  }
+  prove_no_factor(zeta, overpowering, worst);
+}
+
+// The paper's answer first, by itself; static evidence afterwards, by itself, if it is wanted.
+LimitWorstCase WorstCaseSearch::as_printed() {
+  auto& campaign = search_.campaign();
+  const auto printed = printed_worst(campaign, question_, search_.problem(), start_);
+  LimitWorstCase worst;
+  if (printed.status == engine::Status::solved && question_.evidence) {
+    campaign.say("(29) is solved; its ends are put to the proof by static cuts");
+    worst = by_static_cuts();
+  } else {
+    worst.as_printed = true;
+    worst.nodes = 0;
+    worst.search = printed.status;
+    worst.ends = {.lower = printed.found.lower, .upper = printed.found.upper};
+    const bool near = worst.ends.upper - worst.ends.lower <= answered_gap * model().factor_unit;
+    worst.status = near ? RootStatus::closed : RootStatus::open;
+    if (printed.motion.size() > 0) show_critical_load(printed.motion, worst);
+  }
+  worst.zero_one = printed.found;
+  return worst;
+}
+
+LimitWorstCase WorstCaseSearch::solve() {
+  if (question_.method == LimitMethod::static_cuts) return by_static_cuts();
+  return question_.as_printed() ? as_printed() : by_zero_one_program();
+}
+
+}  // namespace kusabi::limit

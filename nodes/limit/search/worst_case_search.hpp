@@ -1,0 +1,69 @@
+// The worst case of uncertain loads from the root to its proof, on all ranks: static cuts or the
+// 0-1 program (29), the tree of signs below an open root, and both ends in exact arithmetic. The
+// method as printed in the paper stands by itself: its ends are proved only if that is wanted.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "nodes/limit/model/limit_question.hpp"
+#include "nodes/limit/root/limit_answer.hpp"
+#include "nodes/limit/root/root_search.hpp"
+#include "nodes/limit/search/sign_tree.hpp"
+#include "nodes/limit/search/zero_one_worst.hpp"
+#include "verify/limit/limit_certificate.hpp"
+#include "verify/structure/structure.hpp"
+
+namespace kusabi::limit {
+
+/// What a tree of signs has come to, below a root.
+struct SignSearch {
+  engine::Status status = engine::Status::solved;  ///< on every rank
+  std::uint64_t nodes = 1;                         ///< on rank 0, as all that follows
+  std::uint64_t programs = 0;                      ///< linear programs
+  std::vector<ClosedNode> closed;                  ///< with their proofs
+};
+
+/// Searches the tree of signs below an open root.
+/// @param alpha scaled
+/// @param root takes what is worse than its own worst load, on every rank
+SignSearch search_signs(RootSearch& search, RootResult& root, double alpha);
+
+/// One worst case. Every rank makes the same calls.
+class WorstCaseSearch {
+ public:
+  /// All but `start` must outlive it. @param truss what the proofs are of @param start what (29)
+  /// starts from @pre question.alpha
+  WorstCaseSearch(RootSearch& search, const LimitQuestion& question, const verify::Structure& truss,
+                  std::optional<ZeroOneStart> start = {})
+      : search_(search), question_(question), truss_(truss), start_(std::move(start)) {}
+
+  /// By the method of the question. @throws BigMTooSmall on every rank
+  LimitWorstCase solve();
+
+  /// The evidence of both ends of the last one, if both are proved, on rank 0; or that some load is
+  /// carried at no factor.
+  [[nodiscard]] std::optional<verify::LimitCertificate>& certificate() { return certificate_; }
+
+ private:
+  LimitWorstCase by_static_cuts();
+  LimitWorstCase by_zero_one_program();
+  LimitWorstCase as_printed();
+  void take_if_worse(const Eigen::VectorXd& motion, Worst& known);
+  void show_critical_load(const Eigen::VectorXd& motion, LimitWorstCase& worst);
+  void conclude(RootResult& root, LimitWorstCase& worst);
+  void prove(const RootResult& root, std::vector<ClosedNode> nodes, LimitWorstCase& worst);
+  void prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
+                       LimitWorstCase& worst);
+  [[nodiscard]] const problems::LimitModel& model() const { return search_.model(); }
+  [[nodiscard]] double alpha() const { return *question_.alpha; }
+
+  RootSearch& search_;
+  const LimitQuestion& question_;
+  const verify::Structure& truss_;
+  std::optional<ZeroOneStart> start_;
+  std::optional<verify::LimitCertificate> certificate_;
+};
+
+}  // namespace kusabi::limit

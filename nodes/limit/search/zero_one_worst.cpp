@@ -1,0 +1,210 @@
+// From the model to (29), to its root and its tree, and back to a motion.
+#include "nodes/limit/search/zero_one_worst.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/together.hpp"
+#include "nodes/limit/root/motion_bounds.hpp"
+#include "nodes/zero_one/mixed_search.hpp"
+#include "problems/limit/mixed_limit.hpp"
+
+namespace kusabi::limit {
+namespace {
+
+using problems::LimitModel;
+using zero_one::ZeroOneRootOptions;
+
+// What rank 0 knows of the search, for all.
+struct Found {
+  std::vector<double> motion;
+  double lower = 0;
+  double upper = linear::infinity;
+  std::uint64_t nodes = 0;
+  std::uint64_t programs = 0;
+  engine::Status status = engine::Status::solved;
+  bool infeasible = false;  // the program is shown to have no point
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& motion& lower& upper& nodes& programs& status& infeasible;
+  }
+};
+
+// gamma_j <= |y|'z + |k| as a row.
+void add_static_row(linear::LinearProgram& program, const LimitModel& model, const StaticCut& cut) {
+  std::vector<linear::LinearTerm> terms;
+  terms.push_back({model.free_count() + model.member_count() + cut.column, 1});
+  for (const auto& [member, force] : cut.forces) {
+    terms.push_back({model.free_count() + member, -std::abs(force)});
+  }
+  program.add_row({.upper = std::abs(cut.factor)}, terms);
+}
+
+// (29) with the M asked for or a safe one; nothing if none is found.
+std::optional<linear::MixedProgram> bounded_program(const LimitQuestion& question,
+                                                    const LimitModel& model, double alpha,
+                                                    const RootResult& root) {
+  const auto bounds = motion_bounds(model, alpha, root.cuts, root.worst->collapse.factor);
+  Eigen::VectorXd big_m;
+  Eigen::VectorXd most_motion = Eigen::VectorXd::Constant(model.free_count(), linear::infinity);
+  Eigen::VectorXd most_elongation =
+      Eigen::VectorXd::Constant(model.member_count(), linear::infinity);
+  if (bounds) {
+    most_elongation = bounds->elongation;
+    for (int j = 0; j < model.uncertain_count(); ++j) {
+      const auto& direction = model.uncertain[static_cast<std::size_t>(j)].direction;
+      if (direction.size() == 1) most_motion(direction.front().degree) = bounds->motion(j);
+    }
+    big_m = 2 * bounds->motion;
+  }
+  if (question.big_m) big_m = *question.big_m * model.direction_unit / model.factor_unit;
+  if (big_m.size() == 0) return std::nullopt;
+  return problems::worst_case_program(model, alpha, big_m, most_motion, most_elongation);
+}
+
+// (27) as printed: u and gamma are not bounded but by the rows, which imply z >= 0.
+linear::MixedProgram printed_program(const LimitModel& model, double alpha, double big_m) {
+  const auto none = [](int count) { return Eigen::VectorXd::Constant(count, linear::infinity); };
+  // There M is for gamma_j = |t_j'u|, which is weight_j |d_j'u|.
+  Eigen::VectorXd of_directions(model.uncertain_count());
+  for (int j = 0; j < model.uncertain_count(); ++j) {
+    const double weight = model.uncertain[static_cast<std::size_t>(j)].weight;
+    of_directions(j) = weight == 0 ? big_m : big_m / weight;
+  }
+  auto mixed = problems::worst_case_program(model, alpha, of_directions, none(model.free_count()),
+                                            none(model.member_count()));
+  const int first = model.free_count() + model.member_count();
+  for (int gamma = first; gamma < first + model.uncertain_count(); ++gamma) {
+    mixed.program.columns[static_cast<std::size_t>(gamma)].lower = -linear::infinity;
+  }
+  return mixed;
+}
+
+zero_one::ZeroOneCuts cuts_of(LimitMethod method) {
+  return method == LimitMethod::all || method == LimitMethod::disjunctive
+             ? zero_one::ZeroOneCuts::disjunctive
+             : zero_one::ZeroOneCuts::none;
+}
+
+// The point of a collapse that is known, with v^U as it is.
+void start_from(const LimitModel& model, const std::optional<ZeroOneStart>& start,
+                ZeroOneRootOptions& options) {
+  if (!start) return;
+  const Eigen::VectorXd motion = start->motion.cwiseQuotient(model.displacement_unit);
+  options.incumbent = zero_one::ZeroOnePoint{start->factor / model.factor_unit,
+                                             problems::worst_case_point(model, motion)};
+}
+
+void note_root(const zero_one::ZeroOneRoot& root, double unit, LimitZeroOne& found) {
+  const auto& counts = root.counts;
+  found.first_bound = counts.first_bound * unit;
+  found.last_bound = counts.last_bound * unit;
+  found.cut_rounds = counts.cut_rounds;
+  found.cut_programs = counts.cut_programs;
+  found.cuts = counts.cuts;
+  found.root_programs = counts.programs - counts.cut_programs;
+}
+
+// What the root and the tree of (29) come to. With a derived M it has points: none that is found
+// says nothing then.
+ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
+                    const linear::MixedProgram& mixed, const ZeroOneRootOptions& options,
+                    const LimitQuestion& question, const engine::ShownObjective& shown) {
+  const bool m_is_given = question.big_m.has_value();
+  ZeroOneWorst result;
+  if (options.incumbent) {
+    const auto& [objective, values] = *options.incumbent;
+    result.found.upper = objective * model.factor_unit;
+    result.motion = Eigen::Map<const Eigen::VectorXd>(
+        values.data(), static_cast<Eigen::Index>(model.free_count()));
+  }
+  auto prepared = zero_one::mixed_root(campaign, mixed, options);
+  note_root(prepared.root, model.factor_unit, result.found);
+  if (prepared.stopped) {
+    result.found.lower = prepared.root.bound * model.factor_unit;
+    result.status = campaign.budget().why();
+    return result;
+  }
+  if (m_is_given && prepared.root.status == linear::LinearStatus::infeasible &&
+      prepared.root.relaxation.contradiction()) {
+    throw BigMTooSmall();
+  }
+  if (prepared.unbounded || prepared.root.status != linear::LinearStatus::optimal) return result;
+  const auto point = prepared.root.point;
+  const auto answer = zero_one::search_tree(campaign, std::move(prepared),
+                                            zero_one::ZeroOneBranching::paper, {}, shown);
+  const auto found = engine::from_first_rank(campaign.transport(), [&] {
+    Found known;
+    known.lower = answer.bound();
+    known.nodes = answer.outcome.opened();
+    known.status = answer.outcome.status;
+    known.programs = answer.outcome.tally().programs;
+    known.infeasible = answer.status() == zero_one::MixedStatus::infeasible;
+    const auto* const best = answer.point() != nullptr ? answer.point() : point ? &*point : nullptr;
+    if (best != nullptr) {
+      known.upper = best->objective;
+      known.motion.assign(best->values.begin(), best->values.begin() + model.free_count());
+    }
+    return known;
+  });
+  result.found.lower = found.lower * model.factor_unit;
+  result.found.upper = found.upper * model.factor_unit;
+  result.found.nodes = found.nodes;
+  result.found.programs = found.programs;
+  result.status = found.status;
+  if (m_is_given && found.infeasible) throw BigMTooSmall();
+  if (found.motion.empty()) return result;
+  result.motion = Eigen::Map<const Eigen::VectorXd>(found.motion.data(),
+                                                    static_cast<Eigen::Index>(found.motion.size()));
+  return result;
+}
+
+}  // namespace
+
+ZeroOneWorst printed_worst(engine::Campaign& campaign, const LimitQuestion& question,
+                           const problems::LimitProblem& problem,
+                           const std::optional<ZeroOneStart>& start) {
+  const auto model = problems::unscaled_model(problem);
+  ZeroOneRootOptions options{
+      .cuts = cuts_of(question.method), .tighten = false, .dive = false, .as_printed = true};
+  start_from(model, start, options);
+  auto result = search(campaign, model, printed_program(model, *question.alpha, *question.big_m),
+                       options, question, {});
+  result.found.big_m = question.big_m;
+  if (start) result.found.start = start->factor;
+  return result;
+}
+
+std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
+                                           const LimitQuestion& question, const LimitModel& model,
+                                           double alpha, const RootResult& root,
+                                           const std::optional<ZeroOneStart>& start) {
+  const bool all = question.method == LimitMethod::all;
+  auto mixed = bounded_program(question, model, alpha, root);
+  if (!mixed) return std::nullopt;
+  ZeroOneRootOptions options{.cuts = cuts_of(question.method),
+                             .tighten = all || question.method == LimitMethod::tightened,
+                             .dive = false};
+  const auto& known = root.worst->collapse;
+  if (all) {
+    for (const StaticCut& cut : root.cuts) add_static_row(mixed->program, model, cut);
+  }
+  if (options.tighten) {
+    options.start = problems::worst_case_point(model, known.motion);
+    options.incumbent = zero_one::ZeroOnePoint{known.factor, options.start};
+  }
+  if (question.of_the_paper()) start_from(model, start, options);
+  auto result = search(campaign, model, *mixed, options, question,
+                       {model.factor_unit, known.factor, root.lower});
+  result.found.big_m = question.big_m;
+  if (start && question.of_the_paper()) result.found.start = start->factor;
+  return result;
+}
+
+}  // namespace kusabi::limit

@@ -1,0 +1,84 @@
+// Ends that move inwards, and the line about them.
+#include "nodes/wedged/critical/critical_bracket.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace kusabi::wedged {
+namespace {
+
+/// Runs of so many seconds end before anybody reads what they show.
+constexpr double short_run = 0.5;
+
+/// An end of a bracket of one cell is a multiple of the width: a product, which is rounded.
+constexpr double rounding_of_ends = 1e-9;
+
+}  // namespace
+
+double CriticalBracket::upper_or_infinity() const {
+  return upper_.value_or(std::numeric_limits<double>::infinity());
+}
+
+bool CriticalBracket::is_one_cell(double width) const {
+  return upper_or_infinity() - lower_ <= width * (1 + rounding_of_ends);
+}
+
+void CriticalBracket::raise(double lower) {
+  if (!(lower > lower_)) return;
+  lower_ = lower;
+  lower_proved_ = false;
+  changed_ = true;
+}
+
+void CriticalBracket::sink(double upper, const PatternNode& leaf) {
+  if (!(upper < upper_or_infinity())) return;
+  upper_ = upper;
+  leaf_ = leaf;
+  upper_proved_ = false;
+  changed_ = true;
+}
+
+void CriticalBracket::prove_lower(double lower) {
+  lower_ = lower;
+  lower_proved_ = true;
+  changed_ = true;
+}
+
+void CriticalBracket::prove_upper(double upper, const PatternNode& leaf) {
+  upper_ = upper;
+  leaf_ = leaf;
+  upper_proved_ = true;
+  changed_ = true;
+}
+
+void CriticalBracket::move_lower(double lower) {
+  lower_ = lower;
+  lower_proved_ = false;
+  changed_ = true;
+}
+
+void CriticalBracket::move_upper(std::optional<double> upper) {
+  upper_ = upper;
+  upper_proved_ = false;
+  changed_ = true;
+}
+
+void CriticalBracket::move_upper(double upper, const PatternNode& leaf) {
+  move_upper(upper);
+  leaf_ = leaf;
+}
+
+void CriticalBracket::show() {
+  if (!changed_ || campaign_.seconds() < short_run) return;
+  changed_ = false;
+  const auto proof = [](bool proved) { return proved ? "proved" : "not yet proved"; };
+  const auto lower = fmt::format("cannot stick up to {:.9g} ({})", lower_, proof(lower_proved()));
+  campaign_.say(
+      upper_ ? fmt::format("bracket so far: {}, sticks at {:.9g} ({})", lower, *upper_,
+                           proof(upper_proved_))
+             : fmt::format("bracket so far: {}, no pattern known up to {:.9g}", lower, most_));
+}
+
+}  // namespace kusabi::wedged

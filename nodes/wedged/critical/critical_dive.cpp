@@ -1,0 +1,115 @@
+// A stack of nodes, and the first leaf.
+#include "nodes/wedged/critical/critical_dive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/together.hpp"
+#include "nodes/wedged/friction/critical_friction.hpp"
+#include "nodes/wedged/tree/candidate_friction.hpp"
+#include "nodes/wedged/tree/preparation.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// A dive goes back and down again for so many nodes a candidate: then there may be nothing.
+constexpr std::uint64_t dive_nodes_a_candidate = 100;
+
+/// Bounds of more candidates take longer than the dives that they would help.
+constexpr int most_to_bound = 100;
+
+SignPatternTree tree_at(const problems::WedgedProblem& problem, double factor,
+                        const CriticalGrid& grid, const BlockBounds& bounds) {
+  SignPatternTree tree(problem, candidate_friction(problem, factor),
+                       {.tolerances = CriticalFriction::tolerances, .precision = grid.precision});
+  inform(tree, problem, bounds);
+  return tree;
+}
+
+// From where on the leaf lives; infinity if that cannot be told.
+void locate(const problems::WedgedProblem& problem, const Configuration& found,
+            std::int64_t multiple, const CriticalGrid& grid, const support::Stop& stop,
+            CriticalDive& dive) {
+  const auto block = problems::blocks_of(problem)[found.block];
+  CriticalFriction critical(problems::block_problem(problem, block), grid.width, grid.precision);
+  critical.end_when(stop);
+  const PatternNode leaf{found.block, own_leaf(found, block)};
+  const auto cell = critical.locate(leaf.pattern, {.dead = 0, .alive = multiple},
+                                    CriticalMethod::newton, multiple);
+  if (cell.alive == CriticalCell::nowhere) return;
+  dive.alive = critical.at(cell.alive);
+  dive.leaf = leaf;
+}
+
+// Until a leaf lives, or all are dead. Where an end is asked for it says what it has.
+void dive(engine::Campaign& campaign, const problems::WedgedProblem& problem, std::int64_t multiple,
+          const CriticalGrid& grid, const BlockBounds& bounds, CriticalDive& result) {
+  const auto stop = campaign.budget().stop();
+  auto tree = tree_at(problem, FrictionGrid(grid.width).at(multiple), grid, bounds);
+  tree.end_when(stop);
+  const auto most = std::min<std::uint64_t>(dive_nodes_a_candidate * problem.contact_names.size(),
+                                            campaign.budget().left().nodes);
+  std::vector<SignPatternTree::Node> open{tree.root()};
+  bool doubtful = false;
+  try {
+    while (!open.empty() && result.opened < most && !support::asked(stop)) {
+      const auto node = open.back();
+      open.pop_back();
+      auto fate = tree.decide(node);
+      ++result.opened;
+      campaign.say_now_and_then([&] {
+        return fmt::format("looking for a pattern at friction coefficient {:.6g}: {} nodes",
+                           FrictionGrid(grid.width).at(multiple), result.opened);
+      });
+      if (fate.leaf) {
+        const bool lives =
+            fate.leaf->state == LeafState::alive || fate.leaf->state == LeafState::flat;
+        if (lives) locate(problem, *fate.leaf, multiple, grid, stop, result);
+        if (std::isfinite(result.alive)) return;
+        doubtful = true;
+      }
+      open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
+    }
+  } catch (const support::Stopped&) {
+    return;
+  }
+  result.all_dead = open.empty() && !doubtful;
+}
+
+}  // namespace
+
+BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                      double factor, Tightening tightening) {
+  const auto blocks = problems::blocks_of(problem);
+  BlockBounds result;
+  result.blocks.resize(blocks.size());
+  if (tightening == Tightening::never) return result;
+  const int fewest = tightening == Tightening::always ? 1 : fewest_to_bound;
+  const auto friction = candidate_friction(problem, factor);
+  for (std::uint32_t block = 0; block < blocks.size(); ++block) {
+    if (blocks[block].size() < fewest) continue;
+    if (tightening == Tightening::automatic && blocks[block].size() > most_to_bound) continue;
+    auto root = bound_candidates(campaign, problem, friction, block, CriticalFriction::tolerances);
+    result.programs += root.programs;
+    result.blocks[block] = std::move(root.bounds);
+  }
+  return result;
+}
+
+CriticalDive dive_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                     std::int64_t multiple, const CriticalGrid& grid, const BlockBounds& bounds) {
+  const auto result = campaign.by_first_rank([&] {
+    CriticalDive own;
+    dive(campaign, problem, multiple, grid, bounds, own);
+    return own;
+  });
+  campaign.count_nodes(result.opened);
+  return result;
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,122 @@
+// A few programs a block, on the first rank.
+#include "nodes/wedged/critical/critical_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "nodes/wedged/critical/smallest_search.hpp"
+#include "nodes/wedged/friction/critical_friction.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+// What a block's root and leaves say.
+struct BlockStart {
+  double dead = std::numeric_limits<double>::infinity();   // nothing wedges up to here
+  double alive = std::numeric_limits<double>::infinity();  // the leaf is feasible here
+  SignPattern leaf;
+  std::uint64_t programs = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& dead& alive& leaf& programs;
+  }
+};
+
+void take_leaf(CriticalFriction& critical, const SignPattern& leaf, std::int64_t most,
+               BlockStart& start) {
+  const auto cell = critical.locate(leaf, {.dead = 0, .alive = CriticalCell::nowhere},
+                                    CriticalMethod::newton, most);
+  if (cell.alive == CriticalCell::nowhere || critical.at(cell.alive) >= start.alive) return;
+  start.alive = critical.at(cell.alive);
+  start.leaf = leaf;
+}
+
+// Ends early, with what it has, where an end is asked for.
+void start_block(const problems::WedgedProblem& block, const CriticalGrid& grid,
+                 const support::Stop& stop, BlockStart& start) {
+  const int m = static_cast<int>(block.contact_names.size());
+  const auto most = static_cast<std::int64_t>(std::llround(grid.most / grid.width));
+  start.dead = 0;
+  CriticalFriction root(block, grid.width, Precision::doubles);
+  CriticalFriction leaves(block, grid.width, grid.precision);
+  root.end_when(stop);
+  leaves.end_when(stop);
+  try {
+    const auto cell =
+        root.locate({}, {.dead = 0, .alive = CriticalCell::nowhere}, CriticalMethod::newton, most);
+    start.dead = root.at(cell.dead);
+    if (cell.dead < most) take_leaf(leaves, leaf_with(support::IndexSet::below(m), m), most, start);
+    const auto singles = single_contacts(block);
+    if (!singles.empty() && singles.front().factor < start.alive)
+      take_leaf(leaves, leaf_with(support::IndexSet::single(singles.front().candidate), m), most,
+                start);
+  } catch (const support::Stopped&) {
+  }
+  start.programs = root.programs() + leaves.programs();
+}
+
+}  // namespace
+
+SignPattern leaf_with(const support::IndexSet& contact, int candidates) {
+  return {.contact = contact,
+          .separated = support::IndexSet::below(candidates) - contact,
+          .at_rest = {}};
+}
+
+// With r_i = (1, r_t), u_ni = F_nn,ii + F_nt,ii'r_t is zero for the smallest r_t that is opposite
+// to F_nt,ii.
+std::vector<SingleContact> single_contacts(const problems::WedgedProblem& block) {
+  std::vector<SingleContact> singles;
+  if (block.motions.cols() > 0) return singles;
+  const Eigen::Index d = block.dimension;
+  const auto m = static_cast<Eigen::Index>(block.contact_names.size());
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const Eigen::VectorXd coupling = block.compliance.row(d * i).segment(d * i + 1, d - 1);
+    const double size = coupling.norm();
+    const double own = block.friction.empty() ? 1 : block.friction[static_cast<std::size_t>(i)];
+    if (!(size > 0) || !(own > 0)) continue;
+    const double normal = block.compliance(d * i, d * i);
+    Eigen::VectorXd reaction(d);
+    reaction << 1, -normal / (size * size) * coupling;
+    bool separates = true;
+    for (Eigen::Index j = 0; j < m && separates; ++j)
+      separates = j == i || block.compliance.row(d * j).segment(d * i, d).dot(reaction) > 0;
+    if (separates) singles.push_back({normal / size / own, static_cast<int>(i)});
+  }
+  std::ranges::sort(singles, [](const auto& a, const auto& b) {
+    return a.factor != b.factor ? a.factor < b.factor : a.candidate < b.candidate;
+  });
+  return singles;
+}
+
+std::uint64_t start_bracket(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                            const CriticalGrid& grid, CriticalBracket& bracket) {
+  const auto blocks = problems::blocks_of(problem);
+  std::uint64_t programs = 0;
+  double dead = grid.most;
+  for (std::uint32_t number = 0; number < blocks.size(); ++number) {
+    const auto start = campaign.by_first_rank([&] {
+      BlockStart own;
+      start_block(problems::block_problem(problem, blocks[number]), grid, campaign.budget().stop(),
+                  own);
+      return own;
+    });
+    dead = std::min(dead, start.dead);
+    programs += start.programs;
+    if (std::isfinite(start.alive)) bracket.sink(start.alive, {number, start.leaf});
+    if (campaign.ended()) return programs;  // of some blocks nothing is known
+  }
+  Smallest found;
+  found.lower = dead;
+  found.narrow(bracket, grid.width);
+  return programs;
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,120 @@
+// How a node is bounded by a friction coefficient, and what becomes of a leaf.
+#include "nodes/wedged/critical/critical_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kusabi::wedged {
+namespace {
+
+// Bounds are compared with points of the grid, relatively: a product of two numbers is rounded.
+constexpr double rounding = 1e-15;
+
+}  // namespace
+
+CriticalTree::Block::Block(const problems::WedgedProblem& problem, double width,
+                           Precision precision)
+    : critical(problem, width, precision),
+      candidates(problems::all_candidates(problem)),
+      rule(problem, std::vector<double>(problem.contact_names.size(), 1), Branching::relative) {}
+
+CriticalTree::CriticalTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
+                           CriticalDirection direction, double known, Precision precision)
+    : grid_(width), most_(most), direction_(direction), known_(known) {
+  for (const auto& candidates : problems::blocks_of(problem)) {
+    blocks_.emplace_back(problems::block_problem(problem, candidates), width, precision);
+    blocks_.back().critical.end_when(pollable_.stop());
+  }
+}
+
+CriticalTree::Tally CriticalTree::tally() const {
+  auto tally = tally_;
+  for (const Block& block : blocks_) tally.programs += block.critical.programs();
+  return tally;
+}
+
+CriticalTree::Node CriticalTree::root() const {
+  return {.place = {.block = blocks_.size() == 1 ? 0 : PatternNode::all_blocks, .pattern = {}},
+          .bound = known_};
+}
+
+void CriticalTree::expand(Node&& node, engine::Expansion<CriticalTree>& out) {
+  pollable_.within(out, node, [&] {
+    open(node, out);
+    return true;
+  });
+}
+
+void CriticalTree::open(const Node& node, engine::Expansion<CriticalTree>& out) {
+  if (node.place.block == PatternNode::all_blocks) {
+    for (std::uint32_t block = 0; block < blocks_.size(); ++block)
+      out.branch({{.block = block, .pattern = {}}, node.bound});
+    return;
+  }
+  Block& block = blocks_[node.place.block];
+  const auto& [contact, separated, at_rest] = node.place.pattern;
+  if (separated == block.candidates) {  // no reaction at all
+    ++tally_.dead;
+    return;
+  }
+  const auto free = block.candidates - (contact | separated);
+  const auto& bounds = block.critical.bounds();
+  if (!bounds.empty()) {
+    if (leaves_nothing(bounds, contact, separated)) {
+      ++tally_.dead;
+      return;
+    }
+    if (const auto known = one_sided(free, bounds)) return split(node, *known, out);
+  }
+  const auto bound = worth(block, node, std::min(out.cutoff(), block.critical.at(most_)));
+  if (!bound) {
+    ++tally_.dead;
+    return;
+  }
+  if (free.empty()) return close_leaf({node.place, *bound}, out);
+  // By the point at the last coefficient that was looked at.
+  split({node.place, *bound}, block.rule.candidate(free, block.critical.solver()), out);
+}
+
+void CriticalTree::split(const Node& node, int candidate, engine::Expansion<CriticalTree>& out) {
+  ++tally_.branched;
+  const auto own = support::IndexSet::single(candidate);
+  const auto& [contact, separated, at_rest] = node.place.pattern;
+  out.branch({{node.place.block, {contact | own, separated, {}}}, node.bound});
+  out.branch({{node.place.block, {contact, separated | own, {}}}, node.bound});
+}
+
+std::optional<double> CriticalTree::worth(Block& block, const Node& node, double cutoff) const {
+  // What is dead at the lower end of the best cell has nothing to add to the bracket.
+  const double most = block.critical.at(most_);
+  const double lowest = cutoff < most ? cutoff - grid_.width() : most;
+  const auto is_worth = [&](double bound) {
+    return bound <= cutoff && bound < lowest + rounding * std::abs(lowest);
+  };
+  double bound = node.bound;
+  if (direction_ == CriticalDirection::up)
+    bound = block.critical.bound(node.place.pattern, bound, cutoff);
+  else if (is_worth(bound))
+    bound = std::max(bound, block.critical.dead_below(node.place.pattern, lowest));
+  return is_worth(bound) ? std::optional(bound) : std::nullopt;
+}
+
+void CriticalTree::close_leaf(const Node& node, engine::Expansion<CriticalTree>& out) {
+  auto& critical = blocks_[node.place.block].critical;
+  const auto known = static_cast<std::int64_t>(node.bound / grid_.width());
+  const auto cell = critical.locate(node.place.pattern, {known, CriticalCell::nowhere},
+                                    CriticalMethod::newton, most_);
+  if (cell.dead >= most_) {
+    ++tally_.dead;
+    return;
+  }
+  if (cell.alive == CriticalCell::nowhere || cell.alive - cell.dead > 1) {
+    ++tally_.doubtful;
+    tally_.doubt += {critical.at(cell.dead)};
+  }
+  if (cell.alive == CriticalCell::nowhere) return;
+  ++tally_.leaves;
+  out.solution({cell, node.place});
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,67 @@
+// The outcome of the tree, read as a bracket.
+#include "nodes/wedged/critical/smallest_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/together.hpp"
+
+namespace kusabi::wedged {
+
+std::int64_t multiples(double most, double width) {
+  return static_cast<std::int64_t>(std::llround(most / width));
+}
+
+// What is infeasible up to where a known leaf is feasible is so up to the point before. Of a search
+// that was stopped the bound lies between two points.
+void Smallest::narrow(CriticalBracket& bracket, double width) const {
+  if (std::isfinite(upper)) bracket.sink(upper, leaf);
+  const FrictionGrid grid(width);
+  double known = lower;
+  if (status != engine::Status::solved) {
+    const auto below = static_cast<std::int64_t>(std::floor(lower / width));
+    known = grid.at(grid.at(below) <= lower ? below : below - 1);
+  }
+  const double above = bracket.upper_or_infinity();
+  bracket.raise(known < above ? known : grid.at(multiples(above, width) - 1));
+}
+
+Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const CriticalGrid& grid,
+                     double known) {
+  Smallest smallest;
+  smallest.status = outcome.status;
+  const bool whole = outcome.status == engine::Status::solved;
+  smallest.lower = whole ? grid.most : std::min(grid.most, std::max(known, outcome.bound));
+  const FrictionGrid points(grid.width);
+  for (const auto& found : outcome.solutions) {
+    const auto& [cell, leaf] = found.solution;
+    smallest.lower = std::min(smallest.lower, points.at(cell.dead));
+    smallest.upper = points.at(cell.alive);
+    smallest.leaf = leaf;
+  }
+  // A leaf that is doubtful from further down on is opened on any schedule.
+  smallest.lower = std::min(smallest.lower, outcome.tally().doubt.value);
+  return smallest;
+}
+
+Smallest find_smallest(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                       const SmallestQuestion& question, std::vector<CriticalCost>& costs,
+                       std::vector<engine::RankReport<CriticalTree>>& ranks) {
+  const auto& [direction, phase, grid, known, bounds] = question;
+  CriticalTree tree(problem, grid.width, multiples(grid.most, grid.width), direction, known,
+                    grid.precision);
+  if (direction == CriticalDirection::down) inform(tree, problem, bounds);
+  engine::Options options;
+  options.goal = engine::Goal::best;
+  options.order =
+      direction == CriticalDirection::up ? engine::Order::best_first : engine::Order::depth_first;
+  auto outcome = campaign.search(tree, options);
+  costs.push_back({phase, direction == CriticalDirection::up ? known : grid.most, outcome.opened(),
+                   bounds.programs + outcome.tally().programs});
+  const auto result = engine::from_first_rank(
+      campaign.transport(), [&] { return smallest_of(outcome, question.grid, question.known); });
+  if (campaign.is_first()) ranks = std::move(outcome.ranks);
+  return result;
+}
+
+}  // namespace kusabi::wedged

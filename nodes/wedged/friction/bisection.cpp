@@ -1,0 +1,76 @@
+// How ranges, patterns and cells are split.
+#include "nodes/wedged/friction/bisection.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kusabi::wedged {
+
+PatternBisection::PatternBisection(const problems::WedgedProblem& problem, double width,
+                                   std::vector<Pattern> patterns, std::int64_t start,
+                                   CriticalMethod method, std::int64_t sections)
+    : patterns_(std::move(patterns)),
+      start_(start),
+      method_(method),
+      sections_(std::max<std::int64_t>(1, sections)) {
+  for (const auto& candidates : problems::blocks_of(problem))
+    critical_.emplace_back(problems::block_problem(problem, candidates), width);
+}
+
+PatternBisection::Tally PatternBisection::tally() const {
+  Tally tally;
+  for (const auto& block : critical_) tally.programs += block.programs();
+  return tally;
+}
+
+PatternBisection::Node PatternBisection::root() const {
+  return {.first = 0, .count = static_cast<std::uint32_t>(patterns_.size()), .cell = {0, start_}};
+}
+
+void PatternBisection::expand(Node&& node, engine::Expansion<PatternBisection>& out) {
+  if (node.count == 0) return;
+  if (node.count > 1) {
+    const auto half = node.count / 2;
+    out.branch({node.first, half, node.cell});
+    out.branch({node.first + half, node.count - half, node.cell});
+    return;
+  }
+  const auto& [leaf, lives] = patterns_[node.first];
+  const auto& pattern = leaf.pattern;
+  auto& critical = critical_[leaf.block];
+  if (!lives) {
+    const CriticalCell unknown{0, CriticalCell::nowhere};
+    out.solution({node.first, critical.locate(pattern, unknown, CriticalMethod::newton, start_)});
+    return;
+  }
+  if (method_ == CriticalMethod::newton) {
+    out.solution({node.first, critical.locate(pattern, node.cell, method_, start_)});
+    return;
+  }
+  if (sections_ > 1 && node.claimed && node.cell == CriticalCell{0, start_})
+    return begin(node, out);
+  if (!node.claimed) {
+    // The change is here if the lower end is dead and the upper one is not; a marginal upper end
+    // belongs to this cell, which then reaches on to where life is proved.
+    if (node.cell.dead > 0 && !critical.dead(pattern, node.cell.dead)) return;
+    if (node.cell.alive < start_) {
+      if (critical.dead(pattern, node.cell.alive)) return;
+      node.cell = critical.alive_from(pattern, node.cell, start_);
+    }
+    node.claimed = true;
+  }
+  const auto half = critical.halve(pattern, node.cell);
+  if (half == node.cell || half.alive - half.dead == 1)
+    out.solution({node.first, half});
+  else
+    out.branch({node.first, 1, half});
+}
+
+void PatternBisection::begin(const Node& node, engine::Expansion<PatternBisection>& out) {
+  const auto sections = std::min(sections_, start_);
+  for (std::int64_t k = 0; k < sections; ++k) {
+    out.branch({node.first, 1, {start_ * k / sections, start_ * (k + 1) / sections}, false});
+  }
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,81 @@
+// Algorithm 6.1 of the wedged paper, step 2: the critical friction coefficients of given patterns,
+// all at once over the ranks.
+//
+// A flat cone is looked for like a solid one, by any of its names. A leaf that was left open has a
+// lower end only.
+//
+// A node is a range of the patterns, which is halved down to one, or one pattern with the cell that
+// holds its critical coefficient, which is halved down to the width; by Newton's method the latter
+// is one node. When ranks outnumber patterns, the first cell of each is cut into several at once,
+// of which all but one find out that the change is not theirs. As all cells end on one grid, the
+// answer is the same on any number of ranks, by either method.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "engine/counts.hpp"
+#include "engine/expansion.hpp"
+#include "nodes/wedged/friction/critical_friction.hpp"
+
+namespace kusabi::wedged {
+
+/// A pattern and the cell that its critical coefficient was found in.
+struct CriticalPattern {
+  std::uint32_t number = 0;  ///< in the list of patterns
+  CriticalCell cell;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& number& cell;
+  }
+};
+
+/// The problem type that engine::search searches.
+class PatternBisection {
+ public:
+  struct Node {
+    std::uint32_t first = 0, count = 0;  ///< a range of patterns
+    CriticalCell cell;                   ///< of its one pattern
+    bool claimed = true;  ///< whether the pattern is known to begin to live within the cell
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& first& count& cell& claimed;
+    }
+  };
+  using Solution = CriticalPattern;
+
+  struct Tally : engine::Counts<Tally> {
+    std::uint64_t programs = 0;  ///< cone programs solved
+
+    static constexpr auto fields() { return std::tuple{field("programs", &Tally::programs)}; }
+  };
+
+  /// A leaf of a block's tree at the coefficient `start` x width.
+  struct Pattern {
+    PatternNode leaf;
+    bool lives = true;  ///< there; if not, that is not known, nor that it is dead
+  };
+
+  /// @param sections how many cells each pattern's first one is cut into, for the bisection
+  PatternBisection(const problems::WedgedProblem& problem, double width,
+                   std::vector<Pattern> patterns, std::int64_t start, CriticalMethod method,
+                   std::int64_t sections);
+
+  [[nodiscard]] Node root() const;
+  void expand(Node&& node, engine::Expansion<PatternBisection>& out);
+  [[nodiscard]] Tally tally() const;
+
+ private:
+  void begin(const Node& node, engine::Expansion<PatternBisection>& out);
+
+  std::vector<CriticalFriction> critical_;  // of each block
+  std::vector<Pattern> patterns_;
+  std::int64_t start_;
+  CriticalMethod method_;
+  std::int64_t sections_;
+};
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,318 @@
+// Newton's method and bisection for the critical friction coefficient of one node.
+#include "nodes/wedged/friction/critical_friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "nodes/wedged/friction/level_curve.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// What rounding leaves of a displacement of the multipliers that is zero, relative to the products
+// that it is the sum of; several times as much as it can be. The quotient of two such displacements
+// is any number.
+constexpr double rounding = 1e-13;
+
+// Where the bound of a node begins if nothing is known: for less the cones are needles.
+constexpr double first_probe = 1e-3;
+
+// Newton's method has 4 to 5 steps; if it takes more, it alternates with bisection, and after
+// `most_steps` bisection goes on alone.
+constexpr int trusted_steps = 8;
+constexpr int most_steps = 30;
+
+// For a bound two or three digits do: the children have bounds of their own.
+constexpr int bound_steps = 4;
+constexpr double bound_digits = 1e-3;
+
+}  // namespace
+
+CriticalFriction::Range CriticalFriction::range(const problems::WedgedProblem& problem) {
+  Range range{.least = least_friction, .most = most_friction};
+  for (const double own : problem.friction) {
+    if (own == 0) continue;  // at any coefficient
+    range.least = std::max(range.least, least_friction / own);
+    range.most = std::min(range.most, most_friction / own);
+  }
+  return range;
+}
+
+CriticalFriction::CriticalFriction(const problems::WedgedProblem& problem, double width,
+                                   Precision precision)
+    : grid_(width),
+      range_(range(problem)),
+      own_(problem.friction.empty() ? std::vector<double>(problem.contact_names.size(), 1)
+                                    : problem.friction),
+      friction_(own_),
+      solver_(problem, own_, tolerances, precision) {
+  if (!(width > 0)) throw std::invalid_argument("the width of a bracket must be positive");
+  const auto m = static_cast<Eigen::Index>(own_.size());
+  normal_compliance_.resize(m + problem.motions.cols(), problem.compliance.cols());
+  for (Eigen::Index i = 0; i < m; ++i)
+    normal_compliance_.row(i) = problem.compliance.row(problem.dimension * i) / solver_.unit();
+  if (problem.motions.cols() > 0) {
+    normal_compliance_.bottomRows(problem.motions.cols()) = problem.motions.transpose();
+    loose_ = problem;
+  }
+  largest_ = normal_compliance_.cwiseAbs().maxCoeff();
+}
+
+void CriticalFriction::set_friction(double factor) {
+  for (std::size_t i = 0; i < own_.size(); ++i) friction_[i] = factor * own_[i];
+  solver_.set_friction(friction_);
+}
+
+double CriticalFriction::reach_of(const Eigen::VectorXd& pull, const SignPattern& node) const {
+  const double noise = rounding * largest_ * solver_.multipliers().lpNorm<1>();
+  double least = infinity;
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    if (node.separated.contains(static_cast<int>(i))) continue;
+    const auto at = solver_.normal(static_cast<int>(i));
+    const double slip = own_[i] * (pull.segment(at + 1, solver_.dimension() - 1).norm() + noise);
+    const double down = -pull[at] - noise;
+    least = std::min(least, down > 0 ? down / slip : 0);
+  }
+  return std::max(0.0, least * (1 - rounding));
+}
+
+FrictionProbe CriticalFriction::probe(const SignPattern& node, double factor,
+                                      conic::StopEarly stop) {
+  ++programs_;
+  set_friction(factor);
+  const auto answer = solver_.solve(node.contact, node.separated, stop);
+  pull_.noalias() = normal_compliance_.transpose() * solver_.multipliers();
+  FrictionProbe probe{
+      .sign = answer.sign,
+      .tie = answer.sign == conic::Sign::marginal && conic::is_tie(answer, tolerances),
+      .dead_below = reach_of(pull_, node),
+      .alive_from = 0,
+      .newton = infinity,
+      .level = 0.5 * (answer.lower + answer.upper)};
+
+  // The multipliers are normal forces y, and w their displacements. For every configuration of the
+  // node y'u_n >= 0, while y'u_n = sum w_i'r_i <= sum (w_ni + mu_i |w_ti|) r_ni: dead as long as
+  // all of these factors are negative. The slope of t* is sum (sigma t* - w_ni) r_ni / (sigma
+  // factor).
+  double sigma = 0;
+  double weighted = 0;
+  bool carries = answer.has_point;
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    if (node.separated.contains(static_cast<int>(i))) continue;
+    const auto at = solver_.normal(static_cast<int>(i));
+    const auto tangents = solver_.dimension() - 1;
+    const double normal = solver_.reaction()[at];
+    sigma += 1 / friction_[i];
+    weighted -= pull_[at] * normal;
+    carries = carries && normal > 0;
+    probe.alive_from = std::max(
+        probe.alive_from, (solver_.reaction().segment(at + 1, tangents).norm() + tolerances.sign) /
+                              (own_[i] * normal));
+  }
+  for (std::size_t i = 0; i < own_.size() && carries; ++i) {
+    if (!node.contact.contains(static_cast<int>(i)))
+      carries = solver_.normal_displacement(static_cast<int>(i)) > tolerances.sign;
+  }
+  if (!carries) probe.alive_from = infinity;
+  if (answer.has_point && std::isfinite(answer.upper)) {
+    const double slope = (sigma * probe.level + weighted) / (sigma * factor);
+    if (slope > 0) probe.newton = factor - probe.level / slope;
+  }
+  // What was asked is said by the sign itself.
+  if (probe.sign == conic::Sign::dead) probe.dead_below = std::max(probe.dead_below, factor);
+  if (probe.sign == conic::Sign::alive) probe.alive_from = std::min(probe.alive_from, factor);
+  return probe;
+}
+
+// The ends of the grid that the proofs of a probe reach. A quotient may round past a point of the
+// grid that is reached exactly.
+void CriticalFriction::narrow(CriticalCell& cell, const FrictionProbe& probe,
+                              std::int64_t most) const {
+  const double below = std::min(probe.dead_below, at(std::min(cell.alive, most)));
+  auto dead = static_cast<std::int64_t>(std::floor(below / width()));
+  if (at(dead + 1) <= below) ++dead;
+  cell.dead = std::max(cell.dead, std::min(dead, most));
+  if (probe.alive_from < at(cell.alive) && probe.alive_from <= at(most)) {
+    cell.alive = static_cast<std::int64_t>(std::ceil(probe.alive_from / width()));
+    if (at(cell.alive - 1) >= probe.alive_from) --cell.alive;
+  }
+  cell.alive = std::max(cell.alive, cell.dead + 1);
+}
+
+bool CriticalFriction::decide(const SignPattern& pattern, CriticalCell& cell, std::int64_t point) {
+  const auto said = probe(pattern, at(point), sign_only);
+  switch (said.sign) {
+    case conic::Sign::dead:
+      cell.dead = point;
+      return true;
+    case conic::Sign::alive:
+      cell.alive = point;
+      return true;
+    case conic::Sign::marginal:
+      if (!said.tie || !is_flat(pattern, at(point))) return false;
+      cell.alive = point;
+      return true;
+  }
+  return false;
+}
+
+bool CriticalFriction::dead(const SignPattern& pattern, std::int64_t point) {
+  if (at(point) < range_.least)
+    return point == 0;  // without friction nothing wedges, K being definite
+  return probe(pattern, at(point), {}).sign == conic::Sign::dead;
+}
+
+CriticalCell CriticalFriction::alive_from(const SignPattern& pattern, CriticalCell cell,
+                                          std::int64_t most) {
+  const auto end = cell.alive;
+  cell.alive = most;
+  for (std::int64_t step = 0; end + step < most; step = std::max<std::int64_t>(1, 2 * step)) {
+    if (at(end + step) >= range_.least && decide(pattern, cell, end + step)) break;
+  }
+  return cell;
+}
+
+CriticalCell CriticalFriction::halve(const SignPattern& pattern, CriticalCell cell) {
+  const auto middle = std::midpoint(cell.dead, cell.alive);
+  if (cell.alive - cell.dead < 2 || at(middle) < range_.least) return cell;
+  if (decide(pattern, cell, middle)) return cell;
+  surround(pattern, cell, middle);
+  return cell;
+}
+
+// The nearest decided points on both sides of a marginal one, found at growing distances.
+void CriticalFriction::surround(const SignPattern& pattern, CriticalCell& cell,
+                                std::int64_t marginal) {
+  for (std::int64_t step = 1; cell.dead < marginal - step; step *= 2) {
+    if (at(marginal - step) < range_.least || decide(pattern, cell, marginal - step)) break;
+  }
+  for (std::int64_t step = 1; marginal + step < cell.alive; step *= 2) {
+    if (decide(pattern, cell, marginal + step)) break;
+  }
+}
+
+CriticalCell CriticalFriction::bisect(const SignPattern& pattern, CriticalCell cell) {
+  for (;;) {
+    const auto half = halve(pattern, cell);
+    if (half == cell) return cell;
+    cell = half;
+  }
+}
+
+CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell cell,
+                                        std::int64_t most) {
+  LevelCurve curve(width());
+  const auto ask = [&](double factor) {
+    const auto said = probe(pattern, factor);
+    narrow(cell, said, most);
+    if (said.tie)
+      curve.take_tie(factor);
+    else
+      curve.take(factor, said.level, said.newton);
+    return said;
+  };
+  // Whether a point of the grid within the cell is found dead, or alive be it as a flat cone.
+  const auto decided = [&](std::int64_t point) {
+    if (point <= cell.dead || point >= cell.alive) return true;
+    if (at(point) < range_.least) return false;
+    const auto said = ask(at(point));
+    if (said.sign != conic::Sign::marginal) return true;
+    if (!said.tie || !is_flat(pattern, at(point))) return false;
+    cell.alive = point;
+    return true;
+  };
+
+  // Between these it may be that t* becomes zero.
+  const auto floor = [&] { return std::max(at(cell.dead), range_.least); };
+  const auto top = [&] {
+    return cell.alive == CriticalCell::nowhere ? curve.least_tie()
+                                               : std::min(curve.least_tie(), at(cell.alive));
+  };
+
+  double factor = cell.alive == CriticalCell::nowhere ? floor() : at(cell.alive);
+  for (int step = 1; step <= most_steps; ++step) {
+    const auto said = ask(factor);
+    const bool open = cell.alive == CriticalCell::nowhere;
+    const bool to_the_end = cell.dead >= most || (factor >= at(most) && !said.tie);
+    if (cell.alive - cell.dead <= 1 || (open && to_the_end)) return cell;
+
+    // Of a tie it is asked only here whether it is a flat cone: the others above it are, too.
+    const double end = std::min(top(), at(most));
+    const auto tip = std::min(cell.alive, static_cast<std::int64_t>(std::ceil(end / width())));
+    if (tip - cell.dead <= 2) {
+      if (!decided(tip) || !decided(cell.dead + 1)) break;
+      if (cell.alive - cell.dead <= 1) return cell;
+    }
+    auto guess = curve.next(floor(), top());
+    if (guess.settled) {
+      const auto below = static_cast<std::int64_t>(std::floor(guess.factor / width()));
+      const auto before = programs_;
+      if (!decided(below + 1) || !decided(below)) {
+        if (cell.alive != CriticalCell::nowhere && below > cell.dead && below < cell.alive)
+          surround(pattern, cell, below);
+        break;
+      }
+      if (cell.alive - cell.dead <= 1) return cell;
+      // The guess was wrong; what was solved beside it leads on.
+      if (programs_ != before) guess = curve.next(floor(), top());
+    }
+    if (step > trusted_steps && step % 3 == 0 && std::isfinite(top()))
+      guess.factor = std::midpoint(floor(), top());
+    factor = std::min(guess.factor, at(most));
+  }
+  return locate(pattern, cell, CriticalMethod::bisection, most);
+}
+
+CriticalCell CriticalFriction::locate(const SignPattern& pattern, CriticalCell cell,
+                                      CriticalMethod method, std::int64_t most) {
+  if (method == CriticalMethod::newton) return approach(pattern, cell, most);
+  if (cell.alive == CriticalCell::nowhere && !decide(pattern, cell, most)) return cell;
+  return cell.alive == CriticalCell::nowhere ? cell : bisect(pattern, cell);
+}
+
+double CriticalFriction::bound(const SignPattern& node, double from, double cutoff) {
+  double known = from;
+  double factor = std::max({from, range_.least, std::min(first_probe, cutoff)});
+  for (int step = 0; step < bound_steps; ++step) {
+    const auto said = probe(node, factor, {.when_dead = false, .when_alive = true});
+    known = std::max(known, said.dead_below);
+    if (said.sign != conic::Sign::dead || known > cutoff) break;
+    // Short of where the tangent vanishes, so as to stay on the side of the dead.
+    const double next = known + (1 - bound_digits) * (said.newton - known);
+    if (!(next > known * (1 + bound_digits)) || !(next <= range_.most)) break;
+    factor = next;
+  }
+  return known;
+}
+
+void CriticalFriction::tighten(std::vector<CandidateBounds> bounds) {
+  solver_.make_room(static_cast<int>(bounds.size()));
+  bounds_ = std::move(bounds);
+}
+
+std::optional<double> CriticalFriction::dead_below_with_cuts(const SignPattern& node,
+                                                             double factor) {
+  const auto free =
+      support::IndexSet::below(static_cast<int>(own_.size())) - (node.contact | node.separated);
+  if (bounds_.empty() || free.empty()) return {};
+  ++programs_;
+  set_friction(factor);
+  const auto cuts = cuts_of(free, bounds_);
+  const auto sign = solver_.solve_with(cuts, node.contact, node.separated, {}).sign;
+  if (sign == conic::Sign::marginal) return {};
+  const double reach = reach_of(solver_.pull(), node);
+  return sign == conic::Sign::dead ? std::max(reach, factor) : reach;
+}
+
+double CriticalFriction::dead_below(const SignPattern& node, double factor) {
+  const double at = std::max(factor, range_.least);
+  if (const auto known = dead_below_with_cuts(node, at)) return *known;
+  return probe(node, at, {.when_dead = true, .when_alive = true}).dead_below;
+}
+
+}  // namespace kusabi::wedged

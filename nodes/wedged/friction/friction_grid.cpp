@@ -1,0 +1,48 @@
+// A product of whole numbers and one division, which rounds to the nearest.
+#include "nodes/wedged/friction/friction_grid.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdlib>
+#include <string_view>
+
+namespace kusabi::wedged {
+namespace {
+
+/// Greater whole numbers, and greater powers of ten, are not all exact in a double.
+constexpr std::int64_t most_exact = std::int64_t{1} << 53U;
+constexpr int most_places = 22;
+
+}  // namespace
+
+FrictionGrid::FrictionGrid(double width) : width_(width) {
+  // "1e-08", "2.5e-07": the fewest digits that give the same double.
+  std::array<char, 32> text{};
+  const auto written =
+      std::to_chars(text.data(), text.data() + text.size(), width, std::chars_format::scientific);
+  std::int64_t numerator = 0;
+  int places = 0;
+  bool fraction = false;
+  const char* at = text.data();
+  for (; at != written.ptr && *at != 'e'; ++at) {
+    if (*at == '.') {
+      fraction = true;
+      continue;
+    }
+    numerator = 10 * numerator + (*at - '0');
+    if (fraction) ++places;
+  }
+  if (at == written.ptr) return;
+  places -= std::atoi(at + 1);
+  if (places < 0 || places > most_places || numerator > most_exact) return;
+  numerator_ = numerator;
+  for (int place = 0; place < places; ++place) denominator_ *= 10;
+}
+
+double FrictionGrid::at(std::int64_t multiple) const {
+  const bool exact = numerator_ != 0 && std::abs(multiple) <= most_exact / numerator_;
+  if (!exact) return width_ * static_cast<double>(multiple);
+  return static_cast<double>(numerator_ * multiple) / denominator_;
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,86 @@
+// Tangents from above, and from below what two points say together.
+#include "nodes/wedged/friction/level_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace kusabi::wedged {
+namespace {
+
+// A tangent from below meets zero too late, by less than this of what is open. Short of it by as
+// much is a second point below, which says how much it bends.
+constexpr double bend = 0.2;
+
+double squared(double number) {
+  return number * number;
+}
+
+// Downwards from a tie, or where a tangent leads nowhere, as long as nothing is known below.
+constexpr double downwards = 0.98;
+
+// The error of a tangent is a few times the square of the step, that of two points a few times the
+// square of the product of both distances; this leaves them room.
+bool is_within(double step, double width) {
+  return squared(10 * step) < width;
+}
+
+}  // namespace
+
+void LevelCurve::take(double factor, double level, double newton) {
+  if (!std::isfinite(newton) || newton == factor) return;
+  const Point point{factor, level, newton};
+  if (level >= 0) {
+    above_ = point;
+  } else if (!below_ || factor > below_->factor) {
+    further_below_ = below_;
+    below_ = point;
+  } else if (!further_below_ || factor > further_below_->factor) {
+    further_below_ = point;
+  }
+}
+
+void LevelCurve::take_tie(double factor) {
+  least_tie_ = std::min(least_tie_, factor);
+  above_.reset();
+}
+
+// The coefficient as a function of t*: the cubic through both points with their slopes, at zero.
+double LevelCurve::zero_between(const Point& one, const Point& other) {
+  const double span = other.level - one.level;
+  const double at = -one.level / span;
+  const double square = at * at;
+  const double cube = square * at;
+  return (2 * cube - 3 * square + 1) * one.factor + (cube - 2 * square + at) * span / one.slope() +
+         (3 * square - 2 * cube) * other.factor + (cube - square) * span / other.slope();
+}
+
+LevelCurve::Guess LevelCurve::from_below(const Point& point, double floor) const {
+  const double step = point.newton - point.factor;
+  if (is_within(step, width_)) return {point.newton, true};
+  if (further_below_ && further_below_->level != point.level) {
+    const double zero = zero_between(point, *further_below_);
+    if (zero > point.factor && std::abs(zero - point.newton) < step / 2) {
+      const double both = (zero - point.factor) * (zero - further_below_->factor);
+      return {zero, is_within(2 * both, width_)};
+    }
+  }
+  const double known = std::max(floor, point.factor);
+  return {point.newton - bend * std::max(0.0, point.newton - known), false};
+}
+
+LevelCurve::Guess LevelCurve::next(double floor, double top) const {
+  const auto inside = [&](double factor) { return factor >= floor && factor < top; };
+  const bool leads = above_ && inside(above_->newton);
+  if (leads && is_within(above_->newton - above_->factor, width_)) return {above_->newton, true};
+  if (below_) {
+    const auto guess = from_below(*below_, floor);
+    if (inside(guess.factor)) return guess;
+    const double known = std::max(floor, std::min(below_->factor, downwards * top));
+    return {std::isfinite(top) ? std::midpoint(known, top) : 2 * known, false};
+  }
+  if (leads) return {above_->newton, false};
+  return {std::isfinite(top) ? std::max(floor, downwards * top) : 2 * floor, false};
+}
+
+}  // namespace kusabi::wedged

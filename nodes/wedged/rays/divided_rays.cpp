@@ -1,0 +1,53 @@
+// When a list is divided, and when a part is given up.
+#include "nodes/wedged/rays/divided_rays.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kusabi::wedged {
+
+std::uint64_t memory_of_lists(int candidates) {
+  constexpr std::uint64_t states = 5;  // separated, idle, sticking, sliding this or that way
+  std::uint64_t most = 1;
+  for (int i = 0; i < candidates && most < 2 * longest_list; ++i) most *= states;
+  return rays::bytes_for(std::min(most, 2 * longest_list), candidates);
+}
+
+DividedRays::DividedRays(SignPatternTree tree, rays::ReactionCone cone, rays::RayList list,
+                         std::uint64_t longest)
+    : tree_(std::move(tree)), cone_(std::move(cone)), list_(std::move(list)), longest_(longest) {}
+
+RayTally DividedRays::tally() const {
+  RayTally all = tally_;
+  all.patterns = tree_.tally();
+  return all;
+}
+
+// What is dead has no ray. A tie that is closed without a leaf has none with a reaction at every
+// candidate in contact.
+bool DividedRays::may_have_own(const Node& list) {
+  if ((list.contact | list.separated) == 0) return true;
+  const auto fate = tree_.decide({.block = 0, .pattern = {list.contact, list.separated, {}}});
+  return fate.leaf || !fate.children.empty();
+}
+
+void DividedRays::expand(Node&& node, engine::Expansion<DividedRays>& out) {
+  if (!may_have_own(node)) return;
+  const auto answer_others = [&out] {
+    out.poll();
+    return false;
+  };
+  const auto steps = rays::go_on(node, cone_, {.most_rays = longest_, .stop = answer_others});
+  tally_.effort += steps.effort;
+  tally_.health += steps.health;
+  if (rays::has_ended(node, cone_)) {
+    PatternRays own{own_rays(node.zeros, node.contact, node.separated, cone_.all())};
+    if (!own.rays.empty()) out.solution(std::move(own));
+    return;
+  }
+  auto parts = rays::divided(node);
+  node = {};  // the memory is needed
+  for (auto& part : *parts) out.branch(std::move(part));
+}
+
+}  // namespace kusabi::wedged

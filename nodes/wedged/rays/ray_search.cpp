@@ -1,0 +1,181 @@
+// All ranks make the first steps together, and share the list when it is long; or they share the
+// tree.
+#include "nodes/wedged/rays/ray_search.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/shared_work.hpp"
+#include "engine/together.hpp"
+#include "nodes/wedged/rays/divided_rays.hpp"
+#include "nodes/wedged/rays/ray_trial.hpp"
+#include "problems/wedged/precise_compliance.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// What comes after the steps that all ranks make together.
+enum class Way { done, stopped, divided };
+
+// What rank 0 makes of the outcome of either tree.
+template <class Tree>
+RayFindings gathered(engine::Outcome<Tree>& outcome) {
+  RayFindings found;
+  found.status = outcome.status;
+  for (auto& leaf : outcome.solutions) {
+    auto& own = leaf.solution.rays;
+    found.rays.insert(found.rays.end(), own.begin(), own.end());
+    own = {};  // the memory is needed
+  }
+  const auto total = outcome.tally();
+  found.health = total.health;
+  found.tree = RayTreeReport{.patterns = total.patterns,
+                             .opened = outcome.opened(),
+                             .open = outcome.open,
+                             .fingerprint = outcome.fingerprint(),
+                             .ranks = {}};
+  for (const auto& [statistics, tally] : outcome.ranks)
+    found.tree->ranks.push_back({.statistics = statistics, .tally = tally});
+  return found;
+}
+
+// Rays are known by their zeros at all candidates, so the blocks stay together.
+SignPatternTree whole_tree(const problems::WedgedProblem& problem,
+                           std::span<const double> friction) {
+  problems::WedgedProblem whole = problem;
+  whole.blocks.clear();
+  return {whole, friction};
+}
+
+template <class Tree>
+RayFindings searched(engine::Campaign& campaign, Tree tree) {
+  auto outcome = campaign.search(tree, {});
+  if (campaign.is_first()) return gathered(outcome);
+  return {};
+}
+
+// Steps of all ranks, until all are done, or somebody ends them, or the list is longer than `most`.
+// Whether they were stopped is for rank 0 to say.
+rays::Steps steps_of_all(engine::Campaign& campaign, const rays::ReactionCone& cone,
+                         rays::RayList& list, std::uint64_t most, RayTrial* trial) {
+  auto& transport = campaign.transport();
+  rays::Conduct conduct{.most_rays = most};
+  if (campaign.is_first()) conduct.stop = campaign.budget().stop();
+  if (trial != nullptr) {
+    conduct.give_up = [&transport, trial](const rays::Effort& effort) {
+      return engine::from_first_rank(transport, [&] { return trial->succeeds(effort.pairs); });
+    };
+  }
+  if (transport.size() > 1) {
+    conduct.share = [&](std::uint64_t count, const auto& piece) {
+      return engine::share_work<rays::NewRays>(transport, count, piece);
+    };
+    conduct.agree = [&](bool told) {
+      return engine::from_first_rank(transport, [&] { return told; });
+    };
+  }
+  return rays::go_on(list, cone, conduct);
+}
+
+// The parts of a list that has come to be long, with what the steps before have cost.
+RayFindings by_parts(engine::Campaign& campaign, SignPatternTree tree,
+                     const rays::ReactionCone& cone, rays::RayList list,
+                     const rays::Steps& before) {
+  campaign.say(fmt::format("{} rays at one time: the list is divided", list.zeros.size()));
+  auto found = searched(campaign, DividedRays(std::move(tree), cone, std::move(list)));
+  if (!campaign.is_first()) return found;
+  found.health += before.health;
+  found.tree->ranks.front().tally.effort += before.effort;
+  return found;
+}
+
+RayFindings by_double_description(engine::Campaign& campaign,
+                                  const problems::WedgedProblem& problem,
+                                  std::span<const double> friction, const rays::ReactionCone& cone,
+                                  RayMethod method) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool either = method == RayMethod::automatic;
+  const auto most = either ? longest_list : std::numeric_limits<std::uint64_t>::max();
+  RayTrial trial([&] { return whole_tree(problem, friction); }, cone, campaign.budget().stop());
+  auto list = rays::first_list(cone);
+  const auto steps = steps_of_all(campaign, cone, list, most, either ? &trial : nullptr);
+  const Way way = engine::from_first_rank(campaign.transport(), [&] {
+    return trial.has_succeeded() || (!steps.stopped && rays::has_ended(list, cone)) ? Way::done
+           : steps.stopped                                                          ? Way::stopped
+                                                                                    : Way::divided;
+  });
+  if (way == Way::divided)
+    return by_parts(campaign, whole_tree(problem, friction), cone, std::move(list), steps);
+  RayFindings found;
+  if (!campaign.is_first()) return found;
+  if (trial.has_succeeded()) return std::move(trial).found();
+  if (way == Way::stopped) {
+    found.status = campaign.budget().why();
+    return found;
+  }
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  found.rays = std::move(list.zeros);
+  found.health = steps.health;
+  found.effort = steps.effort;
+  found.seconds = time.count();
+  return found;
+}
+
+// Double description has them among its rays, the tree does not come to them.
+void find_motions(RayFindings& found, const rays::ReactionCone& cone) {
+  if (cone.pivots().empty()) return;
+  std::erase_if(found.rays, [&](const rays::ZeroSet& zero) {
+    return rays::Supports(zero, cone.all()).reaction() == 0;
+  });
+  auto motions = rays::rays_of_pattern(cone, 0);
+  found.health += motions.health;
+  found.motions = std::move(motions.rays);
+  std::sort(found.motions.begin(), found.motions.end(), rays::comes_before);
+}
+
+// A cone of configurations may have gaps that a motion opens; one of motions alone is not wedged.
+void find_cones(RayFindings& found, const rays::ReactionCone& cone) {
+  auto all = found.rays;
+  all.insert(all.end(), found.motions.begin(), found.motions.end());
+  found.cones = rays::maximal_cones(all, cone.all());
+  std::erase_if(found.cones, [](const rays::Cone& each) { return each.reaction == 0; });
+}
+
+}  // namespace
+
+bool limited(const engine::Limits& limits) {
+  const engine::Limits none;
+  return limits.seconds != none.seconds || limits.nodes != none.nodes;
+}
+
+rays::ReactionCone reaction_cone(const problems::Structure& structure,
+                                 const problems::WedgedProblem& problem,
+                                 std::span<const double> friction) {
+  return {problems::precise_compliance(structure), friction,
+          problem.precise_motions.cast<long double>()};
+}
+
+RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                      std::span<const double> friction, const rays::ReactionCone& cone,
+                      RayMethod method) {
+  if (cone.equations() != problem.motions.cols())
+    throw std::invalid_argument("the cone of reactions is not that of the loose bodies");
+  const bool by_pattern = method == RayMethod::tree;
+  auto found = by_pattern ? searched(campaign, RayTree(whole_tree(problem, friction), cone))
+                          : by_double_description(campaign, problem, friction, cone, method);
+  if (!campaign.is_first()) return found;
+  if (by_pattern) found.method = RayMethod::tree;
+  find_motions(found, cone);
+  std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);
+  if (found.status == engine::Status::solved) find_cones(found, cone);
+  return found;
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,95 @@
+// Newton's method for the first change, bisection for those after it, which few leaves have.
+#include "nodes/wedged/sweep/leaf_history.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace kusabi::wedged {
+namespace {
+
+using Kind = LeafStage::Kind;
+
+/// Points of the grid: a cell is two wide where its middle is itself critical.
+constexpr std::int64_t narrow = 2;
+
+/// What the leaf is at a point.
+struct Station {
+  std::int64_t point = 0;
+  LeafStage stage;
+
+  [[nodiscard]] bool open() const { return stage.kind == Kind::open; }
+};
+
+class Bisection {
+ public:
+  Bisection(CriticalFriction& critical, const SignPattern& leaf)
+      : critical_(critical), leaf_(leaf) {}
+
+  [[nodiscard]] Station at(std::int64_t point) { return {point, critical_.stage(leaf_, point)}; }
+
+  /// Adds all changes between two points, which must not be open.
+  void between(const Station& low, const Station& high) {
+    if (low.stage == high.stage) return;
+    const auto middle = at(std::midpoint(low.point, high.point));
+    const auto below = middle.open() ? decided(middle.point, low, -1) : middle;
+    const auto above = middle.open() ? decided(middle.point, high, 1) : middle;
+    const bool found = below.point > low.point || above.point < high.point;
+    if (high.point - low.point == 1 || !found) {
+      changes_.push_back({low.point, high.point, high.stage});
+      return;
+    }
+    between(low, below);
+    if (middle.open() && below.stage != above.stage)
+      changes_.push_back({below.point, above.point, above.stage});
+    between(above, high);
+  }
+
+  [[nodiscard]] std::vector<LeafChange>& changes() { return changes_; }
+
+ private:
+  // The nearest station that is not open, at growing distances from one that is.
+  Station decided(std::int64_t from, const Station& end, int direction) {
+    for (std::int64_t step = 1; step < (end.point - from) * direction; step *= 2) {
+      auto station = at(from + direction * step);
+      if (!station.open()) return station;
+    }
+    return end;
+  }
+
+  CriticalFriction& critical_;
+  const SignPattern& leaf_;
+  std::vector<LeafChange> changes_;
+};
+
+}  // namespace
+
+const LeafChange* LeafHistory::change_to(const LeafStage& stage) const {
+  const auto found = std::ranges::find(changes, stage, &LeafChange::to);
+  return found == changes.end() ? nullptr : &*found;
+}
+
+LeafHistory leaf_history(CriticalFriction& critical, const SignPattern& leaf, const LeafStage& last,
+                         std::int64_t most) {
+  const Station at_most{most, last};
+  const CriticalCell known{0, at_most.open() ? CriticalCell::nowhere : most};
+  const auto cell = critical.locate(leaf, known, CriticalMethod::newton, most);
+  if (cell.alive == CriticalCell::nowhere) return {.changes = {}, .open_above = cell.dead};
+  Bisection bisection(critical, leaf);
+  const Station dead{cell.dead, {}};
+  const auto first = cell.alive == most ? at_most : bisection.at(cell.alive);
+  if (first.open() && at_most.open()) return {.changes = {}, .open_above = cell.dead};
+  // A wide cell has ties in it, which may be flat cones that Newton's method does not know.
+  if (first.open())
+    bisection.between(dead, at_most);
+  else if (cell.alive - cell.dead > narrow)
+    bisection.between(dead, first);
+  else
+    bisection.changes().push_back({cell.dead, cell.alive, first.stage});
+  const bool grows = first.stage.kind == Kind::flat;
+  if (grows && at_most.open()) return {std::move(bisection.changes()), cell.alive};
+  if (grows) bisection.between(first, at_most);
+  return {.changes = std::move(bisection.changes())};
+}
+
+}  // namespace kusabi::wedged

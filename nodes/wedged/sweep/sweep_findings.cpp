@@ -1,0 +1,154 @@
+// From the histories of leaves to the lives of cones, and from these to counts.
+#include "nodes/wedged/sweep/sweep_findings.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "nodes/wedged/tree/maximal_cones.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// A change as the whole problem has it.
+ConeLife life_of(const LeafOfSweep& leaf, const LeafChange& change,
+                 const support::IndexSet& candidates, const FrictionGrid& grid) {
+  ConeLife life{.block = leaf.block,
+                .pattern = {.contact = leaf.pattern.contact,
+                            .separated = candidates - leaf.pattern.contact,
+                            .at_rest = {}},
+                .begins = {grid.at(change.before), grid.at(change.after)},
+                .absorbed = {}};
+  if (change.to.kind == LeafStage::Kind::flat) {
+    const auto& [kind, loaded, moved] = change.to;
+    life.pattern.contact = problems::in_whole(loaded, candidates);
+    life.pattern.separated = problems::in_whole(moved, candidates);
+    life.pattern.at_rest = candidates - (life.pattern.contact | life.pattern.separated);
+  }
+  return life;
+}
+
+/// Both say when the same happens: the earlier.
+void take_earlier(FrictionBracket& bracket, const FrictionBracket& other) {
+  bracket.lower = std::min(bracket.lower, other.lower);
+  bracket.upper = std::min(bracket.upper, other.upper);
+}
+
+bool by_cone(const ConeLife& a, const ConeLife& b) {
+  if (a.block != b.block) return a.block < b.block;
+  return comes_before(a.pattern, b.pattern);
+}
+
+bool same_cone(const ConeLife& a, const ConeLife& b) {
+  return a.block == b.block && a.pattern == b.pattern;
+}
+
+/// One cone may be that of several leaves: each once, from where the first has it.
+void unite(std::vector<ConeLife>& lives) {
+  std::sort(lives.begin(), lives.end(), by_cone);
+  std::vector<ConeLife> united;
+  for (auto& life : lives) {
+    if (!united.empty() && same_cone(united.back(), life))
+      take_earlier(united.back().begins, life.begins);
+    else
+      united.push_back(std::move(life));
+  }
+  lives = std::move(united);
+}
+
+/// Whether anything is left of the life of the first of these after the others have begun.
+bool remains(ConeLife& life, const std::vector<ConeLife>& all) {
+  if (life.solid()) return true;
+  for (const auto& other : all) {
+    if (other.block != life.block || same_cone(life, other)) continue;
+    if (!within(life.pattern, other.pattern)) continue;
+    if (!life.absorbed) life.absorbed = other.begins;
+    take_earlier(*life.absorbed, other.begins);
+  }
+  return !life.absorbed || life.absorbed->upper > life.begins.upper;
+}
+
+bool begins_before(const ConeLife& a, const ConeLife& b) {
+  if (a.begins.upper != b.begins.upper) return a.begins.upper < b.begins.upper;
+  return by_cone(a, b);
+}
+
+/// The brackets, those that overlap or touch as one, in order.
+std::vector<FrictionBracket> merged(std::vector<FrictionBracket> brackets) {
+  std::sort(brackets.begin(), brackets.end(),
+            [](const auto& a, const auto& b) { return a.lower < b.lower; });
+  std::vector<FrictionBracket> list;
+  for (const auto& bracket : brackets) {
+    if (list.empty() || bracket.lower > list.back().upper)
+      list.push_back(bracket);
+    else
+      list.back().upper = std::max(list.back().upper, bracket.upper);
+  }
+  return list;
+}
+
+}  // namespace
+
+void take_histories(SweepFindings& findings, const std::vector<LeafOfSweep>& leaves,
+                    const std::vector<support::IndexSet>& candidates, const FrictionGrid& grid) {
+  std::vector<ConeLife> lives;
+  for (const auto& leaf : leaves) {
+    const auto& own = candidates[leaf.block];
+    if (!leaf.history || leaf.history->open_above != LeafHistory::never) {
+      const auto from = leaf.history ? leaf.history->open_above : 0;
+      findings.open.push_back({leaf.block, leaf.pattern, grid.at(from)});
+    }
+    if (!leaf.history) continue;
+    for (const auto& change : leaf.history->changes)
+      lives.push_back(life_of(leaf, change, own, grid));
+  }
+  unite(lives);
+  for (auto life : lives) {
+    if (life.begins.lower < findings.most && remains(life, lives))
+      findings.cones.push_back(std::move(life));
+  }
+  std::sort(findings.cones.begin(), findings.cones.end(), begins_before);
+}
+
+ConeCount SweepFindings::count_at(double friction) const {
+  ConeCount count{.friction = friction, .known = {}};
+  std::vector<std::uint64_t> of_block(blocks, 0);
+  for (const auto& cone : cones) {
+    const bool changes =
+        cone.begins.has_within(friction) || (cone.absorbed && cone.absorbed->has_within(friction));
+    if (changes) ++count.open;
+    const bool begun = cone.begins.upper <= friction;
+    if (begun && (!cone.absorbed || friction <= cone.absorbed->lower)) ++of_block[cone.block];
+  }
+  for (const auto& leaf : open) {
+    if (friction > leaf.lower) ++count.open;
+  }
+  count.known = combinations(of_block);
+  return count;
+}
+
+std::vector<Tread> SweepFindings::staircase() const {
+  std::vector<FrictionBracket> brackets;
+  for (const auto& cone : cones) {
+    brackets.push_back(cone.begins);
+    if (cone.absorbed) brackets.push_back(*cone.absorbed);
+  }
+  for (const auto& leaf : open) brackets.push_back({leaf.lower, leaf.lower});
+  std::vector<Tread> treads;
+  const auto add = [&](double from, double to) {
+    to = std::min(to, most);
+    if (!(from < to)) return;
+    const auto count = count_at(std::midpoint(from, to));
+    treads.push_back({from, to, count.known, count.open});
+  };
+  double from = 0;
+  for (const auto& [lower, upper] : merged(std::move(brackets))) {
+    add(from, lower);
+    from = upper;
+  }
+  add(from, most);
+  return treads;
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,92 @@
+// The tree at the largest coefficient, then the histories.
+#include "nodes/wedged/sweep/sweep_search.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/together.hpp"
+#include "nodes/wedged/critical/critical_findings.hpp"
+#include "nodes/wedged/tree/candidate_friction.hpp"
+#include "nodes/wedged/tree/preparation.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// The leaves at the largest coefficient, those within others among them: they may be maximal at a
+/// smaller one.
+struct LeavesAtMost {
+  engine::Status status = engine::Status::solved;
+  std::vector<Configuration> leaves;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& status& leaves;
+  }
+};
+
+LeavesAtMost leaves_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                       double most, SweepFindings& findings) {
+  const auto friction = candidate_friction(problem, most);
+  const SignPatternOptions options;
+  SignPatternTree tree(problem, friction, options);
+  inform(tree, prepare(campaign, problem, friction, options));
+  auto outcome = campaign.search(tree, {});
+  auto leaves = engine::from_first_rank(campaign.transport(), [&] {
+    LeavesAtMost found{outcome.status, {}};
+    for (auto& each : outcome.solutions) found.leaves.push_back(std::move(each.solution));
+    return found;
+  });
+  findings.tree_ranks = std::move(outcome.ranks);
+  return leaves;
+}
+
+/// The first point of the grid that is not below.
+std::int64_t not_below(double friction, const FrictionGrid& grid) {
+  auto point = static_cast<std::int64_t>(std::llround(friction / grid.width()));
+  while (grid.at(point) < friction) ++point;
+  return point;
+}
+
+}  // namespace
+
+SweepFindings sweep_friction(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                             const SweepQuestion& question) {
+  const auto& [most, width] = question;
+  if (!(width > 0 && width < most) || most > most_multiples * width) {
+    throw std::invalid_argument(
+        "the width of a bracket is below the largest friction coefficient, and no less than 1e-15 "
+        "of it");
+  }
+  const FrictionGrid grid(width);
+  const auto top = not_below(most, grid);
+  SweepFindings findings;
+  findings.most = most;
+  auto at_most = leaves_at(campaign, problem, grid.at(top), findings);
+  findings.status = at_most.status;
+  if (findings.status != engine::Status::solved) return findings;
+  const auto blocks = problems::blocks_of(problem);
+  findings.enumerated = true;
+  findings.blocks = blocks.size();
+  std::vector<SweepTree::Leaf> leaves;
+  for (const auto& leaf : at_most.leaves)
+    leaves.push_back(SweepTree::leaf_of(leaf, blocks[leaf.block]));
+  SweepTree tree(problem, width, top, std::move(leaves));
+  auto outcome = campaign.search(tree, {});
+  findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
+  findings.history_ranks = std::move(outcome.ranks);
+  if (!campaign.is_first()) return findings;
+  std::vector<LeafOfSweep> histories;
+  for (auto& leaf : at_most.leaves)
+    histories.push_back({leaf.block, std::move(leaf.pattern), std::nullopt});
+  for (auto& found : outcome.solutions)
+    histories[found.solution.number].history = std::move(found.solution.history);
+  take_histories(findings, histories, blocks, grid);
+  return findings;
+}
+
+}  // namespace kusabi::wedged

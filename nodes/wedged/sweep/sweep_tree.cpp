@@ -1,0 +1,50 @@
+// How ranges of leaves are split.
+#include "nodes/wedged/sweep/sweep_tree.hpp"
+
+#include <utility>
+
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+
+SweepTree::Leaf SweepTree::leaf_of(const Configuration& found, const support::IndexSet& block) {
+  Leaf leaf{.place = {.block = found.block, .pattern = own_leaf(found, block)},
+            .stage = {LeafStage::Kind::open, {}, {}}};
+  if (found.state == LeafState::alive) leaf.stage.kind = LeafStage::Kind::solid;
+  if (found.state == LeafState::flat)
+    leaf.stage = {LeafStage::Kind::flat, leaf.place.pattern.contact,
+                  problems::in_block(found.pattern.separated, block)};
+  return leaf;
+}
+
+SweepTree::SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
+                     std::vector<Leaf> leaves)
+    : leaves_(std::move(leaves)), most_(most) {
+  for (const auto& candidates : problems::blocks_of(problem))
+    critical_.emplace_back(problems::block_problem(problem, candidates), width);
+}
+
+SweepTree::Tally SweepTree::tally() const {
+  Tally tally = tally_;
+  for (const auto& block : critical_) tally.programs += block.programs();
+  return tally;
+}
+
+SweepTree::Node SweepTree::root() const {
+  return {.first = 0, .count = static_cast<std::uint32_t>(leaves_.size())};
+}
+
+void SweepTree::expand(Node&& node, engine::Expansion<SweepTree>& out) {
+  if (node.count == 0) return;
+  if (node.count > 1) {
+    const auto half = node.count / 2;
+    out.branch({node.first, half});
+    out.branch({node.first + half, node.count - half});
+    return;
+  }
+  ++tally_.leaves;
+  const auto& [place, stage] = leaves_[node.first];
+  out.solution({node.first, leaf_history(critical_[place.block], place.pattern, stage, most_)});
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,71 @@
+// The histories of given leaves, all at once over the ranks: a node is a range of the leaves, which
+// is halved down to one.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "engine/counts.hpp"
+#include "engine/expansion.hpp"
+#include "nodes/wedged/friction/critical_friction.hpp"
+#include "nodes/wedged/sweep/leaf_history.hpp"
+
+namespace kusabi::wedged {
+
+/// The problem type that engine::search searches.
+class SweepTree {
+ public:
+  struct Node {
+    std::uint32_t first = 0, count = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& first& count;
+    }
+  };
+
+  struct Solution {
+    std::uint32_t number = 0;  ///< of the leaf in the list
+    LeafHistory history;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& number& history;
+    }
+  };
+
+  struct Tally : engine::Counts<Tally> {
+    std::uint64_t leaves = 0;
+    std::uint64_t programs = 0;  ///< cone programs solved
+
+    static constexpr auto fields() {
+      return std::tuple{field("leaves", &Tally::leaves), field("programs", &Tally::programs)};
+    }
+  };
+
+  /// Each candidate of the block in contact or separated, at the coefficient `most` x width.
+  struct Leaf {
+    PatternNode place;
+    LeafStage stage;  ///< not dead
+  };
+
+  /// Those that are loaded are in contact, all others separated, inactive or not.
+  /// @param found at the coefficient `most` x width @param block its candidates
+  static Leaf leaf_of(const Configuration& found, const support::IndexSet& block);
+
+  SweepTree(const problems::WedgedProblem& problem, double width, std::int64_t most,
+            std::vector<Leaf> leaves);
+
+  [[nodiscard]] Node root() const;
+  void expand(Node&& node, engine::Expansion<SweepTree>& out);
+  [[nodiscard]] Tally tally() const;
+
+ private:
+  std::vector<CriticalFriction> critical_;  // of each block
+  std::vector<Leaf> leaves_;
+  std::int64_t most_;
+  Tally tally_;
+};
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,228 @@
+// First the tree by the rule that is never much worse, which may be small; then rounds of dives,
+// until there are as many nodes in them as the best tree may have.
+#include "nodes/wedged/tree/branching_trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <random>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/together.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// Smaller blocks have trees that are searched sooner than sampled.
+constexpr int fewest_candidates = 40;
+
+/// The first unless another seems to take so many times fewer nodes: it is never much worse than
+/// the others, and a few dives miss the largest parts of a tree more often than not.
+constexpr std::array tried{Branching::weighed, Branching::relative, Branching::deepest};
+constexpr double times_fewer = 3;
+
+/// Trees of no more nodes are not worth a trial, and fewer nodes of dives say little; but a node
+/// takes the more time the more candidates there are.
+std::uint64_t few_nodes(int candidates) {
+  return static_cast<std::uint64_t>(std::clamp(50'000 / candidates, 100, 500));
+}
+
+/// Of blocks up to this size whole trees of some twenty nodes a candidate are looked for, since few
+/// dives can be wrong by a factor of ten. Larger ones take too long for one rank.
+constexpr int most_to_look_through = 100;
+
+std::uint64_t looked_through(int candidates) {
+  if (candidates > most_to_look_through) return few_nodes(candidates);
+  const auto many = static_cast<std::uint64_t>(std::min(20 * candidates, 100'000 / candidates));
+  return std::max(few_nodes(candidates), many);
+}
+
+constexpr int much = 20;  // leaves
+
+constexpr std::uint64_t dives_a_round = 4;  // by each rule
+constexpr std::uint64_t most_rounds = 16;
+
+struct Dive {
+  double size = 0;           // estimate of the nodes of the tree
+  std::uint64_t opened = 0;  // nodes
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& size& opened;
+  }
+};
+
+// Ends early where the budget is spent.
+Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number,
+          const engine::Budget& budget) {
+  std::mt19937_64 random(number);
+  Dive result{.size = 1, .opened = 1};
+  double ways = 1;
+  try {
+    auto fate = tree.decide({.block = block, .pattern = {}});
+    while (!fate.children.empty() && !budget.spent()) {
+      std::vector<SignPatternTree::Fate> branched;
+      for (const auto& child : fate.children) {
+        ++result.opened;
+        result.size += ways;
+        if (auto own = tree.decide(child); !own.children.empty())
+          branched.push_back(std::move(own));
+      }
+      if (branched.empty()) break;
+      ways *= static_cast<double>(branched.size());
+      fate = std::move(branched[random() % branched.size()]);
+    }
+  } catch (const support::Stopped&) {
+    return result;
+  }
+  return result;
+}
+
+// The trees by the rules that are tried, and what the dives into one of their blocks say.
+class Trial {
+ public:
+  Trial(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+        std::span<const double> friction, const SignPatternOptions& options,
+        std::span<const Branching> rules)
+      : campaign_(campaign), rules_(rules) {
+    for (const Branching rule : rules) {
+      SignPatternOptions own = options;
+      own.branching = rule;
+      own.probes = 0;
+      trees_.emplace_back(problem, friction, own);
+      trees_.back().end_when(campaign.budget().stop());
+    }
+  }
+
+  TriedTree best_of(std::uint32_t block, int candidates) {
+    constexpr auto unknown = std::numeric_limits<double>::infinity();
+    const auto few = few_nodes(candidates);
+    const auto first =
+        campaign_.by_first_rank([&] { return look(block, looked_through(candidates)); });
+    if (first.whole) return {rules_.front(), static_cast<double>(first.opened)};
+    if (candidates < fewest_candidates) return {rules_.front(), unknown};
+    const auto rules = first.much ? 1 : trees_.size();
+    std::vector<double> sum(rules);
+    std::uint64_t opened = 0;
+    std::uint64_t round = 0;
+    while (round < most_rounds) {
+      const auto dives = share(block, round++, rules);
+      for (std::size_t i = 0; i < dives.size(); ++i) {
+        sum[i % rules] += dives[i].size;
+        opened += dives[i].opened;
+      }
+      const double least = mean(*std::ranges::min_element(sum), round);
+      if (rules == 1 || (opened >= few && static_cast<double>(opened) >= least) || ended()) break;
+    }
+    const auto least = std::ranges::min_element(sum);
+    const auto best =
+        *least * times_fewer < sum.front() ? static_cast<std::size_t>(least - sum.begin()) : 0;
+    const bool known_large = best == 0 && candidates <= most_to_look_through && !first.much;
+    return {rules_[best], known_large ? unknown : mean(sum[best], round)};
+  }
+
+ private:
+  // The beginning of the first tree. Where much is found most of the work is its leaves, which all
+  // trees have.
+  struct Look {
+    std::uint64_t opened = 0;
+    bool whole = false, much = false;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& opened& whole& much;
+    }
+  };
+  Look look(std::uint32_t block, std::uint64_t few) {
+    std::vector<SignPatternTree::Node> open{{.block = block, .pattern = {}}};
+    Look result;
+    int found = 0;
+    while (result.opened < few && !open.empty()) {
+      if (found == much || campaign_.budget().spent()) {
+        result.much = true;
+        return result;
+      }
+      const auto node = open.back();
+      open.pop_back();
+      SignPatternTree::Fate fate;
+      try {
+        fate = trees_.front().decide(node);
+      } catch (const support::Stopped&) {
+        result.much = true;
+        return result;
+      }
+      ++result.opened;
+      campaign_.say_now_and_then([&] {
+        return fmt::format("sampling the tree to choose how it is split: {} nodes", result.opened);
+      });
+      if (fate.leaf) ++found;
+      open.insert(open.end(), fate.children.rbegin(), fate.children.rend());
+    }
+    result.whole = open.empty();
+    return result;
+  }
+
+  static double mean(double sum, std::uint64_t rounds) {
+    return sum / static_cast<double>(dives_a_round * rounds);
+  }
+
+  std::vector<Dive> share(std::uint32_t block, std::uint64_t round, std::size_t rules) {
+    return campaign_.share<Dive>(dives_a_round * rules, [&](std::uint64_t piece) {
+      return dive(trees_[piece % rules], block, round * dives_a_round + piece / rules,
+                  campaign_.budget());
+    });
+  }
+
+  bool ended() {
+    return engine::from_first_rank(campaign_.transport(),
+                                   [&] { return campaign_.budget().spent(); });
+  }
+
+  engine::Campaign& campaign_;
+  std::span<const Branching> rules_;
+  std::vector<SignPatternTree> trees_;
+};
+
+constexpr std::array without_centre{Branching::relative};
+
+}  // namespace
+
+Branching untried_branching(int candidates) {
+  return candidates < fewest_candidates ? Branching::relative : tried.front();
+}
+
+std::vector<TriedTree> tried_trees(engine::Campaign& campaign,
+                                   const problems::WedgedProblem& problem,
+                                   std::span<const double> friction,
+                                   const SignPatternOptions& options, int fewest) {
+  const auto blocks = problems::blocks_of(problem);
+  std::vector<TriedTree> result(blocks.size());
+  const std::array asked{options.branching};
+  const bool automatic = options.branching == Branching::automatic;
+  if (!automatic) std::ranges::fill(result, TriedTree{.branching = options.branching});
+  if (options.facets != 0) return result;
+  // Loose bodies have no centre, by which the rules differ.
+  const bool has_centre = problem.motions.cols() == 0;
+  std::optional<Trial> small, large;
+  for (std::uint32_t block = 0; block < blocks.size(); ++block) {
+    const int candidates = blocks[block].size();
+    const bool is_large = automatic && has_centre && candidates >= fewest_candidates;
+    if (candidates < fewest && !is_large) continue;
+    auto& trial = is_large ? large : small;
+    if (!trial) {
+      const auto rules = is_large    ? std::span<const Branching>(tried)
+                         : automatic ? std::span<const Branching>(without_centre)
+                                     : std::span<const Branching>(asked);
+      trial.emplace(campaign, problem, friction, options, rules);
+    }
+    result[block] = trial->best_of(block, candidates);
+  }
+  return result;
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,136 @@
+// How much each candidate can take part in any wedged configuration, found before a tree is
+// searched, and the cuts that follow (docs/theory/wedged.md, "Bounds and cuts").
+//
+// Let s = sum_k r_nk. If u_ni <= gap_i s wherever r_i = 0, and r_ni <= reaction_i s wherever
+// u_ni = 0, then, since one of both is zero,
+//
+//   u_ni / gap_i + r_ni / reaction_i <= s
+//
+// in every wedged configuration. The relaxation of a node in which i is undecided does not know
+// that, and is weak without. Of a loose body gap_i may be infinite, where it can move off i and
+// from no other candidate against it; r_ni <= reaction_i s is what is left then. Each bound is
+// proved by a cone program in which the cuts found so far take part, so that sweeps over all
+// candidates make all of them better.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+
+#include "engine/campaign.hpp"
+#include "nodes/wedged/tree/contact_solver.hpp"
+#include "nodes/wedged/tree/mean_motion.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+#include "solvers/conic/cut.hpp"
+#include "support/index_set.hpp"
+
+namespace kusabi::wedged {
+
+/// What a candidate is known to be in a configuration.
+enum class Side {
+  contact,    ///< u_n = 0
+  separated,  ///< r = 0
+};
+
+/// Of a candidate, for sum_k r_nk = 1, in scaled units (see ContactSolver). A bound below zero says
+/// that there is no configuration on this side.
+struct CandidateBounds {
+  /// Of u_n, separated.
+  double gap = std::numeric_limits<double>::infinity();
+  double reaction = 1;  ///< of r_n, in contact
+
+  /// The sides there are configurations on, or may be.
+  [[nodiscard]] bool can_separate() const { return gap > 0; }
+  [[nodiscard]] bool can_touch() const { return reaction > 0; }
+  [[nodiscard]] bool is_free() const { return can_separate() && can_touch(); }
+};
+
+/// A bound with its evidence, in units of the problem (docs/certificates.md).
+struct ProvedBound {
+  std::uint32_t block = 0;
+  int candidate = 0;  ///< of the block; of the whole problem in RootBounds
+  Side side = Side::contact;
+  double most = 0;  ///< of r_n or u_n, for sum_k r_nk = 1; below zero: nothing on this side
+  /// Multipliers of the normal displacements, m; of a loose body the mean motion of w, p; those of
+  /// the cuts of all candidates, m, and of the bound itself unless `most` is below zero.
+  std::vector<double> numbers;
+
+  [[nodiscard]] bool never() const { return most < 0; }
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& block& candidate& side& most& numbers;
+  }
+};
+
+/// Whether the bounds leave a candidate of these nothing on the side that it is on.
+bool leaves_nothing(std::span<const CandidateBounds> bounds, const support::IndexSet& contact,
+                    const support::IndexSet& separated);
+
+/// The first of these candidates that has configurations on one side only.
+std::optional<int> one_sided(const support::IndexSet& free,
+                             std::span<const CandidateBounds> bounds);
+
+/// The cut of each of these candidates of which something is known. A common factor keeps the
+/// largest coefficient at one.
+std::vector<conic::Cut> cuts_of(const support::IndexSet& candidates,
+                                std::span<const CandidateBounds> bounds);
+
+/// What was solved with cuts proves, in units of the problem: its multipliers of the normal
+/// displacements, m, the mean motion of w, p, and by candidate those of
+/// s >= u_n / gap + r_n / reaction, m.
+std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
+                                 std::span<const conic::Cut> cuts);
+
+/// Finds the bounds of one block's candidates, one program after another.
+class CandidateBounding {
+ public:
+  /// Begins with bounds that need no program; a loose body has none.
+  /// @param problem of the block  @param friction of its candidates
+  CandidateBounding(const problems::WedgedProblem& problem, std::span<const double> friction,
+                    conic::Tolerances tolerances);
+
+  /// A bound by one program; it depends on what has been taken up, and on nothing else. Nothing if
+  /// it is hardly better than the one there is.
+  [[nodiscard]] std::optional<ProvedBound> improved(int candidate, Side side);
+
+  void take_up(ProvedBound bound);
+
+  /// From now on improved() throws support::Stopped soon after an end is asked for.
+  void end_when(const support::Stop& stop) { solver_.end_when(stop); }
+
+  /// m.
+  [[nodiscard]] int candidates() const { return static_cast<int>(bounds_.size()); }
+  [[nodiscard]] const std::vector<CandidateBounds>& bounds() const { return bounds_; }
+  /// All that was taken up, in this order: each is proved by means of those before.
+  [[nodiscard]] const std::vector<ProvedBound>& proved() const { return proved_; }
+
+ private:
+  [[nodiscard]] double& known(int candidate, Side side);
+  [[nodiscard]] double in_units(double scaled, Side side) const;
+  [[nodiscard]] std::vector<double> evidence(std::span<const conic::Cut> cuts, Side side) const;
+
+  ContactSolver solver_;
+  MeanMotion mean_motion_;
+  std::vector<CandidateBounds> bounds_, least_;
+  std::vector<ProvedBound> proved_;
+};
+
+/// What is known of a block's candidates before its tree is searched.
+struct RootBounds {
+  std::vector<CandidateBounds> bounds;  ///< empty: none were looked for
+  std::vector<ProvedBound> proved;      ///< candidates as the whole problem numbers them
+  std::uint64_t programs = 0;
+};
+
+/// Sweeps over the candidates of a block until that does little, or the budget is spent. The ranks
+/// share the programs, and come to the same, however many they are. Every rank makes the same call.
+RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                            std::span<const double> friction, std::uint32_t block,
+                            conic::Tolerances tolerances);
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,33 @@
+// One computation a rank, and the agreement of all.
+#include "nodes/wedged/tree/enclosure.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/together.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+support::LongWork long_work(engine::Campaign& campaign) {
+  return {
+      .stop = campaign.budget().stop(), .report = [&campaign](const char* work, double share) {
+        campaign.say_now_and_then([&] { return fmt::format("{}: {:.0f} %", work, 100 * share); });
+      }};
+}
+
+}  // namespace
+
+std::optional<Enclosure> enclosed_within(engine::Campaign& campaign,
+                                         const problems::Structure& structure, Enclose enclose) {
+  std::optional<Enclosure> enclosed;
+  try {
+    enclosed.emplace(enclose(structure, long_work(campaign)));
+  } catch (const support::Stopped&) {
+    enclosed.reset();
+  }
+  const engine::Reduction own{.ranks = 1, .found = enclosed ? 0U : 1U};
+  if (engine::all_reduce(campaign.transport(), own).found != 0) enclosed.reset();
+  return enclosed;
+}
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,80 @@
+// A certificate without nodes, and one record at a time.
+#include "nodes/wedged/tree/evidence_check.hpp"
+
+#include "nodes/evidence/verified_structure.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+
+std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
+    const problems::Structure& structure, const support::LongWork& work) {
+  if (structure.coordinates.size() > most_enclosed_displacements)
+    return "the structure is too large to enclose its stiffness on the way; verify does it";
+  return enclosed_stiffness_of_any(structure, work);
+}
+
+std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_of_any(
+    const problems::Structure& structure, const support::LongWork& work) {
+  return verify::enclosed_problem(evidence::verified_structure(structure), work);
+}
+
+EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
+                             const verify::EnclosedProblem& enclosed,
+                             std::span<const double> friction, std::span<const ProvedBound> bounds,
+                             FarMotion far_motion)
+    : far_motion_(far_motion) {
+  certificate_.dimension = static_cast<std::size_t>(problem.dimension);
+  certificate_.names = problem.contact_names;
+  certificate_.friction = {friction.begin(), friction.end()};
+  certificate_.blocks = problems::blocks_of(problem);
+  certificate_.motions = static_cast<std::size_t>(problem.motions.cols());
+  for (const auto& row : problem.motions.rowwise())
+    certificate_.motion_values.insert(certificate_.motion_values.end(), row.begin(), row.end());
+  proof_.emplace(certificate_, enclosed.stiffness, enclosed.motions);
+  if (!proof_->least_eigenvalue()) return;
+  for (const auto& bound : bounds) {
+    const std::optional most(bound.most);
+    const auto refusal = proof_->take_up(
+        {.line = 0,
+         .block = bound.block,
+         .candidate = bound.candidate,
+         .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
+         .most = bound.never() ? std::nullopt : most,
+         .numbers = bound.numbers});
+    if (refusal) return;  // what comes after it may rest on it
+  }
+}
+
+namespace {
+
+verify::Claim claim_of(Evidence::Kind kind) {
+  switch (kind) {
+    case Evidence::Kind::dead:
+      return verify::Claim::dead;
+    case Evidence::Kind::cut:
+      return verify::Claim::cut;
+    case Evidence::Kind::alive:
+      return verify::Claim::alive;
+    case Evidence::Kind::marginal:
+      break;
+  }
+  return verify::Claim::marginal;
+}
+
+}  // namespace
+
+bool EvidenceCheck::holds(const Evidence& evidence) const {
+  if (!proof_->least_eigenvalue()) return false;
+  verify::Record record;
+  record.claim = claim_of(evidence.kind);
+  record.block = evidence.block;
+  record.contact = evidence.node.contact;
+  record.separated = evidence.node.separated;
+  record.numbers = {evidence.numbers.begin(), evidence.numbers.end()};
+  const auto judgement = proof_->judgement(record);
+  if (record.claim == verify::Claim::marginal) return judgement.unloaded;
+  return !judgement.refusal &&
+         (far_motion_ == FarMotion::left_out || !judgement.but_for_far_motion);
+}
+
+}  // namespace kusabi::wedged

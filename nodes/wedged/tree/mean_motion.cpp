@@ -1,0 +1,28 @@
+// By least squares.
+#include "nodes/wedged/tree/mean_motion.hpp"
+
+#include <Eigen/QR>
+
+namespace kusabi::wedged {
+
+MeanMotion::MeanMotion(const problems::WedgedProblem& problem) {
+  const auto m = static_cast<Eigen::Index>(problem.contact_names.size());
+  mean_ = problem.motions.cols() == 0
+              ? Eigen::MatrixXd(0, problem.compliance.rows())
+              : Eigen::MatrixXd(problem.motions.completeOrthogonalDecomposition().pseudoInverse());
+  Eigen::MatrixXd normals(problem.compliance.rows(), m);
+  for (Eigen::Index i = 0; i < m; ++i)
+    normals.col(i) = problem.compliance.col(problem.dimension * i);
+  mean_of_y_ = mean_ * normals;
+}
+
+std::vector<double> MeanMotion::with_multipliers(const Eigen::VectorXd& multipliers,
+                                                 double unit) const {
+  const Eigen::VectorXd y = multipliers.head(mean_of_y_.cols());
+  std::vector<double> numbers(y.begin(), y.end());
+  const Eigen::VectorXd mean = mean_of_y_ * y + unit * multipliers.segment(y.size(), count());
+  numbers.insert(numbers.end(), mean.begin(), mean.end());
+  return numbers;
+}
+
+}  // namespace kusabi::wedged

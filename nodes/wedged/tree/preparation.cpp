@@ -1,0 +1,66 @@
+// Whether bounds pay, by the size of the tree without them.
+#include "nodes/wedged/tree/preparation.hpp"
+
+#include <limits>
+
+#include "nodes/wedged/tree/branching_trial.hpp"
+#include "problems/wedged/problem_block.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// What bounding a candidate costs, in nodes of the tree without cuts: some ten programs with up to
+/// twice as many rows.
+constexpr double nodes_a_candidate = 15;
+
+/// Of more candidates a sweep takes longer than anybody waits.
+constexpr int largest_to_bound = 200;
+
+bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
+  if (tightening == Tightening::never) return false;
+  if (tightening == Tightening::always) return true;
+  return candidates <= largest_to_bound && tree.nodes > nodes_a_candidate * candidates;
+}
+
+}  // namespace
+
+std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+                                 std::span<const double> friction,
+                                 const SignPatternOptions& options) {
+  const bool is_loose = problem.motions.cols() > 0;
+  // Nobody asks how large trees are if it is said already whether candidates are bounded.
+  const int fewest = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
+                     : is_loose                                  ? fewest_of_loose_to_bound
+                                                                 : fewest_to_bound;
+  const auto trees = tried_trees(campaign, problem, friction, options, fewest);
+  const auto blocks = problems::blocks_of(problem);
+  std::vector<Preparation> result(blocks.size());
+  for (std::uint32_t block = 0; block < blocks.size(); ++block) {
+    auto& own = result[block];
+    own.branching = trees[block].branching;
+    const int candidates = blocks[block].size();
+    if (options.facets != 0 || !pays(trees[block], candidates, options.tightening)) continue;
+    own.root = bound_candidates(campaign, problem, friction, block, options.tolerances);
+    // With cuts the centre says more than the first point that proves a node alive.
+    if (options.branching == Branching::automatic && own.branching == Branching::relative &&
+        !is_loose)
+      own.branching = Branching::weighed;
+  }
+  return result;
+}
+
+void inform(SignPatternTree& tree, std::span<const Preparation> blocks) {
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    tree.split_by(block, blocks[block].branching);
+    if (!blocks[block].root.bounds.empty()) tree.tighten(block, blocks[block].root.bounds);
+  }
+}
+
+std::vector<ProvedBound> proved_bounds(std::span<const Preparation> blocks) {
+  std::vector<ProvedBound> all;
+  for (const auto& block : blocks)
+    all.insert(all.end(), block.root.proved.begin(), block.root.proved.end());
+  return all;
+}
+
+}  // namespace kusabi::wedged

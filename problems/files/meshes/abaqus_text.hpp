@@ -1,0 +1,79 @@
+// The lines of an Abaqus or CalculiX input file: keyword lines and data lines, without comments,
+// and with the files that *INCLUDE names in their places.
+#pragma once
+
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "problems/files/meshes/mesh_data.hpp"
+#include "problems/files/meshes/mesh_text.hpp"
+#include "problems/files/meshes/mesh_texts.hpp"
+
+namespace kusabi::problems {
+
+/// Most files that include each other.
+inline constexpr int most_nested_files = 20;
+
+/// Most files of a mesh, one counted as often as it is included.
+inline constexpr int most_included_files = 1000;
+
+/// A keyword line: "*ELEMENT, TYPE=C3D4, ELSET=body".
+struct AbaqusCard {
+  std::string keyword;  ///< in capitals: "*ELEMENT"
+  /// Name, in capitals, and value as it is written; empty if there is none.
+  std::vector<std::pair<std::string, std::string>> parameters;
+  MeshPlace at;
+
+  /// Null if the line has none of this name.
+  const std::string* find(std::string_view name) const;
+};
+
+/// In capitals, as names are compared.
+std::string capitals(std::string_view text);
+
+class AbaqusText {
+ public:
+  /// @throws InputError if the file at `place` is not among `texts`
+  AbaqusText(const MeshTexts& texts, const std::string& place);
+
+  /// Goes to the next keyword line. False at the end.
+  /// @throws InputError at a data line: it belongs to no keyword
+  bool next_card(AbaqusCard& card);
+
+  /// Goes to the next line if that is a data line of the card.
+  bool next_data();
+
+  /// The line at hand.
+  const MeshText& line() const { return *open_.back().text; }
+  MeshPlace here() const { return {open_.back().file, line().number()}; }
+  /// All files so far.
+  const std::vector<std::string>& files() const { return files_; }
+
+ private:
+  struct Open {
+    std::string place;
+    int file;
+    std::unique_ptr<MeshText> text;
+  };
+
+  bool next_line();
+  void open(const std::string& place);
+  void include();
+  AbaqusCard card();
+
+  const MeshTexts& texts_;
+  std::vector<Open> open_;
+  std::vector<std::string> files_;
+  int included_ = 0;
+  bool put_back_ = false;
+};
+
+/// The names of the files that a text includes, with their lines.
+std::vector<std::pair<std::string, int>> abaqus_includes(std::string_view text,
+                                                         const std::string& file);
+
+}  // namespace kusabi::problems

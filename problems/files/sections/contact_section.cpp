@@ -1,0 +1,115 @@
+// Which nodes may touch the obstacle, and in which direction.
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <fmt/format.h>
+
+#include "problems/files/sections/obstacle_normal.hpp"
+#include "problems/files/sections/places_of_others.hpp"
+#include "problems/files/sections/problem_sections.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+/// Where each node touches another body; of a rigid obstacle nothing.
+std::vector<std::vector<Share>> against(const ProblemDraft& draft, const TomlTable& group,
+                                        const std::vector<ListedNode>& nodes) {
+  if (group.table->get("against") != nullptr)
+    return places_of_others(draft, group, "against", nodes);
+  if (const toml::node* gap = group.table->get("gap"); gap != nullptr) {
+    draft.reader().fail(*gap, "gap without against; expected both, or neither");
+  }
+  return std::vector<std::vector<Share>>(nodes.size());
+}
+
+/// The factor by its name, or by its old one; null if there is none.
+const toml::node* friction_factor(const TomlReader& reader, const TomlTable& group) {
+  const toml::node* const entry = group.table->get("friction_factor");
+  const toml::node* const old = group.table->get("friction");
+  if (entry != nullptr && old != nullptr)
+    reader.fail(*old, "friction beside friction_factor, which is its name now; expected one");
+  return entry != nullptr ? entry : old;
+}
+
+/// `friction` looks like a coefficient.
+void warn_of_old_name(ProblemDraft& draft, const TomlReader& reader, const toml::node& entry,
+                      std::size_t groups) {
+  const double factor = reader.number(entry, "the friction factor");
+  draft.structure().warnings.emplace_back(
+      structure_error(
+          draft.structure(), reader.position(entry),
+          fmt::format(
+              "friction = {0} is no coefficient but a factor: the coefficient that is asked "
+              "for is multiplied by it at these nodes{1}; expected friction_factor = {0}, "
+              "its name now, or no such line and the coefficient as --mu {0}",
+              factor, groups > 1 ? fmt::format(" (and likewise in {} groups in all)", groups) : ""))
+          .what());
+}
+
+void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& surface) {
+  const TomlReader& reader = draft.reader();
+  Structure& structure = draft.structure();
+  reader.allow_only(group, {"nodes", "except", "every", "name", "against", "gap", "normal",
+                            "tangent", "friction_factor", "friction"});
+  reader.require(group, "nodes", "nodes = [\"a\", ...]");
+  const ObstacleNormal normal = obstacle_normal(draft, group, surface);
+  const toml::node* tangent_entry = group.table->get("tangent");
+  std::optional<Eigen::VectorXd> tangent;
+  support::SourcePosition tangent_position;
+  if (tangent_entry != nullptr) {
+    tangent = reader.vector(*tangent_entry, "the tangent", structure.dimension);
+    tangent_position = reader.position(*tangent_entry);
+  }
+  double friction = 1;
+  support::SourcePosition friction_position;
+  if (const toml::node* entry = friction_factor(reader, group); entry != nullptr) {
+    friction = reader.number(*entry, "the friction factor");
+    friction_position = reader.position(*entry);
+  }
+  std::string name;
+  if (const toml::node* entry = group.table->get("name"); entry != nullptr)
+    name = reader.text(*entry, "the name of what is touched").text;
+  const auto listed = draft.nodes_listed(group);
+  const auto normal_position = reader.position(*group.table->get("normal"));
+  auto places = against(draft, group, listed);
+  FacetDoubt facets{.position = normal_position, .factor = friction};
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    const Eigen::VectorXd direction = normal.at(listed[i]);
+    if (normal.facets)
+      std::apply([&](auto... angles) { facets.take(angles...); }, normal.facets(listed[i]));
+    structure.contact.push_back({listed[i].node, direction.stableNormalized(), tangent, friction,
+                                 direction, std::move(places[i]),
+                                 name.empty() ? listed[i].group : name});
+    structure.sources.contact.push_back(listed[i].position);
+    structure.sources.normals.push_back(normal_position);
+    structure.sources.tangents.push_back(tangent_position);
+    structure.sources.frictions.push_back(friction_position);
+  }
+  draft.facets().push_back(facets);
+  if (!normal.surfaces || body_elements(structure) == 0) return;
+  if (const auto fault = place_fault(draft, surface.get(), *normal.surfaces, listed))
+    structure.warnings.emplace_back(structure_error(structure, normal_position, *fault).what());
+}
+
+}  // namespace
+
+void read_contact(ProblemDraft& draft) {
+  const toml::node* section = draft.section("contact");
+  if (section == nullptr) return;
+  LazySurface surface(draft.structure());
+  std::vector<const toml::node*> old_names;
+  for (const TomlTable& group : draft.reader().groups(*section, "contact")) {
+    contact_group(draft, group, surface);
+    if (const auto* const entry = group.table->get("friction"); entry != nullptr)
+      old_names.push_back(entry);
+  }
+  if (!old_names.empty())
+    warn_of_old_name(draft, draft.reader(), *old_names.front(), old_names.size());
+}
+
+}  // namespace kusabi::problems

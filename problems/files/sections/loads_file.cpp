@@ -1,0 +1,224 @@
+// Loads and what is uncertain about them, key by key.
+#include "problems/files/sections/loads_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "problems/structure/checks/structure_check.hpp"
+
+namespace kusabi::problems {
+
+std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
+                            std::string_view called, int dimension) {
+  std::array<bool, 3> axes{};
+  for (const TomlText& name : reader.texts(node, called)) {
+    std::size_t axis = 0;
+    while (axis < static_cast<std::size_t>(dimension) &&
+           name.text != axis_name(static_cast<int>(axis))) {
+      ++axis;
+    }
+    if (axis == static_cast<std::size_t>(dimension)) {
+      reader.fail(name.position, fmt::format("{} names the axis {}; expected {} in {} dimensions",
+                                             called, support::in_quotes(name.text),
+                                             dimension == 2 ? "x or y" : "x, y or z", dimension));
+    }
+    if (axes[axis]) {
+      reader.fail(name.position, fmt::format("{} names the axis {} twice; expected once", called,
+                                             support::in_quotes(name.text)));
+    }
+    axes[axis] = true;
+  }
+  return axes;
+}
+
+namespace {
+
+/// A force whose components are known up to half-widths, most of them zero.
+struct BoundedForce {
+  Eigen::VectorXd middle;
+  Eigen::VectorXd half_width;
+};
+
+// a - b, or the next double if that is rounded down.
+double difference_above(double a, double b) {
+  const double difference = a - b;
+  const double taken = difference - a;
+  const double lost = (a - (difference - taken)) - (b + taken);
+  return lost > 0 ? std::nextafter(difference, std::numeric_limits<double>::infinity())
+                  : difference;
+}
+
+// [lower, upper]: both within a half-width of the middle, whatever rounding does.
+std::pair<double, double> interval(const TomlReader& reader, const toml::node& node) {
+  const auto ends = reader.elements(node, "a component of the force");
+  if (ends.size() != 2) {
+    reader.fail(node, fmt::format("a component of the force has {} ends; expected a number, or "
+                                  "[lower, upper]",
+                                  ends.size()));
+  }
+  const double lower = reader.number(*ends[0], "the lower end of a component of the force");
+  const double upper = reader.number(*ends[1], "the upper end of a component of the force");
+  if (lower >= upper) {
+    reader.fail(node, fmt::format("a component of the force goes from {} to {}; expected [lower, "
+                                  "upper], the first below the second",
+                                  lower, upper));
+  }
+  const double middle = lower / 2 + upper / 2;
+  return {middle, std::max(difference_above(upper, middle), difference_above(middle, lower))};
+}
+
+// Numbers, or intervals where they may be.
+BoundedForce bounded_force(const TomlReader& reader, const toml::node& node, int dimension,
+                           Load::Kind kind) {
+  const auto components = reader.elements(node, "the force");
+  const auto bounded = [](const toml::node* each) { return each->is_array(); };
+  if (std::ranges::none_of(components, bounded) ||
+      components.size() != static_cast<std::size_t>(dimension)) {
+    return {reader.vector(node, "the force", dimension), Eigen::VectorXd::Zero(dimension)};
+  }
+  BoundedForce force{Eigen::VectorXd::Zero(dimension), Eigen::VectorXd::Zero(dimension)};
+  for (int axis = 0; axis < dimension; ++axis) {
+    const toml::node* component = components[static_cast<std::size_t>(axis)];
+    if (!bounded(component)) {
+      force.middle(axis) = reader.number(*component, "a component of the force");
+      continue;
+    }
+    if (kind == Load::Kind::reference) {
+      reader.fail(*component,
+                  "the reference load has an interval; expected a number: the load "
+                  "factor multiplies it, the dead load is uncertain");
+    }
+    std::tie(force.middle(axis), force.half_width(axis)) = interval(reader, *component);
+  }
+  return force;
+}
+
+// What is uncertain, as far as it is read.
+std::vector<UncertainParameter>& uncertain_in(Structure& structure) {
+  if (!structure.uncertain) structure.uncertain.emplace();
+  return *structure.uncertain;
+}
+
+// How far parameters go, if their group says it.
+std::optional<double> half_width_in(const TomlReader& reader, const TomlTable& group) {
+  const toml::node* entry = group.table->get("alpha");
+  if (entry == nullptr) return {};
+  return reader.positive(*entry, "alpha", "half-width", smallest_magnitude, largest_magnitude);
+}
+
+// What the group is called by `key`; empty if it is not.
+std::string name_in(const TomlReader& reader, const TomlTable& group, std::string_view key) {
+  const toml::node* entry = group.table->get(key);
+  return entry == nullptr ? std::string() : reader.text(*entry, key).text;
+}
+
+}  // namespace
+
+void LoadsFile::read_loads(const toml::node& section, Structure& structure) const {
+  for (const TomlTable& group : reader_.groups(section, "loads")) load_group(group, structure);
+}
+
+void LoadsFile::load_group(const TomlTable& group, Structure& structure) const {
+  reader_.allow_only(group, {"kind", "nodes", "except", "every", "force", "case"});
+  const TomlText kind =
+      reader_.text(reader_.require(group, "kind", "kind = \"dead\" or \"reference\""), "kind");
+  if (kind.text != "dead" && kind.text != "reference") {
+    reader_.fail(kind.position, fmt::format("kind is {}; expected \"dead\" or \"reference\"",
+                                            support::in_quotes(kind.text)));
+  }
+  reader_.require(group, "nodes", "nodes = [\"a\", ...]");
+  const auto which = kind.text == "dead" ? Load::Kind::dead : Load::Kind::reference;
+  const auto [force, half_width] =
+      bounded_force(reader_, reader_.require(group, "force", "force = [...], at each of the nodes"),
+                    structure.dimension, which);
+  const auto load_case = name_in(reader_, group, "case");
+  for (const ListedNode& listed : nodes_(group)) {
+    structure.loads.push_back({which, listed.node, force, load_case});
+    structure.sources.loads.push_back(listed.position);
+    for (int axis = 0; axis < structure.dimension; ++axis) {
+      if (half_width(axis) == 0) continue;
+      uncertain_in(structure).push_back(
+          {{}, {{listed.node, axis, 1}}, half_width(axis), {}, load_case});
+      structure.sources.uncertain.push_back(listed.position);
+    }
+  }
+}
+
+void LoadsFile::read_uncertainty(const toml::node& section, Structure& structure) const {
+  uncertain_in(structure);
+  for (const TomlTable& group : reader_.groups(section, "uncertainty")) {
+    uncertainty_group(group, structure);
+  }
+}
+
+// One parameter that acts on several components.
+void LoadsFile::uncertain_load(const TomlTable& group, Structure& structure) const {
+  reader_.allow_only(group, {"name", "forces", "alpha", "group", "case"});
+  const TomlText name =
+      reader_.text(reader_.require(group, "name", "name = \"...\", of the uncertain load"), "name");
+  const auto& forces =
+      reader_.require(group, "forces", "forces = [{ nodes = [\"a\", ...], force = [...] }, ...]");
+  UncertainParameter parameter{name.text,
+                               {},
+                               half_width_in(reader_, group),
+                               name_in(reader_, group, "group"),
+                               name_in(reader_, group, "case")};
+  for (const toml::node* each : reader_.elements(forces, "forces")) {
+    const TomlTable entry = reader_.table(*each, "one of the forces");
+    reader_.allow_only(entry, {"nodes", "except", "every", "force"});
+    reader_.require(entry, "nodes", "nodes = [\"a\", ...]");
+    const Eigen::VectorXd force =
+        reader_.vector(reader_.require(entry, "force", "force = [...], at each of the nodes"),
+                       "the force", structure.dimension);
+    for (const ListedNode& listed : nodes_(entry)) {
+      for (int axis = 0; axis < structure.dimension; ++axis) {
+        if (force(axis) == 0) continue;
+        parameter.components.push_back({listed.node, axis, force(axis)});
+        structure.sources.uncertain.push_back(listed.position);
+      }
+    }
+  }
+  if (parameter.components.empty()) {
+    reader_.fail(name.position, fmt::format("the uncertain load {} is zero; expected a force that "
+                                            "is not",
+                                            support::in_quotes(name.text)));
+  }
+  structure.uncertain->push_back(std::move(parameter));
+}
+
+void LoadsFile::uncertainty_group(const TomlTable& group, Structure& structure) const {
+  if (group.table->contains("forces") || group.table->contains("name")) {
+    uncertain_load(group, structure);
+    return;
+  }
+  reader_.allow_only(group,
+                     {"nodes", "except", "every", "axes", "weight", "alpha", "group", "case"});
+  reader_.require(group, "nodes", "nodes = [\"a\", ...]");
+  const auto axes = axes_in(reader_, reader_.require(group, "axes", "axes = [\"x\", ...]"), "axes",
+                            structure.dimension);
+  double weight = 1;
+  if (const toml::node* entry = group.table->get("weight"); entry != nullptr) {
+    weight = reader_.number(*entry, "weight");
+  }
+  const auto half_width = half_width_in(reader_, group);
+  const auto name = name_in(reader_, group, "group");
+  const auto load_case = name_in(reader_, group, "case");
+  for (const ListedNode& listed : nodes_(group)) {
+    for (int axis = 0; axis < structure.dimension; ++axis) {
+      if (!axes[static_cast<std::size_t>(axis)]) continue;
+      structure.uncertain->push_back(
+          {{}, {{listed.node, axis, weight}}, half_width, name, load_case});
+      structure.sources.uncertain.push_back(listed.position);
+    }
+  }
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,44 @@
+// The sections of a problem file that limit analysis needs: [[loads]] and [[uncertainty]]
+// (docs/problem-files.md).
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "problems/files/sections/problem_draft.hpp"
+#include "problems/files/toml/toml_reader.hpp"
+#include "problems/structure/model/structure.hpp"
+
+namespace kusabi::problems {
+
+/// A list of axis names as flags, each at most once.
+/// @param called the key, for errors
+std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
+                            std::string_view called, int dimension);
+
+class LoadsFile {
+ public:
+  /// @param nodes from a table to the nodes that it lists, or an InputError
+  LoadsFile(const TomlReader& reader,
+            std::function<std::vector<ListedNode>(const TomlTable&)> nodes)
+      : reader_(reader), nodes_(std::move(nodes)) {}
+
+  /// Adds the loads of [[loads]] to the structure, and an uncertain parameter for each component
+  /// that is an interval.
+  void read_loads(const toml::node& section, Structure& structure) const;
+
+  /// Adds the uncertain parameters of [[uncertainty]].
+  void read_uncertainty(const toml::node& section, Structure& structure) const;
+
+ private:
+  void load_group(const TomlTable& group, Structure& structure) const;
+  void uncertainty_group(const TomlTable& group, Structure& structure) const;
+  void uncertain_load(const TomlTable& group, Structure& structure) const;
+
+  const TomlReader& reader_;
+  std::function<std::vector<ListedNode>(const TomlTable&)> nodes_;
+};
+
+}  // namespace kusabi::problems

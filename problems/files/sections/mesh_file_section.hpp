@@ -1,0 +1,12 @@
+// [[mesh]] with a `file`: the mesh that a program has written becomes part of the structure.
+#pragma once
+
+#include "problems/files/sections/mesh_plan.hpp"
+#include "problems/files/sections/problem_draft.hpp"
+
+namespace kusabi::problems {
+
+/// Adds nodes, elements, bars, groups and supports of the mesh that a [[mesh]] group names.
+void read_mesh_of_file(ProblemDraft& draft, const TomlTable& group, MeshPlan& plan);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,47 @@
+// The slopes of the shape functions of an element in natural coordinates, and the points where its
+// stiffness is integrated: what is the same for all elements of a shape. In any precision.
+//
+// Full integration: 1 and 3 points for triangles, 2 x 2 and 3 x 3 for quadrilaterals, 1 and 4 for
+// tetrahedra, 2 x 2 x 2 and 3 x 3 x 3 for hexahedra, as in Abaqus and CalculiX for the elements
+// that have no R in their name.
+#pragma once
+
+#include <vector>
+
+#include "problems/structure/model/element_shape.hpp"
+#include "support/numbers/running_error.hpp"
+
+namespace kusabi::problems {
+
+/// Along xi, eta, zeta, of one shape function each.
+template <class Scalar>
+using NaturalSlopes = std::vector<NaturalPoint<Scalar>>;
+
+template <class Scalar>
+NaturalSlopes<Scalar> natural_slopes(ElementShape shape, const NaturalPoint<Scalar>& at);
+
+/// A point of the rule, with all that the element's places are combined with there.
+template <class Scalar>
+struct IntegrationPoint {
+  NaturalPoint<Scalar> at;
+  Scalar weight;
+  NaturalSlopes<Scalar> slopes;
+};
+
+/// Computed once; the weights add up to the size of the shape in natural coordinates.
+template <class Scalar>
+const std::vector<IntegrationPoint<Scalar>>& integration_points(ElementShape shape);
+
+extern template NaturalSlopes<double> natural_slopes(ElementShape, const NaturalPoint<double>&);
+extern template const std::vector<IntegrationPoint<double>>& integration_points<double>(
+    ElementShape);
+extern template NaturalSlopes<numbers::Precise> natural_slopes(
+    ElementShape, const NaturalPoint<numbers::Precise>&);
+extern template const std::vector<IntegrationPoint<numbers::Precise>>&
+    integration_points<numbers::Precise>(ElementShape);
+extern template NaturalSlopes<numbers::RunningError> natural_slopes(
+    ElementShape, const NaturalPoint<numbers::RunningError>&);
+extern template const std::vector<IntegrationPoint<numbers::RunningError>>&
+    integration_points<numbers::RunningError>(ElementShape);
+
+}  // namespace kusabi::problems

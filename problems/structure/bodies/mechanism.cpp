@@ -1,0 +1,144 @@
+// The softest motion of a truss, by inverse iteration with the slightly shifted G.
+#include "problems/structure/bodies/mechanism.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <Eigen/SparseCholesky>
+#include <fmt/format.h>
+
+#include "problems/structure/assembly/solid_element.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+/// Shift that keeps G + shift I positive definite in spite of rounding: the diagonal of G is of the
+/// order of ten, its rounding 1e-15.
+constexpr double shift = 1e-12;
+
+/// Most steps of inverse iteration. Each divides what is left of a motion of energy e > shift by
+/// 1 + e / shift against a mechanism, so a mechanism is clear after two or three.
+constexpr int most_steps = 12;
+
+/// A node moves if it moves by more than this part of the largest motion: what stable motions
+/// leave behind after `most_steps` is far less.
+constexpr double visible = 1e-6;
+
+/// A motion without any symmetry, so that every mechanism has a part in it, and the same on every
+/// machine (the standard fixes what mt19937 yields, not what its distributions make of it).
+Eigen::VectorXd arbitrary_motion(Eigen::Index size) {
+  std::mt19937 bits(1);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
+  Eigen::VectorXd motion(size);
+  for (double& value : motion) value = static_cast<double>(bits()) * 0x1p-32 - 0.5;
+  return motion.normalized();
+}
+
+/// The stiffness of all elements and springs, as if of unit material.
+Eigen::SparseMatrix<double> shape_stiffness(const Structure& structure,
+                                            const FreeDegrees& degrees) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Element& element : structure.elements) {
+    add_matrix(shape_matrix(structure, element), element_parts<double>(degrees, element), entries);
+  }
+  for (const Spring& spring : structure.springs) {
+    add_square(parts_of<double>(degrees, spring.axis, spring.node), 1.0, entries);
+  }
+  Eigen::SparseMatrix<double> sum(degrees.size(), degrees.size());
+  sum.setFromTriplets(entries.begin(), entries.end());
+  return sum;
+}
+
+/// Sum of (b^T v)^2 over the vectors b of all elements and springs.
+double energy(const Structure& structure, const FreeDegrees& degrees,
+              const Eigen::VectorXd& motion) {
+  double sum = 0;
+  for (const Element& element : structure.elements) {
+    for (const auto& vector : shape_vectors(structure, degrees, element)) {
+      double strain = 0;
+      for (const auto& entry : vector) strain += entry.value * motion(entry.number);
+      sum += strain * strain;
+    }
+  }
+  for (const Spring& spring : structure.springs) {
+    double strain = 0;
+    for (const auto& part : parts_of<double>(degrees, spring.axis, spring.node))
+      strain += part.value * motion(part.number);
+    sum += strain * strain;
+  }
+  return sum;
+}
+
+/// An error names at most so many nodes.
+constexpr std::size_t most_names = 6;
+
+}  // namespace
+
+std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& degrees) {
+  const auto members = static_cast<Eigen::Index>(structure.members.size());
+  Eigen::SparseMatrix<double> shifted =
+      truss_stiffness(structure, degrees, Eigen::VectorXd::Ones(members));
+  shifted += shape_stiffness(structure, degrees);
+  Eigen::SparseMatrix<double> identity(degrees.size(), degrees.size());
+  identity.setIdentity();
+  shifted += shift * identity;
+  const Eigen::VectorXd motion = softest_motion(shifted);
+  // The elongations, not v^T G v: squares of small numbers keep their digits.
+  const double strain =
+      elongations(structure, degrees, motion).squaredNorm() + energy(structure, degrees, motion);
+  if (strain > strainless) return {};
+  return nodes_moved(degrees, motion, visible);
+}
+
+Eigen::VectorXd softest_motion(const Eigen::SparseMatrix<double>& shifted) {
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorised(shifted);
+  if (factorised.info() != Eigen::Success) {
+    throw std::logic_error("the shifted stiffness of a structure has no factorisation");
+  }
+  Eigen::VectorXd motion = arbitrary_motion(shifted.rows());
+  for (int step = 0; step < most_steps; ++step) {
+    motion = Eigen::VectorXd(factorised.solve(motion)).normalized();
+  }
+  return motion;
+}
+
+std::vector<int> nodes_moved(const FreeDegrees& degrees, const Eigen::VectorXd& motion,
+                             double visible) {
+  const double least = visible * motion.cwiseAbs().maxCoeff();
+  std::vector<int> nodes;
+  for (int number = 0; number < degrees.of_nodes(); ++number) {
+    const int node = degrees.free[static_cast<std::size_t>(number)].node;
+    if (std::abs(motion(number)) > least && (nodes.empty() || nodes.back() != node)) {
+      nodes.push_back(node);
+    }
+  }
+  return nodes;
+}
+
+std::string some_names(const Structure& structure, const std::vector<int>& nodes) {
+  const std::size_t shown = std::min(nodes.size(), most_names);
+  std::string list;
+  for (std::size_t place = 0; place < shown; ++place) {
+    if (place > 0) list += ", ";
+    list += support::in_quotes(structure.node_names[static_cast<std::size_t>(nodes[place])]);
+  }
+  if (nodes.size() > shown) list += fmt::format(" and {} more", nodes.size() - shown);
+  return list;
+}
+
+void refuse_mechanism(const Structure& structure, const FreeDegrees& degrees) {
+  const std::vector<int> moving = moving_nodes(structure, degrees);
+  if (moving.empty()) return;
+  throw structure_error(
+      structure, position_of(structure.sources.nodes, moving.front()),
+      fmt::format("the structure is a mechanism: {} {} without straining any member; expected "
+                  "supports and members that hold every node",
+                  some_names(structure, moving), moving.size() == 1 ? "moves" : "move"));
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,129 @@
+// One motion after the other is held where it is largest.
+#include "problems/structure/bodies/temporary_springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <set>
+
+#include "problems/structure/assembly/solid_element.hpp"
+#include "problems/structure/model/corner.hpp"
+#include "problems/structure/model/elongation.hpp"
+#include "problems/structure/model/truss.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+/// Of two places, the first is taken unless the second is better by more than rounding.
+constexpr double clearly_more = 1 + 1e-9;
+
+double square_sum_at(const StrainVector<double>& vector, const FreeDegrees& degrees, int node) {
+  double sum = 0;
+  for (const auto& entry : vector) {
+    if (degrees.free[static_cast<std::size_t>(entry.number)].node == node)
+      sum += entry.value * entry.value;
+  }
+  return sum;
+}
+
+/// The trace of the stiffness at a node.
+double stiffness_at(const Structure& structure, const FreeDegrees& degrees, int node) {
+  double sum = 0;
+  for (const Member& member : structure.members) {
+    if (member.first != node && member.second != node) continue;
+    sum += bar_stiffness<double>(structure, member) *
+           square_sum_at(elongation_vector<double>(structure, degrees, member), degrees, node);
+  }
+  for (const Element& element : structure.elements) {
+    if (std::ranges::find(element.nodes, node) == element.nodes.end()) continue;
+    const auto matrix = element_matrix<double>(structure, element);
+    for (const auto& [place, number, weight] : element_parts<double>(degrees, element)) {
+      if (degrees.free[static_cast<std::size_t>(number)].node == node)
+        sum += weight * weight * matrix(place, place);
+    }
+  }
+  return sum;
+}
+
+struct Hold {
+  int node;
+  int axis;
+};
+
+/// The nodes of a body where it may be held. At candidates on rollers and in corners a spring would
+/// be taken for the stiffness of the body (problems/wedged/tangential_springs.cpp), so these are
+/// left out, unless there are no others.
+std::vector<int> places_to_hold(const Structure& structure, const LooseBody& body) {
+  std::set<int> others = corner_nodes(structure);
+  for (const ContactCandidate& candidate : structure.contact) {
+    const auto& fixed = structure.fixed[static_cast<std::size_t>(candidate.node)];
+    if (std::ranges::count(fixed, true) > 0) others.insert(candidate.node);
+  }
+  std::vector<int> nodes;
+  std::ranges::copy_if(body.nodes, std::back_inserter(nodes),
+                       [&](int node) { return !others.contains(node); });
+  return nodes.empty() ? body.nodes : nodes;
+}
+
+/// Where a body is held: the place and axis of the largest motion, again and again, each time of
+/// the motions that leave the places before alone.
+std::vector<Hold> holds(const Structure& structure, const FreeDegrees& degrees, LooseBody body) {
+  std::vector<Hold> result;
+  auto nodes = places_to_hold(structure, body);
+  while (body.count() > 0) {
+    Hold best{nodes.front(), 0};
+    Eigen::Index column = 0;
+    double most = 0;
+    for (const int node : nodes) {
+      const Eigen::MatrixXd moves =
+          displacements(body, structure.coordinates.col(node)).cast<double>();
+      for (int axis = 0; axis < structure.dimension; ++axis) {
+        if (degrees.number(axis, node) < 0) continue;
+        Eigen::Index at = 0;
+        const double size = moves.row(axis).cwiseAbs().maxCoeff(&at);
+        if (size <= most * clearly_more) continue;
+        most = size;
+        best = {node, axis};
+        column = at;
+      }
+    }
+    if (most < independent && nodes.size() < body.nodes.size()) {  // they do not do
+      nodes = body.nodes;
+      continue;
+    }
+    result.push_back(best);
+    const numbers::PreciseVector row =
+        displacements(body, structure.coordinates.col(best.node)).row(best.axis).transpose();
+    numbers::PreciseMatrix left(body.motions.rows(), body.count() - 1);
+    for (Eigen::Index k = 0, next = 0; k < body.count(); ++k) {
+      if (k == column) continue;
+      left.col(next++) = body.motions.col(k) - (row(k) / row(column)) * body.motions.col(column);
+    }
+    body.motions = left;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Spring> temporary_springs(const Structure& structure,
+                                      std::span<const LooseBody> bodies) {
+  const FreeDegrees degrees = free_degrees(structure);
+  std::vector<Spring> springs;
+  for (const LooseBody& body : bodies) {
+    for (const auto& [node, axis] : holds(structure, degrees, body)) {
+      const double stiffness = stiffness_at(structure, degrees, node);
+      springs.push_back({node, axis, std::exp2(std::round(std::log2(stiffness)))});
+    }
+  }
+  return springs;
+}
+
+Structure held_structure(Structure structure, std::span<const LooseBody> bodies) {
+  for (const Spring& spring : temporary_springs(structure, bodies))
+    structure.springs.push_back(spring);
+  return structure;
+}
+
+}  // namespace kusabi::problems

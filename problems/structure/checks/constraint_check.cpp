@@ -1,0 +1,216 @@
+// Pairs and ties, both of which follow a place; then what rollers and inclined supports hold.
+#include "problems/structure/checks/constraint_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace kusabi::problems {
+namespace {
+
+class ConstraintCheck {
+ public:
+  explicit ConstraintCheck(const Structure& structure) : structure_(structure) {
+    for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+      if (structure.contact[i].against.empty()) continue;
+      followers_.push_back({structure.contact[i].node, &structure.contact[i].against,
+                            position_of(structure.sources.contact, static_cast<int>(i)), true});
+    }
+    for (std::size_t i = 0; i < structure.ties.size(); ++i) {
+      followers_.push_back({structure.ties[i].node, &structure.ties[i].to,
+                            position_of(structure.sources.ties, static_cast<int>(i)), false});
+    }
+  }
+
+  void inclined() const;
+  void followers() const;
+  void places() const;
+  void ties() const;
+  void rollers() const;
+
+ private:
+  /// A node that follows a place of another body.
+  struct Follower {
+    int node;
+    const std::vector<Share>* place;
+    support::SourcePosition position;
+    bool pair;  ///< not a tie: in a corner there may be others
+  };
+
+  bool is_node(int node) const { return node >= 0 && node < std::ssize(structure_.node_names); }
+  std::string name(int node) const {
+    return support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)]);
+  }
+  bool is_fixed(int node, int axis) const {
+    return structure_.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)];
+  }
+  bool is_supported(int node) const {
+    for (int axis = 0; axis < structure_.dimension; ++axis) {
+      if (is_fixed(node, axis)) return true;
+    }
+    return false;
+  }
+  bool is_inclined(int node) const {
+    return std::ranges::any_of(structure_.inclined,
+                               [&](const auto& support) { return support.node == node; });
+  }
+  void place_of(const Follower& follower, const std::set<int>& following) const;
+  void held_alike(const Follower& follower) const;
+  [[noreturn]] void fail(support::SourcePosition position, std::string_view message) const {
+    throw structure_error(structure_, position, message);
+  }
+
+  const Structure& structure_;
+  std::vector<Follower> followers_;
+};
+
+void ConstraintCheck::inclined() const {
+  std::set<int> seen;
+  for (int index = 0; index < std::ssize(structure_.inclined); ++index) {
+    const auto& [node, direction] = structure_.inclined[static_cast<std::size_t>(index)];
+    const support::SourcePosition position = position_of(structure_.sources.inclined, index);
+    if (!is_node(node)) {
+      fail(position, fmt::format("inclined support {} names a node that does not exist", index));
+    }
+    if (direction.size() != structure_.dimension || !direction.allFinite() ||
+        direction.isZero(0.0)) {
+      fail(position, fmt::format("the direction in which {} is held is not a vector of {} finite "
+                                 "numbers other than zero",
+                                 name(node), structure_.dimension));
+    }
+    if (is_supported(node) || !seen.insert(node).second) {
+      fail(position, fmt::format("node {} is supported twice; expected once", name(node)));
+    }
+  }
+}
+
+void ConstraintCheck::followers() const {
+  std::set<int> following;
+  for (const Follower& follower : followers_) {
+    if (!is_node(follower.node)) {
+      fail(follower.position, "a tie names a node that does not exist");
+    }
+    if (!following.insert(follower.node).second && !follower.pair) {
+      fail(follower.position,
+           fmt::format("node {} follows other nodes twice; expected pairs, or one tie",
+                       name(follower.node)));
+    }
+    if (is_inclined(follower.node)) {
+      fail(follower.position,
+           fmt::format("node {} follows other nodes and has an inclined support; expected one of "
+                       "the two",
+                       name(follower.node)));
+    }
+  }
+}
+
+void ConstraintCheck::places() const {
+  std::set<int> following;
+  for (const Follower& follower : followers_) following.insert(follower.node);
+  for (const Follower& follower : followers_) place_of(follower, following);
+}
+
+void ConstraintCheck::place_of(const Follower& follower, const std::set<int>& following) const {
+  if (follower.place->empty()) {
+    fail(follower.position,
+         fmt::format("node {} is tied to no node; expected at least one", name(follower.node)));
+  }
+  std::set<int> seen;
+  for (const auto& [node, weight] : *follower.place) {
+    if (!is_node(node)) {
+      fail(follower.position,
+           fmt::format("what node {} is paired with does not exist", name(follower.node)));
+    }
+    if (node == follower.node) {
+      fail(follower.position, fmt::format("node {} is paired with itself; expected a node of "
+                                          "another body",
+                                          name(node)));
+    }
+    if (following.contains(node)) {
+      fail(follower.position,
+           fmt::format("node {} is paired with {}, which itself follows other nodes; expected the "
+                       "nodes of one body to follow and those of the other to lead",
+                       name(follower.node), name(node)));
+    }
+    if (!seen.insert(node).second) {
+      fail(follower.position, fmt::format("node {} is paired with {} twice; expected once",
+                                          name(follower.node), name(node)));
+    }
+    // Written so that NaN fails too.
+    if (!(std::abs(weight) >= smallest_share && std::abs(weight) <= largest_share)) {
+      fail(follower.position,
+           fmt::format("the weight of {} at {} is {:g}; expected a size between {:g} and {:g}",
+                       name(node), name(follower.node), weight, smallest_share, largest_share));
+    }
+  }
+  held_alike(follower);
+}
+
+void ConstraintCheck::held_alike(const Follower& follower) const {
+  for (int axis = 0; axis < structure_.dimension; ++axis) {
+    if (!is_fixed(follower.node, axis)) continue;
+    for (const auto& [node, weight] : *follower.place) {
+      if (is_fixed(node, axis)) continue;
+      fail(
+          follower.position,
+          fmt::format("node {} is held along {}, but {}, with which it is paired, is not; expected "
+                      "both or neither",
+                      name(follower.node), axis_name(axis), name(node)));
+    }
+  }
+}
+
+void ConstraintCheck::ties() const {
+  std::set<int> candidates;
+  for (const ContactCandidate& candidate : structure_.contact) candidates.insert(candidate.node);
+  for (int index = 0; index < std::ssize(structure_.ties); ++index) {
+    const int node = structure_.ties[static_cast<std::size_t>(index)].node;
+    const support::SourcePosition position = position_of(structure_.sources.ties, index);
+    if (is_supported(node)) {
+      fail(position, fmt::format("node {} is tied to others and supported; expected a support of "
+                                 "those that it is tied to",
+                                 name(node)));
+    }
+    if (candidates.contains(node)) {
+      fail(position, fmt::format("node {} is tied to others and a contact candidate; expected one "
+                                 "of the two",
+                                 name(node)));
+    }
+  }
+}
+
+void ConstraintCheck::rollers() const {
+  for (int index = 0; index < std::ssize(structure_.contact); ++index) {
+    const ContactCandidate& candidate = structure_.contact[static_cast<std::size_t>(index)];
+    if (is_inclined(candidate.node)) {
+      fail(position_of(structure_.sources.contact, index),
+           fmt::format("contact candidate {} has an inclined support; expected a roller along the "
+                       "obstacle and along an axis, or none",
+                       name(candidate.node)));
+    }
+    for (int axis = 0; axis < structure_.dimension; ++axis) {
+      if (!is_fixed(candidate.node, axis) || candidate.normal(axis) == 0) continue;
+      fail(position_of(structure_.sources.contact, index),
+           fmt::format("contact candidate {} is held along {}, across the obstacle; expected a "
+                       "support along the obstacle, where the normal has no component, or none",
+                       name(candidate.node), axis_name(axis)));
+    }
+  }
+}
+
+}  // namespace
+
+void check_constraints(const Structure& structure) {
+  const ConstraintCheck check(structure);
+  check.inclined();
+  check.followers();
+  check.ties();
+  check.places();
+  check.rollers();
+}
+
+}  // namespace kusabi::problems

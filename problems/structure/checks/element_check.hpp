@@ -1,0 +1,14 @@
+// The rules for the elements of a structure: part of `check_structure`.
+#pragma once
+
+#include "problems/structure/model/structure.hpp"
+
+namespace kusabi::problems {
+
+/// Checks materials, that each element has the nodes of its shape and the dimension of the
+/// structure, and that its Jacobian determinant is of one sign, and not next to zero, at all
+/// corners and integration points.
+/// @throws InputError at the first fault
+void check_elements(const Structure& structure);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,27 @@
+// The faces of all elements, so that those with the same corners stand together.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <vector>
+
+#include "problems/structure/model/structure.hpp"
+
+namespace kusabi::problems {
+
+/// A face of an element, by its corners in ascending order: -1 where it has fewer than four.
+struct FaceKey {
+  std::array<int, 4> corners;
+  int element;  ///< of `body_elements`
+  int face;     ///< in `element_faces`
+
+  auto operator<=>(const FaceKey&) const = default;
+};
+
+/// All faces, sorted: by corners, then by element.
+std::vector<FaceKey> faces_by_corners(const Structure& structure);
+
+/// The nodes of a face, in the order of `element_faces`.
+std::vector<int> nodes_of(const Structure& structure, const FaceKey& face);
+
+}  // namespace kusabi::problems

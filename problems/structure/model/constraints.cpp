@@ -1,0 +1,98 @@
+// Leaders: first of inclined supports, then of what follows nodes that may stand on these.
+#include "problems/structure/model/constraints.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "problems/structure/model/corner.hpp"
+
+namespace kusabi::problems {
+namespace {
+
+using numbers::Precise;
+
+/// One displacement as a sum over free ones.
+class Leaders {
+ public:
+  Leaders(const Structure& structure, FreeDegrees& degrees)
+      : structure_(structure), degrees_(degrees) {
+    degrees_.leaders.resize(static_cast<std::size_t>(degrees_.number.size()));
+  }
+
+  void incline(const InclinedSupport& support) {
+    const int held = steepest_axis(support.direction);
+    for (int axis = 0; axis < structure_.dimension; ++axis) {
+      const double component = support.direction(axis);
+      if (axis == held || component == 0) continue;
+      at(held, support.node)
+          .push_back({degrees_.number(axis, support.node),
+                      -Precise(component) / Precise(support.direction(held))});
+    }
+  }
+
+  /// Adds the displacement of a place of another body to that of the node.
+  void follow(int node, std::span<const Share> place) {
+    for (int axis = 0; axis < structure_.dimension; ++axis) {
+      // Held with that place, so neither moves (check_constraints).
+      if (structure_.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)])
+        continue;
+      for (const auto& [leader, weight] : place) {
+        const int number = degrees_.number(axis, leader);
+        if (number >= 0) at(axis, node).push_back({number, Precise(weight)});
+        for (const auto& [farther, share] : at(axis, leader))
+          at(axis, node).push_back({farther, Precise(weight) * share});
+      }
+    }
+  }
+
+ private:
+  std::vector<Leader>& at(int axis, int node) {
+    return degrees_.leaders[static_cast<std::size_t>(degrees_.number.rows() * node + axis)];
+  }
+
+  const Structure& structure_;
+  FreeDegrees& degrees_;
+};
+
+}  // namespace
+
+int steepest_axis(const Eigen::VectorXd& direction) {
+  int steepest = 0;
+  for (int axis = 1; axis < static_cast<int>(direction.size()); ++axis) {
+    if (std::abs(direction(axis)) > std::abs(direction(steepest))) steepest = axis;
+  }
+  return steepest;
+}
+
+bool has_constraints(const Structure& structure) {
+  if (!structure.inclined.empty() || !structure.ties.empty()) return true;
+  for (const ContactCandidate& candidate : structure.contact) {
+    if (!candidate.against.empty()) return true;
+  }
+  return false;
+}
+
+std::set<std::pair<int, int>> made_of_others(const Structure& structure) {
+  std::set<std::pair<int, int>> made;
+  for (const InclinedSupport& support : structure.inclined)
+    made.emplace(support.node, steepest_axis(support.direction));
+  for (const Tie& tie : structure.ties) {
+    for (int axis = 0; axis < structure.dimension; ++axis) made.emplace(tie.node, axis);
+  }
+  return made;
+}
+
+void set_leaders(const Structure& structure, FreeDegrees& degrees) {
+  if (!has_constraints(structure)) return;
+  Leaders leaders(structure, degrees);
+  for (const InclinedSupport& support : structure.inclined) leaders.incline(support);
+  for (const Tie& tie : structure.ties) leaders.follow(tie.node, tie.to);
+  const auto corners = corner_nodes(structure);
+  for (const ContactCandidate& candidate : structure.contact) {
+    // The node of a corner may be against two places, so it keeps displacements of its own.
+    if (!corners.contains(candidate.node)) leaders.follow(candidate.node, candidate.against);
+  }
+}
+
+}  // namespace kusabi::problems

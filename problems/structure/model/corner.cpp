@@ -1,0 +1,107 @@
+// How far each normal of a corner is from those before it.
+#include "problems/structure/model/corner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+namespace kusabi::problems {
+namespace {
+
+/// The angle in degrees between the last column and the span of those before it. Of one: 90.
+double angle_from_span(const Eigen::MatrixXd& unit) {
+  const Eigen::Index before = unit.cols() - 1;
+  if (before == 0) return 90;
+  const Eigen::VectorXd last = unit.col(before);
+  const Eigen::MatrixXd others = unit.leftCols(before);
+  const Eigen::VectorXd rest = last - others * others.colPivHouseholderQr().solve(last);
+  return std::asin(std::min(1.0, rest.norm())) * 180 / std::numbers::pi;
+}
+
+/// The least of the angles between one of the columns and the span of the others.
+double least_angle(const Eigen::MatrixXd& unit) {
+  double least = 90;
+  for (Eigen::Index k = 0; k < unit.cols(); ++k) {
+    Eigen::MatrixXd turned = unit;
+    turned.col(k).swap(turned.col(unit.cols() - 1));
+    least = std::min(least, angle_from_span(turned));
+  }
+  return least;
+}
+
+Eigen::MatrixXd normals_of(const Structure& structure, const std::vector<std::size_t>& candidates) {
+  Eigen::MatrixXd normals(structure.dimension, static_cast<Eigen::Index>(candidates.size()));
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    normals.col(static_cast<Eigen::Index>(k)) = structure.contact[candidates[k]].normal;
+  return normals;
+}
+
+[[noreturn]] void refuse_corner(const Structure& structure, std::size_t candidate,
+                                std::string_view message) {
+  throw structure_error(
+      structure, position_of(structure.sources.contact, static_cast<int>(candidate)), message);
+}
+
+void check_corner(const Structure& structure, const std::vector<std::size_t>& candidates) {
+  const auto node = static_cast<std::size_t>(structure.contact[candidates.front()].node);
+  const std::string name = support::in_quotes(structure.node_names[node]);
+  const auto most = static_cast<std::size_t>(structure.dimension);
+  if (candidates.size() > most) {
+    refuse_corner(
+        structure, candidates[most],
+        fmt::format("node {} is a contact candidate {} times; expected at most {} in {}, for more "
+                    "normals depend on each other",
+                    name, candidates.size(), most, most == 2 ? "the plane" : "space"));
+  }
+  const auto angle = least_angle(normals_of(structure, candidates));
+  if (angle >= smallest_corner_angle) return;
+  refuse_corner(
+      structure, candidates.back(),
+      fmt::format("node {} is a contact candidate {} with normals that are {:.2f} degrees from "
+                  "depending on each other; expected once, or the normals of a corner, {:g} "
+                  "degrees or more from that",
+                  name, candidates.size() == 2 ? "twice" : "three times", angle,
+                  smallest_corner_angle));
+}
+
+void check_names(const Structure& structure) {
+  std::map<std::string, std::size_t> first;
+  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+    const std::string name = candidate_name(structure, i);
+    const auto [entry, is_new] = first.emplace(name, i);
+    if (is_new) continue;
+    refuse_corner(
+        structure, i,
+        fmt::format("contact candidates {} and {} are both called {} in answers; expected nodes "
+                    "with other names",
+                    entry->second + 1, i + 1, support::in_quotes(name)));
+  }
+}
+
+}  // namespace
+
+std::set<int> corner_nodes(const Structure& structure) {
+  std::set<int> seen;
+  std::set<int> corners;
+  for (const ContactCandidate& candidate : structure.contact) {
+    if (!seen.insert(candidate.node).second) corners.insert(candidate.node);
+  }
+  return corners;
+}
+
+void check_corners(const Structure& structure) {
+  std::map<int, std::vector<std::size_t>> at_node;
+  for (std::size_t i = 0; i < structure.contact.size(); ++i)
+    at_node[structure.contact[i].node].push_back(i);
+  for (const auto& [node, candidates] : at_node) check_corner(structure, candidates);
+  if (at_node.size() < structure.contact.size()) check_names(structure);
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,63 @@
+// One table, in the order of ElementShape.
+#include "problems/structure/model/element_shape.hpp"
+
+#include <cstddef>
+
+namespace kusabi::problems {
+namespace {
+
+using Points = std::span<const NaturalPoint<double>>;
+
+// The corners, and the middles of 1-2, 2-3, 3-1.
+constexpr std::array<NaturalPoint<double>, 6> triangle{
+    {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
+
+// The corners, and the middles of 1-2, 2-3, 3-4, 4-1.
+constexpr std::array<NaturalPoint<double>, 8> quadrilateral{
+    {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
+
+// The corners, and the middles of 1-2, 2-3, 3-1, 1-4, 2-4, 3-4.
+constexpr std::array<NaturalPoint<double>, 10> tetrahedron{{{0, 0, 0},
+                                                            {1, 0, 0},
+                                                            {0, 1, 0},
+                                                            {0, 0, 1},
+                                                            {0.5, 0, 0},
+                                                            {0.5, 0.5, 0},
+                                                            {0, 0.5, 0},
+                                                            {0, 0, 0.5},
+                                                            {0.5, 0, 0.5},
+                                                            {0, 0.5, 0.5}}};
+
+// The corners of the face zeta = -1, of the face above it, the middles of the edges of the one and
+// of the other from corner 1 on, and those of the edges between them.
+constexpr std::array<NaturalPoint<double>, 20> hexahedron{
+    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1},  {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},
+     {-1, 1, 1},   {0, -1, -1}, {1, 0, -1},  {0, 1, -1},  {-1, 0, -1}, {0, -1, 1}, {1, 0, 1},
+     {0, 1, 1},    {-1, 0, 1},  {-1, -1, 0}, {1, -1, 0},  {1, 1, 0},   {-1, 1, 0}}};
+
+constexpr std::array<ShapeTraits, 8> shapes{
+    {{"three-node triangle", 2, true, false, 3, Points(triangle).first<3>()},
+     {"six-node triangle", 2, true, true, 3, Points(triangle)},
+     {"four-node quadrilateral", 2, false, false, 4, Points(quadrilateral).first<4>()},
+     {"eight-node quadrilateral", 2, false, true, 4, Points(quadrilateral)},
+     {"four-node tetrahedron", 3, true, false, 4, Points(tetrahedron).first<4>()},
+     {"ten-node tetrahedron", 3, true, true, 4, Points(tetrahedron)},
+     {"eight-node hexahedron", 3, false, false, 8, Points(hexahedron).first<8>()},
+     {"twenty-node hexahedron", 3, false, true, 8, Points(hexahedron)}}};
+
+}  // namespace
+
+const ShapeTraits& shape_traits(ElementShape shape) {
+  return shapes.at(static_cast<std::size_t>(shape));
+}
+
+std::optional<ElementShape> shape_of(int dimension, std::size_t nodes) {
+  for (std::size_t shape = 0; shape < shapes.size(); ++shape) {
+    if (shapes[shape].dimension == dimension && shapes[shape].nodes.size() == nodes) {
+      return static_cast<ElementShape>(shape);
+    }
+  }
+  return {};
+}
+
+}  // namespace kusabi::problems

@@ -1,0 +1,76 @@
+// What is of another case is left out, with its place in the file.
+#include "problems/structure/model/load_cases.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace kusabi::problems {
+namespace {
+
+// Keeps what is of the case, each with its `sizes(entry)` places in the file.
+template <class Entry, class Sizes>
+void keep(std::vector<Entry>& entries, std::vector<support::SourcePosition>& positions,
+          const std::string& load_case, Sizes sizes) {
+  std::vector<Entry> kept;
+  std::vector<support::SourcePosition> places;
+  std::size_t place = 0;
+  for (Entry& entry : entries) {
+    const std::size_t size = sizes(entry);
+    if (entry.load_case.empty() || entry.load_case == load_case) {
+      for (std::size_t i = place; i < std::min(place + size, positions.size()); ++i)
+        places.push_back(positions[i]);
+      entry.load_case.clear();
+      kept.push_back(std::move(entry));
+    }
+    place += size;
+  }
+  entries = std::move(kept);
+  positions = std::move(places);
+}
+
+}  // namespace
+
+std::vector<std::string> load_cases(const Structure& structure) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const auto& load : structure.loads) add(load.load_case);
+  if (!structure.uncertain) return names;
+  for (const auto& parameter : *structure.uncertain) add(parameter.load_case);
+  return names;
+}
+
+Structure in_load_case(Structure structure, const std::string& name) {
+  keep(structure.loads, structure.sources.loads, name, [](const Load&) { return 1U; });
+  if (structure.uncertain) {
+    keep(*structure.uncertain, structure.sources.uncertain, name,
+         [](const UncertainParameter& each) { return each.components.size(); });
+  }
+  return structure;
+}
+
+Structure in_chosen_case(Structure structure, const std::string& name) {
+  if (name.empty()) return structure;
+  const auto names = load_cases(structure);
+  if (std::ranges::find(names, name) == names.end()) {
+    throw structure_error(
+        structure, {},
+        fmt::format(
+            "there is no load case {}; expected {}", support::in_quotes(name),
+            names.empty() ? "none to be chosen" : "one of " + choice_of_load_cases(structure)));
+  }
+  return in_load_case(std::move(structure), name);
+}
+
+std::string choice_of_load_cases(const Structure& structure) {
+  std::vector<std::string> names;
+  for (const auto& name : load_cases(structure)) names.push_back(support::in_quotes(name));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace kusabi::problems

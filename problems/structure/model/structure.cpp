@@ -1,0 +1,72 @@
+// Errors that know where in its file a structure's entry stands.
+#include "problems/structure/model/structure.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+
+namespace kusabi::problems {
+
+namespace {
+
+/// "@left", "@2": which of the candidates at its node it is; nothing where it is alone.
+std::string which_at_node(const Structure& structure, std::size_t index) {
+  std::set<std::string> surfaces;
+  std::size_t count = 0;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+    const ContactCandidate& other = structure.contact[i];
+    if (other.node != structure.contact[index].node) continue;
+    ++count;
+    if (i <= index) ++place;
+    if (!other.surface.empty()) surfaces.insert(other.surface);
+  }
+  if (count == 1) return {};
+  return "@" +
+         (surfaces.size() == count ? structure.contact[index].surface : std::to_string(place));
+}
+
+}  // namespace
+
+std::string candidate_name(const Structure& structure, std::size_t index) {
+  const auto name = [&](int node) { return structure.node_names[static_cast<std::size_t>(node)]; };
+  const ContactCandidate& candidate = structure.contact[index];
+  const auto& place = candidate.against;
+  const std::string own = name(candidate.node) + which_at_node(structure, index);
+  if (place.empty()) return own;
+  const auto nearest = std::ranges::max_element(place, {}, &Share::weight);
+  return own + "|" + name(nearest->node) + (place.size() > 1 ? "+" : "");
+}
+
+int body_elements(const Structure& structure) {
+  return static_cast<int>(structure.elements.size() + structure.outlines.size());
+}
+
+const Element& body_element(const Structure& structure, int index) {
+  const auto place = static_cast<std::size_t>(index);
+  const auto own = structure.elements.size();
+  return place < own ? structure.elements[place] : structure.outlines[place - own];
+}
+
+std::string_view axis_name(int axis) {
+  return std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1);
+}
+
+support::InputError structure_error(const Structure& structure, support::SourcePosition position,
+                                    std::string_view message) {
+  const Sources& sources = structure.sources;
+  if (position.file > 0) {
+    const auto index = static_cast<std::size_t>(position.file) - 1;
+    return support::InputError(sources.more_files[index], position, message);
+  }
+  return support::InputError(sources.file.empty() ? structure.name : sources.file, position,
+                             message);
+}
+
+support::SourcePosition position_of(const std::vector<support::SourcePosition>& positions,
+                                    int index) {
+  const auto place = static_cast<std::size_t>(index);
+  return place < positions.size() ? positions[place] : support::SourcePosition{};
+}
+
+}  // namespace kusabi::problems

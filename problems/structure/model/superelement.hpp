@@ -1,0 +1,55 @@
+// Where the rows of a superelement are among the free displacements, in any precision.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "problems/structure/model/elongation.hpp"
+#include "problems/structure/model/structure.hpp"
+#include "problems/structure/model/truss.hpp"
+
+namespace kusabi::problems {
+
+/// What each row of a superelement is made of, and with which weights: nothing where it is held.
+/// @param index of the superelement
+template <class Scalar>
+std::vector<StrainVector<Scalar>> superelement_parts(const Structure& structure,
+                                                     const FreeDegrees& degrees,
+                                                     std::size_t index) {
+  const auto& rows = structure.superelements[index].rows;
+  std::vector<StrainVector<Scalar>> parts;
+  parts.reserve(rows.size());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (rows[row].node >= 0) {
+      parts.push_back(parts_of<Scalar>(degrees, rows[row].axis, rows[row].node));
+    } else {
+      parts.push_back({{degrees.own_unknowns[index][row], Scalar(1.0)}});
+    }
+  }
+  return parts;
+}
+
+/// Calls `use(number, number, value)` for all that an entry K_ij of a superelement, which is not
+/// zero, is among the free displacements: K_ij times the weights of a part of i and a part of j.
+template <class Scalar, class Use>
+void for_each_entry(const Structure& structure, const FreeDegrees& degrees, std::size_t index,
+                    const Use& use) {
+  const auto parts = superelement_parts<Scalar>(structure, degrees, index);
+  const auto& matrix = structure.superelements[index].stiffness;
+  for (int j = 0; j < static_cast<int>(matrix.outerSize()); ++j) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, j); entry; ++entry) {
+      if (entry.value() == 0) continue;
+      for (const auto& row : parts[static_cast<std::size_t>(entry.row())]) {
+        for (const auto& column : parts[static_cast<std::size_t>(j)]) {
+          // The product of the two weights first: so (i, j) and (j, i) round alike.
+          use(row.number, column.number, entry.value() * (row.value * column.value));
+        }
+      }
+    }
+  }
+}
+
+/// The nodes that a superelement holds on to, each once, in increasing order.
+std::vector<int> nodes_of(const Superelement& superelement);
+
+}  // namespace kusabi::problems

@@ -1,0 +1,80 @@
+// As by hand, with fractions.
+#include "verify/arithmetic/elimination.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kusabi::verify {
+namespace {
+
+// a - factor b, in the place of a.
+void subtract(Rationals& a, const mpq_class& factor, const Rationals& b) {
+  if (sgn(factor) == 0) return;
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] -= factor * b[k];
+}
+
+}  // namespace
+
+mpq_class dot(const Rationals& a, const Rationals& b) {
+  mpq_class sum;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (sgn(a[k]) != 0 && sgn(b[k]) != 0) sum += a[k] * b[k];
+  }
+  return sum;
+}
+
+Elimination::Elimination(std::size_t unknowns) {
+  for (std::size_t k = 0; k < unknowns; ++k) left_.emplace_back(unknowns).at(k) = 1;
+}
+
+Rationals Elimination::products(const Rationals& row) const {
+  Rationals result;
+  for (const auto& column : left_) result.push_back(dot(row, column));
+  return result;
+}
+
+bool Elimination::demand(const Rationals& row) {
+  const auto product = products(row);
+  // The largest: the numbers stay simple where they are near one.
+  const auto largest = std::max_element(product.begin(), product.end(),
+                                        [](auto& a, auto& b) { return abs(a) < abs(b); });
+  if (largest == product.end() || sgn(*largest) == 0) return false;
+  const auto at = largest - product.begin();
+  taken_.push_back(std::move(left_[static_cast<std::size_t>(at)]));
+  for (std::size_t k = 0; k < left_.size(); ++k) {
+    if (k != static_cast<std::size_t>(at)) subtract(left_[k], product[k] / *largest, taken_.back());
+  }
+  left_.erase(left_.begin() + at);
+  return true;
+}
+
+std::optional<Rationals> solution(std::vector<Rationals> rows, Rationals right) {
+  const std::size_t unknowns = rows.empty() ? 0 : rows.front().size();
+  std::vector<std::size_t> row_of(unknowns, rows.size());
+  std::size_t rank = 0;
+  for (std::size_t column = 0; column < unknowns && rank < rows.size(); ++column) {
+    std::size_t pivot = rank;
+    while (pivot < rows.size() && sgn(rows[pivot][column]) == 0) ++pivot;
+    if (pivot == rows.size()) continue;
+    std::swap(rows[pivot], rows[rank]);
+    std::swap(right[pivot], right[rank]);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i == rank || sgn(rows[i][column]) == 0) continue;
+      const mpq_class factor = rows[i][column] / rows[rank][column];
+      subtract(rows[i], factor, rows[rank]);
+      right[i] -= factor * right[rank];
+    }
+    row_of[column] = rank++;
+  }
+  for (std::size_t i = rank; i < rows.size(); ++i) {
+    if (sgn(right[i]) != 0) return {};
+  }
+  Rationals x(unknowns);
+  for (std::size_t column = 0; column < unknowns; ++column) {
+    const auto row = row_of[column];
+    if (row < rows.size()) x[column] = right[row] / rows[row][column];
+  }
+  return x;
+}
+
+}  // namespace kusabi::verify

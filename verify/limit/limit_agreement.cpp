@@ -1,0 +1,226 @@
+// Member by member, then the loads.
+#include "verify/limit/limit_agreement.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "verify/structure/assembly.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+std::string bar_name(const Structure& structure, const Bar& bar) {
+  return structure.names[bar.first] + "-" + structure.names[bar.second];
+}
+
+// The middle of what is enclosed, and how far its ends are from it.
+Near middle(const Enclosure& value) {
+  const auto sum = (value.lower() + value.upper()).scaled(-1);
+  return {sum, value.distance(sum)};
+}
+
+// The column that the bar of a member has; nothing if the recorded one is no rounding of it.
+std::optional<std::vector<std::pair<std::size_t, Near>>> true_column(const Sparse& column,
+                                                                     const Structure& structure,
+                                                                     const Freedom& freedom,
+                                                                     const Bar& bar) {
+  std::map<std::size_t, double> recorded;
+  for (const auto& [place, value] : column) {
+    if (!recorded.emplace(place, value).second) return {};
+  }
+  const auto cosines = direction(structure, bar).cosines;
+  std::vector<std::pair<std::size_t, Near>> exact;
+  for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+    if (!cosines[axis].finite()) return {};
+    for (const auto node : {bar.first, bar.second}) {
+      const auto number = freedom.number[node][axis];
+      if (number == Freedom::none) continue;
+      const auto entry = node == bar.first ? -cosines[axis] : cosines[axis];
+      const auto found = recorded.find(number);
+      const double value = found == recorded.end() ? 0.0 : found->second;
+      if (found != recorded.end()) recorded.erase(found);
+      if (entry.distance(Dyadic(value)) > Dyadic(cosine_tolerance)) return {};
+      if (!entry.is_zero()) exact.emplace_back(number, middle(entry));
+    }
+  }
+  for (const auto& [place, value] : recorded) {
+    if (value != 0) return {};
+  }
+  return exact;
+}
+
+std::vector<Enclosure> sum_of(const std::vector<Force>& forces, const Structure& structure,
+                              const Freedom& freedom) {
+  std::vector<Enclosure> sum(freedom.count);
+  for (const auto& force : forces) {
+    for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
+      const auto number = freedom.number[force.node][axis];
+      if (number != Freedom::none) sum[number] += Enclosure(force.components[axis]);
+    }
+  }
+  return sum;
+}
+
+// The recorded load is a sum of doubles, added in double precision: a few roundings off.
+std::optional<std::vector<Near>> true_load(const std::vector<double>& recorded,
+                                           const std::vector<Enclosure>& load) {
+  constexpr long roundings = -40;
+  std::vector<Near> exact;
+  for (std::size_t e = 0; e < load.size(); ++e) {
+    const Dyadic value(recorded[e]);
+    if (load[e].distance(value) > absolute(value).scaled(roundings)) return {};
+    exact.push_back(middle(load[e]));
+  }
+  return exact;
+}
+
+/// Half-width and name of a recorded column.
+struct Recorded {
+  double half_width = 0;
+  std::string name;
+};
+
+// Columns of T, each by displacement.
+using Columns = std::multimap<Sparse, Recorded>;
+
+Columns columns_of(const LimitCertificate& certificate) {
+  Columns columns;
+  for (std::size_t j = 0; j < certificate.uncertain.size(); ++j) {
+    auto column = certificate.uncertain[j];
+    std::ranges::sort(column);
+    columns.emplace(std::move(column),
+                    Recorded{certificate.alpha[j],
+                             certificate.names.empty() ? std::string() : certificate.names[j]});
+  }
+  return columns;
+}
+
+// Takes a column from those of a certificate, one of that name if there is one: of equal columns
+// any is as good. @param half_width nothing: whichever it has
+// @return its half-width, if there is one
+std::optional<double> take(Columns& columns, Sparse column, const std::string& name,
+                           std::optional<double> half_width) {
+  std::ranges::sort(column);
+  const auto [first, last] = columns.equal_range(column);
+  auto found = last;
+  for (auto each = first; each != last; ++each) {
+    if (half_width && each->second.half_width != *half_width) continue;
+    if (found == last || each->second.name == name) found = each;
+    if (found->second.name == name) break;
+  }
+  if (found == last) return {};
+  const double taken = found->second.half_width;
+  columns.erase(found);
+  return taken;
+}
+
+std::string load_name(const Structure& structure, std::size_t parameter) {
+  return structure.load_names.empty() ? std::string() : structure.load_names[parameter];
+}
+
+// The columns of T. What acts on a support goes to the ground.
+std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom& freedom,
+                                      const std::vector<Enclosure>& dead,
+                                      const std::vector<Enclosure>& reference) {
+  std::vector<Sparse> columns;
+  if (structure.uncertain) {
+    for (const auto& parameter : *structure.uncertain) {
+      auto& column = columns.emplace_back();
+      for (const auto& [node, axis, weight] : parameter) {
+        const auto number = freedom.number[node][axis];
+        if (number != Freedom::none) column.emplace_back(number, weight);
+      }
+    }
+  } else {
+    for (std::size_t e = 0; e < freedom.count; ++e) {
+      if (dead[e].is_zero() && reference[e].is_zero()) columns.push_back({{e, 1.0}});
+    }
+  }
+  return columns;
+}
+
+// The half-width of each column of a truss, or what is wrong with the recorded ones. Half-widths
+// that the structure says come first: of columns that are the same they take theirs.
+std::variant<std::vector<double>, std::string> half_widths_of(const LimitCertificate& certificate,
+                                                              const Structure& structure,
+                                                              const std::vector<Sparse>& columns) {
+  const std::string others = "its uncertain loads are not those of the truss";
+  auto recorded = columns_of(certificate);
+  const auto in_file = [&](std::size_t j) {
+    return structure.half_widths.empty() ? std::nullopt : structure.half_widths[j];
+  };
+  std::vector<double> half_widths(columns.size());
+  for (const bool said : {true, false}) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      if (in_file(j).has_value() != said) continue;
+      const auto name = in_one_line(load_name(structure, j));
+      if (const auto taken = take(recorded, columns[j], name, in_file(j))) {
+        half_widths[j] = *taken;
+        continue;
+      }
+      return said && take(recorded, columns[j], name, {})
+                 ? "its half-width of an uncertain load is not that of the truss"
+                 : others;
+    }
+  }
+  if (!recorded.empty()) return others;
+  return half_widths;
+}
+
+std::optional<std::string> other_bars(const LimitCertificate& certificate,
+                                      const Structure& structure, const Freedom& freedom,
+                                      LimitTruss& truss) {
+  for (std::size_t i = 0; i < structure.bars.size(); ++i) {
+    const auto& bar = structure.bars[i];
+    if (certificate.tension[i] != bar.tension || certificate.compression[i] != bar.compression) {
+      return "its yield forces of member " + bar_name(structure, bar) +
+             " are not those of the truss";
+    }
+    auto column = true_column(certificate.columns[i], structure, freedom, bar);
+    if (!column) {
+      return "its direction of member " + bar_name(structure, bar) + " is not that of the truss";
+    }
+    truss.columns.push_back(*std::move(column));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& certificate,
+                                                      const Structure& structure) {
+  const Freedom freedom(structure);
+  if (!freedom.others.empty() || !structure.ties.empty())
+    return "the structure has ties, inclined supports or pairs of bodies, which limit loads do not";
+  if (certificate.displacements != freedom.count ||
+      certificate.members() != structure.bars.size()) {
+    return "it has " + std::to_string(certificate.displacements) + " displacements and " +
+           std::to_string(certificate.members()) + " members, the truss has " +
+           std::to_string(freedom.count) + " and " + std::to_string(structure.bars.size());
+  }
+  LimitTruss truss;
+  if (auto why = other_bars(certificate, structure, freedom, truss)) return *why;
+  const auto dead = sum_of(structure.dead, structure, freedom);
+  const auto reference = sum_of(structure.reference, structure, freedom);
+  auto true_dead = true_load(certificate.dead, dead);
+  auto true_reference = true_load(certificate.reference, reference);
+  if (!true_dead) return "its dead load is not that of the truss";
+  if (!true_reference) return "its reference load is not that of the truss";
+  truss.dead = *std::move(true_dead);
+  truss.reference = *std::move(true_reference);
+  auto half_widths = half_widths_of(certificate, structure,
+                                    uncertain_columns(structure, freedom, dead, reference));
+  if (auto* const why = std::get_if<std::string>(&half_widths)) return std::move(*why);
+  truss.half_widths = std::get<std::vector<double>>(std::move(half_widths));
+  return truss;
+}
+
+Structure with_reversed_reference(Structure structure) {
+  for (auto& force : structure.reference) {
+    for (double& component : force.components) component = -component;
+  }
+  return structure;
+}
+
+}  // namespace kusabi::verify

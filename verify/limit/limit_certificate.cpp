@@ -1,0 +1,287 @@
+// Reading the file, section by section.
+#include "verify/limit/limit_certificate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "verify/wedged/certificate.hpp"
+#include "verify/wedged/lines.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+/// More of anything than this is no truss but a damaged number, and would only cost memory.
+constexpr std::uint64_t most = 10'000'000;
+
+std::size_t count(Lines& lines, const std::string& keyword) {
+  const std::string what = "'" + keyword + "' and a number";
+  lines.next();
+  lines.expect_word(keyword, what);
+  const auto value = lines.integer(10, what);
+  if (value > most) lines.refuse(what + " of at most " + std::to_string(most));
+  // Each takes a line or a number at least: no memory for what the file cannot hold.
+  if (value > lines.left()) lines.refuse(what + " that the rest of the file holds");
+  lines.end_of_line(what);
+  return value;
+}
+
+std::size_t place(Lines& lines, std::size_t size, const std::string& what) {
+  const auto value = lines.integer(10, what);
+  if (value >= size) lines.refuse(what + " below " + std::to_string(size));
+  return value;
+}
+
+Sparse sparse(Lines& lines, std::size_t size, const std::string& what) {
+  const auto expected = "the number of " + what;
+  const auto number = place(lines, size + 1, expected);
+  constexpr std::size_t shortest = 4;  // characters of a place and a number, "0 0x0"
+  if (number > lines.remainder().size() / shortest) lines.refuse(expected + " that the line holds");
+  Sparse entries(number);
+  for (auto& [at, value] : entries) {
+    at = place(lines, size, "the place of one of the " + what);
+    value = lines.number(what);
+  }
+  return entries;
+}
+
+std::vector<double> vector(Lines& lines, const std::string& keyword, std::size_t size) {
+  std::vector<double> values;
+  lines.next();
+  lines.expect_word(keyword, "'" + keyword + "' and its numbers");
+  lines.numbers(size, values, "numbers");
+  return values;
+}
+
+// One for all columns, or one for each.
+void read_half_widths(Lines& lines, LimitCertificate& certificate) {
+  const std::string what = "'alpha' and a number that is not negative, or one for each column";
+  const auto m = certificate.uncertain.size();
+  lines.next();
+  lines.expect_word("alpha", what);
+  auto& alpha = certificate.alpha;
+  do {
+    alpha.push_back(lines.number(what));
+    if (alpha.back() < 0 || alpha.size() > std::max<std::size_t>(m, 1)) lines.refuse(what);
+  } while (!lines.remainder().empty());
+  lines.end_of_line(what);
+  if (alpha.size() != 1 && alpha.size() != m) lines.refuse(what);
+  alpha.resize(m, alpha.front());
+}
+
+void read_truss(Lines& lines, LimitCertificate& certificate) {
+  certificate.displacements = count(lines, "displacements");
+  const auto members = count(lines, "members");
+  if (members < certificate.displacements) {
+    lines.refuse("as many members as displacements at least: a truss of fewer is a mechanism");
+  }
+  for (std::size_t i = 0; i < members; ++i) {
+    lines.next();
+    const std::string what = "'member', its yield forces, not negative, and its column of B";
+    lines.expect_word("member", what);
+    for (auto* yields : {&certificate.tension, &certificate.compression}) {
+      yields->push_back(lines.number(what));
+      if (yields->back() < 0) lines.refuse(what);
+    }
+    certificate.columns.push_back(sparse(lines, certificate.displacements, "entries of B"));
+    lines.end_of_line(what);
+  }
+}
+
+void read_columns(Lines& lines, LimitCertificate& certificate) {
+  const auto uncertain = count(lines, "uncertain");
+  for (std::size_t j = 0; j < uncertain; ++j) {
+    lines.next();
+    const std::string what = "'column', and displacements with a number that is not 0";
+    lines.expect_word("column", what);
+    auto& column = certificate.uncertain.emplace_back();
+    do {
+      const auto at = place(lines, certificate.displacements, what);
+      column.emplace_back(at, lines.number(what));
+      if (column.back().second == 0) lines.refuse(what);
+    } while (!lines.remainder().empty());
+    lines.end_of_line(what);
+  }
+}
+
+void read_names(Lines& lines, LimitCertificate& certificate) {
+  const std::string what = "'name', a column that has none yet, and its name";
+  const auto m = certificate.uncertain.size();
+  const auto named = count(lines, "names");
+  certificate.names.resize(m);
+  for (std::size_t k = 0; k < named; ++k) {
+    lines.next();
+    lines.expect_word("name", what);
+    auto& name = certificate.names[place(lines, m, what)];
+    if (!name.empty() || lines.remainder().empty()) lines.refuse(what);
+    name = lines.remainder();
+  }
+}
+
+// The first version knows no names.
+void read_loads(Lines& lines, LimitCertificate& certificate, bool with_names) {
+  certificate.dead = vector(lines, "dead", certificate.displacements);
+  certificate.reference = vector(lines, "reference", certificate.displacements);
+  read_columns(lines, certificate);
+  if (with_names) read_names(lines, certificate);
+  read_half_widths(lines, certificate);
+}
+
+LimitCut read_cut(Lines& lines, const LimitCertificate& certificate) {
+  const std::string what = "'cut', a column of T, a factor, and forces";
+  lines.expect_word("cut", what);
+  LimitCut cut;
+  cut.column = place(lines, certificate.uncertain.size(), what);
+  cut.factor = lines.number(what);
+  cut.forces = sparse(lines, certificate.members(), "forces");
+  lines.end_of_line(what);
+  return cut;
+}
+
+LimitNode read_node(Lines& lines, const LimitCertificate& certificate, std::size_t nodes) {
+  const std::string what = "'node', signs, shares of cuts, a factor, and forces";
+  lines.expect_word("node", what);
+  // A line says something of each column, but for those whose shares are zero.
+  constexpr std::uint64_t most_signs = 1'000'000;
+  if (certificate.uncertain.size() > lines.remainder().size() &&
+      certificate.uncertain.size() * nodes > most_signs) {
+    lines.refuse("a sign or a share for each column of T");
+  }
+  LimitNode node;
+  node.line = lines.number();
+  node.signs.assign(certificate.uncertain.size(), 0);
+  node.one_sided.assign(certificate.uncertain.size(), 0);
+  const auto decided = place(lines, certificate.uncertain.size() + 1, "the number of signs");
+  for (std::size_t d = 0; d < decided; ++d) {
+    const auto at = place(lines, certificate.uncertain.size(), "a column of T");
+    const auto sign = lines.word();
+    if ((sign != "+" && sign != "-") || node.signs[at] != 0) {
+      lines.refuse("'+' or '-' for a column, once");
+    }
+    node.signs[at] = sign == "+" ? 1 : -1;
+    node.one_sided[at] = lines.number("a multiplier that is not negative");
+    if (node.one_sided[at] < 0) lines.refuse("a multiplier that is not negative");
+  }
+  node.shares = sparse(lines, certificate.cuts.size(), "shares of cuts");
+  for (const auto& [cut, share] : node.shares) {
+    if (share < 0) lines.refuse("shares of cuts that are not negative");
+  }
+  node.factor = lines.number("a factor");
+  lines.numbers(certificate.members(), node.forces, "forces");
+  return node;
+}
+
+void read_evidence(Lines& lines, LimitCertificate& certificate) {
+  certificate.load = vector(lines, "load", certificate.uncertain.size());
+  certificate.motion = vector(lines, "motion", certificate.displacements);
+  const auto cuts = count(lines, "cuts");
+  for (std::size_t c = 0; c < cuts; ++c) {
+    lines.next();
+    certificate.cuts.push_back(read_cut(lines, certificate));
+  }
+  const auto nodes = count(lines, "nodes");
+  for (std::size_t n = 0; n < nodes; ++n) {
+    lines.next();
+    certificate.nodes.push_back(read_node(lines, certificate, nodes));
+  }
+}
+
+// The claim of the line at hand. @param before that of the same load case
+LimitClaim read_claim(Lines& lines, std::optional<LimitClaim> before) {
+  const std::string what = before ? "'claim least', 'case' or 'end'"
+                                  : "'claim' and 'largest' or 'none', the first of a case";
+  lines.expect_word("claim", what);
+  const auto word = lines.remainder();
+  for (const auto claim : {LimitClaim::largest, LimitClaim::least, LimitClaim::none}) {
+    if (word != claim_word(claim)) continue;
+    const bool fits = claim == LimitClaim::least ? before == LimitClaim::largest : !before;
+    if (fits) return claim;
+  }
+  lines.refuse(what);
+}
+
+// From the line 'case' to the next, or to 'end': the lines are at that then.
+void read_case(Lines& lines, const LimitCertificate& truss,
+               std::vector<LimitStatement>& statements) {
+  const std::string what = "'case', and a name that no case before it has, or 'end'";
+  lines.expect_word("case", what);
+  const std::string name(lines.remainder());
+  const bool known =
+      std::ranges::find(statements, name, &LimitStatement::load_case) != statements.end();
+  if (known) lines.refuse(what);
+  auto loads = truss;
+  read_loads(lines, loads, true);
+  std::optional<LimitClaim> before;
+  do {
+    if (!before) lines.next();
+    const auto claim = read_claim(lines, before);
+    statements.push_back({name, claim, loads});
+    auto& evidence = statements.back().evidence;
+    if (claim == LimitClaim::least) {
+      for (double& value : evidence.reference) value = -value;
+    }
+    read_evidence(lines, evidence);
+    before = claim;
+    lines.next();
+  } while (lines.text().starts_with("claim"));
+}
+
+std::vector<LimitStatement> read_statements(Lines& lines) {
+  LimitCertificate truss;
+  read_truss(lines, truss);
+  std::vector<LimitStatement> statements;
+  lines.next();
+  do {
+    read_case(lines, truss, statements);
+  } while (lines.text() != "end");
+  return statements;
+}
+
+std::vector<LimitStatement> read_first_version(Lines& lines) {
+  std::vector<LimitStatement> statements(1);
+  auto& certificate = statements.front().evidence;
+  read_truss(lines, certificate);
+  read_loads(lines, certificate, false);
+  read_evidence(lines, certificate);
+  lines.expect("end");
+  return statements;
+}
+
+}  // namespace
+
+LimitColumn::LimitColumn(const Sparse& load) : direction(load) {
+  if (load.size() != 1) return;
+  weight = std::abs(load.front().second);
+  direction.front().second = std::copysign(1.0, load.front().second);
+}
+
+std::string_view claim_word(LimitClaim claim) {
+  switch (claim) {
+    case LimitClaim::largest:
+      return "largest";
+    case LimitClaim::least:
+      return "least";
+    case LimitClaim::none:
+      break;
+  }
+  return "none";
+}
+
+std::vector<LimitStatement> read_limit_certificate(std::string_view text, const std::string& file) {
+  Lines first(text, file);
+  first.next();
+  const bool with_cases = first.text() == std::string(limit_first_words) + '2';
+  if (!with_cases && first.text() != std::string(limit_first_words) + '1')
+    first.refuse("'" + std::string(limit_first_words) + "1' or 2");
+  Lines lines(without_digest(text, file), file);
+  lines.next();
+  auto statements = with_cases ? read_statements(lines) : read_first_version(lines);
+  if (!lines.done()) {
+    lines.next();
+    lines.refuse("the line 'digest …', the last one");
+  }
+  return statements;
+}
+
+}  // namespace kusabi::verify

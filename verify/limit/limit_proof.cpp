@@ -1,0 +1,411 @@
+// The two ends, exactly.
+#include "verify/limit/limit_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "verify/limit/gram.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+Dyadic product(const Dyadic& a, double b) {
+  return a * Dyadic(b);
+}
+
+using Column = std::vector<std::pair<std::size_t, Near>>;
+
+// b'u.
+Dyadic elongation_of(const Column& column, const std::vector<Dyadic>& motion) {
+  Dyadic total;
+  for (const auto& [e, entry] : column) total = total + entry.value * motion[e];
+  return total;
+}
+
+// How far the true columns are from those of the certificate, entry by entry; none if they are the
+// same.
+std::vector<SparseDyadic> errors_of(const LimitCertificate& certificate, const LimitTruss& truss) {
+  std::vector<SparseDyadic> errors(truss.columns.size());
+  bool any = false;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    std::map<std::size_t, Near> difference;
+    for (const auto& [e, entry] : truss.columns[i]) {
+      difference[e].value = difference[e].value + entry.value;
+      difference[e].error = difference[e].error + entry.error;
+    }
+    for (const auto& [e, entry] : certificate.columns[i]) {
+      difference[e].value = difference[e].value - Dyadic(entry);
+    }
+    for (const auto& [e, each] : difference) {
+      const auto error = absolute(each.value) + each.error;
+      if (error.sign() == 0) continue;
+      any = true;
+      errors[i].emplace_back(e, error);
+    }
+  }
+  if (!any) errors.clear();
+  return errors;
+}
+
+}  // namespace
+
+LimitTruss recorded_truss(const LimitCertificate& certificate) {
+  LimitTruss truss;
+  for (const auto& column : certificate.columns) {
+    auto& exact = truss.columns.emplace_back();
+    for (const auto& [e, entry] : column) exact.emplace_back(e, Near{Dyadic(entry), {}});
+  }
+  for (const double dead : certificate.dead) truss.dead.push_back({Dyadic(dead), {}});
+  for (const double reference : certificate.reference) {
+    truss.reference.push_back({Dyadic(reference), {}});
+  }
+  truss.half_widths = certificate.alpha;
+  return truss;
+}
+
+LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
+    : certificate_(certificate),
+      truss_(std::move(truss)),
+      uncertain_(certificate.uncertain.begin(), certificate.uncertain.end()),
+      column_errors_(errors_of(certificate_, truss_)) {
+  for (const auto& cut : certificate.cuts) {
+    // d + k f_R - B y
+    std::vector<Dyadic> load(certificate.displacements);
+    for (const auto& [e, value] : uncertain_[cut.column].direction) {
+      load[e] = load[e] + Dyadic(value);
+    }
+    auto& rounded = defects_.emplace_back();
+    const auto missing = defect(cut.forces, std::move(load), cut.factor);
+    for (std::size_t e = 0; e < missing.size(); ++e) {
+      if (missing[e].sign() != 0) rounded.emplace_back(e, double_above(missing[e]));
+    }
+  }
+}
+
+// |load + factor f_R - B forces|, by displacement, with what is not known of f_R and B.
+std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
+                                       double factor) const {
+  std::vector<Dyadic> doubt(load.size());
+  const auto add = [&](std::size_t e, const Near& number, double times) {
+    load[e] = load[e] + product(number.value, times);
+    doubt[e] = doubt[e] + product(number.error, std::abs(times));
+  };
+  if (factor != 0) {
+    for (std::size_t e = 0; e < load.size(); ++e) add(e, truss_.reference[e], factor);
+  }
+  for (const auto& [member, force] : forces) {
+    if (force == 0) continue;
+    for (const auto& [e, entry] : truss_.columns[member]) add(e, entry, -force);
+  }
+  for (std::size_t e = 0; e < load.size(); ++e) load[e] = absolute(load[e]) + doubt[e];
+  return load;
+}
+
+namespace {
+
+/// A member is meant to keep its length if what it stretches is less than this share of the motion,
+/// and is made to if rounding the motion may cost more than `is_dear` of all that it dissipates.
+/// (Of a body that is held together by more bars than it needs, not all keep their length exactly
+/// where the directions of bars are rounded.)
+constexpr double is_still = 1e-9;
+constexpr double is_dear = 1e-14;
+constexpr double rounding = 0x1p-53;
+
+/// Each step takes off ten digits or so of what they stretch; fewer of trusses that are nearly
+/// mechanisms.
+constexpr int steps = 12;
+constexpr double shift = 1e-10;
+
+}  // namespace
+
+// The recorded motion, changed a little so that members which are meant to keep their length do,
+// and, if so wished, the reference load does no work: a yield force that stands for "never" makes
+// much of a rounding. A guess like any other: what is made of it is exact.
+std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
+  std::vector<Dyadic> motion;
+  double largest = 0;
+  for (const double u : certificate_.motion) {
+    motion.emplace_back(u);
+    largest = std::max(largest, std::abs(u));
+  }
+  // At most: of a rounding nobody knows the sign.
+  const auto cost_of = [this](std::size_t i, double stretch) {
+    return std::abs(stretch) * std::max(certificate_.tension[i], certificate_.compression[i]);
+  };
+  std::vector<std::size_t> may_be_still;
+  double dissipated = 0;
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    const double stretch = elongation_of(truss_.columns[i], motion).nearest();
+    if (std::abs(stretch) <= is_still * largest) {
+      may_be_still.push_back(i);
+    } else {
+      dissipated +=
+          stretch * (stretch < 0 ? -certificate_.compression[i] : certificate_.tension[i]);
+    }
+  }
+  std::vector<const Column*> still;
+  std::vector<Sparse> roughly;
+  const auto keep_still = [&](const Column& column) {
+    still.push_back(&column);
+    auto& rough = roughly.emplace_back();
+    for (const auto& [e, entry] : column) rough.emplace_back(e, entry.value.nearest());
+  };
+  for (const auto i : may_be_still) {
+    if (cost_of(i, rounding * largest) > is_dear * dissipated) keep_still(truss_.columns[i]);
+  }
+  Column reference;
+  if (without_work) {
+    for (std::size_t e = 0; e < truss_.reference.size(); ++e) {
+      if (truss_.reference[e].value.sign() != 0) reference.emplace_back(e, truss_.reference[e]);
+    }
+    keep_still(reference);
+  }
+  if (still.empty()) return motion;
+  std::vector<bool> touched(certificate_.displacements);
+  std::vector<std::size_t> all;
+  std::vector<double> weight;  // so that each row is one
+  for (const auto& rough : roughly) {
+    double square = 0;
+    for (const auto& [e, entry] : rough) {
+      touched[e] = true;
+      square += entry * entry;
+    }
+    all.push_back(all.size());
+    weight.push_back(1 / square);
+  }
+  std::vector<std::size_t> displacements;
+  for (std::size_t e = 0; e < touched.size(); ++e) {
+    if (touched[e]) displacements.push_back(e);
+  }
+  const Gram gram(roughly, all, weight, displacements, certificate_.displacements, shift);
+  if (!gram.definite()) return motion;
+  std::vector<double> change(displacements.size());
+  for (int step = 0; step < steps; ++step) {
+    // Relative to the largest, so that nothing is lost far below one.
+    std::vector<Dyadic> stretches;
+    std::optional<long> scale;
+    for (const auto* column : still) {
+      stretches.push_back(elongation_of(*column, motion));
+      if (stretches.back().sign() == 0) continue;
+      scale = std::max(scale.value_or(stretches.back().magnitude()), stretches.back().magnitude());
+    }
+    if (!scale) break;
+    std::ranges::fill(change, 0.0);
+    for (std::size_t k = 0; k < still.size(); ++k) {
+      const double stretch = weight[k] * stretches[k].scaled(-*scale).nearest();
+      for (const auto& [e, entry] : roughly[k]) change[gram.place(e)] += stretch * entry;
+    }
+    gram.solve(change);
+    for (const auto e : displacements) {
+      const double each = change[gram.place(e)];
+      if (!std::isfinite(each)) return motion;
+      motion[e] = motion[e] - Dyadic(each).scaled(*scale);
+    }
+  }
+  return motion;
+}
+
+bool LimitProof::load_is_admissible() const {
+  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
+    if (std::abs(certificate_.load[j]) > certificate_.alpha[j]) return false;
+  }
+  return true;
+}
+
+std::variant<mpq_class, std::string> LimitProof::upper() const {
+  if (!load_is_admissible()) return "the load is outside of its bounds";
+  const auto u = still_motion(false);
+  Dyadic work;   // of f_R
+  Dyadic doubt;  // of that
+  Dyadic value;
+  for (std::size_t e = 0; e < u.size(); ++e) {
+    const auto size = absolute(u[e]);
+    work = work + truss_.reference[e].value * u[e];
+    doubt = doubt + truss_.reference[e].error * size;
+    value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * size;
+  }
+  if (!(work > doubt)) return "the reference load does no work on the motion";
+  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
+    for (const auto& [e, each] : certificate_.uncertain[j]) {
+      value = value - product(product(u[e], each), certificate_.load[j]);
+    }
+  }
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    const auto elongation = elongation_of(truss_.columns[i], u);
+    const double tension = certificate_.tension[i];
+    const double compression = certificate_.compression[i];
+    value = value + product(absolute(elongation), elongation.sign() < 0 ? compression : tension);
+    for (const auto& [e, entry] : truss_.columns[i]) {
+      value = value + product(entry.error * absolute(u[e]), std::max(tension, compression));
+    }
+  }
+  const auto divisor = value.sign() < 0 ? work + doubt : work - doubt;
+  return mpq_class(value.rational() / divisor.rational());
+}
+
+std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) const {
+  const auto& certificate = certificate_;
+  const auto m = certificate.uncertain.size();
+  // What the shares of the cuts take of each member, and what they leave undone.
+  std::vector<Dyadic> taken(certificate.members());
+  std::vector<Dyadic> share_of(m);
+  std::vector<Dyadic> defects(certificate.displacements);
+  Dyadic value(node.factor);
+  for (const auto& [c, share] : node.shares) {
+    const auto& cut = certificate.cuts[c];
+    const Dyadic mu(share);
+    share_of[cut.column] = share_of[cut.column] + mu;
+    value = value - product(mu, std::abs(cut.factor));
+    for (const auto& [i, force] : cut.forces) taken[i] = taken[i] + product(mu, std::abs(force));
+    for (const auto& [e, missing] : defects_[c]) {
+      if (!std::isfinite(missing)) return "the defect of a cut is too large to compute with";
+      defects[e] = defects[e] + product(mu, missing);
+    }
+  }
+  // f_D + sum over decided signs of s (alpha_j w + nu) d + lambda f_R - B q
+  std::vector<Dyadic> load;
+  for (const auto& dead : truss_.dead) load.push_back(dead.value);
+  for (std::size_t j = 0; j < m; ++j) {
+    const auto& [weight, direction] = uncertain_[j];
+    const Dyadic needed = Dyadic(certificate.alpha[j]) * Dyadic(weight);
+    if (node.signs[j] == 0) {
+      if (share_of[j] < needed) return "the cuts of a column have too small a share";
+    } else {
+      const Dyadic decided = needed + Dyadic(node.one_sided[j]);
+      for (const auto& [e, each] : direction) {
+        load[e] = load[e] + product(decided, node.signs[j] > 0 ? each : -each);
+      }
+    }
+  }
+  Sparse forces;
+  for (std::size_t i = 0; i < node.forces.size(); ++i) forces.emplace_back(i, node.forces[i]);
+  const auto own = defect(forces, std::move(load), node.factor);
+  std::vector<double> rounded;
+  for (std::size_t e = 0; e < defects.size(); ++e) {
+    rounded.push_back(double_above(defects[e] + own[e] + truss_.dead[e].error));
+  }
+  std::vector<double> slack;
+  for (std::size_t i = 0; i < certificate.members(); ++i) {
+    const Dyadic force(node.forces[i]);
+    const Dyadic tension = Dyadic(certificate.tension[i]) - force - taken[i];
+    const Dyadic compression = Dyadic(certificate.compression[i]) + force - taken[i];
+    const Dyadic& least = tension < compression ? tension : compression;
+    if (least.sign() < 0) return "member " + std::to_string(i) + " yields";
+    slack.push_back(double_below(least));
+  }
+  const MemberColumns members{certificate.displacements, certificate.columns, column_errors_};
+  const auto found = forces_against_defects(members, slack, rounded);
+  if (const auto* why = std::get_if<std::string>(&found)) return *why;
+  const auto& against = std::get<std::vector<double>>(found);
+  for (std::size_t i = 0; i < slack.size(); ++i) {
+    if (!(against[i] <= slack[i])) {
+      return "member " + std::to_string(i) + " yields for what equilibrium lacks";
+    }
+  }
+  return value.rational();
+}
+
+bool LimitProof::shows_no_factor() const {
+  const auto& reference = truss_.reference;
+  const auto exact = [](const Near& load) { return load.error.sign() == 0; };
+  if (!load_is_admissible()) return false;
+  if (certificate_.motion.size() != reference.size() || !std::ranges::all_of(reference, exact)) {
+    return false;
+  }
+  std::vector<mpq_class> motion;
+  for (const auto& u : still_motion(true)) motion.push_back(u.rational());
+  const auto largest = std::ranges::max_element(certificate_.reference, {},
+                                                [](double value) { return std::abs(value); });
+  const auto place = static_cast<std::size_t>(largest - certificate_.reference.begin());
+  mpq_class work = 0;
+  for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e].value.rational() * motion[e];
+  motion[place] -= work / reference[place].value.rational();
+  mpq_class excess = 0;  // of the work of the dead load
+  for (std::size_t e = 0; e < motion.size(); ++e) {
+    excess += truss_.dead[e].value.rational() * motion[e];
+  }
+  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
+    for (const auto& [e, each] : certificate_.uncertain[j]) {
+      excess += mpq_class(certificate_.load[j]) * each * motion[e];
+    }
+  }
+  const int sign = sgn(excess);
+  excess = abs(excess);
+  for (std::size_t e = 0; e < motion.size(); ++e) {
+    excess -= truss_.dead[e].error.rational() * abs(motion[e]);
+  }
+  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+    const double tension = certificate_.tension[i];
+    const double compression = certificate_.compression[i];
+    mpq_class elongation = 0;
+    for (const auto& [e, entry] : truss_.columns[i]) {
+      elongation += entry.value.rational() * motion[e];
+      excess -= std::max(tension, compression) * entry.error.rational() * abs(motion[e]);
+    }
+    elongation *= sign;
+    excess -= (elongation < 0 ? compression : tension) * abs(elongation);
+  }
+  return excess > 0;
+}
+
+namespace {
+
+// Whether `nodes`, all of which have the signs decided so far, cover all others. A column that all
+// of them decide splits the signs and the nodes alike.
+std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<bool>& decided,
+                                std::size_t depth) {
+  if (nodes.empty()) return "no node covers some combination of signs";
+  for (std::size_t j = 0; j < decided.size(); ++j) {
+    if (decided[j] || std::ranges::any_of(nodes, [j](const auto* n) { return n->signs[j] == 0; })) {
+      continue;
+    }
+    decided[j] = true;
+    const auto middle = std::partition(nodes.begin(), nodes.end(),
+                                       [j](const auto* node) { return node->signs[j] > 0; });
+    const auto positive = static_cast<std::size_t>(middle - nodes.begin());
+    auto found = flaw(nodes.first(positive), decided, depth + 1);
+    if (!found) found = flaw(nodes.subspan(positive), decided, depth + 1);
+    decided[j] = false;
+    return found;
+  }
+  const auto whole = [depth](const LimitNode* node) {
+    const auto count =
+        node->signs.size() - static_cast<std::size_t>(std::ranges::count(node->signs, 0));
+    return count == depth;
+  };
+  // A node that decides nothing more covers all that is below.
+  if (std::ranges::any_of(nodes, whole)) return {};
+  return "the nodes do not come from a tree: no sign is decided in all of some";
+}
+
+double towards(const mpq_class& value, double limit) {
+  double number = value.get_d();
+  if (std::isinf(number)) number = std::copysign(std::numeric_limits<double>::max(), number);
+  const auto beyond = [&] { return limit < 0 ? number > value : number < value; };
+  while (std::isfinite(number) && beyond()) number = std::nextafter(number, limit);
+  return number;
+}
+
+}  // namespace
+
+std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificate) {
+  std::vector<const LimitNode*> nodes;
+  for (const auto& node : certificate.nodes) nodes.push_back(&node);
+  std::vector<bool> decided(certificate.uncertain.size(), false);
+  return flaw(nodes, decided, 0);
+}
+
+double rounded_down(const mpq_class& value) {
+  return towards(value, -std::numeric_limits<double>::infinity());
+}
+
+double rounded_up(const mpq_class& value) {
+  return towards(value, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace kusabi::verify

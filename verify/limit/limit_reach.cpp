@@ -1,0 +1,241 @@
+// A left inverse of B' by the members that have slack, guessed in doubles and then bounded.
+//
+// G = (B W B')^-1 B W, with a weight for each member, is a guess of one; E = I - G B' is what it
+// misses, and u = G B'u + E u. With the scaled motion v_e = Y_e |u_e| and |E| <= 1/2 in the norm
+// that belongs to it, max v <= 2 sum_i max_e Y_e |G_ei| |b_i'u|, and so
+//   |u_e| <= sum_i |G_ei| |b_i'u| + (sum_k |E_ek| / Y_k) max v.
+#include "verify/limit/limit_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "verify/arithmetic/disjoint_sets.hpp"
+#include "verify/limit/gram.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+// What is below is zero, or is taken for this: products of two still are numbers.
+constexpr double tiny = 1e-140;
+
+// Sums and products of numbers that are not negative are off by less than this share: a rounding
+// for each of some millions of terms, 2^-53 each.
+constexpr double all_roundings = 0x1p-28;
+
+template <class Visit>
+void each_displacement(const MemberColumns& members, std::size_t i, const Visit& visit) {
+  for (const auto& [e, value] : members.columns[i]) visit(e);
+  if (members.errors.empty()) return;
+  for (const auto& [e, error] : members.errors[i]) visit(e);
+}
+
+// Slack of members that can carry nothing off is taken away: at a displacement without a defect
+// that one member alone reaches, equilibrium leaves that member nothing; and so on from there. What
+// is left may hold its displacements where all of it did not.
+std::vector<double> slack_of_use(const MemberColumns& members, std::vector<double> slack,
+                                 const std::vector<double>& defect) {
+  std::vector<std::vector<std::size_t>> at(members.displacements);
+  for (std::size_t i = 0; i < slack.size(); ++i) {
+    if (slack[i] <= tiny) slack[i] = 0;
+    if (slack[i] == 0) continue;
+    each_displacement(members, i, [&](std::size_t e) {
+      if (at[e].empty() || at[e].back() != i) at[e].push_back(i);
+    });
+  }
+  std::vector<std::size_t> count;
+  std::vector<std::size_t> ends;
+  for (std::size_t e = 0; e < at.size(); ++e) {
+    count.push_back(at[e].size());
+    if (count[e] == 1 && defect[e] == 0) ends.push_back(e);
+  }
+  while (!ends.empty()) {
+    const auto e = ends.back();
+    ends.pop_back();
+    const auto last = std::ranges::find_if(at[e], [&](std::size_t i) { return slack[i] > 0; });
+    if (last == at[e].end()) continue;
+    const auto member = *last;
+    slack[member] = 0;
+    each_displacement(members, member, [&](std::size_t other) {
+      if (std::ranges::find(at[other], member) == at[other].end()) return;
+      std::erase(at[other], member);
+      if (--count[other] == 1 && defect[other] == 0) ends.push_back(other);
+    });
+  }
+  return slack;
+}
+
+/// The part of a truss that a defect can be carried off by.
+struct Part {
+  std::vector<std::size_t> displacements;
+  std::vector<std::size_t> members;
+};
+
+// Those pieces that have a defect. Nothing if a defect lies where no member has slack.
+std::optional<Part> part_with_defects(const MemberColumns& members,
+                                      const std::vector<double>& slack,
+                                      const std::vector<double>& defect) {
+  DisjointSets pieces(members.displacements);  // joined by members with slack
+  std::vector<bool> reached(members.displacements);
+  for (std::size_t i = 0; i < slack.size(); ++i) {
+    if (slack[i] <= tiny) continue;
+    std::optional<std::size_t> first;
+    each_displacement(members, i, [&](std::size_t e) {
+      reached[e] = true;
+      if (first) pieces.join(e, *first);
+      first = e;
+    });
+  }
+  std::vector<bool> wanted(members.displacements);
+  for (std::size_t e = 0; e < defect.size(); ++e) {
+    if (defect[e] == 0) continue;
+    if (!reached[e]) return {};
+    wanted[pieces.of(e)] = true;
+  }
+  Part part;
+  for (std::size_t e = 0; e < defect.size(); ++e) {
+    if (reached[e] && wanted[pieces.of(e)]) part.displacements.push_back(e);
+  }
+  for (std::size_t i = 0; i < slack.size(); ++i) {
+    if (slack[i] <= tiny) continue;
+    bool within = false;
+    each_displacement(members, i, [&](std::size_t e) { within = within || wanted[pieces.of(e)]; });
+    if (within) part.members.push_back(i);
+  }
+  return part;
+}
+
+/// The rows of G and of E, one after another, and what adds up over them.
+class Reach {
+ public:
+  Reach(const MemberColumns& members, const Part& part, const std::vector<double>& weight)
+      : members_(members),
+        part_(part),
+        weight_(weight),
+        gram_(members.columns, part.members, weight, part.displacements, members.displacements) {}
+
+  // Nothing if the guess is too bad.
+  std::optional<std::vector<double>> forces(const std::vector<double>& defect);
+
+ private:
+  bool row(std::size_t e, double defect);
+
+  const MemberColumns& members_;
+  const Part& part_;
+  const std::vector<double>& weight_;
+  Gram gram_;
+  std::vector<double> size_;      // Y, by place
+  std::vector<double> solution_;  // row e of (B W B')^-1
+  std::vector<double> missed_;    // row e of E, by place
+  std::vector<double> doubt_;     // how far that may be off
+  std::vector<double> direct_;    // sum_e defect_e |G_ei|
+  std::vector<double> largest_;   // max_e Y_e |G_ei|
+  double rest_ = 0;               // sum_e defect_e sum_k |E_ek| / Y_k
+};
+
+bool Reach::row(std::size_t e, double defect) {
+  const auto here = gram_.place(e);
+  std::ranges::fill(solution_, 0.0);
+  std::ranges::fill(missed_, 0.0);
+  std::ranges::fill(doubt_, 0.0);
+  solution_[here] = 1;
+  gram_.solve(solution_);
+  missed_[here] = 1;
+  // A sum of products, one for each member at a displacement: the roundings of all of them are less
+  // than this share of the sum of their sizes.
+  const double rounded_off = 0x1p-52 * static_cast<double>(part_.members.size() + 4);
+  for (const auto i : part_.members) {
+    double guess = 0;  // G_ei
+    for (const auto& [k, value] : members_.columns[i]) guess += solution_[gram_.place(k)] * value;
+    guess *= weight_[i];
+    if (!std::isfinite(guess)) return false;
+    const double size = std::abs(guess);
+    direct_[i] += defect * size;
+    largest_[i] = std::max(largest_[i], size_[here] * size);
+    for (const auto& [k, value] : members_.columns[i]) {
+      missed_[gram_.place(k)] -= guess * value;
+      doubt_[gram_.place(k)] += std::abs(guess * value) * rounded_off;
+    }
+    if (members_.errors.empty()) continue;
+    for (const auto& [k, error] : members_.errors[i]) {
+      doubt_[gram_.place(k)] += size * double_above(error);
+    }
+  }
+  double total = 0;
+  for (std::size_t k = 0; k < missed_.size(); ++k) {
+    total += (std::abs(missed_[k]) + doubt_[k] + tiny) / size_[k];
+  }
+  rest_ += defect * total;
+  constexpr double half = 0.5 * (1 - all_roundings);
+  return size_[here] * total <= half;
+}
+
+std::optional<std::vector<double>> Reach::forces(const std::vector<double>& defect) {
+  if (!gram_.definite()) return {};
+  const auto n = part_.displacements.size();
+  for (const double each : gram_.diagonal()) {
+    if (!(each > tiny)) return {};
+    size_.push_back(std::sqrt(each));
+  }
+  solution_.resize(n);
+  missed_.resize(n);
+  doubt_.resize(n);
+  direct_.assign(members_.columns.size(), 0.0);
+  largest_.assign(members_.columns.size(), 0.0);
+  for (const auto e : part_.displacements) {
+    if (!row(e, defect[e])) return {};
+  }
+  std::vector<double> forces(members_.columns.size(), 0.0);
+  for (const auto i : part_.members) {
+    forces[i] = (direct_[i] + 2 * rest_ * largest_[i]) * (1 + all_roundings) + tiny * tiny;
+    // A defect beyond all doubles is infinite, and times zero it is no number.
+    if (!std::isfinite(forces[i])) return {};
+  }
+  return forces;
+}
+
+}  // namespace
+
+std::variant<std::vector<double>, std::string> forces_against_defects(
+    const MemberColumns& members, const std::vector<double>& slack_of_all,
+    const std::vector<double>& defect) {
+  const auto slack = slack_of_use(members, slack_of_all, defect);
+  const auto part = part_with_defects(members, slack, defect);
+  if (!part) return "forces are not in equilibrium where no member has anything left";
+  if (part->displacements.empty()) return std::vector<double>(slack.size(), 0.0);
+  double most = 0;
+  for (const auto i : part->members) most = std::max(most, slack[i]);
+  std::vector<double> best;
+  double least_excess = std::numeric_limits<double>::infinity();
+  // By those first that have most left; where that is too uneven for doubles, by all alike.
+  for (const double power : {1.0, 0.5, 0.0}) {
+    std::vector<double> weight(slack.size(), 0.0);
+    for (const auto i : part->members) weight[i] = std::max(std::pow(slack[i] / most, power), tiny);
+    auto forces = Reach(members, *part, weight).forces(defect);
+    if (!forces) continue;
+    double excess = 0;
+    for (const auto i : part->members) excess = std::max(excess, (*forces)[i] / slack[i]);
+    if (excess < least_excess) {
+      least_excess = excess;
+      best = std::move(*forces);
+    }
+    if (excess <= 1) break;
+  }
+  if (best.empty()) return "no bound of motions by elongations was found";
+  return best;
+}
+
+double double_above(const Dyadic& value) {
+  if (value.sign() == 0) return 0;
+  const double number = value.nearest() * (1 + 0x1p-50);
+  return number < tiny ? tiny : number;
+}
+
+double double_below(const Dyadic& value) {
+  const double number = value.nearest() * (1 - 0x1p-50);
+  return number < tiny ? 0 : number;
+}
+
+}  // namespace kusabi::verify

@@ -1,0 +1,128 @@
+// Springs on the diagonal; guesses in double precision.
+#include "verify/structure/held_stiffness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace kusabi::verify {
+namespace {
+
+// A step of a guess loses nothing by being cut off so far below the last digit of its largest
+// number, and what is not there need not be multiplied. The first one is as long as CoarseMatrix
+// takes.
+constexpr int guessed_bits = 64;
+constexpr int first_guessed_bits = 9;
+
+bool all_finite(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+}
+
+// The lower triangle of a matrix, row by row.
+DyadicList lower_triangle(const DyadicMatrix& matrix) {
+  DyadicList result;
+  result.exponent = matrix.entries.exponent;
+  for (std::size_t i = 0; i < matrix.size; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      result.mantissas.push_back(matrix.entries.mantissas[matrix.size * i + j]);
+    }
+  }
+  return result;
+}
+
+// Powers of two on the diagonal: as large as the largest entry there, and never zero.
+EnclosedMatrix with_springs(EnclosedMatrix stiffness, const std::vector<std::size_t>& springs) {
+  if (springs.empty()) return stiffness;
+  auto& matrix = stiffness.middle;
+  Dyadic largest;
+  for (std::size_t i = 0; i < matrix.size; ++i)
+    largest = larger(largest, matrix.entries[matrix.size * i + i]);
+  const long power = largest.sign() > 0 ? largest.magnitude() : 0;
+  DyadicList added(matrix.entries.size());
+  added.exponent = power;
+  for (const auto k : springs) added.mantissas[matrix.size * k + k] = 1;
+  matrix.entries += std::move(added);
+  return stiffness;
+}
+
+}  // namespace
+
+Dyadic norm_above(const DyadicList& list) {
+  mpz_class sum;
+  for (const auto& value : list.mantissas) {
+    mpz_addmul(sum.get_mpz_t(), value.get_mpz_t(), value.get_mpz_t());
+  }
+  return sqrt_above(Dyadic(std::move(sum), 2 * list.exponent));
+}
+
+std::vector<std::size_t> first_numbers(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
+}
+
+HeldStiffness::HeldStiffness(EnclosedMatrix stiffness, std::vector<std::size_t> springs)
+    : stiffness_(with_springs(std::move(stiffness), springs)),
+      coarse_(stiffness_.middle),
+      springs_(std::move(springs)) {
+  const auto& [middle, radius] = stiffness_;
+  std::sort(springs_.begin(), springs_.end());
+  for (std::size_t i = 0; i < middle.entries.size(); ++i) {
+    rounded_.push_back(middle.entries[i].nearest());
+  }
+  size_ = norm_above(middle.entries) + radius;
+  whole_ = factor(first_numbers(middle.size));
+  const auto least = verify::least_eigenvalue(Profile::full(middle.size), lower_triangle(middle));
+  if (whole_ && least && *least > radius) least_ = *least - radius;
+}
+
+Dyadic HeldStiffness::spread(const Dyadic& radius, const DyadicList& x) {
+  return radius.sign() == 0 ? Dyadic() : radius * norm_above(x);
+}
+
+std::optional<Cholesky> HeldStiffness::factor(std::span<const std::size_t> unknowns) const {
+  const auto size = stiffness_.middle.size;
+  std::vector<double> lower;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j)
+      lower.push_back(rounded_[size * unknowns[i] + unknowns[j]]);
+  }
+  return Cholesky::of(Profile::full(unknowns.size()), lower);
+}
+
+std::optional<std::string> HeldStiffness::guess(std::span<const std::size_t> unknowns,
+                                                const DyadicList& right, const Check& check) const {
+  constexpr int most_rounds = 10;
+  const auto& middle = stiffness_.middle;
+  const bool all = unknowns.size() == middle.size;
+  const auto own = all ? std::optional<Cholesky>{} : factor(unknowns);
+  const auto& solver = all ? whole_ : own;
+  if (!solver) return "K is too badly conditioned to compute its displacements";
+  DyadicList x;
+  DyadicList kx(middle.size);
+  std::optional<std::string> refusal;
+  std::vector<double> step(unknowns.size());
+  std::vector<double> everywhere(middle.size, 0);
+  for (int round = 0; round < most_rounds; ++round) {
+    for (std::size_t k = 0; k < unknowns.size(); ++k) {
+      step[k] = (right[unknowns[k]] - kx[unknowns[k]]).nearest();
+    }
+    solver->solve(step);
+    if (!all_finite(step)) return "its numbers are too large to compute with";
+    for (std::size_t k = 0; k < unknowns.size(); ++k) everywhere[unknowns[k]] = step[k];
+    if (round > 0) {
+      x += DyadicList(everywhere, guessed_bits);
+    } else {
+      x = DyadicList(everywhere, first_guessed_bits);
+      const auto coarse = coarse_ * x;
+      if (coarse && !check(x, *coarse, spread(stiffness_.radius + coarse_.cut_off(), x))) return {};
+    }
+    kx = middle * x;
+    refusal = check(x, kx, spread(stiffness_.radius, x));
+    if (!refusal) break;
+  }
+  return refusal;
+}
+
+}  // namespace kusabi::verify

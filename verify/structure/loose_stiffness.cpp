@@ -1,0 +1,65 @@
+// In axes at right angles a spring along each is the unit matrix times its stiffness.
+#include "verify/structure/loose_stiffness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "verify/structure/condensation.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+double distance(const Structure& structure, std::size_t a, std::size_t b) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < structure.dimension; ++axis)
+    sum += std::pow(structure.places[a][axis] - structure.places[b][axis], 2);
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+double typical_stiffness(const Structure& structure) {
+  double largest = 0;
+  for (const auto& bar : structure.bars) {
+    largest = std::max(largest, bar.axial_stiffness / distance(structure, bar.first, bar.second));
+  }
+  for (const auto& element : structure.elements) {
+    const double size = structure.dimension == 2
+                            ? element.thickness
+                            : distance(structure, element.nodes[0], element.nodes[1]);
+    largest = std::max(largest, element.modulus * size);
+  }
+  for (const auto& stiffness : structure.given) {
+    for (const auto& [row, column, value] : stiffness.entries) {
+      if (row == column && stiffness.rows[row].node) largest = std::max(largest, value);
+    }
+  }
+  return largest > 0 && std::isfinite(largest) ? std::exp2(std::round(std::log2(largest))) : 1;
+}
+
+std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure,
+                                                            const support::LongWork& work) {
+  auto loose = loose_motions(structure);
+  const bool all_held = loose.seen.count == 0 && loose.unseen.empty();
+  auto sprung = structure;
+  const double stiffness = typical_stiffness(structure);
+  if (!all_held) {
+    for (auto spring : loose.unseen) {
+      spring.stiffness = stiffness;
+      sprung.springs.push_back(spring);
+    }
+  }
+  auto found = condensed_stiffness(sprung, all_held ? 0 : stiffness, work);
+  if (auto* why = std::get_if<std::string>(&found)) return std::move(*why);
+  auto& enclosed = std::get<EnclosedMatrix>(found);
+  if (!all_held) {
+    const auto size = enclosed.middle.size;
+    std::vector<double> springs(size * size, 0);
+    for (std::size_t k = 0; k < size; ++k) springs[size * k + k] = -stiffness;
+    enclosed.middle.entries += DyadicList(springs);
+  }
+  return EnclosedProblem{std::move(enclosed), std::move(loose.seen)};
+}
+
+}  // namespace kusabi::verify

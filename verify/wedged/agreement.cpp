@@ -1,0 +1,205 @@
+// One thing after the other, the cheap ones first.
+#include "verify/wedged/agreement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "verify/arithmetic/least_squares.hpp"
+#include "verify/structure/assembly.hpp"
+#include "verify/structure/loose_stiffness.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+std::string text_of(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.10g", value);
+  return text.data();
+}
+
+std::optional<std::string> other_candidates(const Certificate& certificate,
+                                            const Structure& structure) {
+  if (certificate.dimension != structure.dimension) {
+    return "it is about dimension " + std::to_string(certificate.dimension) +
+           ", the structure has dimension " + std::to_string(structure.dimension);
+  }
+  if (certificate.candidates() != structure.contact.size()) {
+    return "it has " + std::to_string(certificate.candidates()) +
+           " contact candidates, the structure has " + std::to_string(structure.contact.size());
+  }
+  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+    const auto name = on_one_line(name_of(structure, i));
+    if (name != certificate.names[i]) {
+      return "its contact candidate " + std::to_string(i + 1) + " is " + certificate.names[i] +
+             ", that of the structure " + name;
+    }
+  }
+  return {};
+}
+
+// mu_i = mu times the relative friction, but for rounding.
+std::variant<double, std::string> common_friction(const Certificate& certificate,
+                                                  const Structure& structure) {
+  constexpr double roundings = 0x1p-50;
+  double mu = 0;
+  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+    const double relative = structure.contact[i].friction;
+    const double own = certificate.friction[i];
+    if (mu == 0 && relative != 0) mu = own / relative;
+    if (!(std::abs(own - mu * relative) <= roundings * own)) {
+      return "the friction at " + certificate.names[i] + " is " + text_of(own) +
+             ", but with the relative frictions of the structure expected to be " +
+             text_of(mu * relative) + ", as at the candidates before";
+    }
+  }
+  return mu;
+}
+
+std::optional<std::string> other_blocks(const Certificate& certificate,
+                                        const Structure& structure) {
+  const auto piece = pieces(structure, Freedom(structure));
+  for (const auto& block : certificate.blocks) {
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      if (block.contains(static_cast<int>(i)) != block.contains(static_cast<int>(piece[i]))) {
+        return certificate.names[piece[i]] + " and " + certificate.names[i] +
+               " are in different blocks, but the structure connects them";
+      }
+    }
+  }
+  return {};
+}
+
+// A loose body moves as a whole, so its candidates are of one block.
+std::optional<std::string> other_bodies(const Certificate& certificate,
+                                        const ContactMotions& motions) {
+  for (std::size_t k = 0; k < motions.count; ++k) {
+    support::IndexSet moving;
+    for (std::size_t row = 0; row < motions.rows.size(); ++row) {
+      if (sgn(motions.rows[row][k]) != 0)
+        moving.insert(static_cast<int>(row / certificate.dimension));
+    }
+    for (const auto& block : certificate.blocks) {
+      if (block.meets(moving) && !block.includes(moving)) {
+        return certificate.names_of(moving) +
+               " are not in one block, but of one body that nothing holds";
+      }
+    }
+  }
+  return {};
+}
+
+// Each motion of the certificate is a combination of as many of the structure.
+std::optional<std::string> other_motions(const Certificate& certificate,
+                                         const ContactMotions& motions) {
+  const auto p = motions.count;
+  if (certificate.motions != p) {
+    return "it has " + std::to_string(certificate.motions) +
+           " motions of bodies that nothing holds, the structure has " + std::to_string(p);
+  }
+  const auto own = motions.nearest();
+  for (std::size_t k = 0; k < p; ++k) {
+    std::vector<double> column;
+    double largest = 0;
+    for (std::size_t row = 0; row < motions.rows.size(); ++row) {
+      column.push_back(certificate.motion_values[p * row + k]);
+      largest = std::max(largest, std::abs(column.back()));
+    }
+    const auto parts = least_squares(own, column);
+    for (std::size_t row = 0; row < column.size(); ++row) {
+      double moves = 0;
+      for (std::size_t j = 0; parts && j < p; ++j) moves += own[p * row + j] * (*parts)[j];
+      // Written so that NaN fails too.
+      if (!(std::abs(column[row] - moves) <= motion_tolerance * largest)) {
+        return "its motion " + std::to_string(k + 1) + " is none of the structure: it strains at " +
+               certificate.names[row / certificate.dimension];
+      }
+    }
+  }
+  return {};
+}
+
+std::string direction_name(const Certificate& certificate, std::size_t displacement) {
+  constexpr std::array<const char*, 3> kinds{"n", "t1", "t2"};
+  const auto d = certificate.dimension;
+  return certificate.names[displacement / d] + " (" +
+         (d == 2 && displacement % d == 1 ? "t" : kinds[displacement % d]) + ")";
+}
+
+// By candidate: K of a loose body may be zero where the K of a search has rounding.
+std::vector<double> least_scales(const Structure& structure, const ContactMotions& motions) {
+  const double root = std::sqrt(typical_stiffness(structure));
+  std::vector<double> scales(structure.contact.size(), 0.0);
+  for (std::size_t row = 0; row < motions.rows.size(); ++row) {
+    const auto& moves = motions.rows[row];
+    if (std::any_of(moves.begin(), moves.end(), [](const auto& value) { return sgn(value) != 0; }))
+      scales[row / structure.dimension] = root;
+  }
+  return scales;
+}
+
+std::optional<std::string> other_stiffness(const Certificate& certificate,
+                                           const EnclosedMatrix& stiffness,
+                                           const std::vector<double>& least_scale) {
+  const auto d = certificate.dimension;
+  const auto size = certificate.displacements();
+  const auto& entries = stiffness.middle.entries;
+  auto scale = least_scale;
+  for (std::size_t i = 0; i < size; ++i) {
+    scale[i / d] = std::max(scale[i / d], std::sqrt(entries[size * i + i].nearest()));
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double true_one = entries[size * i + j].nearest();
+      const double own = certificate.stiffness[size * i + j];
+      // Written so that NaN fails too.
+      if (!(std::abs(own - true_one) <= stiffness_tolerance * scale[i / d] * scale[j / d])) {
+        return "its K is not that of the structure: between " + direction_name(certificate, i) +
+               " and " + direction_name(certificate, j) + " it is " + text_of(own) + ", expected " +
+               text_of(true_one);
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string on_one_line(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < ' ' || c == '\x7f') {
+      constexpr std::string_view digits = "0123456789abcdef";
+      text += "\\x";
+      text += digits[byte / 16];
+      text += digits[byte % 16];
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+std::variant<Agreement, std::string> agreement(const Certificate& certificate,
+                                               const Structure& structure) {
+  if (auto why = other_candidates(certificate, structure)) return *why;
+  auto friction = common_friction(certificate, structure);
+  if (auto* why = std::get_if<std::string>(&friction)) return *why;
+  if (auto why = other_blocks(certificate, structure)) return *why;
+  auto problem = enclosed_problem(structure);
+  if (auto* why = std::get_if<std::string>(&problem)) {
+    return "K of the structure was not enclosed: " + *why;
+  }
+  auto& [enclosed, motions] = std::get<EnclosedProblem>(problem);
+  if (auto why = other_bodies(certificate, motions)) return *why;
+  if (auto why = other_motions(certificate, motions)) return *why;
+  if (auto why = other_stiffness(certificate, enclosed, least_scales(structure, motions)))
+    return *why;
+  return Agreement{std::move(enclosed), std::move(motions), std::get<double>(friction)};
+}
+
+}  // namespace kusabi::verify

@@ -1,0 +1,151 @@
+// What all proofs of a block need; verify/wedged/dead_proof.cpp has dead nodes,
+// verify/wedged/leaf_proof.cpp living leaves.
+#include "verify/wedged/block_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "verify/arithmetic/least_squares.hpp"
+
+namespace kusabi::verify {
+
+using support::IndexSet;
+
+namespace {
+
+// More stiffnesses with springs than this are not kept: each is as large as K.
+constexpr std::size_t most_kept = 6;
+
+// A motion that moves no candidate of U along its normal by more than this share of what others do
+// slides along U: that of a plug around its axis, whose normals were rounded.
+constexpr double nearly_sliding = 0x1p-40;
+
+}  // namespace
+
+BlockProof::BlockProof(ContactBlock block)
+    : block_(std::move(block)), bounds_(block_.names.size()) {
+  Dyadic steepest(1.0);
+  for (const double mu : block_.friction) {
+    friction_.emplace_back(mu);
+    steepest = larger(steepest, Dyadic(1.0) + square(friction_.back()));
+  }
+  steepest_ = sqrt_above(steepest);
+  near_motions_ = block_.motions.nearest();
+  const auto p = motions();
+  const auto [springs, sliding] = hold({});
+  if (springs.size() != p) return;  // the motions are not independent
+  // Column by column: the recorded motion as a combination of the own ones.
+  own_of_recorded_.resize(p * p);
+  for (std::size_t column = 0; column < p; ++column) {
+    std::vector<double> motion;
+    for (std::size_t at = column; at < block_.recorded_motions.size(); at += p)
+      motion.push_back(block_.recorded_motions[at]);
+    const auto own = least_squares(near_motions_, motion);
+    if (!own) return;
+    for (std::size_t k = 0; k < p; ++k) own_of_recorded_[p * k + column] = (*own)[k];
+  }
+  least_ = held(springs).least_eigenvalue();
+}
+
+void BlockProof::demand_largest(const std::vector<std::size_t>& rows, double negligible,
+                                Elimination& rest, std::vector<std::size_t>& chosen) const {
+  std::optional<double> first;
+  while (!rest.left().empty()) {
+    std::optional<double> most;
+    std::size_t best = 0;
+    for (const auto row : rows) {
+      for (const auto& product : rest.products(block_.motions.rows[row])) {
+        const double size = std::abs(product.get_d()) / block_.motions.lengths[row].nearest();
+        if (sgn(product) == 0 || (most && size <= *most)) continue;
+        most = size;
+        best = row;
+      }
+    }
+    if (!most || (first && *most <= negligible * *first)) return;
+    if (!first) first = most;
+    rest.demand(block_.motions.rows[best]);
+    chosen.push_back(best);
+  }
+}
+
+BlockProof::Hold BlockProof::hold(const IndexSet& contact) const {
+  const auto d = block_.dimension;
+  Hold result;
+  if (motions() == 0) return result;
+  std::vector<std::size_t> normals;
+  std::vector<std::size_t> others;
+  for (std::size_t row = 0; row < d * candidates(); ++row) {
+    auto& list = row % d == 0 && holds(contact, row / d) ? normals : others;
+    list.push_back(row);
+  }
+  Elimination rest(motions());
+  demand_largest(normals, nearly_sliding, rest, result.springs);
+  result.sliding = rest.left();
+  demand_largest(others, 0, rest, result.springs);
+  std::sort(result.springs.begin(), result.springs.end());
+  return result;
+}
+
+const HeldStiffness& BlockProof::held(const std::vector<std::size_t>& springs) const {
+  for (const auto& each : held_) {
+    if (each.springs() == springs) return each;
+  }
+  if (held_.size() == most_kept) held_.pop_back();
+  held_.emplace_back(block_.stiffness, springs);
+  return held_.back();
+}
+
+// The springs are at normal displacements of U: no motion leaves all of these alone.
+const HeldStiffness* BlockProof::held_at_normals(const IndexSet& contact) const {
+  const auto d = block_.dimension;
+  for (const auto& each : held_) {
+    const bool all = std::all_of(each.springs().begin(), each.springs().end(),
+                                 [&](auto row) { return row % d == 0 && holds(contact, row / d); });
+    if (all) return &each;
+  }
+  return nullptr;
+}
+
+Dyadic BlockProof::tangential_square(const DyadicList& vector, std::size_t candidate) const {
+  const auto d = block_.dimension;
+  Dyadic sum;
+  for (std::size_t k = 1; k < d; ++k) sum = sum + square(vector[d * candidate + k]);
+  return sum;
+}
+
+std::vector<double> BlockProof::own_coefficients(std::span<const double> recorded) const {
+  const auto p = motions();
+  std::vector<double> own(p, 0);
+  for (std::size_t i = 0; i < p; ++i) {
+    for (std::size_t j = 0; j < p; ++j) own[i] += own_of_recorded_[p * i + j] * recorded[j];
+  }
+  return own;
+}
+
+Rationals BlockProof::missing(const std::vector<double>& mean, const DyadicList& x,
+                              const std::vector<Rationals>& among) const {
+  const auto p = motions();
+  const auto rows = block_.motions.rows.size();
+  std::vector<double> moves;  // of the given motions, row by row
+  std::vector<double> rest(rows, 0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto own = std::span(near_motions_).subspan(p * row, p);
+    rest[row] = -x[row].nearest();
+    for (std::size_t k = 0; k < p; ++k) rest[row] += own[k] * mean[k];
+    for (const auto& motion : among) {
+      double sum = 0;
+      for (std::size_t k = 0; k < p; ++k) sum += own[k] * motion[k].get_d();
+      moves.push_back(sum);
+    }
+  }
+  const auto shares = least_squares(moves, rest);
+  Rationals result(p);
+  for (std::size_t j = 0; shares && j < among.size(); ++j) {
+    if (!std::isfinite((*shares)[j])) continue;
+    for (std::size_t k = 0; k < p; ++k) result[k] += mpq_class((*shares)[j]) * among[j][k];
+  }
+  return result;
+}
+
+}  // namespace kusabi::verify

@@ -1,0 +1,73 @@
+// The bounds of candidates in a certificate, a line each.
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "verify/wedged/certificate_lines.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+Side read_side(Lines& lines) {
+  const auto word = lines.word();
+  if (word == side_name(Side::contact)) return Side::contact;
+  if (word != side_name(Side::separated)) lines.refuse("'contact' or 'separated'");
+  return Side::separated;
+}
+
+Bound read_bound(Lines& lines, const Certificate& certificate) {
+  lines.next();
+  const auto keyword = lines.word();
+  const bool never = keyword == "never";
+  if (!never && keyword != "bound") lines.refuse("'bound' or 'never'");
+  Bound bound;
+  bound.line = lines.number();
+  bound.block = read_block_number(lines, certificate);
+  const auto& block = certificate.blocks[bound.block];
+  const std::string candidate = "a contact candidate of the block, counted from 0";
+  const auto number = lines.integer(10, candidate);
+  if (number >= certificate.candidates()) lines.refuse(candidate);
+  bound.candidate = static_cast<int>(number);
+  if (!block.contains(bound.candidate)) lines.refuse(candidate);
+  bound.side = read_side(lines);
+  const std::string above_zero = "a bound above zero";
+  if (!never) bound.most = lines.number(above_zero);
+  if (bound.most && *bound.most <= 0) lines.refuse(above_zero);
+  const auto own = static_cast<std::size_t>(block.size());
+  const auto moving = certificate.motions_of(block).size();
+  lines.numbers(2 * own + moving + (never ? 0 : 1), bound.numbers, multipliers_of(moving));
+  refuse_negative(lines, std::span(bound.numbers).subspan(own + moving, own));
+  if (!never && bound.numbers.back() <= 0) {
+    lines.refuse("the multiplier of the opposite of the bound, the last one, above zero");
+  }
+  return bound;
+}
+
+}  // namespace
+
+const char* side_name(Side side) {
+  return side == Side::contact ? "contact" : "separated";
+}
+
+std::string multipliers_of(std::size_t motions) {
+  return motions > 0 ? "multipliers and parts of motions" : "multipliers";
+}
+
+void refuse_negative(const Lines& lines, std::span<const double> multipliers) {
+  if (std::any_of(multipliers.begin(), multipliers.end(), [](double eta) { return eta < 0; })) {
+    lines.refuse("multipliers of cuts that are not negative");
+  }
+}
+
+void read_bounds(Lines& lines, Certificate& certificate) {
+  lines.next();
+  const std::string bounds = "'bounds' and how many there are";
+  lines.expect_word("bounds", bounds);
+  const auto count = lines.integer(10, bounds);
+  lines.end_of_line(bounds);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    certificate.bounds.push_back(read_bound(lines, certificate));
+  }
+}
+
+}  // namespace kusabi::verify

@@ -1,0 +1,105 @@
+// Dead nodes for which the bounds of single candidates are needed, and the proofs of these bounds:
+// nodes with the opposite of the bound as one inequality more.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "verify/wedged/block_proof.hpp"
+
+namespace kusabi::verify {
+
+using support::IndexSet;
+
+namespace {
+
+bool all_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+Judgement BlockProof::judge_cut(const IndexSet& contact, const IndexSet& separated,
+                                std::span<const double> numbers) const {
+  return judge_with_bounds({.contact = contact,
+                            .separated = separated,
+                            .multipliers = numbers.first(candidates()),
+                            .mean = numbers.subspan(candidates(), motions()),
+                            .of_cuts = numbers.subspan(candidates() + motions(), candidates()),
+                            .opposite = {}});
+}
+
+std::optional<std::string> BlockProof::take_up(std::size_t candidate, Side side,
+                                               const std::optional<double>& most,
+                                               std::span<const double> numbers) {
+  Combination combination{.contact = {},
+                          .separated = {},
+                          .multipliers = numbers.first(candidates()),
+                          .mean = numbers.subspan(candidates(), motions()),
+                          .of_cuts = numbers.subspan(candidates() + motions(), candidates()),
+                          .opposite = {}};
+  (side == Side::contact ? combination.contact : combination.separated)
+      .insert(static_cast<int>(candidate));
+  if (most) {
+    const double theta = numbers.back();
+    if (!std::isfinite(*most) || *most <= 0 || !std::isfinite(theta) || theta <= 0) {
+      return "a bound and the multiplier of its opposite must be above zero";
+    }
+    combination.opposite = {candidate, side, Dyadic(theta), Dyadic(theta) * Dyadic(*most)};
+  }
+  const auto judgement = judge_with_bounds(combination);
+  if (judgement.refusal) return judgement.refusal;
+  far_bounds_ = far_bounds_ || judgement.but_for_far_motion;
+  if (most) {
+    bounds_.limit(candidate, side, *most);
+  } else {
+    bounds_.exclude(candidate, side);
+  }
+  return {};
+}
+
+Judgement BlockProof::judge_with_bounds(Combination combination) const {
+  const auto eta = combination.of_cuts;
+  if (!all_finite(combination.multipliers) || !all_finite(combination.mean) || !all_finite(eta)) {
+    return {"its numbers are too large to compute with"};
+  }
+  if (std::any_of(eta.begin(), eta.end(), [](double x) { return x < 0; })) {
+    return {"a multiplier of a cut is negative"};
+  }
+  combination.contact |= bounds_.in_contact();
+  combination.separated |= bounds_.separated();
+  // No candidate is on both sides.
+  auto judgement =
+      combination.contact.meets(combination.separated) ? Judgement{} : judge(combination);
+  if (!judgement.refusal && far_bounds_) judgement.but_for_far_motion = true;
+  return judgement;
+}
+
+// What the inequalities give for u_nk, beside nu_nk.
+Dyadic BlockProof::displacement_share(const Combination& combination, std::size_t k) const {
+  if (combination.of_cuts.empty()) return {};
+  const auto& opposite = combination.opposite;
+  const auto cut = Dyadic(combination.of_cuts[k]) * bounds_.gap_share(k);
+  const bool opposed = opposite && opposite->side == Side::separated && opposite->candidate == k;
+  return opposed ? cut - opposite->multiplier : cut;
+}
+
+// w~ - w: sum_l eta_l - eta_k B_k - theta beta + theta [k = i, in contact] at the normals.
+DyadicList BlockProof::reaction_shares(const Combination& combination) const {
+  const auto d = block_.dimension;
+  std::vector<Dyadic> shares(d * candidates());
+  if (combination.of_cuts.empty()) return DyadicList(shares);
+  const auto& opposite = combination.opposite;
+  Dyadic everywhere;
+  for (const double eta : combination.of_cuts) everywhere = everywhere + Dyadic(eta);
+  if (opposite) everywhere = everywhere - opposite->of_sum;
+  for (std::size_t k = 0; k < candidates(); ++k) {
+    auto& own = shares[d * k];
+    own = everywhere - Dyadic(combination.of_cuts[k]) * bounds_.reaction_share(k);
+    if (opposite && opposite->side == Side::contact && opposite->candidate == k) {
+      own = own + opposite->multiplier;
+    }
+  }
+  return DyadicList(shares);
+}
+
+}  // namespace kusabi::verify

@@ -1,0 +1,249 @@
+// Dead nodes: no configuration below them.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "verify/arithmetic/balance.hpp"
+#include "verify/wedged/block_proof.hpp"
+
+namespace kusabi::verify {
+
+using support::IndexSet;
+
+namespace {
+
+// A multiplier below this share of the largest may be one that is zero but for a barrier.
+constexpr double small_multiplier = 1e-6;
+
+// By so much of the largest, and more if need be, a multiplier that may not be negative is raised
+// where equilibrium hangs on the last digits of directions.
+constexpr double spare = 0x1p-40;
+
+constexpr auto not_in_equilibrium =
+    "its multipliers are not in equilibrium, or some are negative where u_n >= 0";
+
+// The least double that is known not to be below a number.
+double not_below(const Dyadic& number) {
+  if (number.sign() == 0) return 0;
+  return std::nextafter(number.nearest(), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+Judgement BlockProof::judge_dead(const IndexSet& contact, const IndexSet& separated,
+                                 std::span<const double> numbers) const {
+  return judge({.contact = contact,
+                .separated = separated,
+                .multipliers = numbers.first(candidates()),
+                .mean = numbers.subspan(candidates()),
+                .of_cuts = {},
+                .opposite = {}});
+}
+
+Judgement BlockProof::judge(const Combination& combination) const {
+  if (combination.separated == IndexSet::below(static_cast<int>(candidates())))
+    return {};  // r = 0, nothing else
+  return motions() == 0 ? Judgement{refusal_of_held(combination)} : judge_loose(combination);
+}
+
+Judgement BlockProof::judge_loose(const Combination& combination) const {
+  const auto mean = own_coefficients(combination.mean);
+  const auto refusal = [&](const std::optional<Multipliers>& y) -> std::optional<std::string> {
+    if (!y) return not_in_equilibrium;
+    const auto all = first_numbers(block_.dimension * candidates());
+    return held_.front().guess(all, y->near.values,
+                               [&](const auto& w, const auto& nu, const auto& off) {
+                                 return check_loose(combination, *y, mean, w, nu, off);
+                               });
+  };
+  std::optional<std::string> first;
+  // All of them; without those that a solver had to keep above zero; the motion alone; with some
+  // more of those that may be raised.
+  for (const auto& [small, raised] :
+       {std::pair{0.0, 0.0}, {small_multiplier, 0.0}, {2.0, 0.0}, {small_multiplier, spare}}) {
+    auto why = refusal(multipliers(combination, small, raised));
+    if (!why) return {};
+    if (!first) first = std::move(why);
+  }
+  for (const double small : {0.0, small_multiplier}) {
+    if (!refusal(near_multipliers(combination, small))) return {{}, true};
+  }
+  return {first};
+}
+
+std::optional<std::string> BlockProof::refusal_of_held(const Combination& combination) const {
+  const auto all = first_numbers(block_.dimension * candidates());
+  std::vector<double> y(all.size(), 0);
+  for (std::size_t k = 0; k < candidates(); ++k) {
+    auto& own = y[block_.dimension * k];
+    own = combination.multipliers[k];
+    // As it was recorded but for rounding, and never less than what u_n >= 0 and the cut give.
+    if (!combination.of_cuts.empty() && !holds(combination.contact, k)) {
+      own = std::max(own, not_below(Dyadic() - displacement_share(combination, k)));
+    }
+    if (!std::isfinite(own)) return "its numbers are too large to compute with";
+  }
+  return held_.front().guess(all, DyadicList(y),
+                             [&](const auto& w, const auto& nu, const auto& off) {
+                               return check_held(combination, w, nu, off);
+                             });
+}
+
+// y_k is the force times a length that is known up to a share, and no less than what the
+// inequalities give for u_nk, with the opposite sign.
+mpq_class BlockProof::least_force(const Combination& combination, std::size_t k) const {
+  const auto share = displacement_share(combination, k);
+  if (share.sign() == 0) return 0;
+  const auto& length = block_.motions.lengths[block_.dimension * k];
+  const auto off = length * block_.motions.spread;
+  return -share.rational() / (share.sign() > 0 ? length + off : length - off).rational();
+}
+
+BlockProof::Recorded BlockProof::recorded_forces(const Combination& combination, double small,
+                                                 double raised) const {
+  Recorded result;
+  double most = 0;
+  for (const double y : combination.multipliers) most = std::max(most, std::abs(y));
+  for (std::size_t i = 0; i < candidates(); ++i) {
+    const auto row = block_.dimension * i;
+    const bool free = holds(combination.contact, i);
+    result.rows.push_back(block_.motions.rows[row]);
+    result.least.push_back(free ? mpq_class(0) : least_force(combination, i));
+    const auto& least = result.least.back();
+    const double length = block_.motions.lengths[row].nearest();
+    // Beyond what it must not be below; zero where that is little.
+    double more = combination.multipliers[i] / length - least.get_d();
+    if (std::abs(more) * length < small * most || !std::isfinite(more)) more = 0;
+    if (!free) more = std::max(more, 0.0);
+    result.forces.push_back(least + mpq_class(more));
+    result.room.push_back(free ? most : std::max(more, raised * most));
+  }
+  return result;
+}
+
+std::optional<BlockProof::Multipliers> BlockProof::multipliers(const Combination& combination,
+                                                               double small, double raised) const {
+  auto [rows, forces, least, room] = recorded_forces(combination, small, raised);
+  // Those that would become too small are what they may be, and the others do it: one less at each
+  // turn.
+  while (true) {
+    const auto exact = balanced(rows, forces, room);
+    if (!exact) return {};
+    bool all_allowed = true;
+    for (std::size_t i = 0; i < candidates(); ++i) {
+      if (holds(combination.contact, i) || (*exact)[i] >= least[i]) continue;
+      all_allowed = false;
+      forces[i] = least[i];
+      room[i] = 0;
+    }
+    if (all_allowed) return Multipliers{along_normals(*exact), {}};
+  }
+}
+
+// Directions that hardly have a part in equilibrium are left as they are.
+std::optional<BlockProof::Multipliers> BlockProof::near_multipliers(const Combination& combination,
+                                                                    double small) const {
+  auto [rows, forces, least, room] = recorded_forces(combination, small, 0);
+  constexpr int rounds = 2;
+  for (int round = 0; round < rounds; ++round) {
+    const auto near = nearly_balanced(rows, forces, room);
+    if (!near) return {};
+    for (std::size_t i = 0; i < candidates(); ++i) {
+      forces[i] = mpq_class((*near)[i].get_d());  // as many digits as it was recorded with
+      if (!holds(combination.contact, i) && forces[i] < least[i]) forces[i] = least[i];
+    }
+  }
+  auto carried = carried_by_springs(rows, forces);
+  if (!carried) return {};
+  return Multipliers{along_normals(forces), std::move(*carried)};
+}
+
+std::optional<Dyadic> BlockProof::carried_by_springs(const std::vector<Rationals>& rows,
+                                                     const Rationals& forces) const {
+  const auto& springs = held_.front().springs();
+  std::vector<Rationals> equations;
+  Rationals loads;
+  for (std::size_t motion = 0; motion < motions(); ++motion) {
+    auto& equation = equations.emplace_back();
+    for (const auto spring : springs) equation.push_back(block_.motions.rows[spring][motion]);
+    auto& load = loads.emplace_back();
+    for (std::size_t k = 0; k < rows.size(); ++k) load += forces[k] * rows[k][motion];
+  }
+  const auto shares = solution(std::move(equations), std::move(loads));
+  if (!shares) return {};
+  Rationals everywhere(block_.motions.rows.size());
+  for (std::size_t k = 0; k < springs.size(); ++k) everywhere[springs[k]] = (*shares)[k];
+  const auto near = times_lengths(block_.motions, everywhere);
+  return norm_above(near.values) + near.error * Dyadic(static_cast<double>(springs.size()));
+}
+
+NearList BlockProof::along_normals(const Rationals& forces) const {
+  Rationals everywhere(block_.dimension * candidates());
+  for (std::size_t i = 0; i < candidates(); ++i) everywhere[block_.dimension * i] = forces[i];
+  return times_lengths(block_.motions, everywhere);
+}
+
+// w with K w = nu near y, and a motion more: it does no work in equilibrium.
+std::optional<std::string> BlockProof::check_loose(const Combination& combination,
+                                                   const Multipliers& y,
+                                                   const std::vector<double>& mean,
+                                                   const DyadicList& w, const DyadicList& nu,
+                                                   const Dyadic& off) const {
+  std::vector<Rationals> motions_of_block = Elimination(motions()).left();
+  const auto shift = seen_of(block_.motions, missing(mean, w, motions_of_block));
+  auto moved = w;
+  moved += shift.values;
+  moved += reaction_shares(combination);
+  const Dyadic count(static_cast<double>(w.size()));
+  Dyadic square_sum;
+  for (std::size_t k = 0; k < w.size(); ++k)
+    square_sum = square_sum + square(nu[k] - y.near.values[k]);
+  const auto epsilon =
+      sqrt_above(square_sum) + count * y.near.error + off + Dyadic(farthest_motion) * y.carried;
+  return check_margins(combination.separated, moved, shift.error, epsilon);
+}
+
+// sum_k w~_k'r_k >= sum_k (nu_nk + eta_k A_k - theta [k = i, separated]) u_nk + nu_t'u_t.
+std::optional<std::string> BlockProof::check_held(const Combination& combination,
+                                                  const DyadicList& w, const DyadicList& nu,
+                                                  const Dyadic& off) const {
+  Dyadic epsilon_squared;
+  for (std::size_t k = 0; k < candidates(); ++k) {
+    epsilon_squared = epsilon_squared + tangential_square(nu, k);
+    const auto normal = nu[block_.dimension * k] + displacement_share(combination, k);
+    if (!holds(combination.contact, k) && normal.sign() < 0) {
+      epsilon_squared = epsilon_squared + square(normal);
+    }
+  }
+  auto lifted = w;
+  lifted += reaction_shares(combination);
+  return check_margins(combination.separated, lifted, {}, sqrt_above(epsilon_squared) + off);
+}
+
+Dyadic BlockProof::slip_above(const DyadicList& w, std::size_t candidate,
+                              const Dyadic& error) const {
+  const auto& mu = friction_[candidate];
+  const auto off = error * (Dyadic(1.0) + mu.scaled(1));  // |w_t| of at most two numbers
+  return sqrt_above(square(mu) * tangential_square(w, candidate)) + off;
+}
+
+// w'r >= -epsilon |u|, where each number of w may be off by `error`.
+std::optional<std::string> BlockProof::check_margins(const IndexSet& separated, const DyadicList& w,
+                                                     const Dyadic& error,
+                                                     const Dyadic& epsilon) const {
+  const auto d = block_.dimension;
+  std::optional<Dyadic> delta;
+  for (std::size_t i = 0; i < candidates(); ++i) {
+    if (holds(separated, i)) continue;
+    const auto margin = Dyadic{} - w[d * i] - slip_above(w, i, error);
+    if (margin.sign() <= 0) {
+      return "its multipliers do not rule out a reaction at " + block_.names[i];
+    }
+    if (!delta || margin < *delta) delta = margin;
+  }
+  if (*delta * *least_ > epsilon * steepest_) return {};
+  return "its multipliers rule out too little, or ask for what u_n >= 0 does not give";
+}
+
+}  // namespace kusabi::verify

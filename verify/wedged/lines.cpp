@@ -1,0 +1,134 @@
+// The reader: line by line, word by word.
+#include "verify/wedged/lines.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "support/sha1.hpp"
+#include "verify/wedged/certificate.hpp"
+
+namespace kusabi::verify {
+namespace {
+
+std::optional<double> number_in(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  if (!text.starts_with("0x")) return {};
+  text.remove_prefix(2);
+  if (text.starts_with('-')) return {};
+  double value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value, std::chars_format::hex);
+  if (error != std::errc{} || end != last || !std::isfinite(value)) return {};
+  return negative ? -value : value;
+}
+
+}  // namespace
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t enough = 40;
+  std::string part = "'";
+  for (const char c : text.substr(0, enough)) part += c < ' ' || c > '~' ? '?' : c;
+  part += text.size() > enough ? "…'" : "'";
+  return part;
+}
+
+void Lines::refuse(const std::string& expected) const {
+  const std::string what = ended_ ? "the file ends here" : shown(line_);
+  throw CertificateError(file_ + ":" + std::to_string(number_) + ": " + what + ", expected " +
+                         expected);
+}
+
+void Lines::next() {
+  ++number_;
+  const auto end = rest_.find('\n');
+  ended_ = end == std::string_view::npos;  // a line without its end is none
+  line_ = words_ = ended_ ? std::string_view{} : rest_.substr(0, end);
+  rest_.remove_prefix(ended_ ? rest_.size() : end + 1);
+}
+
+std::string_view Lines::word() {
+  const auto end = words_.find(' ');
+  const auto found = words_.substr(0, end);
+  words_ = end == std::string_view::npos ? std::string_view{} : words_.substr(end + 1);
+  return found;
+}
+
+void Lines::expect(std::string_view text) {
+  next();
+  if (ended_ || line_ != text) refuse(std::string("'").append(text).append("'"));
+}
+
+void Lines::expect_word(std::string_view text, const std::string& what) {
+  if (ended_ || word() != text) refuse(what);
+}
+
+std::uint64_t Lines::integer(int base, const std::string& what) {
+  const auto text = word();
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) refuse(what);
+  return value;
+}
+
+support::IndexSet Lines::set(const std::string& what) {
+  auto text = word();
+  if (text.empty()) refuse(what);
+  support::IndexSet set;
+  constexpr std::size_t digits = 16;  // of a word
+  for (std::size_t k = 0; !text.empty(); ++k) {
+    const auto part = text.substr(text.size() - std::min(digits, text.size()));
+    text.remove_suffix(part.size());
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value, 16);
+    if (error != std::errc{} || end != part.data() + part.size()) refuse(what);
+    set.set_word(k, value);
+  }
+  return set;
+}
+
+double Lines::number(const std::string& what) {
+  const auto value = number_in(word());
+  if (!value) refuse(what + ", like 0x1.8p+3");
+  return *value;
+}
+
+void Lines::numbers(std::size_t count, std::vector<double>& values, const std::string& what) {
+  const auto expected = [&] { return std::to_string(count) + " " + what + ", each like 0x1.8p+3"; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto value = number_in(word());
+    if (!value) refuse(expected());
+    values.push_back(*value);
+  }
+  if (!words_.empty() || line_.ends_with(' ')) refuse(expected());
+}
+
+void Lines::end_of_line(const std::string& what) const {
+  if (!words_.empty() || line_.ends_with(' ')) refuse(what);
+}
+
+std::string_view without_digest(std::string_view text, const std::string& file) {
+  const auto incomplete = [&] {
+    return CertificateError(
+        file + ": is not complete: expected 'digest' and 40 hexadecimal digits as its last line");
+  };
+  if (!text.ends_with('\n')) throw incomplete();
+  const auto before = text.substr(0, text.size() - 1).rfind('\n');
+  if (before == std::string_view::npos) throw incomplete();
+  const auto last = text.substr(before + 1);
+  text = text.substr(0, before + 1);
+  constexpr std::string_view keyword = "digest ";
+  constexpr std::size_t digits = 40;
+  if (!last.starts_with(keyword) || last.size() != keyword.size() + digits + 1) throw incomplete();
+  const auto found = last.substr(keyword.size(), digits);
+  const auto expected = support::hexadecimal(support::sha1(text));
+  if (found != expected) {
+    throw CertificateError(file + ": was altered: digest " + shown(found) + ", expected '" +
+                           expected + "'");
+  }
+  return text;
+}
+
+}  // namespace kusabi::verify

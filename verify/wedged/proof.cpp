@@ -1,0 +1,113 @@
+// A proof for each block, and which of them a node needs.
+#include "verify/wedged/proof.hpp"
+
+#include <utility>
+
+#include "verify/structure/freed_stiffness.hpp"
+
+namespace kusabi::verify {
+
+using support::IndexSet;
+
+namespace {
+
+// A set of candidates as the block numbers them.
+IndexSet within(const IndexSet& block, const IndexSet& set) {
+  IndexSet result;
+  int number = 0;
+  for (const int candidate : block) {
+    if (set.contains(candidate)) result.insert(number);
+    ++number;
+  }
+  return result;
+}
+
+ContactBlock part(const Certificate& certificate, const EnclosedMatrix& stiffness,
+                  const ContactMotions& motions, const IndexSet& block) {
+  const auto d = certificate.dimension;
+  ContactBlock result;
+  result.dimension = d;
+  std::vector<std::size_t> rows;
+  for (const int number : block) {
+    const auto candidate = static_cast<std::size_t>(number);
+    result.friction.push_back(certificate.friction[candidate]);
+    result.names.push_back(certificate.names[candidate]);
+    for (std::size_t k = 0; k < d; ++k) rows.push_back(d * candidate + k);
+  }
+  const auto& [middle, radius] = stiffness;
+  result.stiffness.radius = radius;
+  result.stiffness.middle.size = rows.size();
+  auto& entries = result.stiffness.middle.entries;
+  entries.exponent = middle.entries.exponent;
+  for (const auto row : rows) {
+    for (const auto column : rows) {
+      entries.mantissas.push_back(middle.entries.mantissas[middle.size * row + column]);
+    }
+  }
+  result.motions = part_of(motions, rows);
+  const auto columns = certificate.motions_of(block);
+  for (const auto row : rows) {
+    for (const auto k : columns)
+      result.recorded_motions.push_back(certificate.motion_values[certificate.motions * row + k]);
+  }
+  return result;
+}
+
+}  // namespace
+
+EnclosedMatrix recorded_stiffness(const Certificate& certificate) {
+  EnclosedMatrix recorded{{certificate.displacements(), DyadicList(certificate.stiffness)},
+                          Dyadic()};
+  if (certificate.motions == 0) return recorded;
+  return freed(recorded, recorded_motions(certificate.motion_values, certificate.motions));
+}
+
+Proof::Proof(const Certificate& certificate)
+    : Proof(certificate, recorded_stiffness(certificate),
+            recorded_motions(certificate.motion_values, certificate.motions)) {}
+
+Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
+             const ContactMotions& motions)
+    : certificate_(certificate) {
+  for (const auto& block : certificate.blocks) {
+    auto own_part = part(certificate, stiffness, motions, block);
+    if (own_part.motions.count != certificate.motions_of(block).size()) {
+      least_.reset();
+      return;
+    }
+    blocks_.emplace_back(std::move(own_part));
+    const auto& own = blocks_.back().least_eigenvalue();
+    if (!own) {
+      least_.reset();
+      return;
+    }
+    if (!least_ || *own < *least_) least_ = own;
+  }
+}
+
+std::optional<std::string> Proof::take_up(const Bound& bound) {
+  const auto& block = certificate_.blocks[bound.block];
+  if (!block.contains(bound.candidate)) return "its candidate is not one of its block";
+  const auto own = within(block, support::IndexSet::single(bound.candidate)).lowest();
+  return blocks_[bound.block].take_up(static_cast<std::size_t>(own), bound.side, bound.most,
+                                      bound.numbers);
+}
+
+Judgement Proof::judgement(const Record& record) const {
+  const auto& block = certificate_.blocks[record.block];
+  const auto contact = within(block, record.contact);
+  const auto separated = within(block, record.separated);
+  const auto& proof = blocks_[record.block];
+  switch (record.claim) {
+    case Claim::dead:
+      return proof.judge_dead(contact, separated, record.numbers);
+    case Claim::cut:
+      return proof.judge_cut(contact, separated, record.numbers);
+    case Claim::alive:
+      return {proof.refusal_of_alive(contact, separated, record.numbers)};
+    default:
+      return {.unloaded = proof.leaves_a_contact_unloaded(contact, separated)};
+  }
+}
+
+}  // namespace kusabi::verify

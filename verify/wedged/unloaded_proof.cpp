@@ -1,0 +1,53 @@
+// Contacts that equilibrium leaves without a reaction: of a loose body in space two places carry
+// each other along the line between them, and a third that cannot reach into it carries nothing.
+#include "verify/wedged/block_proof.hpp"
+
+namespace kusabi::verify {
+
+using support::IndexSet;
+
+bool BlockProof::leaves_a_contact_unloaded(const IndexSet& contact,
+                                           const IndexSet& separated) const {
+  // All pairs are tried: of more than these, hardly any node has all others on one side.
+  constexpr std::size_t most_carrying = 64;
+  std::vector<std::size_t> carrying;
+  for (std::size_t i = 0; i < candidates(); ++i) {
+    if (!holds(separated, i)) carrying.push_back(i);
+  }
+  if (motions() == 0 || carrying.size() > most_carrying) return false;
+  const auto held_at = [&](std::size_t candidate, Elimination motions) {
+    for (std::size_t k = 0; k < block_.dimension; ++k)
+      motions.demand(block_.motions.rows[block_.dimension * candidate + k]);
+    return motions;
+  };
+  for (std::size_t a = 0; a < carrying.size(); ++a) {
+    const auto one = held_at(carrying[a], Elimination(motions()));
+    for (std::size_t b = a + 1; b < carrying.size(); ++b) {
+      const auto both = held_at(carrying[b], one);
+      if (both.left().size() == 1 && all_work_against(both.left().front(), carrying, contact))
+        return true;
+    }
+  }
+  return false;
+}
+
+bool BlockProof::all_work_against(const Rationals& motion, const std::vector<std::size_t>& carrying,
+                                  const IndexSet& contact) const {
+  const auto w = seen_of(block_.motions, motion);
+  int sign = 0;
+  bool any_in_contact = false;
+  for (const auto i : carrying) {
+    bool moves = false;
+    for (std::size_t k = 0; k < block_.dimension; ++k)
+      moves = moves || sgn(dot(block_.motions.rows[block_.dimension * i + k], motion)) != 0;
+    if (!moves) continue;
+    const auto normal = w.values[block_.dimension * i];
+    if (sign == 0) sign = normal.sign();
+    if (normal.sign() == 0 || normal.sign() != sign) return false;
+    if (!(absolute(normal) > slip_above(w.values, i, w.error))) return false;
+    any_in_contact = any_in_contact || holds(contact, i);
+  }
+  return any_in_contact;
+}
+
+}  // namespace kusabi::verify
