@@ -1,5 +1,5 @@
 // Check of the checkpoint of an interrupted search before the analysis resumes
-// (engine/recording.hpp), so that an unusable checkpoint is reported at once.
+// (engine/analysis/recording.hpp), so that an unusable checkpoint is reported at once.
 #pragma once
 
 #include <cstdint>

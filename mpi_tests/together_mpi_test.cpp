@@ -7,8 +7,8 @@
 #include <boost/serialization/vector.hpp>
 #include <gtest/gtest.h>
 
+#include "engine/analysis/shared_work.hpp"
 #include "engine/search.hpp"
-#include "engine/shared_work.hpp"
 #include "engine/together.hpp"
 #include "engine/transport/mpi.hpp"
 

@@ -27,8 +27,8 @@ int main(int argc, char** argv) {
     };
   };
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone, supervision);
-  const auto found = wedged::find_critical_friction(campaign, structure, problem, {.width = 1e-9});
+  engine::Analysis analysis(alone, supervision);
+  const auto found = wedged::find_critical_friction(analysis, structure, problem, {.width = 1e-9});
   std::printf("nothing wedges below %.10f%s\n", found.lower, found.lower_proved ? ", proved" : "");
   if (found.upper) {
     std::printf("something does at %.10f%s\n", *found.upper, found.upper_proved ? ", proved" : "");

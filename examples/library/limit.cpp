@@ -23,9 +23,9 @@ int answer(engine::Transport& transport, const char* file, double alpha) {
   const auto problem = problems::limit_problem(truss);
   engine::agree(transport, problem.fingerprint);
 
-  engine::Campaign campaign(transport);
-  const auto found = limit::limit_loads(campaign, truss, problem, {.alpha = alpha}).answer;
-  if (!campaign.is_first()) return 0;
+  engine::Analysis analysis(transport);
+  const auto found = limit::limit_loads(analysis, truss, problem, {.alpha = alpha}).answer;
+  if (!analysis.is_first()) return 0;
   if (found.nominal) std::printf("nominal load factor %.10f\n", found.nominal->factor);
   if (found.worst) {
     std::printf("worst case %.10f to %.10f%s\n", found.worst->ends.lower, found.worst->ends.upper,

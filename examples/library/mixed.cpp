@@ -20,8 +20,8 @@ int main() {
   program.add_row({.upper = 55}, weights);
 
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
-  const auto found = zero_one::solve_mixed(campaign, mixed);
+  engine::Analysis analysis(alone);
+  const auto found = zero_one::solve_mixed(analysis, mixed);
   if (found.status() != zero_one::MixedStatus::optimal) return 1;
   std::printf("value %.6f, at most %.6f%s:", -found.point()->objective, -found.bound(),
               found.proved() ? ", proved" : "");

@@ -23,10 +23,10 @@ int answer(engine::Transport& transport, const char* file, double coefficient) {
   const auto problem = problems::wedged_problem(problems::read_structure(text, file));
   engine::agree(transport, problem.fingerprint);
 
-  engine::Campaign campaign(transport);
+  engine::Analysis analysis(transport);
   const auto friction = wedged::candidate_friction(problem, coefficient);
-  const auto found = wedged::find_patterns(campaign, problem, friction);
-  if (!campaign.is_first()) return 0;
+  const auto found = wedged::find_patterns(analysis, problem, friction);
+  if (!analysis.is_first()) return 0;
   for (const auto& leaf : found.leaves) {
     std::printf("t* = %.3e, in contact:", leaf.lower);
     for (const int i : leaf.pattern.contact)

@@ -20,8 +20,8 @@ int main(int argc, char** argv) {
   const auto cone = wedged::reaction_cone(structure, problem, friction);
 
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
-  auto found = wedged::find_rays(campaign, problem, friction, cone, wedged::RayMethod::automatic);
+  engine::Analysis analysis(alone);
+  auto found = wedged::find_rays(analysis, problem, friction, cone, wedged::RayMethod::automatic);
   for (const auto& zero_set : found.rays) {
     const auto ray = cone.ray(zero_set, found.health);
     std::printf("r_n:");

@@ -10,7 +10,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "engine/together.hpp"
 #include "solvers/linear/linear_program.hpp"
 
@@ -35,7 +35,7 @@ Eigen::VectorXd sampled_zeta(std::uint64_t seed, std::uint64_t sample, int count
 
 SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
   const auto& model = search.model();
-  const auto& budget = search.campaign().budget();
+  const auto& budget = search.analysis().budget();
   const double alpha = search.scaled(*question.alpha);
   LoadFactor load_factor(model, budget.stop());
   load_factor.solve(model.dead);
@@ -62,7 +62,7 @@ SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
   SampledLoads result;
   std::optional<std::pair<double, std::uint64_t>> least;
   const auto pieces = (question.samples + samples_a_piece - 1) / samples_a_piece;
-  for (const auto& some : search.campaign().share<Factors>(pieces, piece)) {
+  for (const auto& some : search.analysis().share<Factors>(pieces, piece)) {
     for (const auto& [sample, factor] : some) {
       result.factors.push_back(factor);
       if (std::isfinite(factor) && (!least || factor < least->first)) least = {factor, sample};
@@ -70,7 +70,7 @@ SampledLoads sampled_loads(RootSearch& search, const LimitQuestion& question) {
   }
   if (!least) return result;
   // What one rank has no time for, none has.
-  const auto motion = engine::from_first_rank(search.campaign().transport(), [&] {
+  const auto motion = engine::from_first_rank(search.analysis().transport(), [&] {
     std::vector<double> found;
     if (solve(least->second) != LoadStatus::collapses) return found;
     const auto scaled = load_factor.collapse().motion;

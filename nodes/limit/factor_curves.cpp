@@ -124,7 +124,7 @@ double WorstCurve::error_of(const CurvePiece& piece) const {
 }
 
 void WorstCurve::prove(LoadCurve& curve) const {
-  const auto errors = engine::from_first_rank(search_.campaign().transport(), [&] {
+  const auto errors = engine::from_first_rank(search_.analysis().transport(), [&] {
     std::vector<double> list;
     for (const auto& piece : curve.pieces) list.push_back(error_of(piece));
     return list;

@@ -65,17 +65,17 @@ void add_statement(WorstCaseSearch& search, const LimitWorstCase& worst, LimitCl
 }
 
 // The worst case with the reference load reversed, of least factors, by static cuts.
-void find_least_factors(engine::Campaign& campaign, const verify::Structure& truss,
+void find_least_factors(engine::Analysis& analysis, const verify::Structure& truss,
                         const problems::LimitProblem& problem, double alpha,
                         LimitFindings& findings) {
   auto mirrored = problem;
   mirrored.reference = -problem.reference;
   const auto mirrored_truss = verify::with_reversed_reference(truss);
-  campaign.say_now_and_then([] {
+  analysis.say_now_and_then([] {
     return "the least factors: the search again, with the reference load and the signs of factors "
            "reversed";
   });
-  RootSearch search(campaign, mirrored);
+  RootSearch search(analysis, mirrored);
   const auto never = [] { return false; };
   if (set_up(search, never) == LoadStatus::collapses) {
     search.settle_for(alpha);
@@ -84,7 +84,7 @@ void find_least_factors(engine::Campaign& campaign, const verify::Structure& tru
     const auto& worst = findings.answer.reversed.emplace(least.solve());
     add_statement(least, worst, LimitClaim::least, findings);
   } else if (search.ended()) {
-    findings.answer.rest = campaign.budget().why();
+    findings.answer.rest = analysis.budget().why();
   }
 }
 
@@ -95,21 +95,21 @@ void find_worst_cases(RootSearch& search, const LimitQuestion& question,
   const auto& worst = findings.answer.worst.emplace(largest.solve());
   add_statement(largest, worst, LimitClaim::largest, findings);
   if (worst.status == RootStatus::not_carried || worst.as_printed) return;
-  find_least_factors(search.campaign(), truss, search.problem(), *question.alpha, findings);
+  find_least_factors(search.analysis(), truss, search.problem(), *question.alpha, findings);
 }
 
 }  // namespace
 
-LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure& structure,
+LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure& structure,
                           const problems::LimitProblem& problem, const LimitQuestion& question) {
   const auto truss = evidence::verified_structure(structure);
-  RootSearch search(campaign, problem, question.split_from);
+  RootSearch search(analysis, problem, question.split_from);
   LimitFindings findings;
   auto& answer = findings.answer;
   find_nominal(search, truss, question, findings);
   if (answer.status != LoadStatus::collapses) {
     if (answer.status == LoadStatus::undetermined && search.ended()) {
-      answer.rest = campaign.budget().why();
+      answer.rest = analysis.budget().why();
     }
     return findings;
   }
@@ -118,7 +118,7 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
     if (!search.ended()) {
       answer.load_curve = factor_curve(search, *question.curve_load, question.curve_to);
     }
-    if (search.ended()) answer.rest = campaign.budget().why();
+    if (search.ended()) answer.rest = analysis.budget().why();
   }
   if (!question.alpha) return findings;
   search.settle_for(*question.alpha);
@@ -126,7 +126,7 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
     if (question.samples == 0) return {};
     SampledLoads sampled;
     if (!search.ended()) sampled = sampled_loads(search, question);
-    if (search.ended()) answer.rest = campaign.budget().why();
+    if (search.ended()) answer.rest = analysis.budget().why();
     answer.samples = std::move(sampled.factors);
     return std::move(sampled.best);
   };
@@ -143,7 +143,7 @@ LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure&
       answer.curve = factor_curve(search, load, question.curve_to);
       answer.worst_curve = worst_factor_curve(search, truss, *question.alpha, question.curve_to);
     }
-    if (search.ended()) answer.rest = campaign.budget().why();
+    if (search.ended()) answer.rest = analysis.budget().why();
   }
   return findings;
 }

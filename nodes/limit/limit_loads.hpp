@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/limit/model/limit_question.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
@@ -25,7 +25,7 @@ struct LimitFindings {
 /// @param truss what the ends are proved of
 /// @param problem of `truss`
 /// @throws BigMTooSmall on every rank alike
-LimitFindings limit_loads(engine::Campaign& campaign, const problems::Structure& truss,
+LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure& truss,
                           const problems::LimitProblem& problem, const LimitQuestion& question);
 
 }  // namespace kusabi::limit

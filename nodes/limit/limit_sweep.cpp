@@ -24,7 +24,7 @@ double settle(problems::LimitProblem& problem, double alpha) {
 
 }  // namespace
 
-LimitSweep sweep_limit_loads(engine::Campaign& campaign, const problems::Structure& truss,
+LimitSweep sweep_limit_loads(engine::Analysis& analysis, const problems::Structure& truss,
                              const problems::LimitProblem& problem,
                              std::span<const double> alphas) {
   LimitSweep sweep;
@@ -33,7 +33,7 @@ LimitSweep sweep_limit_loads(engine::Campaign& campaign, const problems::Structu
     LimitQuestion question{.alpha = settle(own, alpha)};
     // The worst curve is that of all uncertain loads in proportion.
     question.curve = !has_fixed(problem) && alpha == alphas.back() && alpha > 0;
-    sweep.last = limit_loads(campaign, truss, own, question).answer;
+    sweep.last = limit_loads(analysis, truss, own, question).answer;
     sweep.status = sweep.last.ended();
     const auto& worst = sweep.last.worst;
     if (!worst) break;  // there is no nominal factor

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/limit/guaranteed_interval.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
@@ -37,7 +37,7 @@ struct LimitSweep {
 /// @param truss what the ends are proved of @param problem of `truss`; not all of its uncertain
 ///        loads have half-widths of their own
 /// @param alphas not negative, increasing, in the unit of force; at least one
-LimitSweep sweep_limit_loads(engine::Campaign& campaign, const problems::Structure& truss,
+LimitSweep sweep_limit_loads(engine::Analysis& analysis, const problems::Structure& truss,
                              const problems::LimitProblem& problem, std::span<const double> alphas);
 
 }  // namespace kusabi::limit

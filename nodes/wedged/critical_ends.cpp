@@ -77,8 +77,8 @@ bool is_cone(const Configuration& leaf) {
   return leaf.state == LeafState::alive || leaf.state == LeafState::flat;
 }
 
-engine::Status why(engine::Campaign& campaign) {
-  return engine::from_first_rank(campaign.transport(), [&] { return campaign.budget().why(); });
+engine::Status why(engine::Analysis& analysis) {
+  return engine::from_first_rank(analysis.transport(), [&] { return analysis.budget().why(); });
 }
 
 CriticalEntry entry_of(const Configuration& leaf, const CriticalBracket& bracket) {
@@ -92,11 +92,11 @@ CriticalEntry entry_of(const Configuration& leaf, const CriticalBracket& bracket
 
 }  // namespace
 
-CriticalEnds::CriticalEnds(engine::Campaign& campaign, const problems::Structure& structure,
+CriticalEnds::CriticalEnds(engine::Analysis& analysis, const problems::Structure& structure,
                            const problems::WedgedProblem& problem, const EndsQuestion& question,
                            const EndRecorder& recorder, CriticalBracket& bracket,
                            std::vector<CriticalCost>& costs)
-    : campaign_(campaign),
+    : analysis_(analysis),
       structure_(structure),
       problem_(problem),
       question_(question),
@@ -107,7 +107,7 @@ CriticalEnds::CriticalEnds(engine::Campaign& campaign, const problems::Structure
                  problems::scale_ratio(structure, problem) > wide_scales) {}
 
 bool CriticalEnds::enclose() {
-  if (!stiffness_) stiffness_ = enclosed_within(campaign_, structure_, enclosed_stiffness);
+  if (!stiffness_) stiffness_ = enclosed_within(analysis_, structure_, enclosed_stiffness);
   return stiffness_.has_value();
 }
 
@@ -157,12 +157,12 @@ void CriticalEnds::prove_at_once() {
 }
 
 bool CriticalEnds::roots_are_dead(double factor) {
-  return campaign_.by_first_rank([&] {
+  return analysis_.by_first_rank([&] {
     const auto friction = candidate_friction(problem_, factor);
     SignPatternTree tree(
         problem_, friction,
         {.tolerances = CriticalFriction::tolerances, .precision = Precision::doubles});
-    tree.end_when(campaign_.budget().stop());
+    tree.end_when(analysis_.budget().stop());
     const auto accepts = test(friction);
     bool holds = true;
     tree.report_to([&](const auto& evidence) {
@@ -190,7 +190,7 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
     SignPatternTree tree(
         problem_, friction,
         {.tolerances = tolerances(), .thorough = true, .precision = question_.grid.precision});
-    tree.end_when(campaign_.budget().stop());
+    tree.end_when(analysis_.budget().stop());
     const auto accepts = test(friction);
     tree.report_to([&](const auto& evidence) {
       if (record) record->add(evidence);
@@ -205,8 +205,8 @@ CriticalEnds::DecidedLeaf CriticalEnds::decide_leaf(const PatternNode& leaf, dou
     return decided;
   };
   // A record is of one run.
-  auto decided = record ? engine::from_first_rank(campaign_.transport(), decide)
-                        : campaign_.by_first_rank(decide);
+  auto decided = record ? engine::from_first_rank(analysis_.transport(), decide)
+                        : analysis_.by_first_rank(decide);
   if (record) record->end({}, EndClaim::one_pattern, decided.holds);
   costs_.push_back({CriticalPhase::upper_end, factor, 1, 1});
   return decided;
@@ -223,7 +223,7 @@ DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase ph
                                    .thorough = true,
                                    .precision = question_.grid.precision};
   SignPatternTree tree(problem_, friction, options);
-  const auto prepared = prepare(campaign_, problem_, friction, options);
+  const auto prepared = prepare(analysis_, problem_, friction, options);
   inform(tree, prepared);
   const auto bounds = proved_bounds(prepared);
   const auto record = recorder ? recorder(end, factor, friction) : nullptr;
@@ -232,9 +232,9 @@ DecidedEnd CriticalEnds::decide(CriticalEnd end, double factor, CriticalPhase ph
   engine::Options search;
   search.limits.nodes = nodes;
   // A record is of one run.
-  auto outcome = record ? campaign_.search_anew(tree, search) : campaign_.search(tree, search);
+  auto outcome = record ? analysis_.search_anew(tree, search) : analysis_.search(tree, search);
   costs_.push_back({phase, factor, outcome.opened(), outcome.opened()});
-  auto decided = engine::from_first_rank(campaign_.transport(), [&] {
+  auto decided = engine::from_first_rank(analysis_.transport(), [&] {
     std::vector<Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
     const auto judged = outcome.tally();
@@ -322,7 +322,7 @@ engine::Status CriticalEnds::prove_upper() {
   double step = question_.grid.width;
   for (int move = 0; move < most_moves && factor <= question_.grid.most; ++move, step *= growth) {
     auto decided = decide_leaf(leaf, factor, recorded);
-    if (campaign_.ended() && !decided.holds) return why(campaign_);
+    if (analysis_.ended() && !decided.holds) return why(analysis_);
     if (decided.holds) {
       bracket_.prove_upper(factor, leaf);
       know(std::move(decided.found));
@@ -373,7 +373,7 @@ engine::Status CriticalEnds::list(CriticalFindings& findings) {
       question_.list_nodes);
   std::vector<Configuration> cones;
   std::ranges::copy_if(decided.leaves, std::back_inserter(cones), is_cone);
-  const bool own_limit = decided.status == engine::Status::node_limit && !campaign_.ended();
+  const bool own_limit = decided.status == engine::Status::node_limit && !analysis_.ended();
   if (!decided.solved()) {
     findings.open.push_back(CriticalDoubt::list_not_complete);
     for (const auto& leaf : cones)
@@ -423,7 +423,7 @@ void CriticalEnds::prove(CriticalFindings& findings) {
   };
   bracket_.show();
   if (findings.status == engine::Status::solved && !enclose())
-    stopped(CriticalPhase::lower_end, why(campaign_));
+    stopped(CriticalPhase::lower_end, why(analysis_));
   if (findings.status == engine::Status::solved && is_to_bisect())
     stopped(CriticalPhase::lower_end, bisect());
   if (findings.status == engine::Status::solved &&

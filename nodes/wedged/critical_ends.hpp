@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/tree/enclosure.hpp"
@@ -62,7 +62,7 @@ struct DecidedEnd;
 /// Every rank makes the same calls. All must outlive it.
 class CriticalEnds {
  public:
-  CriticalEnds(engine::Campaign& campaign, const problems::Structure& structure,
+  CriticalEnds(engine::Analysis& analysis, const problems::Structure& structure,
                const problems::WedgedProblem& problem, const EndsQuestion& question,
                const EndRecorder& recorder, CriticalBracket& bracket,
                std::vector<CriticalCost>& costs);
@@ -108,7 +108,7 @@ class CriticalEnds {
   void note_patterns(CriticalFindings& findings) const;
   void note_what_is_open(CriticalFindings& findings) const;
 
-  engine::Campaign& campaign_;
+  engine::Analysis& analysis_;
   const problems::Structure& structure_;
   const problems::WedgedProblem& problem_;
   EndsQuestion question_;

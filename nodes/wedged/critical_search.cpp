@@ -46,12 +46,12 @@ struct Living {
   }
 };
 
-Living living_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+Living living_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                        double most, std::vector<CriticalCost>& costs) {
   SignPatternTree tree(problem, candidate_friction(problem, most));
-  auto outcome = campaign.search(tree, {});
+  auto outcome = analysis.search(tree, {});
   costs.push_back({CriticalPhase::patterns, most, outcome.opened(), outcome.opened()});
-  return engine::from_first_rank(campaign.transport(), [&] {
+  return engine::from_first_rank(analysis.transport(), [&] {
     std::vector<Configuration> leaves;
     for (auto& found : outcome.solutions) leaves.push_back(std::move(found.solution));
     return Living{outcome.status, maximal_cones(std::move(leaves))};
@@ -72,10 +72,10 @@ struct BelowTrial {
 
 // On the first rank alone, so that what it comes to depends on no timing; a part of the question,
 // since what comes next depends on it.
-BelowTrial trial_from_below(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+BelowTrial trial_from_below(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             const CriticalQuestion& question, const CriticalGrid& grid,
                             double known) {
-  auto trial = campaign.by_first_rank([&] {
+  auto trial = analysis.by_first_rank([&] {
     CriticalTree tree(problem, grid.width, multiples(grid.most, grid.width), CriticalDirection::up,
                       known, grid.precision);
     engine::Options options;
@@ -83,23 +83,23 @@ BelowTrial trial_from_below(engine::Campaign& campaign, const problems::WedgedPr
     options.order = engine::Order::best_first;
     options.limits.nodes = question.trial_nodes.value_or(std::min(
         most_trial_nodes, trial_nodes_a_candidate * std::uint64_t{problem.contact_names.size()}));
-    auto outcome = campaign.search_alone(tree, options);
+    auto outcome = analysis.search_alone(tree, options);
     return BelowTrial{.smallest = smallest_of(outcome, grid, known),
                       .opened = outcome.opened(),
                       .programs = outcome.tally().programs,
                       .ranks = std::move(outcome.ranks)};
   });
-  campaign.count_nodes(trial.opened);
+  analysis.count_nodes(trial.opened);
   return trial;
 }
 
 // The ways to the bracket of the smallest, and what is done before and between them.
 class SmallestWays {
  public:
-  SmallestWays(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+  SmallestWays(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                const CriticalQuestion& question, const CriticalGrid& grid, CriticalEnds& ends,
                CriticalBracket& bracket, CriticalFindings& findings)
-      : campaign_(campaign),
+      : analysis_(analysis),
         problem_(problem),
         question_(question),
         grid_(grid),
@@ -114,14 +114,14 @@ class SmallestWays {
     if (stopped(CriticalPhase::dive)) return;
     if (try_from_below()) return;
     if (stopped(CriticalPhase::trial)) return;
-    descend(campaign_, problem_, grid_, question_.tightening, bracket_, findings_);
+    descend(analysis_, problem_, grid_, question_.tightening, bracket_, findings_);
   }
 
-  void down() { descend(campaign_, problem_, grid_, question_.tightening, bracket_, findings_); }
+  void down() { descend(analysis_, problem_, grid_, question_.tightening, bracket_, findings_); }
 
   void up() {
     const auto found =
-        find_smallest(campaign_, problem_, {CriticalDirection::up, CriticalPhase::fine, grid_, 0},
+        find_smallest(analysis_, problem_, {CriticalDirection::up, CriticalPhase::fine, grid_, 0},
                       findings_.costs, findings_.global_ranks);
     found.narrow(bracket_, grid_.width);
     findings_.status = found.status;
@@ -132,7 +132,7 @@ class SmallestWays {
   // Without a tree. @return whether that is the answer, or all there is time for
   bool start() {
     if (problem_.contact_names.size() < fewest_to_start) return false;
-    const auto programs = start_bracket(campaign_, problem_, grid_, bracket_);
+    const auto programs = start_bracket(analysis_, problem_, grid_, bracket_);
     findings_.costs.push_back({CriticalPhase::start, 0, 0, programs});
     bracket_.show();
     if (stopped(CriticalPhase::start)) return true;
@@ -147,7 +147,7 @@ class SmallestWays {
   bool known_at_most() {
     if (!question_.most || bracket_.leaf()) return false;
     const auto dive =
-        dive_at(campaign_, problem_, multiples(*question_.most, grid_.width), grid_, {});
+        dive_at(analysis_, problem_, multiples(*question_.most, grid_.width), grid_, {});
     findings_.costs.push_back({CriticalPhase::dive, *question_.most, dive.opened, dive.opened});
     if (dive.all_dead) bracket_.raise(*question_.most);
     if (std::isfinite(dive.alive)) bracket_.sink(dive.alive, dive.leaf);
@@ -159,8 +159,8 @@ class SmallestWays {
   bool try_from_below() {
     CriticalGrid below = grid_;
     if (bracket_.leaf()) below.most = *bracket_.upper();
-    auto trial = trial_from_below(campaign_, problem_, question_, below, bracket_.lower());
-    if (campaign_.is_first()) findings_.global_ranks = std::move(trial.ranks);
+    auto trial = trial_from_below(analysis_, problem_, question_, below, bracket_.lower());
+    if (analysis_.is_first()) findings_.global_ranks = std::move(trial.ranks);
     findings_.costs.push_back({CriticalPhase::trial, 0, trial.opened, trial.programs});
     trial.smallest.narrow(bracket_, grid_.width);
     bracket_.show();
@@ -168,14 +168,14 @@ class SmallestWays {
   }
 
   bool stopped(CriticalPhase phase) {
-    if (!campaign_.ended()) return false;
+    if (!analysis_.ended()) return false;
     findings_.status =
-        engine::from_first_rank(campaign_.transport(), [&] { return campaign_.budget().why(); });
+        engine::from_first_rank(analysis_.transport(), [&] { return analysis_.budget().why(); });
     findings_.stopped_in = phase;
     return true;
   }
 
-  engine::Campaign& campaign_;
+  engine::Analysis& analysis_;
   const problems::WedgedProblem& problem_;
   const CriticalQuestion& question_;
   CriticalGrid grid_;
@@ -184,19 +184,19 @@ class SmallestWays {
   CriticalFindings& findings_;
 };
 
-CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
+CriticalFindings pattern_by_pattern(engine::Analysis& analysis,
                                     const problems::WedgedProblem& problem, CriticalMethod method,
                                     double width, double most, std::vector<CriticalCost>& costs) {
   CriticalFindings findings;
-  const auto living = living_patterns(campaign, problem, most, costs);
+  const auto living = living_patterns(analysis, problem, most, costs);
   findings.status = living.status;
   // A part of them would say nothing.
   if (findings.status != engine::Status::solved) return findings;
   auto outcome =
-      bracket_patterns(campaign, problem, living.leaves, method, width, multiples(most, width));
+      bracket_patterns(analysis, problem, living.leaves, method, width, multiples(most, width));
   costs.push_back({CriticalPhase::coefficients, most, outcome.opened(), outcome.tally().programs});
-  findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
-  if (!campaign.is_first()) return findings;
+  findings.status = engine::from_first_rank(analysis.transport(), [&] { return outcome.status; });
+  if (!analysis.is_first()) return findings;
   const FrictionGrid grid(width);
   for (const auto& found : outcome.solutions) {
     const auto& [number, cell] = found.solution;
@@ -216,9 +216,9 @@ CriticalFindings pattern_by_pattern(engine::Campaign& campaign,
 }
 
 // The bracket of the patterns that begin first, on all ranks.
-void narrow_by_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+void narrow_by_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                         const CriticalFindings& findings, CriticalBracket& bracket) {
-  const auto found = engine::from_first_rank(campaign.transport(), [&] {
+  const auto found = engine::from_first_rank(analysis.transport(), [&] {
     Smallest smallest;
     smallest.lower = findings.lower;
     if (!findings.upper) return smallest;
@@ -267,7 +267,7 @@ CriticalGrid grid_of(const problems::WedgedProblem& problem, const CriticalQuest
   return grid;
 }
 
-CriticalFindings find_critical_friction(engine::Campaign& campaign,
+CriticalFindings find_critical_friction(engine::Analysis& analysis,
                                         const problems::Structure& structure,
                                         const problems::WedgedProblem& problem,
                                         const CriticalQuestion& question,
@@ -279,23 +279,23 @@ CriticalFindings find_critical_friction(engine::Campaign& campaign,
   }
   const auto grid = grid_of(problem, question);
   CriticalFindings findings;
-  CriticalBracket bracket(campaign, grid.most);
-  CriticalEnds ends(campaign, structure, problem,
+  CriticalBracket bracket(analysis, grid.most);
+  CriticalEnds ends(analysis, structure, problem,
                     {.grid = grid,
                      .tightening = question.tightening,
                      .list = question.list && looks_for_smallest(question.way),
                      .list_nodes = question.list_nodes},
                     recorder, bracket, findings.costs);
-  SmallestWays ways(campaign, problem, question, grid, ends, bracket, findings);
+  SmallestWays ways(analysis, problem, question, grid, ends, bracket, findings);
   const auto by_patterns = [&](CriticalMethod method) {
     auto costs = std::move(findings.costs);
-    auto found = pattern_by_pattern(campaign, problem, method, grid.width, grid.most, costs);
+    auto found = pattern_by_pattern(analysis, problem, method, grid.width, grid.most, costs);
     found.costs = std::move(costs);
     findings = std::move(found);
     findings.status =
-        engine::from_first_rank(campaign.transport(), [&] { return findings.status; });
+        engine::from_first_rank(analysis.transport(), [&] { return findings.status; });
     if (findings.status != engine::Status::solved) findings.stopped_in = CriticalPhase::patterns;
-    narrow_by_patterns(campaign, problem, findings, bracket);
+    narrow_by_patterns(analysis, problem, findings, bracket);
   };
   switch (question.way) {
     case CriticalWay::automatic:

@@ -3,7 +3,7 @@
 // question that `kusabi critical` asks.
 #pragma once
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/critical_ends.hpp"
 #include "problems/structure/model/structure.hpp"
@@ -16,7 +16,7 @@ namespace kusabi::wedged {
 /// @param structure what the ends are proved of  @param problem of `structure`
 /// @param recorder of the evidence of both ends
 /// @throws std::invalid_argument if a coefficient or the width is out of range
-CriticalFindings find_critical_friction(engine::Campaign& campaign,
+CriticalFindings find_critical_friction(engine::Analysis& analysis,
                                         const problems::Structure& structure,
                                         const problems::WedgedProblem& problem,
                                         const CriticalQuestion& question,

@@ -32,12 +32,12 @@ bool is_wanted(const ExactTest& test) {
   return test.asked || test.scale_ratio > wide_scales;
 }
 
-PatternFindings exact_list(engine::Campaign& campaign, const ExactQuestion& question,
+PatternFindings exact_list(engine::Analysis& analysis, const ExactQuestion& question,
                            std::span<const double> friction) {
   PatternQuestion patterns;
   patterns.structure = &question.structure;
   patterns.proving = question.proving;
-  return find_patterns(campaign, question.problem, friction, patterns);
+  return find_patterns(analysis, question.problem, friction, patterns);
 }
 
 /// Takes over what a list says of its test, and why it is none to hold anything against.
@@ -94,24 +94,24 @@ bool is_same(const std::vector<rays::Cone>& found, const PatternFindings& list) 
 
 }  // namespace
 
-ExactTest tested_cones(engine::Campaign& campaign, const ExactQuestion& question,
+ExactTest tested_cones(engine::Analysis& analysis, const ExactQuestion& question,
                        std::span<const double> friction, const std::vector<rays::Cone>& found) {
   auto test = test_of(question);
   if (!is_wanted(test)) return test;
-  const auto list = exact_list(campaign, question, friction);
+  const auto list = exact_list(analysis, question, friction);
   add(test, list);
-  if (campaign.is_first() && test.unable.empty() && !is_same(found, list)) {
+  if (analysis.is_first() && test.unable.empty() && !is_same(found, list)) {
     refute(test, fmt::format("by the exact test there are {} maximal cones, not these {}",
                              list.count().text(), found.size()));
   }
   return test;
 }
 
-ExactTest tested_counts(engine::Campaign& campaign, const ExactQuestion& question,
+ExactTest tested_counts(engine::Analysis& analysis, const ExactQuestion& question,
                         std::span<const double> points, const SweepFindings& found) {
   auto test = test_of(question);
   if (!is_wanted(test)) return test;
-  const auto coefficients = engine::from_first_rank(campaign.transport(), [&] {
+  const auto coefficients = engine::from_first_rank(analysis.transport(), [&] {
     std::set<double> all(points.begin(), points.end());
     all.insert(found.most);
     for (const auto& cone : found.cones) {
@@ -127,8 +127,8 @@ ExactTest tested_counts(engine::Campaign& campaign, const ExactQuestion& questio
   }
   for (const double coefficient : coefficients) {
     const auto list =
-        exact_list(campaign, question, candidate_friction(question.problem, coefficient));
-    const bool goes_on = engine::from_first_rank(campaign.transport(), [&] {
+        exact_list(analysis, question, candidate_friction(question.problem, coefficient));
+    const bool goes_on = engine::from_first_rank(analysis.transport(), [&] {
       add(test, list);
       const auto count = found.count_at(coefficient);
       if (test.unable.empty() && count.exact() && count.known != list.count()) {

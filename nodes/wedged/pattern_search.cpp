@@ -28,7 +28,7 @@ void add_missing(std::vector<Configuration>& known, std::uint64_t most,
 
 /// K of the structure, enclosed for the exact test, if the question asks for it or the scales of
 /// the structure do.
-std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Campaign& campaign,
+std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Analysis& analysis,
                                                          const problems::WedgedProblem& problem,
                                                          const PatternQuestion& question,
                                                          ExactTest& exact) {
@@ -38,7 +38,7 @@ std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Campaign& campa
   const bool asked = exact.asked = question.proving == Proving::always;
   if (!asked && exact.scale_ratio <= wide_scales) return {};
   auto enclosed =
-      enclosed_within(campaign, *structure, asked ? enclosed_stiffness_of_any : enclosed_stiffness);
+      enclosed_within(analysis, *structure, asked ? enclosed_stiffness_of_any : enclosed_stiffness);
   if (!enclosed) {
     exact.unable = "the search ended before the exact test began";
     return {};
@@ -53,11 +53,11 @@ std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Campaign& campa
 
 }  // namespace
 
-PatternFindings find_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                               std::span<const double> friction, const PatternQuestion& question) {
   PatternFindings findings;
   auto options = question.tree;
-  const auto enclosed = enclosed_for_test(campaign, problem, question, findings.exact);
+  const auto enclosed = enclosed_for_test(analysis, problem, question, findings.exact);
   if (enclosed) {
     options.thorough = true;
     if (options.tolerances.sign <= conic::Tolerances{}.sign) options.tolerances.resolution = finest;
@@ -65,15 +65,15 @@ PatternFindings find_patterns(engine::Campaign& campaign, const problems::Wedged
   SignPatternTree tree(problem, friction, options);
   std::vector<Configuration> known;
   if (options.facets == 0 && !enclosed)
-    known = simple_leaves(campaign, problem, friction, options.tolerances);
+    known = simple_leaves(analysis, problem, friction, options.tolerances);
   // Without a search where these are all that is asked for.
-  const bool enough = known.size() >= campaign.budget().left().solutions;
+  const bool enough = known.size() >= analysis.budget().left().solutions;
   auto search = question.search;
   if (enough) search.limits.nodes = 0;
   const SignPatternOptions as_it_is{.tolerances = options.tolerances,
                                     .branching = Branching::relative,
                                     .tightening = Tightening::never};
-  const auto prepared = prepare(campaign, problem, friction, enough ? as_it_is : options);
+  const auto prepared = prepare(analysis, problem, friction, enough ? as_it_is : options);
   inform(tree, prepared);
   if (question.witness) tree.report_to(question.witness);
   findings.bounds = proved_bounds(prepared);
@@ -89,11 +89,11 @@ PatternFindings find_patterns(engine::Campaign& campaign, const problems::Wedged
     if (check->is_able() || problem.motions.cols() > 0)
       tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
   }
-  findings.outcome = campaign.search(tree, search);
+  findings.outcome = analysis.search(tree, search);
   if (enough) findings.outcome.status = engine::Status::solution_limit;
   std::vector<Configuration> leaves;
   for (const auto& found : findings.outcome.solutions) leaves.push_back(found.solution);
-  if (!findings.whole()) add_missing(known, campaign.budget().left().solutions, leaves);
+  if (!findings.whole()) add_missing(known, analysis.budget().left().solutions, leaves);
   findings.leaves = maximal_cones(std::move(leaves));
   findings.tested = findings.outcome.tally().tested;
   std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {

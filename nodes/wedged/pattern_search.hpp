@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/tree/candidate_bounds.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
@@ -93,7 +93,7 @@ struct PatternQuestion {
 /// Every rank makes the same call. The findings are whole on rank 0; elsewhere the status counts.
 /// @param friction mu of each contact candidate
 /// @throws std::invalid_argument if the sizes do not fit or a number is out of range
-PatternFindings find_patterns(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                               std::span<const double> friction,
                               const PatternQuestion& question = {});
 

@@ -35,17 +35,17 @@ std::vector<PatternNode> tried_leaves(const problems::WedgedProblem& problem,
 
 }  // namespace
 
-std::vector<Configuration> simple_leaves(engine::Campaign& campaign,
+std::vector<Configuration> simple_leaves(engine::Analysis& analysis,
                                          const problems::WedgedProblem& problem,
                                          std::span<const double> friction,
                                          const conic::Tolerances& tolerances) {
-  return campaign.by_first_rank([&] {
+  return analysis.by_first_rank([&] {
     std::vector<Configuration> found;
     const auto leaves = tried_leaves(problem, friction);
     if (leaves.empty()) return found;
     SignPatternTree tree(problem, friction,
                          {.tolerances = tolerances, .precision = Precision::doubles});
-    tree.end_when(campaign.budget().stop());
+    tree.end_when(analysis.budget().stop());
     try {
       for (const auto& leaf : leaves) {
         auto fate = tree.decide(leaf);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -13,7 +13,7 @@ namespace kusabi::wedged {
 
 /// Those that are alive, of blocks that are not small. Every rank makes the same call and gets the
 /// same. @param friction mu of each candidate
-std::vector<Configuration> simple_leaves(engine::Campaign& campaign,
+std::vector<Configuration> simple_leaves(engine::Analysis& analysis,
                                          const problems::WedgedProblem& problem,
                                          std::span<const double> friction,
                                          const conic::Tolerances& tolerances);

@@ -57,33 +57,33 @@ bool without_bound(ZeroOneRoot& root, const linear::MixedProgram& mixed,
 
 }  // namespace
 
-MixedRoot mixed_root(engine::Campaign& campaign, const linear::MixedProgram& mixed,
+MixedRoot mixed_root(engine::Analysis& analysis, const linear::MixedProgram& mixed,
                      ZeroOneRootOptions options) {
-  options.stop = campaign.budget().stop();
+  options.stop = analysis.budget().stop();
   MixedRoot result{.root = prepare_root(mixed, options)};
   result.unbounded = without_bound(result.root, mixed, options);
   // One rank that was stopped at the root stops all: their roots differ.
   const std::uint64_t interrupted = result.root.interrupted ? 1 : 0;
-  const auto all = engine::all_reduce(campaign.transport(), {.ranks = 1, .found = interrupted});
+  const auto all = engine::all_reduce(analysis.transport(), {.ranks = 1, .found = interrupted});
   result.stopped = all.found != 0;
-  if (!result.stopped) engine::agree(campaign.transport(), fingerprint_of(result.root));
+  if (!result.stopped) engine::agree(analysis.transport(), fingerprint_of(result.root));
   return result;
 }
 
-MixedAnswer search_tree(engine::Campaign& campaign, MixedRoot root, ZeroOneBranching branching,
+MixedAnswer search_tree(engine::Analysis& analysis, MixedRoot root, ZeroOneBranching branching,
                         engine::Options options, const engine::ShownObjective& shown) {
   MixedAnswer answer{ZeroOneTree(std::move(root.root), branching), {}, root.unbounded};
   options.goal = engine::Goal::best;
-  answer.outcome = root.stopped ? outcome_of_root(answer.tree, campaign.transport().size(),
-                                                  campaign.budget().why())
-                                : campaign.search(answer.tree, std::move(options), shown);
+  answer.outcome = root.stopped ? outcome_of_root(answer.tree, analysis.transport().size(),
+                                                  analysis.budget().why())
+                                : analysis.search(answer.tree, std::move(options), shown);
   return answer;
 }
 
-MixedAnswer solve_mixed(engine::Campaign& campaign, const linear::MixedProgram& mixed,
+MixedAnswer solve_mixed(engine::Analysis& analysis, const linear::MixedProgram& mixed,
                         const ZeroOneRootOptions& root_options, ZeroOneBranching branching,
                         const engine::Options& options, const engine::ShownObjective& shown) {
-  return search_tree(campaign, mixed_root(campaign, mixed, root_options), branching, options,
+  return search_tree(analysis, mixed_root(analysis, mixed, root_options), branching, options,
                      shown);
 }
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/zero_one/root.hpp"
 #include "nodes/zero_one/tree.hpp"
 #include "solvers/linear/linear_program.hpp"
@@ -37,9 +37,9 @@ struct MixedRoot {
 };
 
 /// The work at the root, by every rank alike.
-/// @param options but for `stop`, which is that of the campaign
+/// @param options but for `stop`, which is that of the analysis
 /// @throws engine::Disagreement on every rank if they have not come to the same
-MixedRoot mixed_root(engine::Campaign& campaign, const linear::MixedProgram& mixed,
+MixedRoot mixed_root(engine::Analysis& analysis, const linear::MixedProgram& mixed,
                      ZeroOneRootOptions options);
 
 /// The answer; on rank 0, but for the tree. The program is minimised.
@@ -62,11 +62,11 @@ struct MixedAnswer {
 /// The tree below the root, searched with Goal::best; or the root's own answer if it was stopped.
 /// @param options order, checkpoints and the like
 /// @param shown how objectives are shown meanwhile
-MixedAnswer search_tree(engine::Campaign& campaign, MixedRoot root, ZeroOneBranching branching,
+MixedAnswer search_tree(engine::Analysis& analysis, MixedRoot root, ZeroOneBranching branching,
                         engine::Options options, const engine::ShownObjective& shown);
 
 /// Both.
-MixedAnswer solve_mixed(engine::Campaign& campaign, const linear::MixedProgram& mixed,
+MixedAnswer solve_mixed(engine::Analysis& analysis, const linear::MixedProgram& mixed,
                         const ZeroOneRootOptions& root_options = {},
                         ZeroOneBranching branching = ZeroOneBranching::paper,
                         const engine::Options& options = {},

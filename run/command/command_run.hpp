@@ -16,7 +16,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "engine/journal.hpp"
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"

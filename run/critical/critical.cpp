@@ -167,9 +167,9 @@ std::string Critical::announcement(const std::string& ranks) const {
 }
 
 void Critical::search(CommandRun& run) {
-  engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
+  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
   findings_ = wedged::find_critical_friction(
-      campaign, structure_, problem_, options_.question,
+      analysis, structure_, problem_, options_.question,
       end_recorder(run.session(), {options_.certificate, options_.file, run.quiet()}, problem_));
   if (!run.session().speaks()) return;
   const double answer = findings_.upper.value_or(findings_.lower);

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "engine/together.hpp"
 #include "nodes/limit/root/safe_big_m.hpp"
 #include "problems/files/structure_file.hpp"
@@ -129,8 +129,8 @@ void ExportMps::search(CommandRun& run) {
     big_m_.setConstant(problem_->uncertain_count(), *asked_m_);
     return;
   }
-  engine::Campaign campaign(run.session().transport(), supervision({}, false));
-  const auto derived = limit::safe_big_m(campaign, *problem_, *alpha_);
+  engine::Analysis analysis(run.session().transport(), supervision({}, false));
+  const auto derived = limit::safe_big_m(analysis, *problem_, *alpha_);
   if (!derived)
     throw WrongInput(
         "--alpha: no safe M of (29) was found, as where a load is carried at no factor "

@@ -235,11 +235,11 @@ std::string Limit::announcement(const std::string& ranks) const {
 
 void Limit::search(CommandRun& run) {
   options_.question.evidence = !certificate_.empty();
-  engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
+  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
   try {
     for (auto& each : cases_) {
-      if (cases_.size() > 1) campaign.say("load case " + each.name);
-      each.found = limit::limit_loads(campaign, each.truss, each.problem, options_.question);
+      if (cases_.size() > 1) analysis.say("load case " + each.name);
+      each.found = limit::limit_loads(analysis, each.truss, each.problem, options_.question);
     }
   } catch (const limit::BigMTooSmall&) {
     throw WrongInput(

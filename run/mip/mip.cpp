@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "engine/signals.hpp"
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/command/command_run.hpp"
@@ -83,7 +83,7 @@ class Mip final : public Subcommand {
  private:
   MipOptions options_;
   std::chrono::steady_clock::time_point began_;  // to read the file, which counts
-  std::optional<engine::Campaign> campaign_;
+  std::optional<engine::Analysis> analysis_;
   ProgramFile program_;
   std::uint64_t fingerprint_ = 0;
   engine::Options search_options_;
@@ -142,7 +142,7 @@ void Mip::prepare(CommandRun& run) {
   auto limits = options_.limits;
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - began_;
   limits.seconds = std::max(0.0, limits.seconds - reading.count());
-  campaign_.emplace(run.session().transport(), run.supervision(limits));
+  analysis_.emplace(run.session().transport(), run.supervision(limits));
   search_options_.warn = warn;
   warn_all(run.session(), program_.warnings);
 }
@@ -157,7 +157,7 @@ std::string Mip::announcement(const std::string& ranks) const {
 
 void Mip::search(CommandRun& /*run*/) {
   found_ = zero_one::solve_mixed(
-      *campaign_, program_.mixed,
+      *analysis_, program_.mixed,
       {.cuts = options_.cuts, .tighten = options_.tighten, .dive = options_.dive},
       options_.branching, search_options_, {program_.maximise ? -1.0 : 1.0});
 }

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "engine/checkpoint.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
@@ -248,13 +248,13 @@ std::string Patterns::announcement(const std::string& ranks) const {
 }
 
 void Patterns::search(CommandRun& run) {
-  engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
-  findings_ = wedged::find_patterns(campaign, problem_, friction_, question_);
+  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+  findings_ = wedged::find_patterns(analysis, problem_, friction_, question_);
   if (certificate_->wanted()) certificate_->close();
   if (options_.sort != PatternSort::critical) return;
   const bool searched = run.session().from_first_rank([&] { return whole(); });
   if (!searched) return;
-  brackets_ = wedged::pattern_brackets(campaign, problem_, findings_->leaves, options_.friction);
+  brackets_ = wedged::pattern_brackets(analysis, problem_, findings_->leaves, options_.friction);
 }
 
 // After an early stop the parts of the certificate are kept only if a checkpoint is there to go on

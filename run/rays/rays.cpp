@@ -183,12 +183,12 @@ std::string Rays::announcement(const std::string& ranks) const {
 }
 
 void Rays::search(CommandRun& run) {
-  engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
-  found_ = wedged::find_rays(campaign, problem_, friction_, *cone_, options_.method);
+  engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+  found_ = wedged::find_rays(analysis, problem_, friction_, *cone_, options_.method);
   const bool searched = run.session().from_first_rank([&] { return whole(); });
   if (!searched) return;
   const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
-  exact_ = wedged::tested_cones(campaign, {structure_, problem_, proving}, friction_, found_.cones);
+  exact_ = wedged::tested_cones(analysis, {structure_, problem_, proving}, friction_, found_.cones);
 }
 
 void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "engine/analysis/recording.hpp"
 #include "engine/checkpoint.hpp"
 #include "engine/kept_search.hpp"
-#include "engine/recording.hpp"
 #include "run/output/standard_output.hpp"
 
 namespace kusabi::run {

@@ -1,8 +1,8 @@
-// How the command takes part in a question (engine/campaign.hpp): the limits of the call, stopped
-// by signals, and its progress shown on rank 0.
+// How the command takes part in a question (engine/analysis/analysis.hpp): the limits of the call,
+// stopped by signals, and its progress shown on rank 0.
 #pragma once
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 
 namespace kusabi::run {
 

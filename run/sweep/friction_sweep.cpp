@@ -50,13 +50,13 @@ class FrictionSweep final : public Swept {
                        question_.most, times(problem_), ranks);
   }
   void search(CommandRun& run) override {
-    engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
-    found_ = wedged::sweep_friction(campaign, problem_, question_);
+    engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+    found_ = wedged::sweep_friction(analysis, problem_, question_);
     const bool searched =
         run.session().from_first_rank([&] { return found_.status == engine::Status::solved; });
     if (!searched) return;
     const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
-    exact_ = wedged::tested_counts(campaign, {structure_, problem_, proving}, points_, found_);
+    exact_ = wedged::tested_counts(analysis, {structure_, problem_, proving}, points_, found_);
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;

@@ -66,8 +66,8 @@ class LoadSweep final : public Swept {
                        problems::alpha_is_force(problem_) ? ' ' + problem_.units.force : "", ranks);
   }
   void search(CommandRun& run) override {
-    engine::Campaign campaign(run.session().transport(), run.supervision(options_.limits));
-    found_ = limit::sweep_limit_loads(campaign, truss_, problem_, alphas_);
+    engine::Analysis analysis(run.session().transport(), run.supervision(options_.limits));
+    found_ = limit::sweep_limit_loads(analysis, truss_, problem_, alphas_);
   }
   [[nodiscard]] ordered_json json() const override;
   void write_csv(std::ostream& out) const override;

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
@@ -169,8 +169,8 @@ engine::Status prove_nodes(CommandRun& run, const VerifyOptions& options,
   // Stopped by signals only if it can be gone on with.
   engine::Supervision kept;
   if (!options.checkpoint.state.empty()) kept = run.supervision({});
-  engine::Campaign campaign(run.session().transport(), std::move(kept));
-  const auto outcome = campaign.search(work, {});
+  engine::Analysis analysis(run.session().transport(), std::move(kept));
+  const auto outcome = analysis.search(work, {});
   if (outcome.status != engine::Status::solved) return outcome.status;
   const auto verdicts = engine::from_first_rank(run.session().transport(), [&] {
     std::vector<NodeVerdict> found;

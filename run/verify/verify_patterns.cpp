@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
@@ -136,8 +136,8 @@ engine::Outcome<Verification> verified(CommandRun& run, Verification& verificati
                                        const engine::Options& search_options) {
   if (options.checkpoint.state.empty())
     return engine::search(verification, run.session().transport(), search_options);
-  engine::Campaign campaign(run.session().transport(), run.supervision({}));
-  return campaign.search(verification, search_options);
+  engine::Analysis analysis(run.session().transport(), run.supervision({}));
+  return analysis.search(verification, search_options);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Recording tests: finished parts of an analysis are not repeated in the next run, and interrupted
 // parts are not taken as finished.
-#include "engine/recording.hpp"
+#include "engine/analysis/recording.hpp"
 
 #include <array>
 #include <cstdint>
@@ -17,7 +17,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "engine/journal.hpp"
 #include "engine/transport/single_process.hpp"
 #include "tests/engine/queens.hpp"
@@ -170,7 +170,7 @@ struct Answer {
   friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-class CampaignTest : public Recorded {
+class AnalysisTest : public Recorded {
  protected:
   // One run, which is stopped after `reductions` reductions.
   Answer run(int reductions = 1'000'000) {
@@ -180,28 +180,28 @@ class CampaignTest : public Recorded {
     Supervision supervision;
     supervision.interrupt = [&left] { return --left < 0 ? Interrupt::stop : Interrupt::none; };
     supervision.keeping = Keeping{.journal = &journal, .file = file_, .interval = 0, .question = 5};
-    Campaign campaign(alone, std::move(supervision));
+    Analysis analysis(alone, std::move(supervision));
     done_ = 0;
     Options options;
     options.reduction_interval = 0;
     options.nodes_per_step = 20;
     Answer answer;
     Queens small(6);
-    const auto first = campaign.search(small, options);
+    const auto first = analysis.search(small, options);
     answer.first = first.solutions.size();
-    answer.squares = campaign.share<std::uint64_t>(4, [this](std::uint64_t number) {
+    answer.squares = analysis.share<std::uint64_t>(4, [this](std::uint64_t number) {
       ++done_;
       return number * number;
     });
     Queens large(static_cast<int>(answer.squares.back()) - 1);
-    const auto second = campaign.search(large, options);
+    const auto second = analysis.search(large, options);
     answer.second = second.solutions.size();
-    answer.broadcast = campaign.by_first_rank([this] {
+    answer.broadcast = analysis.by_first_rank([this] {
       ++done_;
       return 42;
     });
     answer.opened = first.opened() + second.opened();
-    ended_ = campaign.budget().spent();
+    ended_ = analysis.budget().spent();
     return answer;
   }
 
@@ -211,19 +211,19 @@ class CampaignTest : public Recorded {
 
 const Answer the_answer{4, 92, {0, 1, 4, 9}, 42, 153 + 2057};
 
-TEST_F(CampaignTest, IsTheSameWithoutAnInterruption) {
+TEST_F(AnalysisTest, IsTheSameWithoutAnInterruption) {
   EXPECT_EQ(run(), the_answer);
   EXPECT_EQ(done_, 5);
 }
 
-TEST_F(CampaignTest, DoesNothingAgain) {
+TEST_F(AnalysisTest, DoesNothingAgain) {
   run();
   EXPECT_EQ(run(), the_answer);
   EXPECT_EQ(done_, 0);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);  // no checkpoint is left
 }
 
-TEST_F(CampaignTest, OpensEachNodeOnceHoweverOftenItIsEnded) {
+TEST_F(AnalysisTest, OpensEachNodeOnceHoweverOftenItIsEnded) {
   int runs = 0;
   Answer answer;
   do {
@@ -234,13 +234,13 @@ TEST_F(CampaignTest, OpensEachNodeOnceHoweverOftenItIsEnded) {
   EXPECT_EQ(answer, the_answer);
 }
 
-TEST_F(CampaignTest, TakesNothingForFinishedThatWasCutShort) {
+TEST_F(AnalysisTest, TakesNothingForFinishedThatWasCutShort) {
   run(0);
   EXPECT_EQ(Journal(file_, these_facts).size(), 0U);
   EXPECT_EQ(run(), the_answer);
 }
 
-TEST_F(CampaignTest, GoesOnWhereItsRecordsAreDamaged) {
+TEST_F(AnalysisTest, GoesOnWhereItsRecordsAreDamaged) {
   run();
   const auto kept = content();
   for (const double share : {0.3, 0.6, 0.9}) {
@@ -253,7 +253,7 @@ TEST_F(CampaignTest, GoesOnWhereItsRecordsAreDamaged) {
   }
 }
 
-TEST_F(CampaignTest, RefusesTheRecordsOfAnotherBuild) {
+TEST_F(AnalysisTest, RefusesTheRecordsOfAnotherBuild) {
   {
     Journal journal(file_, these_facts);
     journal.append("search of something else", {});

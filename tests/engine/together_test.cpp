@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/budget.hpp"
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
+#include "engine/analysis/budget.hpp"
+#include "engine/analysis/shared_work.hpp"
 #include "engine/detail/contract.hpp"
-#include "engine/shared_work.hpp"
 #include "engine/transport/simulated.hpp"
 #include "engine/transport/single_process.hpp"
 #include "tests/engine/queens.hpp"
@@ -100,7 +100,7 @@ TEST(Budget, ACheckpointRequestBetweenSearchesReachesTheNextOnce) {
   EXPECT_EQ(interrupt(), Interrupt::none);
 }
 
-TEST(Campaign, ShowsASearchToItsWatcherAndThenLetsItGo) {
+TEST(Analysis, ShowsASearchToItsWatcherAndThenLetsItGo) {
   std::weak_ptr<int> watcher;
   Supervision supervision;
   supervision.watch = [&](Goal goal, const ShownObjective& shown) {
@@ -111,41 +111,41 @@ TEST(Campaign, ShowsASearchToItsWatcherAndThenLetsItGo) {
     return [calls](const Progress&) { ++*calls; };
   };
   SingleProcess alone;
-  Campaign campaign(alone, supervision);
+  Analysis analysis(alone, supervision);
   examples::Queens queens(6);
-  EXPECT_EQ(campaign.search(queens, {}, {.unit = 3}).solutions.size(), 4U);
+  EXPECT_EQ(analysis.search(queens, {}, {.unit = 3}).solutions.size(), 4U);
   EXPECT_TRUE(watcher.expired());
 }
 
-TEST(Campaign, EachSearchHasTheLimitsThatAreLeft) {
+TEST(Analysis, EachSearchHasTheLimitsThatAreLeft) {
   Supervision supervision;
   supervision.limits.nodes = 1;
   SingleProcess alone;
-  Campaign campaign(alone, supervision);
+  Analysis analysis(alone, supervision);
   examples::Queens queens(8);
   Options options;
   options.reduction_interval = 0;
-  EXPECT_EQ(campaign.search(queens, options).status, Status::node_limit);
+  EXPECT_EQ(analysis.search(queens, options).status, Status::node_limit);
 }
 
-TEST(Campaign, SaysNothingUnlessSomebodyListens) {
+TEST(Analysis, SaysNothingUnlessSomebodyListens) {
   SingleProcess alone;
-  Campaign(alone).say("nobody hears");
+  Analysis(alone).say("nobody hears");
   std::string heard;
   Supervision supervision;
   supervision.say = [&](const std::string& line) { heard = line; };
-  Campaign(alone, supervision).say("round 1");
+  Analysis(alone, supervision).say("round 1");
   EXPECT_EQ(heard, "round 1");
 }
 
-TEST(Campaign, SaysWhatChangesAllTheTimeNowAndThen) {
+TEST(Analysis, SaysWhatChangesAllTheTimeNowAndThen) {
   SingleProcess alone;
   int heard = 0;
   Supervision supervision;
   supervision.say = [&](const std::string&) { ++heard; };
   const auto say_twice = [&] {
-    Campaign campaign(alone, supervision);
-    for (int k = 0; k < 2; ++k) campaign.say_now_and_then([] { return "on the way"; });
+    Analysis analysis(alone, supervision);
+    for (int k = 0; k < 2; ++k) analysis.say_now_and_then([] { return "on the way"; });
   };
   supervision.say_every = std::chrono::hours(1);
   say_twice();

@@ -27,17 +27,17 @@ constexpr auto patience = std::chrono::seconds(2);
 
 // Every rank must make this call, and all get the same answer.
 bool RootSearch::ended() {
-  if (!ended_) ended_ = engine::from_first_rank(campaign_.transport(), campaign_.budget().stop());
+  if (!ended_) ended_ = engine::from_first_rank(analysis_.transport(), analysis_.budget().stop());
   return ended_;
 }
 
 support::Stop RootSearch::lockstep_stop() {
-  return [this] { return sharing_ ? campaign_.budget().spent() : ended(); };
+  return [this] { return sharing_ ? analysis_.budget().spent() : ended(); };
 }
 
 // What a long root is doing, every other second.
 void RootSearch::say(const std::string& what) {
-  campaign_.say_now_and_then([&] { return "at the root: " + what; });
+  analysis_.say_now_and_then([&] { return "at the root: " + what; });
 }
 
 // Each round of a long root. No lower end is known while the dissipation is limited.
@@ -45,7 +45,7 @@ void RootSearch::say_ends(std::uint64_t round, double lower, double upper) {
   if (std::chrono::steady_clock::now() - began_ < patience) return;
   const double unit = model().factor_unit;
   const auto low = std::isfinite(lower) ? fmt::format("{:.6g}", lower * unit) : "unknown";
-  campaign_.say(
+  analysis_.say(
       fmt::format("at the root: round {}, load factor {} ... {:.6g}", round, low, upper * unit));
 }
 
@@ -84,9 +84,9 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
   auto& pricing = solvers_->pricing;
   say(fmt::format("{} of {} uncertain loads are looked at for cuts", columns.size(),
                   model().uncertain_count()));
-  const bool small = campaign_.transport().size() == 1 || columns.size() <= pricing_block;
+  const bool small = analysis_.transport().size() == 1 || columns.size() <= pricing_block;
   // What is kept is shared even then: a run that goes on need not price it again.
-  if (columns.empty() || (small && !campaign_.is_kept())) {
+  if (columns.empty() || (small && !analysis_.is_kept())) {
     return price_alone(pricing, z, columns);
   }
   pricing.aim(z, columns.front());
@@ -97,7 +97,7 @@ std::vector<StaticCut> RootSearch::price(const Eigen::VectorXd& z, std::span<con
                        columns.subspan(first, std::min(pricing_block, columns.size() - first)));
   };
   sharing_ = true;
-  auto shared = campaign_.share<std::vector<StaticCut>>(blocks, block);
+  auto shared = analysis_.share<std::vector<StaticCut>>(blocks, block);
   sharing_ = false;
   std::vector<StaticCut> cuts;
   for (auto& some : shared) std::move(some.begin(), some.end(), std::back_inserter(cuts));

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/limit/model/limit_question.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "nodes/limit/root/worst_case.hpp"
@@ -22,9 +22,9 @@ class RootSearch {
  public:
   /// Both must outlive it. Every rank makes the same calls.
   /// @param split_from as in LimitQuestion
-  RootSearch(engine::Campaign& campaign, const problems::LimitProblem& problem,
+  RootSearch(engine::Analysis& analysis, const problems::LimitProblem& problem,
              int split_from = usual_split_from)
-      : campaign_(campaign), problem_(problem), split_from_(split_from) {}
+      : analysis_(analysis), problem_(problem), split_from_(split_from) {}
 
   /// Solves the nominal load in a model, which is the one from now on.
   LoadStatus set_up(problems::LimitModel model);
@@ -48,7 +48,7 @@ class RootSearch {
   /// Whether the ranks have agreed to end; all get the same answer.
   bool ended();
 
-  [[nodiscard]] engine::Campaign& campaign() { return campaign_; }
+  [[nodiscard]] engine::Analysis& analysis() { return analysis_; }
   [[nodiscard]] const problems::LimitProblem& problem() const { return problem_; }
   [[nodiscard]] const problems::LimitModel& model() const { return solvers_->model; }
   [[nodiscard]] double scaled(double alpha) const { return alpha / model().force_unit; }
@@ -76,7 +76,7 @@ class RootSearch {
   void say(const std::string& what);
   void say_ends(std::uint64_t round, double lower, double upper);
 
-  engine::Campaign& campaign_;
+  engine::Analysis& analysis_;
   const problems::LimitProblem& problem_;
   int split_from_;
   bool ended_ = false;    // all ranks have agreed to end

@@ -6,9 +6,9 @@
 #include "nodes/limit/root/root_search.hpp"
 
 namespace kusabi::limit {
-std::optional<Eigen::VectorXd> safe_big_m(engine::Campaign& campaign,
+std::optional<Eigen::VectorXd> safe_big_m(engine::Analysis& analysis,
                                           const problems::LimitProblem& problem, double alpha) {
-  RootSearch search(campaign, problem);
+  RootSearch search(analysis, problem);
   const bool collapses = search.set_up(problems::limit_model(problem)) == LoadStatus::collapses ||
                          search.set_up(balanced_model(problem, 0)) == LoadStatus::collapses;
   if (!collapses) return std::nullopt;

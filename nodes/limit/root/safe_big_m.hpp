@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
 
 namespace kusabi::limit {
@@ -15,7 +15,7 @@ namespace kusabi::limit {
 /// on each.
 /// @param alpha in the unit of force, above 0
 /// @return m; nothing if no bound is found, or if the nominal load has no load factor
-std::optional<Eigen::VectorXd> safe_big_m(engine::Campaign& campaign,
+std::optional<Eigen::VectorXd> safe_big_m(engine::Analysis& analysis,
                                           const problems::LimitProblem& problem, double alpha);
 
 }  // namespace kusabi::limit

@@ -18,15 +18,15 @@
 namespace kusabi::limit {
 
 SignSearch search_signs(RootSearch& search, RootResult& root, double alpha) {
-  auto& campaign = search.campaign();
-  SignTree tree(search.model(), alpha, root, true, campaign.budget().stop());
+  auto& analysis = search.analysis();
+  SignTree tree(search.model(), alpha, root, true, analysis.budget().stop());
   engine::Options options;
   options.goal = engine::Goal::best;
-  const auto outcome = campaign.search(
+  const auto outcome = analysis.search(
       tree, options, {search.model().factor_unit, root.worst->collapse.factor, root.lower});
   SignSearch result;
   std::vector<SignTree::Solution> best;
-  std::tie(best, result.status) = engine::from_first_rank(campaign.transport(), [&] {
+  std::tie(best, result.status) = engine::from_first_rank(analysis.transport(), [&] {
     result.nodes = outcome.opened();
     for (const auto* const reports : {&outcome.earlier, &outcome.ranks}) {
       for (const auto& rank : *reports) {
@@ -63,7 +63,7 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
                             LimitWorstCase& worst) {
   const double unit = model().factor_unit;
   const bool of_a_tree = nodes.size() > 1;
-  worst.ends = engine::from_first_rank(search_.campaign().transport(), [&] {
+  worst.ends = engine::from_first_rank(search_.analysis().transport(), [&] {
     const bool again = worst.search == engine::Status::solved;
     const bool any = again || !nodes.front().forces.empty();  // else only the upper end is left
     auto [ends, certificate] =
@@ -104,7 +104,7 @@ void WorstCaseSearch::conclude(RootResult& root, LimitWorstCase& worst) {
     // Nodes that do not cover all signs prove nothing, but the root still does.
     if (tree.status == engine::Status::solved) nodes = std::move(tree.closed);
   }
-  if (root.status == RootStatus::stopped) worst.search = search_.campaign().budget().why();
+  if (root.status == RootStatus::stopped) worst.search = search_.analysis().budget().why();
   if (root.status == RootStatus::not_carried) {
     worst.status = RootStatus::not_carried;
     worst.zeta = root.overpowering_load * model().force_unit;
@@ -162,7 +162,7 @@ LimitWorstCase WorstCaseSearch::by_zero_one_program() {
                       result.status != RootStatus::stopped;
   std::optional<ZeroOneWorst> zero_one;
   if (usable) {
-    zero_one = zero_one_worst(search_.campaign(), question_, model(), search_.scaled(alpha()),
+    zero_one = zero_one_worst(search_.analysis(), question_, model(), search_.scaled(alpha()),
                               result, start_);
     worst.no_safe_m = !zero_one;
   }
@@ -204,11 +204,11 @@ void WorstCaseSearch::show_critical_load(const Eigen::VectorXd& motion, LimitWor
 
 // The paper's answer first, by itself; static evidence afterwards, by itself, if it is wanted.
 LimitWorstCase WorstCaseSearch::as_printed() {
-  auto& campaign = search_.campaign();
-  const auto printed = printed_worst(campaign, question_, search_.problem(), start_);
+  auto& analysis = search_.analysis();
+  const auto printed = printed_worst(analysis, question_, search_.problem(), start_);
   LimitWorstCase worst;
   if (printed.status == engine::Status::solved && question_.evidence) {
-    campaign.say("(29) is solved; its ends are put to the proof by static cuts");
+    analysis.say("(29) is solved; its ends are put to the proof by static cuts");
     worst = by_static_cuts();
   } else {
     worst.as_printed = true;

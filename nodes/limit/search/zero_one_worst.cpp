@@ -113,7 +113,7 @@ void note_root(const zero_one::ZeroOneRoot& root, double unit, LimitZeroOne& fou
 
 // What the root and the tree of (29) come to. With a derived M it has points: none that is found
 // says nothing then.
-ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
+ZeroOneWorst search(engine::Analysis& analysis, const LimitModel& model,
                     const linear::MixedProgram& mixed, const ZeroOneRootOptions& options,
                     const LimitQuestion& question, const engine::ShownObjective& shown) {
   const bool m_is_given = question.big_m.has_value();
@@ -124,11 +124,11 @@ ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
     result.motion = Eigen::Map<const Eigen::VectorXd>(
         values.data(), static_cast<Eigen::Index>(model.free_count()));
   }
-  auto prepared = zero_one::mixed_root(campaign, mixed, options);
+  auto prepared = zero_one::mixed_root(analysis, mixed, options);
   note_root(prepared.root, model.factor_unit, result.found);
   if (prepared.stopped) {
     result.found.lower = prepared.root.bound * model.factor_unit;
-    result.status = campaign.budget().why();
+    result.status = analysis.budget().why();
     return result;
   }
   if (m_is_given && prepared.root.status == linear::LinearStatus::infeasible &&
@@ -137,9 +137,9 @@ ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
   }
   if (prepared.unbounded || prepared.root.status != linear::LinearStatus::optimal) return result;
   const auto point = prepared.root.point;
-  const auto answer = zero_one::search_tree(campaign, std::move(prepared),
+  const auto answer = zero_one::search_tree(analysis, std::move(prepared),
                                             zero_one::ZeroOneBranching::paper, {}, shown);
-  const auto found = engine::from_first_rank(campaign.transport(), [&] {
+  const auto found = engine::from_first_rank(analysis.transport(), [&] {
     Found known;
     known.lower = answer.bound();
     known.nodes = answer.outcome.opened();
@@ -167,21 +167,21 @@ ZeroOneWorst search(engine::Campaign& campaign, const LimitModel& model,
 
 }  // namespace
 
-ZeroOneWorst printed_worst(engine::Campaign& campaign, const LimitQuestion& question,
+ZeroOneWorst printed_worst(engine::Analysis& analysis, const LimitQuestion& question,
                            const problems::LimitProblem& problem,
                            const std::optional<ZeroOneStart>& start) {
   const auto model = problems::unscaled_model(problem);
   ZeroOneRootOptions options{
       .cuts = cuts_of(question.method), .tighten = false, .dive = false, .as_printed = true};
   start_from(model, start, options);
-  auto result = search(campaign, model, printed_program(model, *question.alpha, *question.big_m),
+  auto result = search(analysis, model, printed_program(model, *question.alpha, *question.big_m),
                        options, question, {});
   result.found.big_m = question.big_m;
   if (start) result.found.start = start->factor;
   return result;
 }
 
-std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
+std::optional<ZeroOneWorst> zero_one_worst(engine::Analysis& analysis,
                                            const LimitQuestion& question, const LimitModel& model,
                                            double alpha, const RootResult& root,
                                            const std::optional<ZeroOneStart>& start) {
@@ -200,7 +200,7 @@ std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
     options.incumbent = zero_one::ZeroOnePoint{known.factor, options.start};
   }
   if (question.of_the_paper()) start_from(model, start, options);
-  auto result = search(campaign, model, *mixed, options, question,
+  auto result = search(analysis, model, *mixed, options, question,
                        {model.factor_unit, known.factor, root.lower});
   result.found.big_m = question.big_m;
   if (start && question.of_the_paper()) result.found.start = start->factor;

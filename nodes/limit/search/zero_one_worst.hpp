@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/limit/model/limit_question.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
 #include "nodes/limit/root/worst_case.hpp"
@@ -34,7 +34,7 @@ struct ZeroOneWorst {
 /// units of the problem with the question's M, u and gamma free, and nothing that is known from
 /// elsewhere but `start`. What differs, docs/theory/limit.md says.
 /// @pre question.as_printed()
-ZeroOneWorst printed_worst(engine::Campaign& campaign, const LimitQuestion& question,
+ZeroOneWorst printed_worst(engine::Analysis& analysis, const LimitQuestion& question,
                            const problems::LimitProblem& problem,
                            const std::optional<ZeroOneStart>& start);
 
@@ -44,7 +44,7 @@ ZeroOneWorst printed_worst(engine::Campaign& campaign, const LimitQuestion& ques
 /// @param root what static cuts have found: they say which M is safe, and know a collapse
 /// @return nothing if no safe M is found
 /// @throws BigMTooSmall on every rank if the question's M leaves no point
-std::optional<ZeroOneWorst> zero_one_worst(engine::Campaign& campaign,
+std::optional<ZeroOneWorst> zero_one_worst(engine::Analysis& analysis,
                                            const LimitQuestion& question,
                                            const problems::LimitModel& model, double alpha,
                                            const RootResult& root,

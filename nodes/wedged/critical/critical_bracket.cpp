@@ -71,11 +71,11 @@ void CriticalBracket::move_upper(double upper, const PatternNode& leaf) {
 }
 
 void CriticalBracket::show() {
-  if (!changed_ || campaign_.seconds() < short_run) return;
+  if (!changed_ || analysis_.seconds() < short_run) return;
   changed_ = false;
   const auto proof = [](bool proved) { return proved ? "proved" : "not yet proved"; };
   const auto lower = fmt::format("cannot stick up to {:.9g} ({})", lower_, proof(lower_proved()));
-  campaign_.say(
+  analysis_.say(
       upper_ ? fmt::format("bracket so far: {}, sticks at {:.9g} ({})", lower, *upper_,
                            proof(upper_proved_))
              : fmt::format("bracket so far: {}, no pattern known up to {:.9g}", lower, most_));

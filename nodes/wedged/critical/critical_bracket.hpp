@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
 
 namespace kusabi::wedged {
@@ -12,7 +12,7 @@ namespace kusabi::wedged {
 /// The same on all ranks.
 class CriticalBracket {
  public:
-  CriticalBracket(engine::Campaign& campaign, double most) : campaign_(campaign), most_(most) {}
+  CriticalBracket(engine::Analysis& analysis, double most) : analysis_(analysis), most_(most) {}
 
   /// Nothing wedges here, nor below.
   [[nodiscard]] double lower() const { return lower_; }
@@ -42,7 +42,7 @@ class CriticalBracket {
   void show();
 
  private:
-  engine::Campaign& campaign_;
+  engine::Analysis& analysis_;
   double most_;
   double lower_ = 0;
   std::optional<double> upper_;

@@ -26,10 +26,10 @@ constexpr double near_enough = 0.9;
 
 class Descent {
  public:
-  Descent(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+  Descent(engine::Analysis& analysis, const problems::WedgedProblem& problem,
           const CriticalGrid& grid, Tightening tightening, CriticalBracket& bracket,
           CriticalFindings& findings)
-      : campaign_(campaign),
+      : analysis_(analysis),
         problem_(problem),
         tightening_(tightening),
         grid_(grid),
@@ -72,7 +72,7 @@ class Descent {
     for (;;) {
       const CriticalGrid coarse{.width = coarse_, .most = grid_.most, .precision = grid_.precision};
       const auto found =
-          dive_at(campaign_, problem_, std::llround(from_ / coarse_), coarse, bounds_);
+          dive_at(analysis_, problem_, std::llround(from_ / coarse_), coarse, bounds_);
       findings_.costs.push_back(
           {CriticalPhase::dive, from_, found.opened, found.opened + bounds_.programs});
       bounds_.programs = 0;  // they are told of
@@ -84,7 +84,7 @@ class Descent {
         if (found.all_dead) bracket_.raise(from_);
       }
       bracket_.show();
-      if (campaign_.ended()) return;
+      if (analysis_.ended()) return;
       if (!alive_ || !goes_on(untold)) return;
     }
   }
@@ -98,21 +98,21 @@ class Descent {
     const double next = least > 0 ? std::sqrt(least * *alive_) : share_of_last * *alive_;
     const double below = std::max(coarse_ * std::floor(next / coarse_), dead_ + coarse_);
     from_ = near ? last : std::min(below, last);
-    bounds_ = bounds_at(campaign_, problem_, from_, tightening_);
+    bounds_ = bounds_at(analysis_, problem_, from_, tightening_);
     return !near;
   }
 
   // What the dives have left. @return whether there was time to
   bool narrow() {
     const double end = alive_ ? *alive_ - 1.5 * coarse_ : from_;  // below its last point
-    if (campaign_.ended()) return stopped(CriticalPhase::dive);
+    if (analysis_.ended()) return stopped(CriticalPhase::dive);
     return !(dead_ < end) || search(CriticalPhase::coarse, coarse_, from_);
   }
 
   bool search(CriticalPhase phase, double width, double from) {
     if (phase == CriticalPhase::fine || bounds_.blocks.empty())
-      bounds_ = bounds_at(campaign_, problem_, from, tightening_);
-    const auto found = find_smallest(campaign_, problem_,
+      bounds_ = bounds_at(analysis_, problem_, from, tightening_);
+    const auto found = find_smallest(analysis_, problem_,
                                      {CriticalDirection::down,
                                       phase,
                                       {.width = width, .most = from, .precision = grid_.precision},
@@ -130,12 +130,12 @@ class Descent {
 
   bool stopped(CriticalPhase phase) {
     findings_.status =
-        engine::from_first_rank(campaign_.transport(), [&] { return campaign_.budget().why(); });
+        engine::from_first_rank(analysis_.transport(), [&] { return analysis_.budget().why(); });
     findings_.stopped_in = phase;
     return false;
   }
 
-  engine::Campaign& campaign_;
+  engine::Analysis& analysis_;
   const problems::WedgedProblem& problem_;
   Tightening tightening_;
   CriticalGrid grid_;
@@ -151,10 +151,10 @@ class Descent {
 
 }  // namespace
 
-void descend(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+void descend(engine::Analysis& analysis, const problems::WedgedProblem& problem,
              const CriticalGrid& grid, Tightening tightening, CriticalBracket& bracket,
              CriticalFindings& findings) {
-  Descent(campaign, problem, grid, tightening, bracket, findings).run();
+  Descent(analysis, problem, grid, tightening, bracket, findings).run();
 }
 
 }  // namespace kusabi::wedged

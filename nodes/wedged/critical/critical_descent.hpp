@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -15,7 +15,7 @@ namespace kusabi::wedged {
 /// Narrows the bracket until it is all that can be told, or the budget is spent. Where nothing is
 /// known to wedge it begins at growing coefficients. On all ranks.
 /// @param findings its costs and ranks are told, and where it was stopped
-void descend(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+void descend(engine::Analysis& analysis, const problems::WedgedProblem& problem,
              const CriticalGrid& grid, Tightening tightening, CriticalBracket& bracket,
              CriticalFindings& findings);
 

@@ -47,13 +47,13 @@ void locate(const problems::WedgedProblem& problem, const Configuration& found,
 }
 
 // Until a leaf lives, or all are dead. Where an end is asked for it says what it has.
-void dive(engine::Campaign& campaign, const problems::WedgedProblem& problem, std::int64_t multiple,
+void dive(engine::Analysis& analysis, const problems::WedgedProblem& problem, std::int64_t multiple,
           const CriticalGrid& grid, const BlockBounds& bounds, CriticalDive& result) {
-  const auto stop = campaign.budget().stop();
+  const auto stop = analysis.budget().stop();
   auto tree = tree_at(problem, FrictionGrid(grid.width).at(multiple), grid, bounds);
   tree.end_when(stop);
   const auto most = std::min<std::uint64_t>(dive_nodes_a_candidate * problem.contact_names.size(),
-                                            campaign.budget().left().nodes);
+                                            analysis.budget().left().nodes);
   std::vector<SignPatternTree::Node> open{tree.root()};
   bool doubtful = false;
   try {
@@ -62,7 +62,7 @@ void dive(engine::Campaign& campaign, const problems::WedgedProblem& problem, st
       open.pop_back();
       auto fate = tree.decide(node);
       ++result.opened;
-      campaign.say_now_and_then([&] {
+      analysis.say_now_and_then([&] {
         return fmt::format("looking for a pattern at friction coefficient {:.6g}: {} nodes",
                            FrictionGrid(grid.width).at(multiple), result.opened);
       });
@@ -83,7 +83,7 @@ void dive(engine::Campaign& campaign, const problems::WedgedProblem& problem, st
 
 }  // namespace
 
-BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+BlockBounds bounds_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                       double factor, Tightening tightening) {
   const auto blocks = problems::blocks_of(problem);
   BlockBounds result;
@@ -94,21 +94,21 @@ BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem&
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
     if (blocks[block].size() < fewest) continue;
     if (tightening == Tightening::automatic && blocks[block].size() > most_to_bound) continue;
-    auto root = bound_candidates(campaign, problem, friction, block, CriticalFriction::tolerances);
+    auto root = bound_candidates(analysis, problem, friction, block, CriticalFriction::tolerances);
     result.programs += root.programs;
     result.blocks[block] = std::move(root.bounds);
   }
   return result;
 }
 
-CriticalDive dive_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+CriticalDive dive_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                      std::int64_t multiple, const CriticalGrid& grid, const BlockBounds& bounds) {
-  const auto result = campaign.by_first_rank([&] {
+  const auto result = analysis.by_first_rank([&] {
     CriticalDive own;
-    dive(campaign, problem, multiple, grid, bounds, own);
+    dive(analysis, problem, multiple, grid, bounds, own);
     return own;
   });
-  campaign.count_nodes(result.opened);
+  analysis.count_nodes(result.opened);
   return result;
 }
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "nodes/wedged/tree/branching_trial.hpp"
 #include "nodes/wedged/tree/candidate_bounds.hpp"
@@ -27,7 +27,7 @@ struct BlockBounds {
 
 /// Bounds the candidates of the blocks, unless told otherwise of the large ones of held bodies.
 /// Every rank makes the same call. @param factor of the candidates' own coefficients
-BlockBounds bounds_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+BlockBounds bounds_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                       double factor, Tightening tightening);
 
 /// Lets a tree at that coefficient, or at a smaller one, know: how its blocks are split, too.
@@ -57,7 +57,7 @@ struct CriticalDive {
 
 /// Dives at a multiple of the width, on the first rank, for so many nodes as it may need; every
 /// rank makes the same call and gets the same.
-CriticalDive dive_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+CriticalDive dive_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                      std::int64_t multiple, const CriticalGrid& grid, const BlockBounds& bounds);
 
 }  // namespace kusabi::wedged

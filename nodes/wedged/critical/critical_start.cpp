@@ -96,22 +96,22 @@ std::vector<SingleContact> single_contacts(const problems::WedgedProblem& block)
   return singles;
 }
 
-std::uint64_t start_bracket(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             const CriticalGrid& grid, CriticalBracket& bracket) {
   const auto blocks = problems::blocks_of(problem);
   std::uint64_t programs = 0;
   double dead = grid.most;
   for (std::uint32_t number = 0; number < blocks.size(); ++number) {
-    const auto start = campaign.by_first_rank([&] {
+    const auto start = analysis.by_first_rank([&] {
       BlockStart own;
-      start_block(problems::block_problem(problem, blocks[number]), grid, campaign.budget().stop(),
+      start_block(problems::block_problem(problem, blocks[number]), grid, analysis.budget().stop(),
                   own);
       return own;
     });
     dead = std::min(dead, start.dead);
     programs += start.programs;
     if (std::isfinite(start.alive)) bracket.sink(start.alive, {number, start.leaf});
-    if (campaign.ended()) return programs;  // of some blocks nothing is known
+    if (analysis.ended()) return programs;  // of some blocks nothing is known
   }
   Smallest found;
   found.lower = dead;

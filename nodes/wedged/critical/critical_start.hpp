@@ -3,7 +3,7 @@
 // in contact, both are the same.
 #pragma once
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -16,7 +16,7 @@ inline constexpr int fewest_to_start = 24;
 /// Narrows the bracket by them: of each block the root, the leaf with all in contact, and those
 /// with one candidate in contact, whose coefficients have a closed form. On all ranks.
 /// @return programs solved
-std::uint64_t start_bracket(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+std::uint64_t start_bracket(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             const CriticalGrid& grid, CriticalBracket& bracket);
 
 /// Candidates whose leaf with them alone in contact is feasible in closed form, and from which

@@ -44,7 +44,7 @@ Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const Criti
   return smallest;
 }
 
-Smallest find_smallest(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+Smallest find_smallest(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                        const SmallestQuestion& question, std::vector<CriticalCost>& costs,
                        std::vector<engine::RankReport<CriticalTree>>& ranks) {
   const auto& [direction, phase, grid, known, bounds] = question;
@@ -55,12 +55,12 @@ Smallest find_smallest(engine::Campaign& campaign, const problems::WedgedProblem
   options.goal = engine::Goal::best;
   options.order =
       direction == CriticalDirection::up ? engine::Order::best_first : engine::Order::depth_first;
-  auto outcome = campaign.search(tree, options);
+  auto outcome = analysis.search(tree, options);
   costs.push_back({phase, direction == CriticalDirection::up ? known : grid.most, outcome.opened(),
                    bounds.programs + outcome.tally().programs});
   const auto result = engine::from_first_rank(
-      campaign.transport(), [&] { return smallest_of(outcome, question.grid, question.known); });
-  if (campaign.is_first()) ranks = std::move(outcome.ranks);
+      analysis.transport(), [&] { return smallest_of(outcome, question.grid, question.known); });
+  if (analysis.is_first()) ranks = std::move(outcome.ranks);
   return result;
 }
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/critical/critical_bracket.hpp"
 #include "nodes/wedged/critical/critical_dive.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
@@ -45,7 +45,7 @@ Smallest smallest_of(const engine::OutcomeOf<CriticalTree>& outcome, const Criti
                      double known);
 
 /// @param ranks on rank 0, what each of them has done
-Smallest find_smallest(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+Smallest find_smallest(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                        const SmallestQuestion& question, std::vector<CriticalCost>& costs,
                        std::vector<engine::RankReport<CriticalTree>>& ranks);
 

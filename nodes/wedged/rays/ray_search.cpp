@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/shared_work.hpp"
+#include "engine/analysis/shared_work.hpp"
 #include "engine/together.hpp"
 #include "nodes/wedged/rays/divided_rays.hpp"
 #include "nodes/wedged/rays/ray_trial.hpp"
@@ -55,19 +55,19 @@ SignPatternTree whole_tree(const problems::WedgedProblem& problem,
 }
 
 template <class Tree>
-RayFindings searched(engine::Campaign& campaign, Tree tree) {
-  auto outcome = campaign.search(tree, {});
-  if (campaign.is_first()) return gathered(outcome);
+RayFindings searched(engine::Analysis& analysis, Tree tree) {
+  auto outcome = analysis.search(tree, {});
+  if (analysis.is_first()) return gathered(outcome);
   return {};
 }
 
 // Steps of all ranks, until all are done, or somebody ends them, or the list is longer than `most`.
 // Whether they were stopped is for rank 0 to say.
-rays::Steps steps_of_all(engine::Campaign& campaign, const rays::ReactionCone& cone,
+rays::Steps steps_of_all(engine::Analysis& analysis, const rays::ReactionCone& cone,
                          rays::RayList& list, std::uint64_t most, RayTrial* trial) {
-  auto& transport = campaign.transport();
+  auto& transport = analysis.transport();
   rays::Conduct conduct{.most_rays = most};
-  if (campaign.is_first()) conduct.stop = campaign.budget().stop();
+  if (analysis.is_first()) conduct.stop = analysis.budget().stop();
   if (trial != nullptr) {
     conduct.give_up = [&transport, trial](const rays::Effort& effort) {
       return engine::from_first_rank(transport, [&] { return trial->succeeds(effort.pairs); });
@@ -85,39 +85,39 @@ rays::Steps steps_of_all(engine::Campaign& campaign, const rays::ReactionCone& c
 }
 
 // The parts of a list that has come to be long, with what the steps before have cost.
-RayFindings by_parts(engine::Campaign& campaign, SignPatternTree tree,
+RayFindings by_parts(engine::Analysis& analysis, SignPatternTree tree,
                      const rays::ReactionCone& cone, rays::RayList list,
                      const rays::Steps& before) {
-  campaign.say(fmt::format("{} rays at one time: the list is divided", list.zeros.size()));
-  auto found = searched(campaign, DividedRays(std::move(tree), cone, std::move(list)));
-  if (!campaign.is_first()) return found;
+  analysis.say(fmt::format("{} rays at one time: the list is divided", list.zeros.size()));
+  auto found = searched(analysis, DividedRays(std::move(tree), cone, std::move(list)));
+  if (!analysis.is_first()) return found;
   found.health += before.health;
   found.tree->ranks.front().tally.effort += before.effort;
   return found;
 }
 
-RayFindings by_double_description(engine::Campaign& campaign,
+RayFindings by_double_description(engine::Analysis& analysis,
                                   const problems::WedgedProblem& problem,
                                   std::span<const double> friction, const rays::ReactionCone& cone,
                                   RayMethod method) {
   const auto start = std::chrono::steady_clock::now();
   const bool either = method == RayMethod::automatic;
   const auto most = either ? longest_list : std::numeric_limits<std::uint64_t>::max();
-  RayTrial trial([&] { return whole_tree(problem, friction); }, cone, campaign.budget().stop());
+  RayTrial trial([&] { return whole_tree(problem, friction); }, cone, analysis.budget().stop());
   auto list = rays::first_list(cone);
-  const auto steps = steps_of_all(campaign, cone, list, most, either ? &trial : nullptr);
-  const Way way = engine::from_first_rank(campaign.transport(), [&] {
+  const auto steps = steps_of_all(analysis, cone, list, most, either ? &trial : nullptr);
+  const Way way = engine::from_first_rank(analysis.transport(), [&] {
     return trial.has_succeeded() || (!steps.stopped && rays::has_ended(list, cone)) ? Way::done
            : steps.stopped                                                          ? Way::stopped
                                                                                     : Way::divided;
   });
   if (way == Way::divided)
-    return by_parts(campaign, whole_tree(problem, friction), cone, std::move(list), steps);
+    return by_parts(analysis, whole_tree(problem, friction), cone, std::move(list), steps);
   RayFindings found;
-  if (!campaign.is_first()) return found;
+  if (!analysis.is_first()) return found;
   if (trial.has_succeeded()) return std::move(trial).found();
   if (way == Way::stopped) {
-    found.status = campaign.budget().why();
+    found.status = analysis.budget().why();
     return found;
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
@@ -162,15 +162,15 @@ rays::ReactionCone reaction_cone(const problems::Structure& structure,
           problem.precise_motions.cast<long double>()};
 }
 
-RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+RayFindings find_rays(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                       std::span<const double> friction, const rays::ReactionCone& cone,
                       RayMethod method) {
   if (cone.equations() != problem.motions.cols())
     throw std::invalid_argument("the cone of reactions is not that of the loose bodies");
   const bool by_pattern = method == RayMethod::tree;
-  auto found = by_pattern ? searched(campaign, RayTree(whole_tree(problem, friction), cone))
-                          : by_double_description(campaign, problem, friction, cone, method);
-  if (!campaign.is_first()) return found;
+  auto found = by_pattern ? searched(analysis, RayTree(whole_tree(problem, friction), cone))
+                          : by_double_description(analysis, problem, friction, cone, method);
+  if (!analysis.is_first()) return found;
   if (by_pattern) found.method = RayMethod::tree;
   find_motions(found, cone);
   std::sort(found.rays.begin(), found.rays.end(), rays::comes_before);

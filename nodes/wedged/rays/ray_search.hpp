@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/rays/ray_tree.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "solvers/rays/double_description.hpp"
@@ -63,7 +63,7 @@ rays::ReactionCone reaction_cone(const problems::Structure& structure,
 /// @param problem in the plane  @param friction of each candidate
 /// @param cone of the same problem and friction, which makes rays of zero sets
 /// @param method double description heeds no limits
-RayFindings find_rays(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+RayFindings find_rays(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                       std::span<const double> friction, const rays::ReactionCone& cone,
                       RayMethod method);
 

@@ -24,7 +24,7 @@ PatternBisection::Pattern pattern_of(const Configuration& leaf,
 
 }  // namespace
 
-engine::Outcome<PatternBisection> bracket_patterns(engine::Campaign& campaign,
+engine::Outcome<PatternBisection> bracket_patterns(engine::Analysis& analysis,
                                                    const problems::WedgedProblem& problem,
                                                    const std::vector<Configuration>& leaves,
                                                    CriticalMethod method, double width,
@@ -34,24 +34,24 @@ engine::Outcome<PatternBisection> bracket_patterns(engine::Campaign& campaign,
   patterns.reserve(leaves.size());
   for (const auto& leaf : leaves) patterns.push_back(pattern_of(leaf, blocks));
   const auto count = static_cast<std::int64_t>(patterns.size());
-  const auto sections = count == 0 ? 1 : campaign.transport().size() / count;
+  const auto sections = count == 0 ? 1 : analysis.transport().size() / count;
   PatternBisection tree(problem, width, patterns, start, method, sections);
-  return campaign.search(tree, {});
+  return analysis.search(tree, {});
 }
 
-std::vector<PatternBracket> pattern_brackets(engine::Campaign& campaign,
+std::vector<PatternBracket> pattern_brackets(engine::Analysis& analysis,
                                              const problems::WedgedProblem& problem,
                                              const std::vector<Configuration>& leaves,
                                              double coefficient) {
-  const auto known = engine::from_first_rank(campaign.transport(), [&] { return leaves; });
+  const auto known = engine::from_first_rank(analysis.transport(), [&] { return leaves; });
   if (known.empty()) return {};
   const double width = coefficient / static_cast<double>(cells_to_known);
   const auto blocks = problems::blocks_of(problem);
   std::vector<SweepTree::Leaf> own;
   for (const auto& leaf : known) own.push_back(SweepTree::leaf_of(leaf, blocks[leaf.block]));
   SweepTree tree(problem, width, cells_to_known, own);
-  const auto outcome = campaign.search(tree, {});
-  if (!campaign.is_first() || outcome.status != engine::Status::solved) return {};
+  const auto outcome = analysis.search(tree, {});
+  if (!analysis.is_first() || outcome.status != engine::Status::solved) return {};
   const FrictionGrid grid(width);
   std::vector<PatternBracket> brackets(known.size());
   for (const auto& found : outcome.solutions) {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/friction/bisection.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -16,7 +16,7 @@ namespace kusabi::wedged {
 /// Searches for the cells of all of them. Every rank makes the same call.
 /// @param leaves maximal cones and open leaves, the same on all ranks
 /// @param start x width: the coefficient that they were found at
-engine::Outcome<PatternBisection> bracket_patterns(engine::Campaign& campaign,
+engine::Outcome<PatternBisection> bracket_patterns(engine::Analysis& analysis,
                                                    const problems::WedgedProblem& problem,
                                                    const std::vector<Configuration>& leaves,
                                                    CriticalMethod method, double width,
@@ -34,7 +34,7 @@ struct PatternBracket {
 /// history of the leaf. Every rank makes the same call.
 /// @param leaves on rank 0  @param coefficient that they were found at
 /// @returns on rank 0 one a leaf, in their order; empty if the search was stopped, and elsewhere
-std::vector<PatternBracket> pattern_brackets(engine::Campaign& campaign,
+std::vector<PatternBracket> pattern_brackets(engine::Analysis& analysis,
                                              const problems::WedgedProblem& problem,
                                              const std::vector<Configuration>& leaves,
                                              double coefficient);

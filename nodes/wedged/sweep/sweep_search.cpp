@@ -29,14 +29,14 @@ struct LeavesAtMost {
   }
 };
 
-LeavesAtMost leaves_at(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+LeavesAtMost leaves_at(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                        double most, SweepFindings& findings) {
   const auto friction = candidate_friction(problem, most);
   const SignPatternOptions options;
   SignPatternTree tree(problem, friction, options);
-  inform(tree, prepare(campaign, problem, friction, options));
-  auto outcome = campaign.search(tree, {});
-  auto leaves = engine::from_first_rank(campaign.transport(), [&] {
+  inform(tree, prepare(analysis, problem, friction, options));
+  auto outcome = analysis.search(tree, {});
+  auto leaves = engine::from_first_rank(analysis.transport(), [&] {
     LeavesAtMost found{outcome.status, {}};
     for (auto& each : outcome.solutions) found.leaves.push_back(std::move(each.solution));
     return found;
@@ -54,7 +54,7 @@ std::int64_t not_below(double friction, const FrictionGrid& grid) {
 
 }  // namespace
 
-SweepFindings sweep_friction(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+SweepFindings sweep_friction(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                              const SweepQuestion& question) {
   const auto& [most, width] = question;
   if (!(width > 0 && width < most) || most > most_multiples * width) {
@@ -66,7 +66,7 @@ SweepFindings sweep_friction(engine::Campaign& campaign, const problems::WedgedP
   const auto top = not_below(most, grid);
   SweepFindings findings;
   findings.most = most;
-  auto at_most = leaves_at(campaign, problem, grid.at(top), findings);
+  auto at_most = leaves_at(analysis, problem, grid.at(top), findings);
   findings.status = at_most.status;
   if (findings.status != engine::Status::solved) return findings;
   const auto blocks = problems::blocks_of(problem);
@@ -76,10 +76,10 @@ SweepFindings sweep_friction(engine::Campaign& campaign, const problems::WedgedP
   for (const auto& leaf : at_most.leaves)
     leaves.push_back(SweepTree::leaf_of(leaf, blocks[leaf.block]));
   SweepTree tree(problem, width, top, std::move(leaves));
-  auto outcome = campaign.search(tree, {});
-  findings.status = engine::from_first_rank(campaign.transport(), [&] { return outcome.status; });
+  auto outcome = analysis.search(tree, {});
+  findings.status = engine::from_first_rank(analysis.transport(), [&] { return outcome.status; });
   findings.history_ranks = std::move(outcome.ranks);
-  if (!campaign.is_first()) return findings;
+  if (!analysis.is_first()) return findings;
   std::vector<LeafOfSweep> histories;
   for (auto& leaf : at_most.leaves)
     histories.push_back({leaf.block, std::move(leaf.pattern), std::nullopt});

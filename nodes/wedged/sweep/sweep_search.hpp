@@ -6,7 +6,7 @@
 // the solutions of a leaf at a smaller one are among those that it has at the largest.
 #pragma once
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/sweep/sweep_findings.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -19,7 +19,7 @@ struct SweepQuestion {
 
 /// Every rank makes the same call; the findings are whole on rank 0, their status on all.
 /// @throws std::invalid_argument if a coefficient or the width is out of range
-SweepFindings sweep_friction(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+SweepFindings sweep_friction(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                              const SweepQuestion& question);
 
 }  // namespace kusabi::wedged

@@ -86,16 +86,16 @@ Dive dive(SignPatternTree& tree, std::uint32_t block, std::uint64_t number,
 // The trees by the rules that are tried, and what the dives into one of their blocks say.
 class Trial {
  public:
-  Trial(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+  Trial(engine::Analysis& analysis, const problems::WedgedProblem& problem,
         std::span<const double> friction, const SignPatternOptions& options,
         std::span<const Branching> rules)
-      : campaign_(campaign), rules_(rules) {
+      : analysis_(analysis), rules_(rules) {
     for (const Branching rule : rules) {
       SignPatternOptions own = options;
       own.branching = rule;
       own.probes = 0;
       trees_.emplace_back(problem, friction, own);
-      trees_.back().end_when(campaign.budget().stop());
+      trees_.back().end_when(analysis.budget().stop());
     }
   }
 
@@ -103,7 +103,7 @@ class Trial {
     constexpr auto unknown = std::numeric_limits<double>::infinity();
     const auto few = few_nodes(candidates);
     const auto first =
-        campaign_.by_first_rank([&] { return look(block, looked_through(candidates)); });
+        analysis_.by_first_rank([&] { return look(block, looked_through(candidates)); });
     if (first.whole) return {rules_.front(), static_cast<double>(first.opened)};
     if (candidates < fewest_candidates) return {rules_.front(), unknown};
     const auto rules = first.much ? 1 : trees_.size();
@@ -143,7 +143,7 @@ class Trial {
     Look result;
     int found = 0;
     while (result.opened < few && !open.empty()) {
-      if (found == much || campaign_.budget().spent()) {
+      if (found == much || analysis_.budget().spent()) {
         result.much = true;
         return result;
       }
@@ -157,7 +157,7 @@ class Trial {
         return result;
       }
       ++result.opened;
-      campaign_.say_now_and_then([&] {
+      analysis_.say_now_and_then([&] {
         return fmt::format("sampling the tree to choose how it is split: {} nodes", result.opened);
       });
       if (fate.leaf) ++found;
@@ -172,18 +172,18 @@ class Trial {
   }
 
   std::vector<Dive> share(std::uint32_t block, std::uint64_t round, std::size_t rules) {
-    return campaign_.share<Dive>(dives_a_round * rules, [&](std::uint64_t piece) {
+    return analysis_.share<Dive>(dives_a_round * rules, [&](std::uint64_t piece) {
       return dive(trees_[piece % rules], block, round * dives_a_round + piece / rules,
-                  campaign_.budget());
+                  analysis_.budget());
     });
   }
 
   bool ended() {
-    return engine::from_first_rank(campaign_.transport(),
-                                   [&] { return campaign_.budget().spent(); });
+    return engine::from_first_rank(analysis_.transport(),
+                                   [&] { return analysis_.budget().spent(); });
   }
 
-  engine::Campaign& campaign_;
+  engine::Analysis& analysis_;
   std::span<const Branching> rules_;
   std::vector<SignPatternTree> trees_;
 };
@@ -196,7 +196,7 @@ Branching untried_branching(int candidates) {
   return candidates < fewest_candidates ? Branching::relative : tried.front();
 }
 
-std::vector<TriedTree> tried_trees(engine::Campaign& campaign,
+std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
                                    const problems::WedgedProblem& problem,
                                    std::span<const double> friction,
                                    const SignPatternOptions& options, int fewest) {
@@ -218,7 +218,7 @@ std::vector<TriedTree> tried_trees(engine::Campaign& campaign,
       const auto rules = is_large    ? std::span<const Branching>(tried)
                          : automatic ? std::span<const Branching>(without_centre)
                                      : std::span<const Branching>(asked);
-      trial.emplace(campaign, problem, friction, options, rules);
+      trial.emplace(analysis, problem, friction, options, rules);
     }
     result[block] = trial->best_of(block, candidates);
   }

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -30,7 +30,7 @@ struct TriedTree {
 /// For each block the rule that was asked for, or what the trial says. The ranks share the dives,
 /// and come to the same, however many they are. Every rank makes the same call.
 /// @param fewest smaller blocks are not looked at
-std::vector<TriedTree> tried_trees(engine::Campaign& campaign,
+std::vector<TriedTree> tried_trees(engine::Analysis& analysis,
                                    const problems::WedgedProblem& problem,
                                    std::span<const double> friction,
                                    const SignPatternOptions& options, int fewest);

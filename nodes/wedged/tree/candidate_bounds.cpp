@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/shared_work.hpp"
+#include "engine/analysis/shared_work.hpp"
 #include "engine/together.hpp"
 #include "problems/wedged/problem_block.hpp"
 
@@ -239,7 +239,7 @@ bool is_decided(std::span<const CandidateBounds> bounds) {
 
 }  // namespace
 
-RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             std::span<const double> friction, std::uint32_t block,
                             conic::Tolerances tolerances) {
   const auto candidates = problems::blocks_of(problem)[block];
@@ -247,7 +247,7 @@ RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedPr
   for (const int i : candidates) own_friction.push_back(friction[static_cast<std::size_t>(i)]);
   CandidateBounding bounding(problems::block_problem(problem, candidates), own_friction,
                              tolerances);
-  bounding.end_when(campaign.budget().stop());
+  bounding.end_when(analysis.budget().stop());
   RootBounds result;
   bool spent = false;
   for (int sweep = 0; sweep < most_sweeps && !spent; ++sweep) {
@@ -255,7 +255,7 @@ RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedPr
     for (int first = 0; first < bounding.candidates() && !spent; first += group_size) {
       const auto pieces =
           static_cast<std::uint64_t>(2 * std::min(group_size, bounding.candidates() - first));
-      auto found = campaign.share<std::vector<ProvedBound>>(pieces, [&](std::uint64_t piece) {
+      auto found = analysis.share<std::vector<ProvedBound>>(pieces, [&](std::uint64_t piece) {
         std::vector<ProvedBound> own;
         const int candidate = first + static_cast<int>(piece / 2);
         try {
@@ -270,12 +270,12 @@ RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedPr
       for (auto& each : found)
         for (auto& one : each) bounding.take_up(std::move(one));
       result.programs += pieces;
-      campaign.say_now_and_then([&] {
+      analysis.say_now_and_then([&] {
         return in_short(bounding.bounds(), sweep + 1,
                         std::min(first + group_size, bounding.candidates()));
       });
       spent =
-          engine::from_first_rank(campaign.transport(), [&] { return campaign.budget().spent(); });
+          engine::from_first_rank(analysis.transport(), [&] { return analysis.budget().spent(); });
     }
     if (is_decided(bounding.bounds()) || progress(before, bounding.bounds()) < slow_progress) break;
   }

@@ -21,7 +21,7 @@
 
 #include <boost/serialization/vector.hpp>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/tree/contact_solver.hpp"
 #include "nodes/wedged/tree/mean_motion.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -129,7 +129,7 @@ struct RootBounds {
 
 /// Sweeps over the candidates of a block until that does little, or the budget is spent. The ranks
 /// share the programs, and come to the same, however many they are. Every rank makes the same call.
-RootBounds bound_candidates(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                             std::span<const double> friction, std::uint32_t block,
                             conic::Tolerances tolerances);
 

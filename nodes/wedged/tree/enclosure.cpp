@@ -8,25 +8,25 @@
 namespace kusabi::wedged {
 namespace {
 
-support::LongWork long_work(engine::Campaign& campaign) {
+support::LongWork long_work(engine::Analysis& analysis) {
   return {
-      .stop = campaign.budget().stop(), .report = [&campaign](const char* work, double share) {
-        campaign.say_now_and_then([&] { return fmt::format("{}: {:.0f} %", work, 100 * share); });
+      .stop = analysis.budget().stop(), .report = [&analysis](const char* work, double share) {
+        analysis.say_now_and_then([&] { return fmt::format("{}: {:.0f} %", work, 100 * share); });
       }};
 }
 
 }  // namespace
 
-std::optional<Enclosure> enclosed_within(engine::Campaign& campaign,
+std::optional<Enclosure> enclosed_within(engine::Analysis& analysis,
                                          const problems::Structure& structure, Enclose enclose) {
   std::optional<Enclosure> enclosed;
   try {
-    enclosed.emplace(enclose(structure, long_work(campaign)));
+    enclosed.emplace(enclose(structure, long_work(analysis)));
   } catch (const support::Stopped&) {
     enclosed.reset();
   }
   const engine::Reduction own{.ranks = 1, .found = enclosed ? 0U : 1U};
-  if (engine::all_reduce(campaign.transport(), own).found != 0) enclosed.reset();
+  if (engine::all_reduce(analysis.transport(), own).found != 0) enclosed.reset();
   return enclosed;
 }
 

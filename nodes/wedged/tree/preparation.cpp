@@ -24,7 +24,7 @@ bool pays(const TriedTree& tree, int candidates, Tightening tightening) {
 
 }  // namespace
 
-std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                                  std::span<const double> friction,
                                  const SignPatternOptions& options) {
   const bool is_loose = problem.motions.cols() > 0;
@@ -32,7 +32,7 @@ std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::Wed
   const int fewest = options.tightening != Tightening::automatic ? std::numeric_limits<int>::max()
                      : is_loose                                  ? fewest_of_loose_to_bound
                                                                  : fewest_to_bound;
-  const auto trees = tried_trees(campaign, problem, friction, options, fewest);
+  const auto trees = tried_trees(analysis, problem, friction, options, fewest);
   const auto blocks = problems::blocks_of(problem);
   std::vector<Preparation> result(blocks.size());
   for (std::uint32_t block = 0; block < blocks.size(); ++block) {
@@ -40,7 +40,7 @@ std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::Wed
     own.branching = trees[block].branching;
     const int candidates = blocks[block].size();
     if (options.facets != 0 || !pays(trees[block], candidates, options.tightening)) continue;
-    own.root = bound_candidates(campaign, problem, friction, block, options.tolerances);
+    own.root = bound_candidates(analysis, problem, friction, block, options.tolerances);
     // With cuts the centre says more than the first point that proves a node alive.
     if (options.branching == Branching::automatic && own.branching == Branching::relative &&
         !is_loose)

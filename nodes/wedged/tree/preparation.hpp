@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "nodes/wedged/tree/candidate_bounds.hpp"
 #include "nodes/wedged/tree/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -26,7 +26,7 @@ struct Preparation {
 
 /// Finds both for each block, as the options ask for. The ranks share the work, and come to the
 /// same, however many they are. Every rank makes the same call.
-std::vector<Preparation> prepare(engine::Campaign& campaign, const problems::WedgedProblem& problem,
+std::vector<Preparation> prepare(engine::Analysis& analysis, const problems::WedgedProblem& problem,
                                  std::span<const double> friction,
                                  const SignPatternOptions& options);
 

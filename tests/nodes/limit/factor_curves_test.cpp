@@ -42,8 +42,8 @@ Structure truss_in(const std::string& file) {
 
 LimitAnswer answer(const Structure& truss, const LimitQuestion& question) {
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
-  return limit_loads(campaign, truss, problems::limit_problem(truss), question).answer;
+  engine::Analysis analysis(alone);
+  return limit_loads(analysis, truss, problems::limit_problem(truss), question).answer;
 }
 
 /// @param expected pairs of a place and a factor, the last one where the curve ends

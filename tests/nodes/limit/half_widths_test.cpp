@@ -29,8 +29,8 @@ std::pair<LimitFindings, problems::LimitProblem> found(const Structure& truss,
   problems::LimitProblem* const one = &problem;
   const auto alpha = problems::settle_half_widths({&one, 1}, asked);
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
-  return {limit_loads(campaign, truss, problem, {.alpha = alpha}), problem};
+  engine::Analysis analysis(alone);
+  return {limit_loads(analysis, truss, problem, {.alpha = alpha}), problem};
 }
 
 // Those of the file are of every other parameter, the rest is asked for.

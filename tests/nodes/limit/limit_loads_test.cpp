@@ -172,8 +172,8 @@ TEST(LimitLoads, ProvesTheWorstCornerOfRandomTrusses) {
     } catch (const support::InputError&) {
       continue;  // a mechanism, or two nodes at one place
     }
-    engine::Campaign campaign(alone);
-    const auto found = limit_loads(campaign, truss, *problem, {.alpha = alpha}).answer;
+    engine::Analysis analysis(alone);
+    const auto found = limit_loads(analysis, truss, *problem, {.alpha = alpha}).answer;
     if (!found.whole()) {
       ++open;  // and says so
       continue;
@@ -235,9 +235,9 @@ TEST(LimitLoads, ProvesTheCurveOfTheWorstCornersOfRandomTrusses) {
     } catch (const support::InputError&) {
       continue;
     }
-    engine::Campaign campaign(alone);
+    engine::Analysis analysis(alone);
     const LimitQuestion question{.alpha = alpha, .curve = true, .curve_to = 3};
-    const auto found = limit_loads(campaign, truss, *problem, question).answer;
+    const auto found = limit_loads(analysis, truss, *problem, question).answer;
     if (!found.worst_curve) continue;
     if (!found.whole()) {
       ++open;

@@ -26,8 +26,8 @@ inline constexpr double near = 1e-6;
 
 inline LimitFindings findings(const problems::Structure& truss, const LimitQuestion& question) {
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
-  return limit_loads(campaign, truss, limit_problem(truss), question);
+  engine::Analysis analysis(alone);
+  return limit_loads(analysis, truss, limit_problem(truss), question);
 }
 
 /// The problem of the truss; nothing if it is a mechanism or has a node without a member.

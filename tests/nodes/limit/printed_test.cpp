@@ -30,8 +30,8 @@ problems::Structure example(const std::string& name) {
 LimitAnswer answered(const problems::Structure& truss, const LimitQuestion& question,
                      const engine::Limits& limits = {}) {
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone, {.limits = limits});
-  return limit_loads(campaign, truss, problems::limit_problem(truss), question).answer;
+  engine::Analysis analysis(alone, {.limits = limits});
+  return limit_loads(analysis, truss, problems::limit_problem(truss), question).answer;
 }
 
 /// lambda* is concave in zeta, so that the least of all corners is the worst case.

@@ -32,10 +32,10 @@ std::uint64_t opened_by(Branching rule, const Instance& instance) {
 PatternFindings found(const Instance& instance) {
   const std::vector<double> friction(instance.problem.contact_names.size(), instance.friction);
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
+  engine::Analysis analysis(alone);
   PatternQuestion question;
   question.tree.tightening = Tightening::never;
-  return find_patterns(campaign, instance.problem, friction, question);
+  return find_patterns(analysis, instance.problem, friction, question);
 }
 
 // By one rule the first has a twentieth of the nodes that it has by another, by which the second
@@ -62,9 +62,9 @@ TEST(BranchingTrial, LeavesSmallBlocksAndRulesThatWereAskedForAlone) {
   const auto problem = cantilever_face(44);
   const std::vector<double> friction(problem.contact_names.size(), 5.2);
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
+  engine::Analysis analysis(alone);
   EXPECT_THAT(
-      tried_trees(campaign, problem, friction, {.tolerances = {}, .branching = Branching::deepest},
+      tried_trees(analysis, problem, friction, {.tolerances = {}, .branching = Branching::deepest},
                   45),
       testing::ElementsAre(testing::AllOf(testing::Field(&TriedTree::branching, Branching::deepest),
                                           testing::Field(&TriedTree::nodes, 0))));

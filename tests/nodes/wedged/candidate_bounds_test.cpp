@@ -35,8 +35,8 @@ struct Compared {
 
 RootBounds bounds_of(const WedgedProblem& problem, const std::vector<double>& friction) {
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
-  return bound_candidates(campaign, problem, friction, 0, {});
+  engine::Analysis analysis(alone);
+  return bound_candidates(analysis, problem, friction, 0, {});
 }
 
 /// A configuration (r, u) with these candidates in contact and these separated, within the bounds.

@@ -193,8 +193,8 @@ RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod m
   const auto friction = everywhere(problem, mu);
   const auto cone = reaction_cone(structure, problem, friction);
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
-  return find_rays(campaign, problem, friction, cone, method);
+  engine::Analysis analysis(alone);
+  return find_rays(analysis, problem, friction, cone, method);
 }
 
 TEST(Corner, HasRaysWhoseCliquesAreThePatterns) {
@@ -253,8 +253,8 @@ problems::Structure tip_in_groove(double theta) {
 
 CriticalFindings critical(const problems::Structure& structure) {
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone, {});
-  return find_critical_friction(campaign, structure, problems::wedged_problem(structure),
+  engine::Analysis analysis(alone, {});
+  return find_critical_friction(analysis, structure, problems::wedged_problem(structure),
                                 {.width = 1e-8});
 }
 

@@ -18,7 +18,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "engine/journal.hpp"
 #include "engine/simulation.hpp"
 #include "engine/transport/single_process.hpp"
@@ -155,8 +155,8 @@ TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
     auto problem = problems::wedged_problem(structure);
     problem.friction.assign(problem.contact_names.size(), 0.470279645 / factor);
     engine::SingleProcess alone;
-    engine::Campaign campaign(alone);
-    return find_critical_friction(campaign, structure, problem,
+    engine::Analysis analysis(alone);
+    return find_critical_friction(analysis, structure, problem,
                                   {.way = way, .most = most, .width = 1e-6});
   };
   for (const double factor : {0.9, 0.9985, 0.99999, 1.00001, 3.99, 4.01}) {
@@ -176,8 +176,8 @@ TEST(CriticalFriction, IsTheSameFromAboveAndFromBelow) {
 
 CriticalFindings found_of(const problems::Structure& structure, const CriticalQuestion& question) {
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
-  return find_critical_friction(campaign, structure, problems::wedged_problem(structure), question);
+  engine::Analysis analysis(alone);
+  return find_critical_friction(analysis, structure, problems::wedged_problem(structure), question);
 }
 
 void expect_same_answer(const CriticalFindings& one, const CriticalFindings& other) {
@@ -248,8 +248,8 @@ TEST(CriticalFriction, GoesOnTheWayThatItsTrialChose) {
     engine::SingleProcess alone;
     engine::Supervision supervision;
     supervision.keeping = engine::Keeping{.journal = &journal, .file = file, .question = 5};
-    engine::Campaign campaign(alone, std::move(supervision));
-    auto found = find_critical_friction(campaign, structure, problem,
+    engine::Analysis analysis(alone, std::move(supervision));
+    auto found = find_critical_friction(analysis, structure, problem,
                                         {.trial_nodes = trial_nodes, .list = true});
     return std::pair(std::move(found), journal.size());
   };
@@ -344,8 +344,8 @@ TEST(CriticalFriction, MoreNodesNeverKnowLess) {
     engine::SingleProcess alone;
     engine::Supervision supervision;
     supervision.limits.nodes = nodes;
-    engine::Campaign campaign(alone, std::move(supervision));
-    const auto found = find_critical_friction(campaign, structure, problem, {});
+    engine::Analysis analysis(alone, std::move(supervision));
+    const auto found = find_critical_friction(analysis, structure, problem, {});
     std::uint64_t opened = 0;
     for (const auto& cost : found.costs)
       if (cost.phase != CriticalPhase::upper_end) opened += cost.opened;

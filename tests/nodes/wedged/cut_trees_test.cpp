@@ -30,13 +30,13 @@ PatternFindings searched(const problems::WedgedProblem& problem, double mu, Tigh
                          const Witness& witness = {}, bool thorough = false, int probes = 0) {
   const std::vector<double> friction(problem.contact_names.size(), mu);
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
+  engine::Analysis analysis(alone);
   PatternQuestion question;
   question.tree.tightening = tightening;
   question.tree.thorough = thorough;
   question.tree.probes = probes;
   question.witness = witness;
-  return find_patterns(campaign, problem, friction, question);
+  return find_patterns(analysis, problem, friction, question);
 }
 
 /// The same patterns in the same states; of solid cones the same bits, too, since a leaf's program

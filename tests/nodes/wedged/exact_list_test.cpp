@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/sweep/sweep_search.hpp"
@@ -31,12 +31,12 @@ problems::Structure structure_in(const std::string& place) {
 PatternFindings listed(const problems::Structure& structure, double mu,
                        Proving proving = Proving::automatic) {
   engine::SingleProcess transport;
-  engine::Campaign campaign(transport, {});
+  engine::Analysis analysis(transport, {});
   const auto problem = problems::wedged_problem(structure);
   PatternQuestion question;
   question.structure = &structure;
   question.proving = proving;
-  return find_patterns(campaign, problem, candidate_friction(problem, mu), question);
+  return find_patterns(analysis, problem, candidate_friction(problem, mu), question);
 }
 
 TEST(ScaleRatio, IsThatOfLeversAndCouplings) {
@@ -74,16 +74,16 @@ TEST(ExactList, IsTheSameWhereNothingIsFarApart) {
 
 TEST(ExactList, HoldsCountsOfASweepAgainstIt) {
   engine::SingleProcess transport;
-  engine::Campaign campaign(transport, {});
+  engine::Analysis analysis(transport, {});
   const auto structure = structure_in("examples/plane-truss.toml");
   const auto problem = problems::wedged_problem(structure);
-  auto found = sweep_friction(campaign, problem, {.most = 0.8});
+  auto found = sweep_friction(analysis, problem, {.most = 0.8});
   const std::vector<double> points{0.5};
   const ExactQuestion question{structure, problem, Proving::always};
-  EXPECT_EQ(tested_counts(campaign, question, points, found).unable, "");
+  EXPECT_EQ(tested_counts(analysis, question, points, found).unable, "");
   ASSERT_FALSE(found.cones.empty());
   found.cones.pop_back();
-  EXPECT_NE(tested_counts(campaign, question, points, found).unable, "");
+  EXPECT_NE(tested_counts(analysis, question, points, found).unable, "");
 }
 
 }  // namespace

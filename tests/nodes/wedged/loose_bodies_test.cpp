@@ -21,8 +21,8 @@ constexpr double degree = std::numbers::pi / 180;
 
 CriticalFindings critical(const problems::Structure& structure) {
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone, {});
-  return find_critical_friction(campaign, structure, problems::wedged_problem(structure),
+  engine::Analysis analysis(alone, {});
+  return find_critical_friction(analysis, structure, problems::wedged_problem(structure),
                                 {.width = 1e-8});
 }
 

@@ -27,8 +27,8 @@ RayFindings rays_of(const problems::Structure& structure, double mu, RayMethod m
   const std::vector<double> friction(problem.contact_names.size(), mu);
   const auto cone = reaction_cone(structure, problem, friction);
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone);
-  return find_rays(campaign, problem, friction, cone, method);
+  engine::Analysis analysis(alone);
+  return find_rays(analysis, problem, friction, cone, method);
 }
 
 // A truss without supports, its obstacles around it.

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/campaign.hpp"
+#include "engine/analysis/analysis.hpp"
 #include "engine/simulation.hpp"
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/pattern_search.hpp"
@@ -37,8 +37,8 @@ problems::WedgedProblem example(const std::string& name) {
 
 SweepFindings swept(const problems::WedgedProblem& problem, double most) {
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone, {});
-  return sweep_friction(campaign, problem, {.most = most, .width = width});
+  engine::Analysis analysis(alone, {});
+  return sweep_friction(analysis, problem, {.most = most, .width = width});
 }
 
 Cones maximal_at(const SweepFindings& findings, double friction) {
@@ -54,8 +54,8 @@ Cones maximal_at(const SweepFindings& findings, double friction) {
 void expect_as_enumerated(const problems::WedgedProblem& problem, const SweepFindings& findings,
                           double friction) {
   engine::SingleProcess alone;
-  engine::Campaign campaign(alone, {});
-  const auto own = find_patterns(campaign, problem, candidate_friction(problem, friction));
+  engine::Analysis analysis(alone, {});
+  const auto own = find_patterns(analysis, problem, candidate_friction(problem, friction));
   ASSERT_EQ(own.open(), 0U);
   const auto count = findings.count_at(friction);
   EXPECT_TRUE(count.exact()) << friction;

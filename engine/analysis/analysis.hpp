@@ -1,4 +1,4 @@
-// Campaign: an analysis that runs several searches in sequence, with its limits, progress output
+// Analysis: an analysis that runs several searches in sequence, with its limits, progress output
 // and journal. By default it has no limits and no output.
 #pragma once
 
@@ -14,11 +14,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/budget.hpp"
+#include "engine/analysis/budget.hpp"
+#include "engine/analysis/recording.hpp"
+#include "engine/analysis/shared_work.hpp"
 #include "engine/options.hpp"
-#include "engine/recording.hpp"
 #include "engine/search.hpp"
-#include "engine/shared_work.hpp"
 #include "engine/shown_objective.hpp"
 #include "engine/together.hpp"
 #include "engine/transport/transport.hpp"
@@ -53,23 +53,23 @@ struct Supervision {
 
 /// An analysis in progress, on all ranks of a transport. Its parts are searches, shared work and
 /// work of rank 0. With a journal, a part that an earlier run finished is not repeated
-/// (engine/recording.hpp).
+/// (engine/analysis/recording.hpp).
 ///
 /// @pre with a journal: the parts and their results depend on the analysis alone, not on the number
 ///     of ranks and not on timing, unless the budget is spent
-class Campaign {
+class Analysis {
  public:
   /// Starts the clock. The transport must outlive this object.
-  explicit Campaign(Transport& transport, Supervision supervision = {})
+  explicit Analysis(Transport& transport, Supervision supervision = {})
       : transport_(transport),
         supervision_(std::move(supervision)),
         budget_(supervision_.limits, supervision_.interrupt) {
     if (supervision_.keeping)
       recording_.emplace(transport, *supervision_.keeping, supervision_.warn);
   }
-  Campaign(const Campaign&) = delete;
-  Campaign& operator=(const Campaign&) = delete;
-  ~Campaign() = default;
+  Analysis(const Analysis&) = delete;
+  Analysis& operator=(const Analysis&) = delete;
+  ~Analysis() = default;
 
   [[nodiscard]] Transport& transport() { return transport_; }
   [[nodiscard]] bool is_first() const { return transport_.rank() == 0; }
@@ -82,7 +82,7 @@ class Campaign {
   [[nodiscard]] bool is_kept() const { return recording_.has_value(); }
 
   /// A part of the analysis: engine::search within the remaining budget, with progress output.
-  /// @param options the campaign adds interrupt and progress, tightens the limits to what remains
+  /// @param options the analysis adds interrupt and progress, tightens the limits to what remains
   ///   and, with a journal, sets the checkpoint
   template <class P>
   OutcomeOf<P> search(P& problem, Options options, const ShownObjective& shown = {}) {

@@ -1,5 +1,5 @@
 // Recording: rank 0 reads and writes the journal and broadcasts its records.
-#include "engine/recording.hpp"
+#include "engine/analysis/recording.hpp"
 
 #include <filesystem>
 #include <string_view>

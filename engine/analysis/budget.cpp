@@ -1,5 +1,5 @@
 // Budget: remaining time, and stop or checkpoint requests that arrive between searches.
-#include "engine/budget.hpp"
+#include "engine/analysis/budget.hpp"
 
 #include <algorithm>
 #include <utility>
