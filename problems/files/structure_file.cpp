@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "problems/files/problem_text.hpp"
+#include "problems/files/sections/actions_section.hpp"
 #include "problems/files/sections/loads_file.hpp"
 #include "problems/files/sections/problem_draft.hpp"
 #include "problems/files/sections/problem_sections.hpp"
@@ -70,10 +71,10 @@ StructureAndFacets read(std::string_view toml_text, const std::string& file_name
                               "the file is empty; expected a problem file in TOML");
   }
   ProblemDraft draft(toml_text, file_name, meshes);
-  draft.reader().allow_only(
-      draft.reader().root(),
-      {"name", "dimension", "units", "nodes", "mesh", "material", "members", "elements", "supports",
-       "springs", "stiffness", "ties", "contact", "loads", "uncertainty"});
+  draft.reader().allow_only(draft.reader().root(),
+                            {"name", "dimension", "units", "nodes", "mesh", "material", "members",
+                             "elements", "supports", "springs", "stiffness", "ties", "contact",
+                             "loads", "uncertainty", "actions", "combinations"});
   read_header(draft);
   read_nodes(draft);
   read_meshes(draft);
@@ -85,6 +86,7 @@ StructureAndFacets read(std::string_view toml_text, const std::string& file_name
   read_ties(draft);
   read_contact(draft);
   read_loads(draft);
+  read_actions(draft);
   auto facets = std::move(draft.facets());
   Structure structure = std::move(draft).finished();
   check_structure(structure);

@@ -20,7 +20,8 @@ class BarKeys {
         modulus_(find("E")),
         area_(find("A")),
         force_(find("yield")),
-        stress_(find("fy")) {}
+        stress_(find("fy")),
+        buckling_(find("buckling")) {}
 
   [[nodiscard]] BarGroup read() const;
 
@@ -35,6 +36,7 @@ class BarKeys {
   [[nodiscard]] YieldForces pair(const toml::node& node, std::string_view called,
                                  std::string_view what) const;
   [[nodiscard]] YieldForces stresses() const;
+  [[nodiscard]] CompressedBar compressed() const;
 
   const TomlReader& reader_;
   const TomlTable& group_;
@@ -43,6 +45,7 @@ class BarKeys {
   const toml::node* area_;
   const toml::node* force_;
   const toml::node* stress_;
+  const toml::node* buckling_;
 };
 
 void BarKeys::refuse_both_and_half() const {
@@ -109,6 +112,35 @@ YieldForces BarKeys::stresses() const {
   return stress;
 }
 
+CompressedBar BarKeys::compressed() const {
+  if (modulus_ == nullptr || stress_ == nullptr || !stress_->is_number()) {
+    reader_.fail(*buckling_,
+                 "buckling stands without E, A and fy; expected all three, fy as one number");
+  }
+  const TomlTable table = reader_.table(*buckling_, "buckling");
+  reader_.allow_only(table, {"curve", "i", "length", "gamma_M1"});
+  const auto number = [&](std::string_view key, std::string_view what, double otherwise) {
+    const toml::node* entry = table.table->get(key);
+    return entry == nullptr ? otherwise : reader_.positive(*entry, key, what, 1e-6, 1e6);
+  };
+  const TomlText curve = reader_.text(reader_.require(table, "curve", "curve = \"a\""), "curve");
+  const auto imperfection = imperfection_factor(curve.text);
+  if (!imperfection) {
+    reader_.fail(curve.position,
+                 fmt::format("curve is {}; expected a0, a, b, c or d (EN 1993-1-1, table 6.1)",
+                             support::in_quotes(curve.text)));
+  }
+  const double radius = positive(reader_.require(table, "i", "i = the radius of gyration"), "i",
+                                 "radius of gyration");
+  return {.modulus = positive(*modulus_, "E", "modulus"),
+          .area = positive(*area_, "A", "area"),
+          .yield_stress = positive(*stress_, "fy", "yield stress"),
+          .radius = radius,
+          .length = number("length", "factor of the length", 1),
+          .imperfection = *imperfection,
+          .partial = number("gamma_M1", "partial factor", 1)};
+}
+
 BarGroup BarKeys::read() const {
   refuse_both_and_half();
   const auto position = [&](const toml::node* entry, const toml::node* other) {
@@ -123,10 +155,18 @@ BarGroup BarKeys::read() const {
     const auto [tension, compression] = stresses();
     bars.bar.yield = YieldForces{area * tension, area * compression};
   }
+  if (buckling_ != nullptr) bars.compressed = compressed();
   return bars;
 }
 
 }  // namespace
+
+std::optional<YieldForces> BarGroup::yield_at(double length) const {
+  if (!compressed) return bar.yield;
+  CompressedBar here = *compressed;
+  here.length *= length;
+  return YieldForces{bar.yield->tension, buckling_resistance(here)};
+}
 
 BarGroup bars_in(const TomlReader& reader, const TomlTable& group) {
   return BarKeys(reader, group).read();

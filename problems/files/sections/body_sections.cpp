@@ -14,8 +14,8 @@ namespace {
 void member_group(ProblemDraft& draft, const TomlTable& group) {
   const TomlReader& reader = draft.reader();
   Structure& structure = draft.structure();
-  reader.allow_only(group, {"EA", "E", "A", "yield", "fy", "between"});
-  auto [bar, stiffness_position, yield_position] = bars_in(reader, group);
+  reader.allow_only(group, {"EA", "E", "A", "yield", "fy", "buckling", "between"});
+  const BarGroup bars = bars_in(reader, group);
   const auto& between = reader.require(group, "between", "between = [[\"a\", \"b\"], ...]");
   for (const toml::node* pair : reader.elements(between, "between")) {
     const auto ends = reader.texts(*pair, "a member");
@@ -24,12 +24,15 @@ void member_group(ProblemDraft& draft, const TomlTable& group) {
                                      "\"b\"]",
                                      ends.size()));
     }
+    Member bar = bars.bar;
     bar.first = draft.node(ends[0]);
     bar.second = draft.node(ends[1]);
+    bar.yield = bars.yield_at(
+        (structure.coordinates.col(bar.second) - structure.coordinates.col(bar.first)).norm());
     structure.members.push_back(bar);
     structure.sources.members.push_back(reader.position(*pair));
-    structure.sources.axial_stiffnesses.push_back(stiffness_position);
-    structure.sources.yields.push_back(yield_position);
+    structure.sources.axial_stiffnesses.push_back(bars.stiffness);
+    structure.sources.yields.push_back(bars.yield);
   }
 }
 

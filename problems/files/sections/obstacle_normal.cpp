@@ -247,8 +247,8 @@ ObstacleNormal obstacle_normal(const ProblemDraft& draft, const TomlTable& group
   if (entry.is_string()) {
     const TomlText text = reader.text(entry, "the normal");
     if (text.text == "surface") return of_surface(draft, group, surface);
-    reader.fail(entry,
-                fmt::format("the normal is {}; expected {}", support::in_quotes(text.text), kinds_of_normal));
+    reader.fail(entry, fmt::format("the normal is {}; expected {}", support::in_quotes(text.text),
+                                   kinds_of_normal));
   }
   if (entry.is_table()) {
     const TomlTable table = reader.table(entry, "the normal");
