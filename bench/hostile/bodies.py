@@ -39,7 +39,7 @@ class Bodies:
         for group in table["contact"]:
             for i, node in enumerate(group["nodes"]):
                 place = group["against"][i] if "against" in group else {"nodes": [], "weights": []}
-                self.candidates.append(Candidate(node, [float(x) for x in group["normal"]], float(group.get("friction", 1)),
+                self.candidates.append(Candidate(node, [float(x) for x in group["normal"]], float(group.get("friction_factor", group.get("friction", 1))),
                                                  list(zip(place["nodes"], map(float, place["weights"])))))
         self._place()
         self.names = [self._name(i) for i in range(len(self.candidates))]

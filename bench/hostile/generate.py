@@ -35,6 +35,19 @@ def _obstacles(rng, d, count):
     return [[x + 0.4 * y for x, y in zip(main, _direction(rng, d))] for _ in range(count)]
 
 
+def _outward(a, b):
+    """Outward normal of an edge from a to b of a body that is to the left of it."""
+    return [b[1] - a[1], a[0] - b[0]]
+
+
+def _into(normals, faces):
+    """Normals of obstacles into the body: turned round together, and then each that still faces away from all faces at its node."""
+    inwards = lambda normal, outward: any(sum(x * y for x, y in zip(normal, n)) < 0 for n in outward)
+    if 2 * sum(inwards(normal, outward) for normal, outward in zip(normals, faces)) < len(normals):
+        normals = [[-x for x in normal] for normal in normals]
+    return [normal if inwards(normal, outward) else [-x for x in normal] for normal, outward in zip(normals, faces)]
+
+
 def _touch(rng, structure, names, normals):
     for name, normal in zip(names, normals):
         tangent = None
@@ -160,9 +173,13 @@ def _quads(rng, structure, head, columns, rows, contrast, shift=0.0):
         for j in range(rows):
             between = [name(i, j), name(i + 1, j), name(i + 1, j + 1), name(i, j + 1)]
             structure.quads.append((_stiffness(rng, contrast), rng.uniform(0, 0.4), 1.0, rng.choice(("stress", "strain")), between))
-    edge = [name(columns, j) for j in range(rows + 1)]
-    m = rng.randint(2, min(4, len(edge)))
-    _touch(rng, structure, rng.sample(edge, m), _obstacles(rng, 2, m))
+    at = lambda i, j: structure.nodes[name(i, j)]
+    m = rng.randint(2, min(4, rows + 1))
+    chosen = rng.sample(range(rows + 1), m)
+    faces = [[_outward(at(columns, k), at(columns, k + 1)) for k in (j - 1, j) if 0 <= k < rows]
+             + ([_outward(at(columns - 1, 0), at(columns, 0))] if j == 0 else [])
+             + ([_outward(at(columns, rows), at(columns - 1, rows))] if j == rows else []) for j in chosen]
+    _touch(rng, structure, [name(columns, j) for j in chosen], _into(_obstacles(rng, 2, m), faces))
 
 
 def _mesh(rng):
@@ -170,15 +187,17 @@ def _mesh(rng):
     eighth = lambda: rng.randint(-2, 2) / 8
     corners = [[x + eighth(), y + eighth()] for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
     columns, rows = rng.choice((1, 2)), rng.choice((1, 2))
-    m = rng.randint(1, rows + 1)
-    normals = _obstacles(rng, 2, m)
     text = ['name = "hostile"', "dimension = 2", 'units = { length = "m", force = "kN" }', "", "[[mesh]]", 'name = "a"',
             f"corners = {corners}", f"divisions = [{columns}, {rows}]", f"E = {rng.uniform(0.5, 2)!r}",
             f"nu = {rng.choice((0.0, 0.25, 0.3))!r}", "thickness = 1.0", f'plane = "{rng.choice(("stress", "strain"))}"',
             "", "[[supports]]", f'nodes = ["a.{rng.choice(("left", "bottom"))}"]']
-    place = rng.sample([f"a.{columns},{j}" for j in range(1, rows + 1)] + [f"a.{i},{rows}" for i in range(1, columns)], min(m, rows))
-    for node, normal in zip(place, normals):
-        text += ["", "[[contact]]", f'nodes = ["{node}"]', f"normal = {normal}", f"friction_factor = {rng.choice((1.0, 1.0, 0.7))!r}"]
+    right, top = _outward(corners[1], corners[2]), _outward(corners[2], corners[3])
+    places = [((columns, j), [right, top] if j == rows else [right]) for j in range(1, rows + 1)]
+    places += [((i, rows), [top]) for i in range(1, columns)]
+    chosen = rng.sample(places, min(rng.randint(1, rows + 1), len(places)))
+    normals = _into(_obstacles(rng, 2, len(chosen)), [faces for _, faces in chosen])
+    for ((i, j), _), normal in zip(chosen, normals):
+        text += ["", "[[contact]]", f'nodes = ["a.{i},{j}"]', f"normal = {normal}", f"friction_factor = {rng.choice((1.0, 1.0, 0.7))!r}"]
     return "\n".join(text) + "\n"
 
 
@@ -260,7 +279,7 @@ def make(seed, index, kinds, contrasts, frictionless=True):
         if rng.random() < 0.1:
             mu = float(rng.choice((1, 2, 0.5, 3)))
         if rng.random() < 0.04:
-            mu = float(f"{10 ** rng.uniform(-6, 6):.6g}")
+            mu = float(f"{10 ** rng.uniform(-5.4, 5.4):.6g}")  # times a factor of up to e^1.2, within 1e-6 to 1e6
         structure = from_toml(text)
         if not frictionless and any(candidate[3] == 0 for candidate in structure.candidates):
             continue

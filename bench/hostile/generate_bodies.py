@@ -43,7 +43,7 @@ class _Draft:
         if against:
             lines += [f"against = [{{ nodes = {[n for n, _ in against]}, weights = {[w for _, w in against]} }}]".replace("'", '"')]
         if self.rng.random() < 0.3:
-            lines += [f"friction = {math.exp(self.rng.uniform(-1.2, 1.2))!r}"]
+            lines += [f"friction_factor = {math.exp(self.rng.uniform(-1.2, 1.2))!r}"]
         self.contacts.append(lines)
 
     def text(self):

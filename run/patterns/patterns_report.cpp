@@ -83,15 +83,24 @@ Verdict PatternsReport::verdict() const {
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
                                  : findings_.flat == 0 && problem_.loose_bodies.empty();
-  Verdict verdict{.ended = findings_.outcome.status,
-                  .nodes_left = findings_.outcome.open,
-                  .answer = Sticking{.friction = options_.friction,
-                                     .factor = !problems::uniform_friction(problem_),
-                                     .count = findings_.count(),
-                                     .undecided = findings_.open(),
-                                     .standing = proved ? Standing::proved : Standing::computed,
-                                     .doubt = doubt_of(exact)}};
+  Verdict verdict{
+      .ended = findings_.outcome.status,
+      .nodes_left = findings_.outcome.open,
+      .answer = Sticking{.friction = options_.friction,
+                         .factor = !problems::uniform_friction(problem_),
+                         .count = findings_.count(),
+                         .undecided = findings_.open(),
+                         .standing = proved ? Standing::proved : Standing::computed,
+                         .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
+                         .degenerate = exact.ties,
+                         .doubt = doubt_of(exact)}};
   if (auto text = firmest(); !text.empty()) verdict.details.push_back(std::move(text));
+  if (!options_.certificate.empty() && findings_.whole() && exact.ties > 0 && !exact.asked) {
+    verdict.missing.push_back(
+        fmt::format("The certificate proves the list but for {}, with a margin of zero: nothing "
+                    "is claimed of {}.",
+                    counted(exact.ties, "degenerate node"), exact.ties == 1 ? "it" : "these"));
+  }
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
         "The coefficients from which on the patterns stick (--sort critical) were not all "

@@ -23,6 +23,12 @@ enum class Standing {
   computed,  ///< in floating point, without a proof
 };
 
+/// Grounds of what is proved.
+enum class Grounds {
+  exact_arithmetic,  ///< the test of kusabi verify
+  solver_bounds,     ///< bounds of the solver in floating point, with room for rounding
+};
+
 struct Bound {
   double value = 0;
   Standing standing = Standing::computed;
@@ -44,11 +50,13 @@ struct ExactDoubt {
 struct Sticking {
   std::string thing = "way";  ///< counted, in the singular
   double friction = 0;
-  bool factor = false;                   ///< `friction` multiplies that of each candidate
-  support::ExactCount count{};           ///< it may exceed any integer type
-  std::uint64_t undecided = 0;           ///< sign patterns that are not counted
-  Standing standing = Standing::proved;  ///< of the list
-  bool ambiguous = false;                ///< numbers too near to zero to be told from it
+  bool factor = false;                       ///< `friction` multiplies that of each candidate
+  support::ExactCount count{};               ///< it may exceed any integer type
+  std::uint64_t undecided = 0;               ///< sign patterns that are not counted
+  Standing standing = Standing::proved;      ///< of the list
+  Grounds grounds = Grounds::solver_bounds;  ///< of a proved one
+  std::uint64_t degenerate = 0;  ///< closed nodes with a margin of zero of which nothing is proved
+  bool ambiguous = false;        ///< numbers too near to zero to be told from it
   std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was called for, or it leaves none
 };
 
@@ -61,6 +69,7 @@ struct CriticalBracket {
   bool wide = false;    ///< the bracket is wider
   /// The patterns that stick at `upper` were asked for, and are not known.
   bool patterns_open = false;
+  Grounds grounds = Grounds::exact_arithmetic;  ///< of proved ends
 };
 
 /// Numbers of patterns over the friction coefficient: `sweep --mu`.
@@ -102,7 +111,8 @@ struct LoadSteps {
   std::optional<Standing> nominal_at_none{};   ///< the nominal load is carried at no factor
   std::optional<double> half_width{};          ///< of the last point computed
   std::optional<std::string> force{};          ///< its unit, as in LoadRange
-  Bracket worst{};                             ///< the factor there
+  Bracket worst{};                             ///< the least of the largest factors there
+  Bracket least{};                             ///< the greatest of the least factors there
   std::optional<Standing> worst_at_none{};     ///< there a load is carried at no factor
   std::uint64_t points = 0, points_asked = 0;  ///< computed, and of how many
   bool open = false;                           ///< a point or a piece of the curve is not proved

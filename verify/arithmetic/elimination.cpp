@@ -2,6 +2,8 @@
 #include "verify/arithmetic/elimination.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace kusabi::verify {
@@ -39,13 +41,55 @@ bool Elimination::demand(const Rationals& row) {
   const auto largest = std::max_element(product.begin(), product.end(),
                                         [](auto& a, auto& b) { return abs(a) < abs(b); });
   if (largest == product.end() || sgn(*largest) == 0) return false;
-  const auto at = largest - product.begin();
-  taken_.push_back(std::move(left_[static_cast<std::size_t>(at)]));
-  for (std::size_t k = 0; k < left_.size(); ++k) {
-    if (k != static_cast<std::size_t>(at)) subtract(left_[k], product[k] / *largest, taken_.back());
-  }
-  left_.erase(left_.begin() + at);
+  std::vector<Rationals> none;
+  take(static_cast<std::size_t>(largest - product.begin()), product, none);
   return true;
+}
+
+void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
+  std::vector<Rationals> product;  // of each row, with the vectors that are left
+  for (const auto& row : rows) product.push_back(products(row));
+  // Vectors of one size, that of their largest product.
+  std::vector<double> size(left_.size(), 0);
+  for (const auto& own : product) {
+    for (std::size_t k = 0; k < own.size(); ++k)
+      size[k] = std::max(size[k], std::abs(own[k].get_d()));
+  }
+  while (!left_.empty()) {
+    double most = 0;
+    std::size_t row = 0;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < product.size(); ++i) {
+      for (std::size_t k = 0; k < left_.size(); ++k) {
+        if (sgn(product[i][k]) == 0) continue;
+        const double share = std::abs(product[i][k].get_d()) / size[k];
+        if (share <= most) continue;
+        most = share;
+        row = i;
+        at = k;
+      }
+    }
+    if (most == 0) break;
+    take(at, product[row], product);
+    size.erase(size.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+  for (const auto& row : rows) demand(row);  // what is below all doubles
+}
+
+void Elimination::take(std::size_t at, const Rationals& pivots, std::vector<Rationals>& products) {
+  const auto place = static_cast<std::ptrdiff_t>(at);
+  const Rationals pivot_row = pivots;
+  taken_.push_back(std::move(left_[at]));
+  for (std::size_t k = 0; k < left_.size(); ++k) {
+    if (k == at || sgn(pivot_row[k]) == 0) continue;
+    const mpq_class factor = pivot_row[k] / pivot_row[at];
+    subtract(left_[k], factor, taken_.back());
+    for (auto& own : products) {
+      if (sgn(own[at]) != 0) own[k] -= factor * own[at];
+    }
+  }
+  left_.erase(left_.begin() + place);
+  for (auto& own : products) own.erase(own.begin() + place);
 }
 
 std::optional<Rationals> solution(std::vector<Rationals> rows, Rationals right) {

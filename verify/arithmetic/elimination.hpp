@@ -30,6 +30,10 @@ class Elimination {
   /// From here on row'x = 0. @return whether that was not so before: a vector less is left
   bool demand(const Rationals& row);
 
+  /// The same of all rows, each time of the one in which a vector that is left is largest: no
+  /// vector that is taken is then nearly a combination of the others, however far scales are apart.
+  void demand_largest_first(const std::vector<Rationals>& rows);
+
   /// A basis of what is left.
   [[nodiscard]] const std::vector<Rationals>& left() const { return left_; }
 
@@ -38,6 +42,9 @@ class Elimination {
   [[nodiscard]] const std::vector<Rationals>& taken() const { return taken_; }
 
  private:
+  // Takes a vector away by the products of a row, and out of the products of others.
+  void take(std::size_t at, const Rationals& pivots, std::vector<Rationals>& products);
+
   std::vector<Rationals> left_;
   std::vector<Rationals> taken_;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "verify/arithmetic/disjoint_sets.hpp"
@@ -401,19 +402,20 @@ LooseMotions loose_motions(const Structure& structure) {
   seen.rows.resize(seen.lengths.size());
   const LooseBodies bodies(structure);
   if (bodies.motions().empty()) return result;
-  Elimination visible(bodies.motions());
+  std::vector<Rationals> seen_rows;
   for (const auto& point : structure.contact) {
-    for (std::size_t axis = 0; axis < d && !visible.left().empty(); ++axis)
-      visible.demand(bodies.at(point, axis));
+    for (std::size_t axis = 0; axis < d; ++axis) seen_rows.push_back(bodies.at(point, axis));
   }
+  // Doubles near them are compared with the motions of a certificate: those of long levers must not
+  // be nearly the same.
+  Elimination visible(bodies.motions());
+  visible.demand_largest_first(seen_rows);
   result.unseen = bodies.holding(Elimination(visible.left()));
   const auto columns = visible.taken();
   seen.count = columns.size();
   for (auto& row : seen.rows) row.resize(seen.count);
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
-    std::vector<Rationals> rows;
-    for (std::size_t axis = 0; axis < d; ++axis)
-      rows.push_back(bodies.at(structure.contact[i], axis));
+    const std::span rows(seen_rows.data() + d * i, d);
     for (std::size_t column = 0; column < columns.size(); ++column) {
       Rationals moves;
       for (const auto& row : rows) moves.push_back(dot(row, columns[column]));
