@@ -1,6 +1,6 @@
 # What is tested is optimised as users have it; the tests themselves take half as long to compile.
 # (GCC 12 warns of Eigen's own code then.)
-set(KUSABI_TEST_OPTIONS $<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>)
+set(KUSABI_TEST_OPTIONS $<$<CONFIG:Release>:-O0>)
 
 # What nearly all tests include, compiled once where sources are joined. (A compiler cache, which is for
 # those who compile again and again, takes sources that have seen precompiled headers for new ones.)

@@ -74,6 +74,14 @@ inline std::string call_to_go_on(const std::string& output) {
   return output.substr(from, output.find('\n', from) - from);
 }
 
+// The text of a result file from "command" to "statistics", byte for byte.
+inline std::string without_statistics(const std::string& file) {
+  auto text = content(file);
+  const auto cut = text.find("\"statistics\"");
+  EXPECT_NE(cut, std::string::npos);
+  return text.substr(0, cut);
+}
+
 class Command : public InFolder {
  protected:
   // A place in the folder, for the shell.

@@ -1,0 +1,218 @@
+// Certificates of patterns, written by kusabi patterns and proved or refused by kusabi verify.
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "shell.hpp"
+
+namespace kusabi::test {
+namespace {
+
+using testing::HasSubstr;
+
+// The lines of a certificate that speak of nodes, each once, in an order of their own.
+std::vector<std::string> node_lines(const std::string& name) {
+  std::ifstream file(name);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("dead") || line.starts_with("alive") || line.starts_with("marginal"))
+      lines.push_back(line);
+  }
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
+}
+
+// The whole of a certificate anew from the lines before its "end", with the right digest.
+std::string sealed(const std::string& name) {
+  return fmt::format(
+      "{{ sed -i '/^end /,$d' {0} && echo \"end $(sed '1,/^nodes$/d' {0} | wc -l)\" >>{0} &&"
+      "   echo \"digest $(sha1sum <{0} | cut -d' ' -f1)\" >>{0}; }}",
+      name);
+}
+
+TEST_F(Command, ProvesItsListOfPatterns) {
+  const auto run =
+      shell(command + " patterns " + truss + " --mu 0.65 --certificate " + argument("cert"));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(files(), std::vector<std::string>{"cert"});
+  const auto proved = shell(command + " verify " + argument("cert"));
+  EXPECT_EQ(proved.exit_code, 0);
+  EXPECT_THAT(proved.output, HasSubstr(" nodes cover all 1024 sign patterns, each once"));
+  EXPECT_THAT(proved.output, HasSubstr("PROVED: the list of 27 patterns is complete"));
+  const auto quiet = shell(command + " verify --quiet " + argument("cert"));
+  EXPECT_EQ(quiet.exit_code, 0);
+  EXPECT_EQ(quiet.output, "");
+  // Its digest is no secret of the program's.
+  EXPECT_EQ(shell(fmt::format("test \"digest $(head -n -1 {0} | sha1sum | cut -d' ' -f1)\" = "
+                              "\"$(tail -n 1 {0})\"",
+                              argument("cert")))
+                .exit_code,
+            0);
+}
+
+TEST_F(Command, ProvesAllButWhatIsMarginal) {
+  std::ofstream(in_folder("rod.toml")) << rod_along_normal;
+  shell(command + " patterns " + argument("rod.toml") + " --mu 1.1 --certificate " +
+        argument("cert"));
+  const auto run = shell(command + " verify " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_THAT(run.output, testing::ContainsRegex("PROVED but for [0-9]* marginal node"));
+}
+
+TEST_F(Command, TheCertificateAndTheVerdictAreTheSameOnAnyNumberOfRanks) {
+  const auto search = command + " patterns " + truss + " --mu 1.0 --quiet --certificate ";
+  const auto alone = in_folder("alone");
+  ASSERT_EQ(shell(search + quoted(alone) + " --serial").exit_code, 0);
+  const auto expected = shell(command + " verify " + quoted(alone));
+  ASSERT_EQ(expected.exit_code, 0) << expected.output;
+  for (int count = 1; count <= 3; ++count) {
+    const auto file = in_folder(fmt::format("np{}", count));
+    const auto searched = shell(ranks(count) + search + quoted(file));
+    ASSERT_EQ(searched.exit_code, 0) << searched.output;
+    EXPECT_EQ(node_lines(file), node_lines(alone)) << count << " ranks";
+    const auto run = shell(ranks(count) + command + " verify " + quoted(file));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_EQ(run.output, expected.output) << count << " ranks";
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"alone", "np1", "np2", "np3"}));
+}
+
+TEST_F(Command, RefusesASpoiltCertificateOnAnyNumberOfRanks) {
+  const auto cert = argument("cert");
+  shell(command + " patterns " + truss + " --mu 0.65 --certificate " + cert);
+  const auto verdict = [&](const std::string& launch, const std::string& change) {
+    return shell(fmt::format("cp {0} {1} && {2} && {3} && {4} {5} verify {1}", cert,
+                             argument("spoilt"), change, sealed(argument("spoilt")), launch,
+                             command));
+  };
+  for (const auto& launch : {std::string{}, ranks(3)}) {
+    const auto missing = verdict(launch, "sed -i '0,/^alive/{/^alive/d}' " + argument("spoilt"));
+    EXPECT_EQ(missing.exit_code, 1);
+    EXPECT_THAT(missing.output, HasSubstr("refused: no node covers contact {"));
+    EXPECT_THAT(missing.output, HasSubstr("\nNOT PROVED\n"));
+    const auto steeper =
+        verdict(launch, "sed -i '/^friction/s/0x1.4/0x1.f/g' " + argument("spoilt"));
+    EXPECT_EQ(steeper.exit_code, 1);
+    EXPECT_THAT(steeper.output, HasSubstr("its multipliers do not rule out a reaction at"));
+    EXPECT_THAT(steeper.output, HasSubstr("refused: dead contact {"));
+  }
+}
+
+TEST_F(Command, SaysThatACertificateWasAltered) {
+  const auto cert = argument("cert");
+  shell(command + " patterns " + truss + " --mu 0.65 --certificate " + cert);
+  shell("sed -i '0,/^alive/s/^alive/dead/' " + cert);
+  for (const auto& launch : {std::string{}, ranks(2)}) {
+    const auto run = shell(launch + command + " verify " + cert);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_THAT(run.output, HasSubstr(in_folder("cert") + ": was altered: digest '"));
+  }
+}
+
+TEST_F(Command, RefusesWrongCallsAboutCertificates) {
+  const std::string good = "patterns " + truss + " --mu 0.5 ";
+  // A part that a checkpoint can go on with.
+  std::ofstream(in_folder("state")) << "kusabi-checkpoint";
+  std::ofstream(in_folder("cert.part.1.0"))
+      << "part of the tree 0 of the checkpoint " << in_folder("state") << '\n';
+  ASSERT_EQ(mkfifo(in_folder("pipe").c_str(), 0600), 0);
+  const std::vector<std::string> wrong{
+      "verify",
+      "verify " + argument("none"),
+      "verify " + quoted(folder_.string()),
+      "verify " + truss,
+      good + "--certificate /nowhere/at/all",
+      good + "--certificate " + quoted(folder_.string()),
+      good + "--certificate " + argument("pipe"),
+      good + "--certificate " + truss,
+      good + "--certificate " + argument("cert"),
+      good + "--certificate " + argument("same") + " --output " + argument("same"),
+  };
+  for (const auto& call : wrong) {
+    const auto run = shell(command + " " + call);
+    EXPECT_EQ(run.exit_code, 2) << call;
+    EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
+  }
+  EXPECT_EQ(files(), (std::vector<std::string>{"cert.part.1.0", "pipe", "state"}));
+}
+
+TEST_F(Command, ACertificateIsNotKeptFromItsPlaceByPartsOfTheDead) {
+  std::ofstream(in_folder("cert.part.1.0")) << "part of the tree 0\nmarginal 1 0 0\n";
+  std::ofstream(in_folder("cert.part.3.1"))
+      << "part of the tree 0 of the checkpoint " << in_folder("gone") << '\n';
+  const auto run =
+      shell(command + " patterns " + truss + " --mu 0.5 --quiet --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_EQ(files(), std::vector<std::string>{"cert"});
+}
+
+TEST_F(Command, ACertificateThatIsBeingWrittenIsNotTouched) {
+  std::ofstream(in_folder("cert.part.1.0")) << "part of the tree 0\n";
+  const int part = open(in_folder("cert.part.1.0").c_str(), O_WRONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(part, LOCK_EX), 0);
+  const auto run =
+      shell(command + " patterns " + truss + " --mu 0.5 --quiet --certificate " + argument("cert"));
+  close(part);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.output, HasSubstr("is being written by another search"));
+  EXPECT_EQ(files(), std::vector<std::string>{"cert.part.1.0"});
+}
+
+TEST_F(Command, ACertificateGoesOnFromACheckpoint) {
+  const std::string call = command + " patterns " + truss + " --mu 1.0 --quiet";
+  const auto with = " --certificate " + argument("cert");
+  const auto stopped =
+      shell(ranks(2) + call + with + " --node-limit 300 --checkpoint " + argument("state"));
+  EXPECT_EQ(stopped.exit_code, 3) << stopped.output;
+  EXPECT_THAT(stopped.output, HasSubstr("what is proved so far is in " + in_folder("cert.part.*")));
+  EXPECT_THAT(files(), testing::IsSupersetOf({"cert.part.1.0", "cert.part.1.1"}));
+  // Not as if nothing had been, not under another name, and not of another tree.
+  const auto anew = shell(call + with);
+  EXPECT_EQ(anew.exit_code, 2);
+  EXPECT_THAT(anew.output, HasSubstr("is in the way, a part of a search that did not end; "
+                                     "expected --restart " +
+                                     in_folder("state")));
+  const auto rest = " --restart " + argument("state");
+  const auto other = shell(call + rest + " --certificate " + argument("other"));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.output, HasSubstr("expected the name that it began with"));
+  // What was being written when a run was killed.
+  std::ofstream(in_folder("cert.part.1.0"), std::ios::app) << "dead 1 2 0x1.8";
+  const auto again = shell(ranks(3) + call + with + rest);
+  EXPECT_EQ(again.exit_code, 0) << again.output;
+  EXPECT_THAT(files(), testing::Each(testing::Not(HasSubstr(".part."))));
+  const auto whole = in_folder("whole");
+  ASSERT_EQ(shell(call + " --certificate " + quoted(whole)).exit_code, 0);
+  EXPECT_EQ(node_lines(in_folder("cert")), node_lines(whole));
+  EXPECT_EQ(shell(command + " verify " + argument("cert")).exit_code, 0);
+}
+
+TEST_F(Command, ACertificateNeedsACheckpointToGoOnFrom) {
+  const auto run = shell(command + " patterns " + truss +
+                         " --mu 1.0 --quiet --node-limit 300 --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.output, HasSubstr("no certificate"));
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Command, SaysThatTheDiskIsFullForTheCertificate) {
+  // A file may have 4096 bytes, and who writes more is told and not killed.
+  const auto run = shell("trap '' XFSZ; ulimit -f 8; " + command + " patterns " + truss +
+                         " --mu 1.0 --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("251 sign patterns"));
+  EXPECT_THAT(run.output, HasSubstr("cert: a part could not be written in full"));
+}
+
+}  // namespace
+}  // namespace kusabi::test

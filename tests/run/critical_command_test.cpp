@@ -1,0 +1,59 @@
+// kusabi critical as a user calls it, alone and under mpirun.
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shell.hpp"
+
+namespace kusabi::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(Command, FindsTheCriticalFrictionOnAnyNumberOfRanks) {
+  const auto run_on = [&](const std::string& launcher, const std::string& way) {
+    const auto file = in_folder("result.json");
+    const auto run =
+        shell(launcher + command + " critical " + truss + way + " --output " + quoted(file));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return without_statistics(file);
+  };
+  for (const std::string way :
+       {"", " --method newton --mu-max 0.65", " --method bisection --mu-max 0.65 --width 1e-4"}) {
+    const auto alone = run_on("", way);
+    EXPECT_EQ(run_on(ranks(2), way), alone) << way;
+    EXPECT_EQ(run_on(ranks(3), way), alone) << way;
+    EXPECT_NE(alone.find("\"lower\": 0.4702"), std::string::npos) << way;
+  }
+}
+
+TEST_F(Command, ProvesBothEndsOfTheCriticalFriction) {
+  const auto run = shell(command + " critical " + truss + " --certificate " + argument("cert"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("between 0.47027964 and 0.47027965"));
+  EXPECT_THAT(shell(command + " verify " + argument("cert.lower")).output,
+              HasSubstr("PROVED: the list of 0 patterns is complete: it cannot stick\n"));
+  EXPECT_THAT(shell(command + " verify " + argument("cert.upper")).output,
+              HasSubstr("PROVED: it can stick, by 1 pattern; nothing is said of other patterns\n"));
+  const auto listed =
+      shell(command + " critical " + truss + " --list --certificate " + argument("listed"));
+  EXPECT_EQ(listed.exit_code, 0) << listed.output;
+  EXPECT_THAT(shell(command + " verify " + argument("listed.upper") + " --problem " + truss).output,
+              HasSubstr("PROVED: the list of 1 pattern is"));
+}
+
+TEST_F(Command, NothingThatWedgesIsAnAnswer) {
+  const auto run = shell(command + " critical " + truss + " --mu-max 0.4");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.output, HasSubstr("It cannot stick up to friction coefficient 0.4."));
+}
+
+TEST_F(Command, ACriticalFrictionThatWasStoppedSaysWhatIsProved) {
+  const auto run = shell(command + " critical " + truss + " --node-limit 20");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.output, HasSubstr("Stopped early (node-limit)"));
+}
+
+}  // namespace
+}  // namespace kusabi::test

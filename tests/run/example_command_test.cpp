@@ -1,0 +1,74 @@
+// kusabi example and kusabi bench: structures that the other subcommands read, and measurements.
+#include <cstdio>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shell.hpp"
+
+namespace kusabi::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(Command, WritesExamplesThatItCanSolve) {
+  const auto file = in_folder("truss.toml");
+  const auto call = command + " example space-truss ";
+  EXPECT_EQ(shell(call + "--output " + quoted(file)).exit_code, 0);
+  EXPECT_EQ(shell(call).output, content(file));
+  const auto solved = shell(command + " patterns " + quoted(file) + " --mu 0.65");
+  EXPECT_THAT(solved.output, HasSubstr("27 sign patterns"));
+
+  const auto small = shell(call + "--rows 3 --depth 2 --bays 1 --output " + quoted(file));
+  EXPECT_EQ(small.exit_code, 0) << small.output;
+  EXPECT_THAT(shell(command + " patterns " + quoted(file) + " --mu 1").output,
+              HasSubstr("6 contact candidates"));
+
+  const auto wrong = shell(ranks(2) + call + "--rows 3 --bays 4");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("expected no more bays than rows"));
+}
+
+TEST_F(Command, WritesPlaneTrussesOfAnyShape) {
+  const auto file = in_folder("truss.toml");
+  const auto run = shell(command +
+                         " example plane-truss --rows 4 --bays 3 --width 6 --lean 20 "
+                         "--brace all --output " +
+                         quoted(file));
+  ASSERT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(shell(command + " rays " + quoted(file) + " --mu 1").output,
+              HasSubstr("16 nodes, 39 members, 4 contact candidates"));
+  const auto refused = shell(command + " example plane-truss --lean 89");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("expected 0 to 80 degrees"));
+}
+
+TEST_F(Command, WritesGridsThatItReads) {
+  shell(command + " example grid --bays 3 --output " + argument("grid.toml"));
+  const auto run = shell(command + " limit " + argument("grid.toml") + " --alpha 20");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto wrong = shell(command + " example grid --bays 1");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("a grid of 1 bays; expected 2 to 100"));
+}
+
+TEST_F(Command, TheProtocolHoldsUnderThousandsOfSchedules) {
+  const auto run = shell(command + " bench schedules --seeds 3000");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("3000 schedules, 0 failed"));
+}
+
+TEST_F(Command, ShowsHowFarTheSearchScales) {
+  // A quarter of a million nodes in virtual time: 64 ranks with four thousand each.
+  const auto run = shell(command + " bench scaling --nodes 262144 --node-us 100 --most-ranks 64");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto last = run.output.rfind("\n", run.output.size() - 2) + 1;
+  int ranks = 0;
+  double efficiency = 0;
+  ASSERT_EQ(std::sscanf(run.output.c_str() + last, "%d %lf", &ranks, &efficiency), 2);
+  EXPECT_EQ(ranks, 64);
+  EXPECT_GE(efficiency, 0.9);
+}
+
+}  // namespace
+}  // namespace kusabi::test

@@ -1,0 +1,299 @@
+// kusabi patterns as a user calls it, alone and under mpirun.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shell.hpp"
+
+namespace kusabi::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST_F(Command, ShowsTheTableOfPatterns) {
+  const auto run = shell(fmt::format("{} patterns {} --mu 0.65", command, truss));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.output, HasSubstr("27 sign patterns of wedged configurations"));
+  EXPECT_THAT(run.output, HasSubstr("b13 t13 b23"));
+}
+
+TEST_F(Command, GivesTheSameResultByteForByteOnAnyNumberOfRanks) {
+  const std::string call = command + " patterns " + truss + " --mu 1.0 --quiet --output ";
+  const auto serial = in_folder("serial.json");
+  ASSERT_EQ(shell(call + quoted(serial) + " --serial").exit_code, 0);
+  const auto expected = without_statistics(serial);
+  for (int count = 1; count <= 4; ++count) {
+    const auto file = in_folder(fmt::format("np{}.json", count));
+    const auto run = shell(ranks(count) + call + quoted(file));
+    ASSERT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_EQ(without_statistics(file), expected) << count << " ranks";
+    const auto statistics = nlohmann::json::parse(content(file))["statistics"];
+    EXPECT_EQ(statistics["ranks"].size(), static_cast<std::size_t>(count));
+  }
+}
+
+TEST_F(Command, WritesTheResultInFull) {
+  const auto file = in_folder("result.json");
+  ASSERT_EQ(shell(command + " patterns " + truss + " --mu 0.55 --output " + quoted(file)).exit_code,
+            0);
+  const auto json = nlohmann::json::parse(content(file));
+  EXPECT_EQ(json["command"], "patterns");
+  EXPECT_EQ(json["status"], "solved");
+  EXPECT_EQ(json["problem"]["m"], 10);
+  EXPECT_EQ(json["problem"]["units"]["force"], "kN");
+  const auto& result = json["result"];
+  EXPECT_EQ(result["count"], 1);
+  EXPECT_EQ(result["marginal"], 0);
+  EXPECT_EQ(result["friction"], 0.55);
+  const auto& pattern = result["patterns"][0];
+  EXPECT_EQ(pattern["contact"], (std::vector<std::string>{"b53", "t53"}));
+  EXPECT_EQ(pattern["separated"].size(), 8U);
+  EXPECT_EQ(pattern["state"], "alive");
+  EXPECT_GT(pattern["margin"].get<double>(), 0);
+  EXPECT_EQ(pattern["reaction"].size(), 10U);
+  EXPECT_EQ(pattern["displacement"][9].size(), 3U);
+  EXPECT_EQ(files(), std::vector<std::string>{"result.json"});
+}
+
+TEST_F(Command, AnswersNoneWithExitCodeZero) {
+  const auto run = shell(command + " patterns " + truss + " --mu 0.3");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.output, HasSubstr("0 sign patterns"));
+}
+
+TEST_F(Command, DecidesAtAnyFrictionThatItTakes) {
+  const auto file = in_folder("result.json");
+  const auto run = shell(command + " patterns " + truss + " --mu 1e6 --output " + quoted(file));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto result = nlohmann::json::parse(content(file))["result"];
+  EXPECT_EQ(result["undecided"], 0);
+  EXPECT_EQ(result["marginal"], 0);
+  EXPECT_GT(result["count"], 0);
+  const auto beyond = shell(command + " patterns " + truss + " --mu 1e7");
+  EXPECT_EQ(beyond.exit_code, 2);
+  EXPECT_THAT(beyond.output, HasSubstr("the friction at b13 comes out as 1e+07; expected"));
+}
+
+// A node on a rod along its normal, beside one that it does not move (worked out by hand: r_t = r_n
+// at c1, so it wedges from 1 on).
+constexpr auto rod_along_normal = R"(name = "a rod along the normal"
+dimension = 2
+units = { length = "m", force = "kN" }
+[nodes]
+g1 = [0.0, -1.0]
+g2 = [0.0, 1.0]
+g3 = [2.0, 2.5]
+c1 = [1.0, 0.0]
+c2 = [1.0, 1.0]
+[[members]]
+EA = 1.0
+between = [["g1","c1"],["g2","c2"],["c1","c2"],["g3","c2"]]
+[[supports]]
+nodes = ["g1","g2","g3"]
+[[contact]]
+nodes = ["c1"]
+normal = [0.0, 1.0]
+[[contact]]
+nodes = ["c2"]
+normal = [-1.0, 0.2]
+)";
+
+TEST_F(Command, ListsAFlatConeOnceWithItsCandidatesAtRest) {
+  std::ofstream(in_folder("rod.toml")) << rod_along_normal;
+  const auto run = shell(command + " patterns " + argument("rod.toml") + " --mu 1.1 --output " +
+                         argument("result.json"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("at rest: c2"));
+  const auto result = nlohmann::json::parse(content(in_folder("result.json")))["result"];
+  EXPECT_EQ(result["count"], 1);
+  EXPECT_EQ(result["flat"], 1);
+  ASSERT_EQ(result["patterns"].size(), 1U);
+  const auto& pattern = result["patterns"][0];
+  EXPECT_EQ(pattern["state"], "flat");
+  EXPECT_EQ(pattern["contact"], std::vector<std::string>{"c1"});
+  EXPECT_EQ(pattern["at_rest"], std::vector<std::string>{"c2"});
+  for (const std::string way :
+       {"", " --method newton --mu-max 6", " --method bisection --mu-max 6"}) {
+    const auto critical = shell(command + " critical " + argument("rod.toml") + way +
+                                " --quiet --output " + argument("critical.json"));
+    EXPECT_EQ(critical.exit_code, 0) << critical.output;
+    const auto bracket =
+        nlohmann::json::parse(content(in_folder("critical.json")))["result"]["critical_friction"];
+    EXPECT_LE(bracket["lower"], 1.0) << way;
+    EXPECT_GE(bracket["upper"], 1.0) << way;
+    EXPECT_LE(bracket["upper"].get<double>() - bracket["lower"].get<double>(), 2.1e-8) << way;
+  }
+}
+
+TEST_F(Command, SplitsNodesAsThePaperDoesWhenAsked) {
+  const auto opened = [&](const std::string& rule) {
+    const auto file = in_folder(rule + ".json");
+    const auto run = shell(command + " patterns " + truss + " --mu 0.65 --branching " + rule +
+                           " --output " + quoted(file));
+    EXPECT_THAT(run.output, HasSubstr("27 sign patterns"));
+    const auto result = nlohmann::json::parse(content(file));
+    EXPECT_EQ(result["options"]["branching"], rule);
+    return result["result"]["tree"]["opened"].get<int>();
+  };
+  EXPECT_LT(opened("relative"), opened("paper"));
+  opened("deepest");
+}
+
+// The numbers are those of the result file, whatever the order.
+TEST_F(Command, ListsPatternsInTheOrderThatIsAskedFor) {
+  const auto patterns = [&](const std::string& more) {
+    return shell(command + " patterns " + truss + " --mu 0.65" + more).output;
+  };
+  const auto run = patterns(" --sort margin --top 2 --output " + argument("result.json"));
+  const auto all = nlohmann::json::parse(content(in_folder("result.json")))["result"]["patterns"];
+  EXPECT_EQ(all.size(), 27U);
+  std::vector<std::pair<double, int>> margins;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    margins.emplace_back(all[i]["margin"].get<double>(), static_cast<int>(i) + 1);
+  std::ranges::sort(margins, std::greater());
+  const auto row = [&](std::size_t rank) {
+    return fmt::format("\n{:>5}  {:>10}  ", margins[rank].second,
+                       fmt::format("{:.3e}", margins[rank].first));
+  };
+  EXPECT_THAT(run, AllOf(HasSubstr(row(0)), HasSubstr(row(1)), Not(HasSubstr(row(2))),
+                         HasSubstr("  25 more\n")));
+  EXPECT_LT(run.find(row(0)), run.find(row(1)));
+  EXPECT_THAT(run, HasSubstr(fmt::format(", has number {} (", margins[0].second)));
+  EXPECT_THAT(patterns(" --sort contact --top 1"), HasSubstr("   27  "));
+}
+
+// At less than what the sentence says the configuration is no longer one; the pattern may live on.
+TEST_F(Command, SaysFromWhatFrictionOnTheSafestConfigurationHolds) {
+  const auto run =
+      shell(command + " patterns " + truss + " --mu 0.65 --output " + argument("result.json"));
+  const auto all = nlohmann::json::parse(content(in_folder("result.json")))["result"]["patterns"];
+  const auto best = std::ranges::max_element(
+      all, {}, [](const nlohmann::json& pattern) { return pattern["margin"].get<double>(); });
+  double least = 0;
+  for (const auto& reaction : (*best)["reaction"]) {
+    const auto r = reaction.get<std::vector<double>>();
+    if (r[0] > 0) least = std::max(least, std::hypot(r[1], r[2]) / r[0]);
+  }
+  EXPECT_LT(least, 0.65);
+  EXPECT_THAT(
+      run.output,
+      HasSubstr(fmt::format("Its configuration holds from friction coefficient {:.4g} on", least)));
+  EXPECT_THAT(shell(command + " patterns " + truss + " --mu 0.3").output,
+              HasSubstr("It cannot stick at friction coefficient 0.3."));
+}
+
+// 233 candidates of which all can be in contact at once: no tree comes upon that soon.
+TEST_F(Command, OfManyCandidatesOnePatternIsFoundWithoutASearch) {
+  const auto file =
+      quoted(std::string(KUSABI_SOURCE_DIR) + "/tests/cases/c_lc6_o2.toml");  // tan 3 deg = 0.0524
+  const auto run = shell(command + " patterns " + file + " --mu 0.1 --pattern-limit 1 --output " +
+                         argument("one.json"));
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  const auto json = nlohmann::json::parse(content(in_folder("one.json")));
+  EXPECT_EQ(json["status"], "solution-limit");
+  ASSERT_EQ(json["result"]["patterns"].size(), 1U);
+  EXPECT_EQ(json["result"]["patterns"][0]["state"], "alive");
+}
+
+TEST_F(Command, FindsTheSamePatternsByPolyhedralFriction) {
+  const auto patterns = [&](const std::string& method) {
+    const auto file = in_folder("result.json");
+    const auto run = shell(command + " patterns " + truss + " --mu 0.65 " + method + " --output " +
+                           quoted(file));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    const auto result = nlohmann::json::parse(content(file))["result"];
+    std::set<nlohmann::json> contact;
+    for (const auto& pattern : result["patterns"]) contact.insert(pattern["contact"]);
+    EXPECT_GE(result["tree"]["candidates"], method.empty() ? 0 : 27);
+    return contact;
+  };
+  EXPECT_EQ(patterns("--method polyhedral --facets 8"), patterns(""));
+}
+
+// Algorithm 5.8.
+TEST_F(Command, ListsTheCandidatesOfPolyhedralFriction) {
+  const auto file = in_folder("result.json");
+  const auto run =
+      shell(ranks(2) + command + " patterns " + truss +
+            " --mu 0.65 --method polyhedral --facets 8 --candidates --order breadth-first" +
+            " --output " + quoted(file));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("polyhedral t*  t* of (23)"));
+  const auto result = nlohmann::json::parse(content(file))["result"];
+  const auto& candidates = result["candidates"];
+  EXPECT_EQ(candidates.size(), result["tree"]["candidates"]);
+  std::set<nlohmann::json> kept;
+  for (const auto& candidate : candidates) {
+    EXPECT_EQ(candidate["discarded"], candidate["margin_upper"] < 0);
+    if (candidate["discarded"] == false) kept.insert(candidate["contact"]);
+  }
+  std::set<nlohmann::json> patterns;
+  for (const auto& pattern : result["patterns"]) patterns.insert(pattern["contact"]);
+  EXPECT_EQ(kept, patterns);
+  EXPECT_GT(kept.size(), 20U);
+}
+
+// The truss of examples/two-bars.toml so many times over, one not knowing of the other.
+std::string many_wedges(int count) {
+  std::string nodes;
+  std::string bars[2];
+  std::string supports;
+  std::string tips;
+  for (int i = 0; i < count; ++i) {
+    nodes += fmt::format("left{0} = [0.0, {1}.0]\ntop{0} = [1.0, {2}.0]\ntip{0} = [1.0, {1}.0]\n",
+                         i, 10 * i, 10 * i + 1);
+    bars[0] += fmt::format("['left{0}', 'tip{0}'],", i);
+    bars[1] += fmt::format("['top{0}', 'tip{0}'],", i);
+    supports += fmt::format("'left{0}', 'top{0}',", i);
+    tips += fmt::format("'tip{0}',", i);
+  }
+  return fmt::format(
+      "name = 'many'\ndimension = 2\nunits = {{length = 'm', force = 'kN'}}\n[nodes]\n{}"
+      "[[members]]\nEA = 1.0\nbetween = [{}]\n[[members]]\nEA = 3.0\nbetween = [{}]\n"
+      "[[supports]]\nnodes = [{}]\n[[contact]]\nnormal = [-1.0, 1.0]\nnodes = [{}]\n",
+      nodes, bars[0], bars[1], supports, tips);
+}
+
+TEST_F(Command, SearchesAStructureThatComesApartPieceByPiece) {
+  constexpr int pieces = 14;
+  std::ofstream(in_folder("many.toml")) << many_wedges(pieces);
+  const auto run = shell(command + " patterns " + argument("many.toml") + " --mu 3 --output " +
+                         argument("result.json"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  const auto result = nlohmann::json::parse(content(in_folder("result.json")))["result"];
+  EXPECT_EQ(result["count"], 1);  // all of them at once
+  EXPECT_EQ(result["blocks"].size(), std::size_t{pieces});
+  EXPECT_EQ(result["patterns"].size(), std::size_t{pieces});
+  EXPECT_LE(result["tree"]["opened"], 3 * pieces + 1);
+  EXPECT_EQ(result["patterns"][3]["block"], 4);
+  EXPECT_EQ(result["patterns"][3]["contact"], std::vector<std::string>{"tip3"});
+}
+
+// By hand (docs/problem-files.md): these two bars wedge if and only if mu is at least 2.
+TEST_F(Command, MultipliesTheFrictionOfEachCandidate) {
+  const auto file = in_folder("bars.toml");
+  std::ofstream(file) << content(std::string(KUSABI_SOURCE_DIR) + "/examples/two-bars.toml")
+                      << "friction_factor = 4\n";
+  const auto patterns = [&](const std::string& mu) {
+    return shell(command + " patterns " + quoted(file) + " --mu " + mu).output;
+  };
+  EXPECT_THAT(patterns("0.49"), HasSubstr("\n0 sign patterns"));
+  EXPECT_THAT(patterns("0.51"), HasSubstr("\n1 sign pattern of wedged configurations at friction "
+                                          "coefficient 0.51 times that of each candidate"));
+}
+
+}  // namespace
+}  // namespace kusabi::test
