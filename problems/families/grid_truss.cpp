@@ -16,7 +16,7 @@ constexpr double dead_load = -800;
 constexpr double lowest_reference_load = 52;
 constexpr double highest_reference_load = 28;
 
-// As somebody would write it down, to a picometre, so that 3 x 0.35 is 1.05.
+// Rounds to a picometre, so that 3 x 0.35 is 1.05 in the file.
 double written(double number) {
   return std::round(number * 1e12) / 1e12;
 }

@@ -1,4 +1,4 @@
-// Where the nodes of the plane truss are and which of them are joined.
+// Nodes and members of plane trusses.
 #include "problems/families/plane_truss.hpp"
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace kusabi::problems {
 namespace {
 
-constexpr double steepest = 80;  // degrees; beyond it the upper rows would be drawn out without end
+constexpr double steepest = 80;  // degrees; steeper walls would make the upper rows extremely long
 
 void check(const PlaneTrussSize& size) {
   if (size.rows < 2 || size.bays < 1) {
@@ -26,7 +26,7 @@ void check(const PlaneTrussSize& size) {
   if (size.bays > most_bays) {
     throw std::invalid_argument(fmt::format("{} bays; expected at most {}", size.bays, most_bays));
   }
-  // Written so that NaN fails, too.
+  // The condition is false for NaN.
   if (!(size.width >= 1e-3 && size.width <= 1e6)) {
     throw std::invalid_argument(
         fmt::format("a width of {}; expected 0.001 to 1000000 m", size.width));

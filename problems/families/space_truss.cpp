@@ -1,4 +1,4 @@
-// Where the nodes of the space truss are and which of them are joined.
+// Nodes and members of space trusses.
 #include "problems/families/space_truss.hpp"
 
 #include <algorithm>
@@ -18,12 +18,12 @@ constexpr double row_distance = 2.5;
 constexpr double plane_distance = 4;
 constexpr double lean = std::numbers::pi / 6;  // of the obstacle's surface, from the vertical
 
-// Coordinates as somebody would write them down, to a picometre.
+// Rounds coordinates to a picometre.
 double written(double length) {
   return std::round(length * 1e12) / 1e12;
 }
 
-// Nodes in the order in which they are numbered: plane by plane, row by row, column by column.
+// Nodes in the order of their numbers: by planes, rows and columns.
 class Grid {
  public:
   explicit Grid(const SpaceTrussSize& size) : size_(size) {}
@@ -62,7 +62,7 @@ std::vector<Member> members(const Grid& grid) {
           {grid.node(plane, row, column), grid.node(other_plane, other_row, other_column), 1.0});
     };
     join(plane, row, column + 1);
-    if ((row + column) % 2 == 0) {  // every other node of a plane has the diagonals
+    if ((row + column) % 2 == 0) {  // Every second node of a plane has the diagonals.
       join(plane, row + 1, column - 1);
       join(plane, row + 1, column + 1);
     }

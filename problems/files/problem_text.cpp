@@ -1,4 +1,4 @@
-// Which files there are to read, and their bytes.
+// The list of files and their bytes.
 #include "problems/files/problem_text.hpp"
 
 #include <fstream>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nothing if it cannot be read, or would make the sum too large.
+/// The bytes of a file; nothing if it cannot be read or would exceed the limit of the sum.
 std::optional<std::string> bytes_of(const fs::path& file, std::uintmax_t most) {
   std::error_code failure;
   const std::uintmax_t size = fs::file_size(file, failure);
@@ -33,13 +33,13 @@ std::optional<std::string> bytes_of(const fs::path& file, std::uintmax_t most) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// The files of one problem, as they are found.
+/// The files of one problem found so far.
 class Collection {
  public:
   Collection(ProblemText& problem, const fs::path& file) : problem_(problem), file_(file) {}
 
-  /// Adds the file at `place` and all that it includes.
-  /// @param namer, position the file that names it, and where
+  /// Adds the file at `place` and all files it includes.
+  /// @param namer, position the file that names it, and the place there
   void add(const std::string& place, const std::string& namer, support::SourcePosition position,
            bool is_abaqus);
 
@@ -74,9 +74,9 @@ void Collection::add(const std::string& place, const std::string& namer,
   }
 }
 
-/// What a section of groups names as `file`, with its places; none if the file is no problem file:
-/// reading it tells.
-/// @param name_in the rule for such a name
+/// The values of `file` in a section, with their places; none if the file is not a valid problem
+/// file, which is reported later by the reader.
+/// @param name_in rule for such a name
 template <class Rule>
 std::vector<TomlText> file_names(const ProblemText& problem, const std::string& file,
                                  std::string_view section_name, const Rule& name_in) {

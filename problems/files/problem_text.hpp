@@ -1,5 +1,5 @@
-// The bytes of a problem file and of all files that it names. One rank reads them, and all make the
-// same structure of them.
+// Bytes of a problem file and of all files that it names. One rank reads them, and all ranks
+// construct the same structure.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,15 @@
 
 namespace kusabi::problems {
 
-/// Largest sum of the sizes of all these files, in bytes: a million nodes with their elements.
+/// Maximum total size of these files, in bytes: a million nodes with their elements.
 inline constexpr std::uintmax_t largest_meshes = std::uintmax_t{256} << 20U;
 
 struct ProblemText {
   std::string toml;
-  /// Mesh files, what they include, and matrices, by their places relative to the problem file's
-  /// folder.
+  /// Mesh files, included files and matrices, by their paths relative to the problem file's folder.
   std::map<std::string, std::string> meshes;
 
-  /// For Boost.Serialization: one rank sends it to the others.
+  /// Serialization for broadcasts between ranks.
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
     archive& toml& meshes;

@@ -1,4 +1,4 @@
-// The problem file from end to end: which sections there are, and in which order they are read.
+// The sections of a problem file and the order in which they are read.
 #include "problems/files/structure_file.hpp"
 
 #include <algorithm>
@@ -118,7 +118,7 @@ std::string file_text(const std::filesystem::path& file, std::string_view expect
   if (!standard_input) opened.open(file, std::ios::binary);
   std::istream& stream = standard_input ? std::cin : opened;
   std::string text;
-  // Pipes do not know their size, and folders can be opened.
+  // The size of pipes is unknown, and folders can be opened.
   for (std::vector<char> part(std::size_t{1} << 16U); stream && text.size() <= largest;) {
     stream.read(part.data(), static_cast<std::streamsize>(part.size()));
     text.append(part.data(), static_cast<std::size_t>(stream.gcount()));

@@ -1,5 +1,4 @@
-// Reading a structure from a problem file (TOML). The format is described in
-// docs/problem-files.md.
+// Reader of a structure from a problem file (TOML). docs/problem-files.md describes the format.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +14,19 @@ namespace kusabi::problems {
 
 struct ProblemText;  // problem_text.hpp
 
-/// Largest problem file, in bytes. A million members take half of it; more is no problem file.
+/// Maximum size of a problem file, in bytes. A million members take half of it.
 inline constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20U;
 
 /// Reads the text of a problem file that names no mesh files. Nodes, members and contact candidates
-/// keep the order of the file; normals come out as unit vectors.
-/// @param file_name how errors name the file
-/// @throws InputError at the first fault of spelling, and then whatever `check_structure` finds
+/// keep the order of the file; normals are normalised.
+/// @param file_name name in messages
+/// @throws InputError at the first fault of syntax, then at the first fault of `check_structure`
 Structure read_structure(std::string_view toml_text, const std::string& file_name);
 
 /// The same, with the mesh files that the text names.
 Structure read_structure(const ProblemText& text, const std::string& file_name);
 
-/// The same with what is said of its normals once a friction coefficient is known
+/// The same, with data for warnings on normals that depend on the friction coefficient
 /// (facet_doubt.hpp).
 struct StructureAndFacets {
   Structure structure;
@@ -35,8 +34,8 @@ struct StructureAndFacets {
 };
 StructureAndFacets read_structure_and_facets(const ProblemText& text, const std::string& file_name);
 
-/// The text of a file that a user names, or of the standard input: "-".
-/// @param expected what the message says if there is none
+/// The text of a file named by the user, or of the standard input: "-".
+/// @param expected text of the message if there is none
 /// @param largest in bytes
 /// @throws InputError if it cannot be read or is larger
 std::string file_text(const std::filesystem::path& file,

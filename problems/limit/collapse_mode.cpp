@@ -1,4 +1,4 @@
-// Velocities node by node, elongations member by member.
+// Velocities by nodes, elongations by members.
 #include "problems/limit/collapse_mode.hpp"
 
 #include <cmath>
@@ -6,7 +6,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// A free or supported node's part of a vector over the free displacements.
+/// Components of a node in a vector over the free displacements; zero where supported.
 Eigen::VectorXd at_node(const LimitProblem& problem, const Eigen::VectorXd& vector, int node) {
   Eigen::VectorXd part = Eigen::VectorXd::Zero(problem.dimension);
   for (int axis = 0; axis < problem.dimension; ++axis) {

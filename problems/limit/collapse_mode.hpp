@@ -1,5 +1,4 @@
-// A collapse mode for a person: which nodes move and how, which members yield, whether the truss
-// sways.
+// Description of a collapse mode: moving nodes, yielding members, and whether it is a sway mode.
 #pragma once
 
 #include <vector>
@@ -10,13 +9,14 @@
 
 namespace kusabi::problems {
 
-/// What moves or yields does so by more than this part of the largest velocity: basic solutions
-/// carry rounding of 1e-12 or so, and no mode that matters has velocities so far apart.
+/// Velocities and elongations count as nonzero above this part of the largest velocity: basic
+/// solutions have rounding errors of about 1e-12, and significant velocities of a mode have similar
+/// sizes.
 inline constexpr double visible_motion = 1e-7;
 
 struct NodeVelocity {
   int node;
-  Eigen::VectorXd velocity;  ///< d; with f_R^T u = 1, per unit of force
+  Eigen::VectorXd velocity;  ///< d; normalised by f_R^T u = 1, per unit of force
 };
 
 struct YieldingMember {
@@ -25,10 +25,10 @@ struct YieldingMember {
 };
 
 struct CollapseMode {
-  std::vector<NodeVelocity> moving;      ///< nodes that move, in their order
+  std::vector<NodeVelocity> moving;      ///< moving nodes, in their order
   std::vector<YieldingMember> yielding;  ///< in their order
-  /// Whether every velocity is along the resultant of the reference load: what the paper calls a
-  /// sway-type mode.
+  /// Whether every velocity is along the resultant of the reference load (sway-type mode of the
+  /// paper).
   bool sway = false;
 };
 

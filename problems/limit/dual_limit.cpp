@@ -1,4 +1,4 @@
-// (45), row by row.
+// Program (45), row by row.
 #include "problems/limit/dual_limit.hpp"
 
 #include <cstddef>
@@ -31,7 +31,7 @@ class DualProgram {
     program_.entries.push_back({row, column, value});
   }
 
-  // A multiplier >= 0, or one that (a), (b) eliminate.
+  // A multiplier >= 0, or one eliminated by (a), (b).
   void multiplier(double cost, bool eliminated = false) {
     program_.add_column({.cost = cost, .upper = eliminated ? 0 : infinity});
   }
@@ -39,7 +39,7 @@ class DualProgram {
   void write_columns() {
     program_.add_column({.cost = -1, .lower = -infinity});  // rho^lambda
     for (int i = 0; i < 2 * members_; ++i) multiplier(0);
-    // At tau_j = 1 row j of (42e) has no M any more.
+    // For tau_j = 1 the constant M of row j of (42e) vanishes.
     for (int j = 0; j < m_; ++j) {
       multiplier(held(j) == HeldTau::not_held ? big_m_(j) : 0, held(j) == HeldTau::at_zero);
     }
@@ -108,7 +108,7 @@ class DualProgram {
         if (held(column - first_tau) == HeldTau::at_one) lower -= value;
         continue;
       }
-      // In (45b), (45d) and (45e) A mu is on the right, in (45c) on the left.
+      // In (45b), (45d) and (45e) A mu is on the right-hand side, in (45c) on the left.
       const bool on_the_left = column >= first_z && column < first_gamma;
       entry(column, mu, on_the_left ? value : -value);
     }

@@ -1,4 +1,4 @@
-// Groups first, and what is left by alpha.
+// Half-widths of groups first, then alpha for the others.
 #include "problems/limit/half_widths.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ bool is_called(const UncertainColumn& column, const std::string& name) {
   return column.name == name || column.group == name;
 }
 
-/// A column and the problem that it is of, with whether its half-width is known.
+/// A column and its problem, and whether its half-width is known.
 struct Settled {
   const LimitProblem* problem;
   int number;
@@ -28,7 +28,7 @@ struct Settled {
   }
 };
 
-// What to say of a name that no load and no group has.
+// Suggestion for an unknown name of a load or group.
 std::string names_instead(const std::vector<Settled>& columns, const std::string& name) {
   std::vector<std::string_view> names;
   for (const auto& each : columns) {

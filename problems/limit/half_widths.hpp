@@ -1,4 +1,4 @@
-// How far each parameter of the dead load may go: as the file says, or as is asked.
+// Half-widths of the parameters of the dead load, from the file or from options.
 #pragma once
 
 #include <optional>
@@ -12,32 +12,32 @@
 
 namespace kusabi::problems {
 
-/// What is asked of those that the file leaves open, in the unit of force.
+/// Requested half-widths of parameters without one in the file, in the unit of force.
 struct AskedHalfWidths {
-  std::optional<double> alpha{};                         ///< of all that have none of their own
+  std::optional<double> alpha{};  ///< of all parameters without a half-width of their own
   std::vector<std::pair<std::string, double>> groups{};  ///< by the name of a load or a group, >= 0
 };
 
-/// What is asked does not fit to the file; says what was expected.
+/// The requested half-widths do not fit the file; the message has the expected ones.
 class UnfitHalfWidths : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// Gives each column of T its half-width, in all load cases alike.
-/// @return the alpha to search with: what is asked, or 1 if columns have half-widths of their own;
-///         nothing: no worst case is asked for, neither here nor by the file
-/// @throws UnfitHalfWidths if a group does not exist, the file says its half-width, or one is
-///         missing
+/// Sets the half-width of each column of T, equally in all load cases.
+/// @return alpha of the search: the requested one, or 1 if columns have half-widths of their own;
+///         nothing: neither the options nor the file request a worst case
+/// @throws UnfitHalfWidths if a group does not exist, has a half-width in the file, or if a
+///         half-width is missing
 std::optional<double> settle_half_widths(std::span<LimitProblem* const> cases,
                                          const AskedHalfWidths& asked);
 
-/// Gives the columns of these groups half-widths as if the file said them.
+/// Sets half-widths of these groups as if specified by the file.
 /// @throws UnfitHalfWidths as above
 void fix_half_widths(LimitProblem& problem, std::span<const std::pair<std::string, double>> groups);
 
-/// The half-width that all columns have alike; nothing: they differ.
-/// @param alpha that is searched with
+/// The common half-width of all columns; nothing if they differ.
+/// @param alpha of the search
 std::optional<double> common_half_width(const LimitProblem& problem, double alpha);
 
 }  // namespace kusabi::problems

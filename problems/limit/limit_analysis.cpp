@@ -1,4 +1,4 @@
-// The symmetric, scaled form, and its two programs.
+// Scaled, symmetric form and its two linear programs.
 #include "problems/limit/limit_analysis.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace kusabi::problems {
 namespace {
 
-/// The unit of force for numbers of this size: F itself unless they are much smaller. Units that
-/// differ by less than `alike` are one, so that a program looks as its truss does; the others are F
-/// times a power of two.
+/// Unit of force for numbers of a given size: F unless they are much smaller. Units within a factor
+/// of `alike` are equal, such that the program resembles its truss; the others are F times a power
+/// of two.
 double unit_of(double size, double force_unit) {
   constexpr double alike = 8;
   if (size > force_unit / alike) return force_unit;
@@ -20,7 +20,7 @@ double unit_of(double size, double force_unit) {
   return std::ldexp(force_unit, exponent - 1);
 }
 
-// A model's columns have their half-widths in their weights.
+// Half-widths become part of the weights of a model's columns.
 std::vector<UncertainColumn> of_one_width(std::vector<UncertainColumn> columns) {
   for (auto& column : columns) {
     column.weight = column.reach();
@@ -29,7 +29,7 @@ std::vector<UncertainColumn> of_one_width(std::vector<UncertainColumn> columns) 
   return columns;
 }
 
-// T~ = F Y^-1 T, the weights being the sizes of its columns. @param row_unit Y
+// T~ = F Y^-1 T; the weights are the sizes of its columns. @param row_unit Y
 void scale_uncertain(const LimitProblem& problem, const Eigen::VectorXd& row_unit,
                      LimitModel& model) {
   model.uncertain = of_one_width(problem.uncertain);

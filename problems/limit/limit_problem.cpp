@@ -1,4 +1,4 @@
-// From a structure to B, f_D, f_R, T and the yield forces.
+// B, f_D, f_R, T and the yield forces of a structure.
 #include "problems/limit/limit_problem.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ void require_bars_with_yield_and_reference(const Structure& structure) {
   }
 }
 
-/// The loads of one kind on the free displacements; those on supports go straight to the ground.
+/// The loads of one kind on the free displacements; loads on supports act on the ground.
 Eigen::VectorXd load_vector(const Structure& structure, const FreeDegrees& degrees,
                             Load::Kind kind) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(degrees.size());
@@ -88,7 +88,7 @@ void require_free_reference(const Structure& structure, const LimitProblem& prob
       "unbounded; expected a reference load at a node and along an axis that are free");
 }
 
-// What acts on a support goes straight to the ground.
+// Loads on a support act on the ground.
 UncertainColumn column_of(const UncertainParameter& parameter, const FreeDegrees& degrees) {
   std::vector<UncertainColumn::Component> free;
   for (const auto& [node, axis, weight] : parameter.components) {
@@ -143,14 +143,15 @@ std::uint64_t fingerprint(const LimitProblem& problem) {
     for (const double value : *vector) result.add(value);
   }
   for (const UncertainColumn& column : problem.uncertain) {
-    // A count that no displacement has: so a single component is what it has always been.
+    // A negative number, which no displacement has, such that fingerprints of single components are
+    // unchanged.
     if (column.direction.size() > 1) result.add(-static_cast<int>(column.direction.size()));
     for (const auto& [degree, value] : column.direction) {
       result.add(degree);
       result.add(column.weight * value);
     }
     if (column.in_file) {
-      result.add(-1);  // nor is that a count of components
+      result.add(-1);  // differs from all counts of components
       result.add(column.half_width);
     }
   }

@@ -1,12 +1,12 @@
-// Plastic limit analysis of a truss whose dead load is uncertain (section 2.2 and 3.1 of the limit
-// paper, METR 2006-39), ready to be solved:
+// Plastic limit analysis of a truss with uncertain dead load (sections 2.2 and 3.1 of the limit
+// paper, METR 2006-39):
 //
 //   lambda*(zeta) = max  lambda
 //                   s.t. B q = f_D + T zeta + lambda f_R,   -q^c_i <= q_i <= q^t_i,           (5)
 //   lambda_min(alpha) = min { lambda*(zeta) : |zeta_j| <= h_j alpha }.                        (13)
 //
-// Members may yield at different forces in tension and compression; the paper's common q^y is
-// q^t = q^c.
+// Members may yield at different forces in tension and compression; the paper's common q^y is q^t =
+// q^c.
 #pragma once
 
 #include <cstdint>
@@ -32,11 +32,11 @@ struct LimitProblem {
   Eigen::SparseMatrix<double> equilibrium;  ///< B, n^d x n^m
   Eigen::VectorXd dead;                     ///< f_D, n^d, force
   Eigen::VectorXd reference;                ///< f_R, n^d, force; not zero
-  std::vector<UncertainColumn> uncertain;   ///< T: m columns, axis by axis and node by node of
-                                            ///< their first components
-  Eigen::VectorXd tension;                  ///< q^t, n^m, force
-  Eigen::VectorXd compression;              ///< q^c, n^m, force
-  /// Hash of all of the above but the names.
+  std::vector<UncertainColumn>
+      uncertain;  ///< T: m columns, in the order of axes and nodes of their first components
+  Eigen::VectorXd tension;      ///< q^t, n^m, force
+  Eigen::VectorXd compression;  ///< q^c, n^m, force
+  /// Hash of all of the above except the names.
   std::uint64_t fingerprint = 0;
 
   int free_count() const { return degrees.size(); }
@@ -44,28 +44,28 @@ struct LimitProblem {
   int uncertain_count() const { return static_cast<int>(uncertain.size()); }
 };
 
-/// "a-b" from the nodes of a member.
+/// Name "a-b" of a member by its nodes.
 std::string member_name(const LimitProblem& problem, int member);
 
-/// The name of a column of T, or "x at tip" of its component.
+/// Name of a column of T, or "x at tip" by its component.
 std::string parameter_name(const LimitProblem& problem, int column);
 
-/// Whether alpha is a force: every uncertain load is one component, which is there up to alpha by
-/// itself. Where loads have weights or shapes of their own, alpha is a number of times them.
+/// Whether alpha is a force: every uncertain load is a single component with half-width alpha.
+/// Otherwise alpha is a multiple of loads with weights or several components.
 bool alpha_is_force(const LimitProblem& problem);
 
 /// f_D + T zeta. @param shares zeta_j / h_j, m
 Eigen::VectorXd dead_load(const LimitProblem& problem, const Eigen::VectorXd& shares);
 
-/// What f_R^T t_j may be relative to sum_e |f_R,e t_j,e|: components are typed with ten digits or
-/// so. No bound and no proof rests on it.
+/// Tolerance of f_R^T t_j relative to sum_e |f_R,e t_j,e|: components are typed with about ten
+/// digits. No bound and no proof depends on it.
 inline constexpr double no_reference_work = 1e-9;
 
-/// Whether f_R^T t_j is not zero: such a load takes from the reference load, or adds to it, and
-/// assumption 3.1 (ii) of the paper does not hold (docs/theory/limit.md).
+/// Whether f_R^T t_j is not zero: such a load changes the reference load, and assumption 3.1 (ii)
+/// of the paper does not hold (docs/theory/limit.md).
 bool works_with_reference(const LimitProblem& problem, const UncertainColumn& column);
 
-/// Checks what limit analysis needs; assumption 3.1 of the paper is of no need.
+/// Checks the requirements of limit analysis; assumption 3.1 of the paper is not required.
 /// @throws InputError if `check_structure` does; if loads or yield forces are missing; if the
 ///         loads are of several cases; if no reference load acts on a free displacement; if the
 ///         structure is a mechanism (with the nodes that move)

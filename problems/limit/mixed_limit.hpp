@@ -1,4 +1,4 @@
-// The mixed 0-1 program (29) of the limit paper from a model of limit analysis.
+// Mixed 0-1 program (29) of the limit paper from a model of limit analysis.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,10 +8,10 @@
 
 namespace kusabi::problems {
 
-/// Minimise -alpha sum_j weight_j gamma_j - f_D'u + q^y'z over (27) with tau in {0, 1}. Columns:
-/// u (n^d), z (n^m), gamma (m), tau (m); gamma_j is |d_j'u|, column j of T being weight_j d_j.
-/// Rows: f_R'u = 1; z_i -+ b_i'u >= 0, member by member; gamma_j - d_j'u + M_j tau_j <= M_j and
-/// gamma_j + d_j'u - M_j tau_j <= 0, column by column.
+/// Minimise -alpha sum_j weight_j gamma_j - f_D'u + q^y'z over (27) with tau in {0, 1}. Columns: u
+/// (n^d), z (n^m), gamma (m), tau (m); gamma_j is |d_j'u| for column j of T, weight_j d_j. Rows:
+/// f_R'u = 1; z_i -+ b_i'u >= 0 for each member; gamma_j - d_j'u + M_j tau_j <= M_j and gamma_j +
+/// d_j'u - M_j tau_j <= 0 for each column.
 /// @param alpha scaled
 /// @param big_m M, m, scaled: at least twice the largest |d_j'u| of an optimum
 /// @param most_motion bound of |u|, n^d; may be infinite

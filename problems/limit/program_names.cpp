@@ -1,4 +1,4 @@
-// The order of columns and rows is that of the functions that make them.
+// Columns and rows in the order of the functions that make the programs.
 #include "problems/limit/program_names.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ std::string degree_name(const LimitProblem& problem, int degree) {
   return fmt::format("{}.{}", problem.node_names[static_cast<std::size_t>(node)], axis_name(axis));
 }
 
-// A column of T by its name, or by the displacement of its one component.
+// Name of a column of T: its own, or that of the displacement of its component.
 std::string uncertain_name(const LimitProblem& problem, std::size_t column) {
   const auto& given = problem.uncertain[column];
   if (given.name.empty()) return degree_name(problem, given.direction.front().degree);

@@ -1,5 +1,5 @@
-// Names for the columns and rows of the limit paper's programs, in files that others read: nodes,
-// axes and members as the problem file calls them.
+// Names of columns and rows of the limit paper's programs in exported files: nodes, axes and
+// members as in the problem file.
 #pragma once
 
 #include "problems/limit/limit_problem.hpp"
@@ -7,14 +7,14 @@
 
 namespace kusabi::problems {
 
-/// Of static_program(): q.A-B, lambda; equilibrium.A.x.
+/// Names of static_program(): q.A-B, lambda; equilibrium.A.x.
 void name_static_program(const LimitProblem& problem, linear::LinearProgram& program);
 
-/// Of kinematic_program(): u.A.x, z.A-B; reference, stretch.A-B, shorten.A-B.
+/// Names of kinematic_program(): u.A.x, z.A-B; reference, stretch.A-B, shorten.A-B.
 void name_kinematic_program(const LimitProblem& problem, linear::LinearProgram& program);
 
-/// Of worst_case_program(), besides these: gamma.A.x, tau.A.x; positive.A.x, negative.A.x. A column
-/// of T with a name has that in the place of A.x, with _ for blanks.
+/// Names of worst_case_program(), in addition: gamma.A.x, tau.A.x; positive.A.x, negative.A.x. A
+/// named column of T has its name instead of A.x, with _ for blanks.
 void name_worst_case_program(const LimitProblem& problem, linear::LinearProgram& program);
 
 }  // namespace kusabi::problems

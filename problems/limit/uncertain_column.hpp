@@ -1,5 +1,5 @@
-// A column of T: how a parameter zeta_j acts on the dead load, f_D + sum_j zeta_j t_j (section 3.1
-// of the limit paper), and how far the parameter may go.
+// Column of T: the load of a parameter zeta_j in f_D + sum_j zeta_j t_j (section 3.1 of the limit
+// paper), and the half-width of the parameter.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace kusabi::problems {
 
-/// t_j = weight * direction, exactly: of a single component the weight is its size and the
-/// direction +1 or -1; otherwise the weight is 1. (In a LimitModel the largest component of the
+/// t_j = weight * direction, exactly: for a single component the weight is its absolute value and
+/// the direction +1 or -1; otherwise the weight is 1. (In a LimitModel the largest component of the
 /// direction is of size 1.)
 struct UncertainColumn {
   struct Component {
@@ -20,23 +20,23 @@ struct UncertainColumn {
 
   double weight = 1;                 ///< w_j > 0
   std::vector<Component> direction;  ///< d_j, by displacement, not empty
-  std::string name{};                ///< empty: of a single component
-  std::string group{};               ///< of those that are told how far they go together
-  /// h_j: |zeta_j| <= h_j alpha. The alpha that is asked for goes for all columns with 1; where
-  /// some have a half-width of their own, each has its own and alpha is 1.
+  std::string name{};                ///< empty: a single component
+  std::string group{};               ///< group with a common half-width
+  /// h_j: |zeta_j| <= h_j alpha. A requested alpha applies to all columns, with h_j = 1; if some
+  /// have a half-width of their own, each has h_j and alpha is 1.
   double half_width = 1;
-  bool in_file = false;  ///< whether the file says its half-width
+  bool in_file = false;  ///< whether the file specifies its half-width
 
-  /// The load at one free displacement. @param value not zero
+  /// A load at one free displacement. @param value not zero
   static UncertainColumn single(int degree, double value);
 
   /// d_j^T u. @param motion n^d
   [[nodiscard]] double along(const Eigen::VectorXd& motion) const;
-  /// h_j w_j: what the search knows the column by.
+  /// h_j w_j, the column's coefficient in the search.
   [[nodiscard]] double reach() const { return half_width * weight; }
   /// Adds h_j t_j times a share of alpha.
   void add_to(Eigen::VectorXd& load, double share) const;
-  /// The size of the largest component of h_j t_j.
+  /// The absolute value of the largest component of h_j t_j.
   [[nodiscard]] double largest() const;
 };
 

@@ -1,4 +1,4 @@
-// Member by member, node by node.
+// Utilisation by members, vectors by nodes.
 #include "problems/limit/utilisation.hpp"
 
 #include <cmath>

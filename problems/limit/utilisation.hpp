@@ -1,4 +1,4 @@
-// Which part of its strength a member uses.
+// Utilisation of members: axial force relative to yield force.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,8 +7,8 @@
 
 namespace kusabi::problems {
 
-/// |q| relative to q^t in tension and to q^c in compression, n^m: 1 where a member yields. 0 where
-/// it can carry nothing, and does not.
+/// |q| relative to q^t in tension and to q^c in compression, n^m: 1 at yield, 0 if both the force
+/// and the yield force are zero.
 /// @param forces q, n^m
 Eigen::VectorXd utilisation(const LimitProblem& problem, const Eigen::VectorXd& forces);
 

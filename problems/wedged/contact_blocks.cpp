@@ -1,4 +1,4 @@
-// Connected displacements, by disjoint sets.
+// Connected displacements by disjoint sets.
 #include "problems/wedged/contact_blocks.hpp"
 
 #include <map>
@@ -12,7 +12,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Sets of free displacements that move together.
+/// Sets of connected free displacements.
 class Connections {
  public:
   explicit Connections(int displacements) : sets_(static_cast<std::size_t>(displacements)) {}
@@ -84,7 +84,7 @@ std::vector<support::IndexSet> contact_blocks(const Structure& structure,
     connections.join(together);
   }
   std::vector<support::IndexSet> blocks;
-  std::map<std::size_t, std::size_t> place;  // of the block with this representative
+  std::map<std::size_t, std::size_t> place;  // block of each representative
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
     const int first = free_of(structure, degrees, structure.contact[i].node).front();
     const auto [entry, is_new] = place.emplace(connections.representative(first), blocks.size());

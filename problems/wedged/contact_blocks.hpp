@@ -1,10 +1,9 @@
-// Which contact candidates feel each other: the blocks that a structure comes apart into.
+// Decoupled blocks of contact candidates.
 //
-// A reaction at one candidate moves another only if bars and elements connect the two through
-// displacements that nothing supports. Where they do not, K and F of the wedged problem are zero
-// exactly, whatever the numbers: the problem is a product of smaller ones, and each block may be
-// searched by itself (docs/theory/wedged.md, "Blocks"). Decided by structure, so nothing is
-// rounded.
+// A reaction at one candidate displaces another only if bars and elements connect both through free
+// displacements. Otherwise the corresponding entries of K and F are zero exactly: the problem is a
+// product of smaller ones, and each block is searched by itself (docs/theory/wedged.md, "Blocks").
+// The decision depends on connectivity only, so no rounding is involved.
 #pragma once
 
 #include <span>
@@ -18,8 +17,9 @@
 namespace kusabi::problems {
 
 /// The candidates of each block: a partition of all, in the order of the first candidates. A bar
-/// connects the displacements that stretch it (one that lies along an axis leaves the others
-/// alone), an element those of all its nodes, a candidate its own, a loose body all of its own.
+/// connects the displacements that change its length (if it lies along an axis, only those along
+/// it), an element those of all its nodes, a candidate its own, an unconstrained body all of its
+/// own.
 /// @param bodies those of the structure
 /// @pre the structure passes `check_structure`
 std::vector<support::IndexSet> contact_blocks(const Structure& structure,

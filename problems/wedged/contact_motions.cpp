@@ -1,4 +1,4 @@
-// What the candidates see, made orthogonal column by column.
+// Rigid-body modes restricted to contact degrees of freedom, orthogonalised column by column.
 #include "problems/wedged/contact_motions.hpp"
 
 #include <algorithm>
@@ -19,14 +19,14 @@ using numbers::Precise;
 using numbers::PreciseMatrix;
 using numbers::PreciseVector;
 
-/// Roundings of a frame, a displacement and two projections, with room.
+/// Bound of the rounding errors of a frame, a displacement and two projections.
 constexpr double motion_roundings = 512;
 
-/// A node that is off the place that it is against by no more than this share of the largest
-/// coordinate is meant to be there.
+/// A node whose distance from its opposite place is at most this share of the largest coordinate is
+/// moved there exactly.
 constexpr double rounded_place = 0x1p-48;
 
-/// By node, its body; and where the motions of each body begin.
+/// By node, its body; and the first mode of each body.
 struct Numbering {
   std::map<int, std::size_t> body;
   std::vector<Eigen::Index> first;
@@ -41,7 +41,7 @@ struct Numbering {
   }
 };
 
-// Adds what a node's motions, times a weight, are along the axes of a frame.
+// Adds the components of a node's modes, times a weight, along the axes of a frame.
 void add_motions(const Structure& structure, std::span<const LooseBody> bodies,
                  const Numbering& numbering, const Share& share, const PreciseMatrix& frame,
                  Eigen::Index row, PreciseMatrix& seen) {
@@ -53,8 +53,8 @@ void add_motions(const Structure& structure, std::span<const LooseBody> bodies,
       (frame.transpose() * displacements(body, structure.coordinates.col(share.node)));
 }
 
-/// How far the place that a candidate is against is from its node, if that is the rounding of
-/// coordinates alone; otherwise, and of a rigid obstacle, zero.
+/// Vector from the node of a candidate to its opposite place, if it is due to rounding of
+/// coordinates; otherwise, and for a rigid obstacle, zero.
 Eigen::VectorXd rounding_of_place(const Structure& structure, const ContactCandidate& candidate) {
   const auto node = structure.coordinates.col(candidate.node);
   PreciseVector away = -node.cast<Precise>();
@@ -70,7 +70,7 @@ Eigen::VectorXd rounding_of_place(const Structure& structure, const ContactCandi
   return rounded;
 }
 
-/// Adds what the node of a candidate moves by more where it is meant to be.
+/// Adds the change of the node's modes if it is moved to its exact place.
 void add_placing(const Structure& structure, std::span<const LooseBody> bodies,
                  const Numbering& numbering, const ContactCandidate& candidate,
                  const PreciseMatrix& frame, Eigen::Index row, PreciseMatrix& seen) {
@@ -89,7 +89,8 @@ std::string name(const Structure& structure, int node) {
   return support::in_quotes(structure.node_names[static_cast<std::size_t>(node)]);
 }
 
-// A loose body that nothing touches is no part of any answer, and most likely a mistake.
+// An unconstrained body without contact candidates has no influence on answers and is most likely
+// an input error.
 void refuse_untouched(const Structure& structure, std::span<const LooseBody> bodies,
                       const Numbering& numbering) {
   std::vector<bool> touched(bodies.size(), false);

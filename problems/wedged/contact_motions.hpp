@@ -1,5 +1,5 @@
-// The motions of loose bodies as the contact candidates see them: G of docs/theory/wedged.md,
-// "Loose bodies".
+// Rigid-body modes of unconstrained bodies, restricted to contact degrees of freedom: G of
+// docs/theory/wedged.md, "Loose bodies".
 #pragma once
 
 #include <span>
@@ -11,18 +11,19 @@
 namespace kusabi::problems {
 
 struct ContactMotions {
-  /// G, dm x p, ordered as in WedgedProblem: independent columns, orthogonal to each other, the
-  /// largest entry of each between 1/2 and 1. What no candidate sees is left out.
+  /// G, dm x p, ordered as in WedgedProblem: independent and orthogonal columns, the largest entry
+  /// of each between 1/2 and 1. Modes that displace no candidate are left out.
   numbers::PreciseMatrix matrix;
-  double error = 0;  ///< what an entry may be off by
+  double error = 0;  ///< bound of the error of an entry
 };
 
 /// @param bodies those of the structure
-/// @throws InputError if it can't be told whether candidates see a motion, or if a body has none
+/// @throws InputError if it is numerically undecided whether a mode displaces candidates, or if a
+///         body has no candidates
 ContactMotions contact_motions(const Structure& structure, std::span<const LooseBody> bodies);
 
-/// The same without any combination: a column for each motion of each body, dm x sum of p, zero
-/// where no candidate sees it.
+/// The same without combinations: a column for each mode of each body, dm x sum of p, zero if it
+/// displaces no candidate.
 numbers::PreciseMatrix seen_motions(const Structure& structure, std::span<const LooseBody> bodies);
 
 }  // namespace kusabi::problems

@@ -1,5 +1,5 @@
-// With S the stiffness of the body on any springs that hold it and no more, K = S - S G (G'S G)^-1
-// G'S: it resists no motion, and does to what is in equilibrium what S does.
+// With the stiffness S of the body on minimal grounding springs, K = S - S G (G'S G)^-1 G'S. It has
+// the modes G as null space and agrees with S for forces in equilibrium.
 #include "problems/wedged/free_stiffness.hpp"
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-// K without the temporary springs of loose bodies.
+// K without the grounding springs of unconstrained bodies.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,8 +7,8 @@
 
 namespace kusabi::problems {
 
-/// K of equation (6), dm x dm, exactly symmetric: with loose bodies only semidefinite, K G = 0 up
-/// to rounding. Without, the stiffness of the problem.
+/// K of equation (6), dm x dm, exactly symmetric. With unconstrained bodies it is semidefinite, K G
+/// = 0 up to rounding; otherwise it is the stiffness of the problem.
 Eigen::MatrixXd free_stiffness(const WedgedProblem& problem);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Refinement, and the bound of what is left.
+// Iterative refinement and the bound of the remaining error.
 #include "problems/wedged/precise_compliance.hpp"
 
 #include <algorithm>
@@ -23,8 +23,8 @@
 namespace kusabi::problems {
 namespace {
 
-/// A direction written with sixteen digits is off by so much of a unit: an entry of F that a right
-/// angle makes zero comes out with so much of its neighbours.
+/// Relative error of directions written with sixteen digits: an entry of F that is zero by a right
+/// angle becomes this share of its neighbours.
 constexpr long double noise_of_decimals = 1e-15L;
 
 using numbers::Precise;
@@ -33,20 +33,21 @@ using SparseMatrix = Eigen::SparseMatrix<Precise>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit = numbers::unit_roundoff<Precise>;
 
-/// Sums of a few hundred roundings in doubles, all of numbers >= 0, are right to this factor.
+/// Factor for the rounding errors of sums of a few hundred nonnegative doubles.
 constexpr double safety = 1.001;
 
-/// Entries of a normal or tangent.
+/// Bound of the rounding errors of entries of a normal or tangent.
 constexpr double frame_roundings = 32;
 
-/// Each step of refinement gains the digits of the factor less those of the condition.
+/// Maximum number of refinement steps. Each gains the digits of the factor minus those of the
+/// condition number.
 constexpr int most_refinements = 12;
 
-/// So many columns are refined at once: more would only take more memory.
+/// Number of columns refined at once; more would only increase memory.
 constexpr Eigen::Index columns_at_once = 32;
 
-/// Unit loads along the directions of all candidates, D times: f x dm, column by column n, t1[,
-/// t2], and the norm of what the roundings of each may add.
+/// Unit loads along the directions of all candidates, times D: f x dm, columns n, t1[, t2] of each,
+/// and the norm of the rounding errors of each column.
 struct Loads {
   numbers::PreciseMatrix matrix;
   Eigen::VectorXd errors;
@@ -67,7 +68,7 @@ Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
     for (Eigen::Index direction = 0; direction < d; ++direction, ++column) {
       double sizes = 0;
       for (int axis = 0; axis < structure.dimension; ++axis) {
-        // Nothing is seen where a roller takes it.
+        // The displacement is fixed where a roller acts.
         for (const auto& part : seen_along<Precise>(degrees, candidate, in_corner, axis)) {
           loads.matrix(part.number, column) +=
               part.value * frame(axis, direction) * scale(part.number);
@@ -80,7 +81,7 @@ Loads unit_loads(const Structure& structure, const FreeDegrees& degrees,
   return loads;
 }
 
-/// K X as a product of sparse and dense, one column after the other.
+/// K X as a product of a sparse and a dense matrix, column by column.
 numbers::PreciseMatrix residual(const SparseMatrix& matrix, const numbers::PreciseMatrix& solution,
                                 const numbers::PreciseMatrix& right) {
   numbers::PreciseMatrix left = right;
@@ -103,13 +104,13 @@ double share(Eigen::Index done, Eigen::Index all) {
   return static_cast<double>(done) / static_cast<double>(all);
 }
 
-/// X with K X = B up to a residual whose norms are bounded.
+/// X with K X = B up to a residual with bounded column norms.
 struct Solution {
   numbers::PreciseMatrix displacements;
-  Eigen::VectorXd residuals;  ///< norm of K X - B, column by column
+  Eigen::VectorXd residuals;  ///< norm of K X - B for each column
 };
 
-/// Refines the columns from `first` on until it is of no more use.
+/// Refines the columns from `first` on until the residual no longer decreases.
 template <class Real>
 void refine(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& factor,
             const Loads& loads, Eigen::Index first, double rounding, const support::Stop& stop,
@@ -157,7 +158,7 @@ Solution solve(const ScaledStiffness& stiffness, const StiffnessFactor<Real>& fa
   return solution;
 }
 
-/// The bound that EnclosedCompliance promises. With K X = B + R, F - B'X = -B'K^-1 R, and
+/// The error bound of EnclosedCompliance. With K X = B + R, F - B'X = -B'K^-1 R, and
 /// |b_i'K^-1 R_j| <= sqrt(F_ii) |R_j| / sqrt(s), s the least eigenvalue of K.
 double compliance_error(const numbers::PreciseMatrix& matrix, const Loads& loads,
                         const Solution& solution, double least_eigenvalue) {
@@ -168,11 +169,11 @@ double compliance_error(const numbers::PreciseMatrix& matrix, const Loads& loads
   const Eigen::VectorXd right = column_norms(loads.matrix);
   const double first =
       (solution.residuals.array() / roots.array()).maxCoeff() / std::sqrt(least_eigenvalue);
-  // The rounding of the product of B and X, and what the loads themselves are wrong by.
+  // Rounding errors of the product of B and X, and errors of the loads.
   const double second = ((16 * unit * right + loads.errors).array() / roots.array()).maxCoeff() *
                         (sizes.array() / roots.array()).maxCoeff();
   const double error = safety * (first + second);
-  // The diagonal of F itself is known up to the error.
+  // The diagonal of F is known up to the error.
   return error < 1e-3 ? error * (1 + 2 * error) : infinity;
 }
 
@@ -205,14 +206,14 @@ EnclosedCompliance enclosed(const Structure& structure, const FreeDegrees& degre
   return {matrix, error, std::move(response)};
 }
 
-/// From so many displacements on doubles are tried first: a factor in long doubles takes four times
-/// as long, and solving with it ten.
+/// Larger problems are first factorised in doubles: a factor in long doubles takes four times as
+/// long, and solutions with it ten times.
 constexpr int fewest_for_doubles = 4000;
 
-/// An error that a factor in more digits would hardly make better.
+/// An error that more digits in the factor would hardly decrease.
 constexpr double enough_in_doubles = 1e-20;
 
-/// Beyond this many displacements a factor in 104 bits would take too long.
+/// Maximum size for a factor in 104 bits, by computing time.
 constexpr int most_for_precise_factor = 600;
 
 }  // namespace
@@ -230,10 +231,10 @@ EnclosedCompliance enclosed_compliance(const Structure& structure, const support
   return result;
 }
 
-// Column by column from the diagonal down: L^-1 is triangular, and K symmetric.
+// Columns are computed from the diagonal down, since L^-1 is triangular and K symmetric.
 numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
                                     const support::LongWork& work) {
-  // Scaled to a unit diagonal, which is exact: by powers of two.
+  // Scaling to a unit diagonal by powers of two, which is exact.
   const Eigen::Index size = compliance.rows();
   Eigen::VectorXd scale(size);
   for (Eigen::Index i = 0; i < size; ++i)
@@ -275,7 +276,7 @@ Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(
   const Eigen::Index d = structure.dimension;
   for (Eigen::Index i = 0; i < f.rows(); ++i) {
     for (Eigen::Index j = 0; j < f.cols(); ++j) {
-      // What one candidate does to another, in all directions.
+      // Norm of the block of two candidates.
       const long double together =
           result.block(d * (i / d), d * (j / d), d, d).cwiseAbs().maxCoeff();
       const long double unknown =

@@ -1,10 +1,9 @@
-// The compliance F = K^-1 of the contact candidates with more digits than a double has, and how far
-// it can be trusted.
+// Compliance F = K^-1 of the contact candidates in more than double precision, with an error bound.
 //
-// Which sign patterns and extremal rays there are depends on sums of its entries that vanish
-// exactly, or only almost; where stiff bars stand beside soft ones, an F computed in doubles is
-// wrong in the digits that decide. So F is computed from the structure itself with 104 bits, and
-// with a bound of its error that holds (docs/theory/wedged.md, "F and its error").
+// Sign patterns and extremal rays depend on sums of its entries that vanish exactly or almost;
+// where stiff and soft bars are combined, an F computed in doubles is wrong in the decisive digits.
+// F is therefore computed from the structure in 104 bits, with a proved error bound
+// (docs/theory/wedged.md, "F and its error").
 #pragma once
 
 #include <Eigen/Core>
@@ -15,38 +14,39 @@
 
 namespace kusabi::problems {
 
-/// F with 104 bits.
+/// F in 104 bits with its error bound.
 struct EnclosedCompliance {
   /// F~, dm x dm, ordered as in WedgedProblem, length/force; exactly symmetric.
   numbers::PreciseMatrix matrix;
-  /// |F~_ij - F_ij| <= error sqrt(F_ii F_jj) for all i, j, where F is that of the structure with
-  /// its numbers meant exactly; infinity if no bound could be proved. About 1e-26 for a condition
-  /// of 1e6. The rows and columns of F that belong to a subset of the candidates have the same
-  /// bound.
+  /// |F~_ij - F_ij| <= error sqrt(F_ii F_jj) for all i, j, where F is the compliance of the
+  /// structure with exact numbers; infinity if no bound was proved. About 1e-26 for a condition
+  /// number of 1e6. The bound also holds for the rows and columns of any subset of the candidates.
   double error = 0;
   /// The displacements of the whole structure under a unit reaction in each direction of each
-  /// candidate: free displacements x dm, length/force. F~ is what the candidates see of it.
+  /// candidate: free displacements x dm, length/force. F~ is its restriction to contact degrees of
+  /// freedom.
   numbers::PreciseMatrix response{};
 };
 
 /// F of a structure. The stiffness is scaled to a unit diagonal and factorised in doubles or long
-/// doubles; the displacements under unit loads are refined with residuals in 104 bits, and the
-/// last of these residuals, with the least eigenvalue that a Cholesky factorisation proves, is the
-/// bound.
+/// doubles; the displacements under unit loads are refined with residuals in 104 bits. The error
+/// bound follows from the last residuals and the least eigenvalue proved by a Cholesky
+/// factorisation.
 /// @pre the structure passes `check_structure` and is no mechanism
-/// @throws support::Stopped if an end is asked for: between factorisations and groups of columns
+/// @throws support::Stopped if the program is asked to stop: between factorisations and groups of
+///         columns
 EnclosedCompliance enclosed_compliance(const Structure& structure,
                                        const support::LongWork& work = {});
 
-/// K = F^-1, force/length, from an F with 104 bits.
-/// @return nothing of use (NaN) if F is not positive definite
-/// @throws support::Stopped if an end is asked for
+/// K = F^-1, force/length, from an F in 104 bits.
+/// @return NaN if F is not positive definite
+/// @throws support::Stopped if the program is asked to stop
 numbers::PreciseMatrix stiffness_of(const numbers::PreciseMatrix& compliance,
                                     const support::LongWork& work = {});
 
-/// `enclosed_compliance` in long double precision, length/force. Zero exactly where an entry is not
-/// known to be anything else, or is no more than the rounding of the directions in the file. Of
-/// loose bodies with their temporary springs.
+/// `enclosed_compliance` in long double precision, length/force. Entries that are not
+/// distinguishable from zero, or only by the rounding of directions in the file, are exactly zero.
+/// Unconstrained bodies have their grounding springs.
 /// @pre `wedged_problem` accepts the structure
 Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> precise_compliance(
     const Structure& structure);

@@ -1,4 +1,4 @@
-// Rows, columns and bits picked out.
+// Selection of rows, columns and candidates.
 #include "problems/wedged/problem_block.hpp"
 
 #include "problems/structure/bodies/rigid_motions.hpp"
@@ -17,7 +17,7 @@ std::vector<Eigen::Index> displacements_of(const IndexSet& candidates, int dimen
   return numbers;
 }
 
-// The columns in which the rows have entries.
+// The columns with nonzero entries in the given rows.
 std::vector<Eigen::Index> columns_of(const Eigen::MatrixXd& matrix,
                                      const std::vector<Eigen::Index>& rows) {
   std::vector<Eigen::Index> columns;
@@ -27,8 +27,8 @@ std::vector<Eigen::Index> columns_of(const Eigen::MatrixXd& matrix,
   return columns;
 }
 
-// Makes columns independent, those first whose entries are largest: what is left of the others is
-// rounding of 104 bits, and dropped.
+// Makes columns independent, with pivoting by their largest entries; the remaining part of the
+// others is rounding in 104 bits and is dropped.
 numbers::PreciseMatrix independent_columns(numbers::PreciseMatrix matrix) {
   Eigen::Index kept = 0;
   for (; kept < matrix.cols(); ++kept) {
@@ -46,7 +46,7 @@ numbers::PreciseMatrix independent_columns(numbers::PreciseMatrix matrix) {
   return matrix.leftCols(kept);
 }
 
-// The first candidates are numbered alike in a block and in the whole.
+// Blocks of the first candidates have the same numbers as the whole.
 bool begins_the_whole(const IndexSet& block) {
   return block == IndexSet::below(block.size());
 }

@@ -63,7 +63,7 @@ double compliance_ratio(const WedgedProblem& problem) {
   return most;
 }
 
-/// Of one body: `within` says which nodes are its own.
+/// Ratio for one body: `within` marks its nodes.
 double extent_ratio(const Structure& structure, const LooseBody& body,
                     const std::vector<bool>& within) {
   Range distances;

@@ -1,5 +1,5 @@
-// How far apart the scales of a structure are. Cut-offs in floating point are relative to the
-// largest of what they compare, so far apart they may take what counts for rounding.
+// Ratio of the scales of a structure. Tolerances in floating point are relative to the largest
+// number, so small scales may be mistaken for rounding errors.
 #pragma once
 
 #include "problems/structure/model/structure.hpp"
@@ -9,8 +9,8 @@ namespace kusabi::problems {
 
 /// The largest of these quotients, at least 1: the stiffest and the softest of all members,
 /// elements and springs; the largest and the smallest normal compliance of the candidates of a
-/// block; and of a loose body, its extent and the smallest distance in it, which is that of the
-/// ends of a member, of two nodes of an element or of two candidates that are apart.
+/// block; and for an unconstrained body, its extent and the smallest distance between the ends of a
+/// member, two nodes of an element or two candidates at different places.
 double scale_ratio(const Structure& structure, const WedgedProblem& problem);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Bars, springs, elements and superelements, each with a bound of its own roundings.
+// Assembly of bars, springs, elements and superelements, each with a bound of its rounding errors.
 #include "problems/wedged/scaled_stiffness.hpp"
 
 #include <algorithm>
@@ -17,14 +17,13 @@ namespace {
 using numbers::Precise;
 using SparseMatrix = Eigen::SparseMatrix<Precise>;
 
-/// Sums of a few thousand roundings in doubles, all of numbers >= 0, are right to this factor.
+/// Factor for the rounding errors of sums of a few thousand nonnegative doubles.
 constexpr double bound_safety = 1.001;
 
-/// Roundings that the product of a bar's stiffness and two entries of its vector goes through, with
-/// room.
+/// Bound of the rounding errors of the product of a bar's stiffness and two entries of its vector.
 constexpr double member_roundings = 32;
 
-/// What entry (i, j) of the stiffness of a bar or an element may be wrong by, over size i times
+/// Error bound of entry (i, j) of the stiffness of a bar or an element, divided by size i times
 /// size j.
 struct Part {
   std::vector<int> numbers;  ///< of the free displacements
@@ -32,7 +31,7 @@ struct Part {
   double error;
 };
 
-/// The nodes, and those that the displacements of these are made of.
+/// The nodes and the nodes of their master degrees of freedom.
 std::vector<int> with_leaders(const FreeDegrees& degrees, std::vector<int> nodes) {
   if (degrees.leaders.empty()) return nodes;
   for (std::size_t i = 0, own = nodes.size(); i < own; ++i) {
@@ -44,14 +43,15 @@ std::vector<int> with_leaders(const FreeDegrees& degrees, std::vector<int> nodes
   return nodes;
 }
 
-/// Nodes, and after them the unknowns that superelements have of their own.
+/// Index of the node of a displacement, or of an internal unknown of a superelement, which follow
+/// the nodes.
 int place_of(const FreeDegrees& degrees, int number) {
   return number < degrees.of_nodes()
              ? degrees.free[static_cast<std::size_t>(number)].node
              : static_cast<int>(degrees.number.cols()) + number - degrees.of_nodes();
 }
 
-/// The free displacements of such a place.
+/// The free displacements at such an index.
 std::vector<int> numbers_at(const FreeDegrees& degrees, int place) {
   const auto nodes = static_cast<int>(degrees.number.cols());
   if (place >= nodes) return {degrees.of_nodes() + place - nodes};
@@ -62,7 +62,7 @@ std::vector<int> numbers_at(const FreeDegrees& degrees, int place) {
   return numbers;
 }
 
-/// For each place those that a part of the structure joins it with, in any order.
+/// For each index those that a bar, element, spring or superelement connects with it, in any order.
 std::vector<std::vector<int>> neighbours(const Structure& structure, const FreeDegrees& degrees) {
   std::vector<std::vector<int>> places(structure.node_names.size() +
                                        static_cast<std::size_t>(degrees.own_count));
@@ -80,14 +80,15 @@ std::vector<std::vector<int>> neighbours(const Structure& structure, const FreeD
     for_each_entry<double>(structure, degrees, index, [&](int row, int column, double) {
       const int other = place_of(degrees, row);
       auto& own = places[static_cast<std::size_t>(place_of(degrees, column))];
-      if (own.empty() || own.back() != other) own.push_back(other);  // rows of a node follow others
+      if (own.empty() || own.back() != other)
+        own.push_back(other);  // rows of a node are consecutive
     });
   }
   return places;
 }
 
-/// The places of all entries, each column in increasing order of rows, and zeros there: where they
-/// are added to what is there already, memory is that of the matrix itself.
+/// The matrix of zeros with all its entries, rows of each column in increasing order. Additions to
+/// it need no further memory.
 SparseMatrix empty_matrix(const Structure& structure, const FreeDegrees& degrees) {
   auto places = neighbours(structure, degrees);
   SparseMatrix matrix(degrees.size(), degrees.size());
@@ -110,9 +111,9 @@ SparseMatrix empty_matrix(const Structure& structure, const FreeDegrees& degrees
   return matrix;
 }
 
-/// Most bars, elements, springs and superelements at one node: no entry of K is the sum of more. A
-/// node that others follow has theirs as well, each once for each pair of followers, and their
-/// weights.
+/// Maximum number of bars, elements, springs and superelements at one node, which bounds the number
+/// of terms in an entry of K. A node with dependents also counts theirs, once for each pair of
+/// dependents, and their weights.
 int most_terms(const Structure& structure, const FreeDegrees& degrees) {
   std::vector<int> terms(structure.node_names.size(), 0);
   for (const Member& member : structure.members) {
@@ -139,7 +140,7 @@ int most_terms(const Structure& structure, const FreeDegrees& degrees) {
   return *std::ranges::max_element(all) * *std::ranges::max_element(followers) + weight_roundings;
 }
 
-/// Adds a bar. Its entries lose member_roundings by themselves, and one for each term of a sum.
+/// Adds a bar. Its entries have member_roundings rounding errors, and one for each term of a sum.
 Part add_member(const Structure& structure, const FreeDegrees& degrees, const Member& member,
                 int terms, SparseMatrix& matrix) {
   const auto vector = elongation_vector<Precise>(structure, degrees, member);
@@ -152,7 +153,8 @@ Part add_member(const Structure& structure, const FreeDegrees& degrees, const Me
     part.numbers.push_back(row.number);
     part.sizes.push_back(std::abs(numbers::rounded(row.value)));
     for (const auto& column : vector) {
-      // The product of the two entries first: so (i, j) and (j, i) round alike.
+      // The product of the two entries is computed first, such that (i, j) and (j, i) have the same
+      // rounding.
       matrix.coeffRef(row.number, column.number) += weight * (row.value * column.value);
     }
   }
@@ -172,8 +174,8 @@ Part add_spring(const FreeDegrees& degrees, const Spring& spring, int terms, Spa
   return part;
 }
 
-/// Adds an element, with the error that its running error analysis finds, over the roots of the
-/// entries on the diagonal.
+/// Adds an element. Its error bound is that of a running error analysis, divided by the square
+/// roots of the diagonal entries.
 Part add_element(const Structure& structure, const FreeDegrees& degrees, const Element& element,
                  int terms, SparseMatrix& matrix) {
   const auto stiffness = element_matrix<Precise>(structure, element);
@@ -208,7 +210,7 @@ void add_superelements(const Structure& structure, const FreeDegrees& degrees,
   }
 }
 
-/// What the sums with their entries round, row by row of the scaled matrix.
+/// Rounding errors of sums with entries of superelements, by rows of the scaled matrix.
 void add_superelement_errors(const Structure& structure, const FreeDegrees& degrees, int terms,
                              const Eigen::VectorXd& scale, Eigen::VectorXd& errors) {
   for (std::size_t index = 0; index < structure.superelements.size(); ++index) {
@@ -219,7 +221,7 @@ void add_superelement_errors(const Structure& structure, const FreeDegrees& degr
   }
 }
 
-/// Scales to a diagonal near one.
+/// Scales to a diagonal of about one.
 void scale(ScaledStiffness& stiffness) {
   auto& [matrix, scale, error, row_sum] = stiffness;
   scale.setOnes(matrix.rows());

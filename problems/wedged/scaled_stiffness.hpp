@@ -1,6 +1,6 @@
-// The stiffness of a structure over its free displacements in 104 bits, scaled to a diagonal near
-// one, and how wrong the roundings of its assembly may have made it (docs/theory/wedged.md, "F and
-// its error").
+// Stiffness of a structure over its free displacements in 104 bits, scaled to a diagonal of about
+// one, with a bound of the rounding errors of its assembly (docs/theory/wedged.md, "F and its
+// error").
 #pragma once
 
 #include <Eigen/Core>
@@ -12,12 +12,12 @@
 
 namespace kusabi::problems {
 
-/// D K D with D = diag(scale) of powers of two that bring the diagonal near one.
+/// D K D with D = diag(scale) of powers of two, which make the diagonal about one.
 struct ScaledStiffness {
   Eigen::SparseMatrix<numbers::Precise> matrix;  ///< both triangles
   Eigen::VectorXd scale;                         ///< D
-  double error = 0;    ///< bound of the norm of what the roundings of the assembly add
-  double row_sum = 0;  ///< bound of the largest sum of sizes in a row
+  double error = 0;    ///< bound of the norm of the rounding errors of the assembly
+  double row_sum = 0;  ///< bound of the largest row sum of absolute values
 };
 
 /// @pre the structure passes `check_structure`

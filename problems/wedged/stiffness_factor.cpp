@@ -1,4 +1,4 @@
-// Columns by blocks, and the bound from the sizes of the factor itself.
+// Blocked solutions, and an error bound from the entries of the factor.
 #include "problems/wedged/stiffness_factor.hpp"
 
 #include <algorithm>
@@ -9,15 +9,16 @@
 namespace kusabi::problems {
 namespace {
 
-/// The least eigenvalue is tried at half of its estimate, and at smaller shares.
+/// Maximum number of candidates for the least eigenvalue: half of its estimate and smaller shares.
 constexpr int most_trials = 4;
 
-/// Roundings of an entry beside the products of a row: the cast, the shift, the division or root.
-/// All are counted four times, for numbers of 104 bits lose relative to what is added.
+/// Rounding errors of an entry besides the products of a row: the conversion, the shift, the
+/// division or root. All are counted four times, since operations in 104 bits have errors relative
+/// to their operands.
 constexpr double other_roundings = 8;
 constexpr double each_counts = 4;
 
-/// Sums of some thousand numbers >= 0 are right to this factor.
+/// Factor for the rounding errors of sums of some thousand nonnegative numbers.
 constexpr double sum_safety = 1.001;
 
 constexpr std::size_t block = 8;
@@ -25,7 +26,7 @@ constexpr std::size_t block = 8;
 template <class Real>
 using Block = std::vector<std::array<Real, block>>;
 
-/// L y = x, then L' x = y, in the place of x.
+/// Solves L y = x, then L' x = y in place.
 template <class Real>
 void substitute(const Eigen::SparseMatrix<Real>& lower, Block<Real>& x) {
   using Entry = typename Eigen::SparseMatrix<Real>::InnerIterator;
@@ -51,10 +52,10 @@ void substitute(const Eigen::SparseMatrix<Real>& lower, Block<Real>& x) {
   }
 }
 
-/// Bound of the norm of what roundings of the factor have added.
+/// Bound of the norm of the rounding errors of the factor.
 template <class Real>
 double factor_error(const Eigen::SparseMatrix<Real>& lower) {
-  Eigen::VectorXd columns = Eigen::VectorXd::Zero(lower.cols());  // |L|' times ones
+  Eigen::VectorXd columns = Eigen::VectorXd::Zero(lower.cols());  // |L|' times the vector of ones
   Eigen::VectorXi entries = Eigen::VectorXi::Zero(lower.rows());
   const auto for_all = [&](const auto& use) {
     for (Eigen::Index column = 0; column < lower.cols(); ++column) {
@@ -85,7 +86,7 @@ StiffnessFactor<Real>::StiffnessFactor(const Eigen::SparseMatrix<numbers::Precis
 template <class Real>
 void StiffnessFactor<Real>::solve(Matrix& right) const {
   const auto& lower = factor_.matrixL().nestedExpression();
-  const auto& place = factor_.permutationP().indices();  // empty: none is moved
+  const auto& place = factor_.permutationP().indices();  // empty: no permutation
   const auto at = [&](Eigen::Index row) {
     return static_cast<std::size_t>(place.size() > 0 ? place(row) : row);
   };
@@ -125,7 +126,7 @@ double StiffnessFactor<Real>::estimated_eigenvalue() const {
 template <class Real>
 double StiffnessFactor<Real>::least_eigenvalue() const {
   if (!exists()) return 0;
-  // What the cast may have added, in the norm of the largest row sum.
+  // Rounding error of the conversion, in the row-sum norm.
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(matrix_.cols());
   for (Eigen::Index column = 0; column < matrix_.outerSize(); ++column) {
     for (typename Eigen::SparseMatrix<Real>::InnerIterator entry(matrix_, column); entry; ++entry)

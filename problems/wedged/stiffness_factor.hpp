@@ -1,4 +1,5 @@
-// A Cholesky factor of a scaled stiffness: to solve with, and to prove by how much it is definite.
+// Cholesky factor of a scaled stiffness, for solutions and for a proved bound of the least
+// eigenvalue.
 #pragma once
 
 #include <vector>
@@ -22,15 +23,14 @@ class StiffnessFactor {
 
   [[nodiscard]] bool exists() const { return factor_.info() == Eigen::Success; }
 
-  /// M^-1 times the columns of `right`, in its place. Several at once, for reading L is what takes
-  /// the time.
+  /// Solves M X = right in place. Several columns at once are faster, since reading L dominates.
   void solve(Matrix& right) const;
 
-  /// A number that the least eigenvalue of M is not below, whatever the roundings; zero if there is
-  /// none. Where Cholesky's method goes through for M - s I it gives L with
+  /// Proved lower bound of the least eigenvalue of M; zero if there is none. If Cholesky's method
+  /// succeeds for M - s I it gives L with
   /// |L L' - (M - s I)| <= g |L| |L'| entry by entry, g = (k + 1) u, if no row of L has more than k
   /// entries (Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3); the norm of
-  /// |L| |L'| is not above its largest row sum.
+  /// |L| |L'| is at most its largest row sum.
   [[nodiscard]] double least_eigenvalue() const;
 
  private:

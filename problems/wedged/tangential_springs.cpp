@@ -1,4 +1,4 @@
-// Both kinds take c from the diagonal of the stiffness, so that a proof has the same.
+// Compliances c of both kinds from the diagonal of the stiffness, as in the proofs.
 #include "problems/wedged/tangential_springs.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 using numbers::Precise;
 
-/// Roundings of an entry of a frame, of c and of their products, with room.
+/// Bound of the rounding errors of an entry of a frame, of c and of their products.
 constexpr double spring_roundings = 128;
 
 class TangentialSprings {
@@ -22,7 +22,7 @@ class TangentialSprings {
                     const ScaledStiffness& stiffness)
       : structure_(structure), degrees_(degrees), stiffness_(stiffness) {}
 
-  /// What is added for a candidate that is alone at its node, d x d.
+  /// Term of a candidate alone at its node, d x d.
   numbers::PreciseMatrix of_rollers(const ContactCandidate& candidate) {
     const Eigen::Index d = structure_.dimension;
     numbers::PreciseMatrix added = numbers::PreciseMatrix::Zero(d, d);
@@ -38,7 +38,7 @@ class TangentialSprings {
     return added;
   }
 
-  /// The same of one in a corner: in its frame tangents are axes.
+  /// Term of a candidate at a node with several normals: tangents are axes in its frame.
   numbers::PreciseMatrix of_corner(const ContactCandidate& candidate) {
     const Eigen::Index d = structure_.dimension;
     Precise sum = 0.0;
@@ -56,7 +56,7 @@ class TangentialSprings {
   double error() const { return 2 * error_; }
 
  private:
-  /// The stiffness of a node along an axis while all else is held.
+  /// The stiffness of a node along an axis with all other displacements fixed.
   Precise along(int axis, int node) {
     const int number = degrees_.number(axis, node);
     const Precise scaled = stiffness_.matrix.coeff(number, number);

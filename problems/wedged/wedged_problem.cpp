@@ -1,4 +1,4 @@
-// From a structure to K and F of the wedged problem, with the checks that they deserve the name.
+// K and F of the wedged problem from a structure, with checks of their accuracy.
 #include "problems/wedged/wedged_problem.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// The wedged problem needs two things that a structure may be without.
+/// Requires contact candidates and axial stiffnesses, which are optional in a structure.
 void require_contact_and_stiffness(const Structure& structure) {
   const support::SourcePosition top =
       structure.sources.file.empty() ? support::SourcePosition{} : support::SourcePosition{1, 1};
@@ -40,7 +40,7 @@ void require_contact_and_stiffness(const Structure& structure) {
   }
 }
 
-/// Poisson's ratios above this make a body so stiff in volume that no other number may be at fault.
+/// Larger Poisson's ratios are reported as the probable cause of ill-conditioning.
 constexpr double almost_incompressible = 0.499;
 
 [[noreturn]] void refuse_condition(const Structure& structure) {
@@ -68,7 +68,7 @@ void add(support::Fingerprint& fingerprint, const Eigen::MatrixXd& matrix) {
   for (const double value : matrix.reshaped()) fingerprint.add(value);
 }
 
-/// K and F, each the rounding of its precise value.
+/// K and F as roundings of the precise values.
 void set_compliance(WedgedProblem& problem, const Structure& structure,
                     const support::LongWork& work) {
   auto [precise, error, response] = enclosed_compliance(structure, work);
@@ -80,11 +80,11 @@ void set_compliance(WedgedProblem& problem, const Structure& structure,
   problem.precise_compliance = std::move(precise);
   problem.precise_error = error;
   problem.response = std::make_shared<const numbers::PreciseMatrix>(std::move(response));
-  // |F_ij| <= sqrt(F_ii F_jj), so half a unit in the last place of an entry is no more of that.
+  // |F_ij| <= sqrt(F_ii F_jj), so the rounding of an entry is at most half a unit of that.
   problem.compliance_error = error + 1.01 * numbers::unit_roundoff<double>;
 }
 
-// Nothing for a structure without any: its number stays.
+// Structures without constraints keep their fingerprint.
 void add_constraints(const Structure& structure, support::Fingerprint& result) {
   const auto add_place = [&](std::string_view kind, int node, const std::vector<Share>& place) {
     result.add(kind);
@@ -105,7 +105,7 @@ void add_constraints(const Structure& structure, support::Fingerprint& result) {
   }
 }
 
-/// G and what is said of it.
+/// Sets G and the descriptions of the unconstrained bodies.
 void set_motions(WedgedProblem& problem, const Structure& structure,
                  std::span<const LooseBody> bodies) {
   if (bodies.empty()) return;
@@ -113,7 +113,7 @@ void set_motions(WedgedProblem& problem, const Structure& structure,
   problem.motions = matrix.cast<double>();
   problem.precise_motions = std::move(matrix);
   problem.precise_motion_error = error;
-  problem.motion_error = error + numbers::unit_roundoff<double>;  // of entries up to 1
+  problem.motion_error = error + numbers::unit_roundoff<double>;  // for entries up to 1
   for (const LooseBody& body : bodies) {
     problem.loose_bodies.push_back(
         {structure.node_names[static_cast<std::size_t>(body.nodes.front())],
@@ -145,7 +145,8 @@ std::uint64_t fingerprint(const Structure& structure, const std::vector<Eigen::M
     result.add(candidate.friction);
   }
   for (const Eigen::MatrixXd& frame : frames) add(result, frame);
-  for (const Element& element : structure.elements) {  // none: the number of a truss stays
+  for (const Element& element :
+       structure.elements) {  // trusses without elements keep their fingerprint
     for (const int node : element.nodes) result.add(node);
     result.add(element.modulus);
     result.add(element.ratio);

@@ -1,4 +1,4 @@
-// The forces in bars and elements under unit reactions, summed up at the supports.
+// Forces in bars and elements under unit reactions, summed at the supports.
 #include "problems/wedged/whole_structure.hpp"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ namespace {
 
 using numbers::Precise;
 
-/// All displacements that no tie makes of others, fixed ones included, node by node.
+/// All displacements that are not dependent by multi-point constraints, including fixed ones, by
+/// nodes.
 FreeDegrees without_supports(Structure structure) {
   for (auto& axes : structure.fixed) axes = {};
   structure.inclined.clear();
@@ -27,7 +28,7 @@ FreeDegrees without_supports(Structure structure) {
   return free_degrees(structure);
 }
 
-// The displacements of all nodes, (d nodes) x columns, of those that are free.
+// The displacements of all nodes, (d nodes) x columns, from the free ones.
 numbers::PreciseMatrix of_all_nodes(const numbers::PreciseMatrix& free,
                                     const FreeDegrees& degrees) {
   const Eigen::Index d = degrees.number.rows();
@@ -54,7 +55,7 @@ void add_forces(const StrainVector<Precise>& vector, const Precise& weight,
   }
 }
 
-// Adds those rows of K u, for every column u, that belong to held displacements.
+// Adds the rows of K u, for every column u, that belong to fixed displacements.
 void add_forces(const Structure& structure, const FreeDegrees& all, const std::vector<bool>& held,
                 const Element& element, const numbers::PreciseMatrix& displacements,
                 numbers::PreciseMatrix& forces) {
@@ -73,7 +74,7 @@ void add_forces(const Structure& structure, const FreeDegrees& all, const std::v
   }
 }
 
-// The same of superelements.
+// The same for superelements.
 void add_forces(const Structure& structure, const FreeDegrees& all, const std::vector<bool>& held,
                 const numbers::PreciseMatrix& displacements, numbers::PreciseMatrix& forces) {
   for (std::size_t index = 0; index < structure.superelements.size(); ++index) {
@@ -84,9 +85,10 @@ void add_forces(const Structure& structure, const FreeDegrees& all, const std::v
   }
 }
 
-// K u, springs included, for every column u of the displacements of all nodes; of elements and
-// superelements only at held displacements. Ties hand on what acts on theirs.
-// @param own_unknowns those of superelements, likewise
+// K u, including springs, for every column u of the displacements of all nodes; for elements and
+// superelements only at fixed displacements. Forces on dependent nodes are transferred to their
+// masters.
+// @param own_unknowns of superelements, for the same columns
 numbers::PreciseMatrix forces_of(const Structure& structure, const FreeDegrees& all,
                                  const std::vector<bool>& held,
                                  const numbers::PreciseMatrix& displacements,
@@ -153,7 +155,7 @@ WholeStructure::WholeStructure(const Structure& structure, const WedgedProblem& 
   set_motions(structure, problem);
 }
 
-// What acts on a supported displacement besides the obstacle; and what springs do.
+// Support reactions and spring forces, without the contact forces.
 // @param own_unknowns of superelements, under each unit reaction
 void WholeStructure::set_reactions(const Structure& structure,
                                    const numbers::PreciseMatrix& displacements,
@@ -207,7 +209,8 @@ WholeState WholeStructure::under(std::span<const double> reactions,
   WholeState state;
   Eigen::VectorXd everywhere = displacements_ * r;
   if (motions_.cols() > 0 && !displacements.empty()) {
-    // u = F r + G alpha: of the motions that fit, the least, for what no candidate sees is free.
+    // u = F r + G alpha with the least-squares alpha, since modes that displace no candidate are
+    // arbitrary.
     const Eigen::Map<const Eigen::VectorXd> u(displacements.data(), r.size());
     everywhere += motions_ * seen_.solve(u - compliance_ * r);
   }

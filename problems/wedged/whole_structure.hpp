@@ -1,5 +1,5 @@
-// From the reactions of the obstacle back to the whole structure: the displacements of all nodes
-// and the reactions of the supports, (4) and (5) of the wedged paper.
+// Whole structure in a wedged configuration: the displacements of all nodes and the reactions of
+// the supports, (4) and (5) of the wedged paper.
 #pragma once
 
 #include <span>
@@ -13,35 +13,35 @@
 
 namespace kusabi::problems {
 
-/// What a wedged configuration does to the whole structure, in global axes.
+/// State of the whole structure, in global axes.
 struct WholeState {
   Eigen::MatrixXd displacements;  ///< u_C and u_N, d x nodes, length; zero where fixed
-  /// r_D of the supports, and what springs push with, d x nodes, force; zero where free
+  /// r_D of the supports and forces of springs on the structure, d x nodes, force; zero where free
   Eigen::MatrixXd reactions;
   Eigen::VectorXd axial_forces;  ///< of the members, in their order, force; positive in tension
-  /// How far the reactions of the obstacle and of the supports are from equilibrium: the largest
-  /// component of their resultant or of their moment (divided by the size of the structure),
-  /// relative to the sum of their sizes.
+  /// Error of the equilibrium between the reactions of the obstacle and of the supports: the
+  /// largest component of their resultant or of their moment (divided by the size of the
+  /// structure), relative to the sum of their sizes.
   double imbalance = 0;
 };
 
-/// All depend linearly on the reactions of the obstacle: matrices, computed in 104 bits. Where
-/// loose bodies have gone is told by the displacements of their candidates.
+/// Linear functions of the contact reactions, as matrices computed in 104 bits. The rigid-body
+/// displacements of unconstrained bodies follow from the displacements of their candidates.
 class WholeStructure {
  public:
-  /// @param problem of the structure, made by `wedged_problem`
+  /// @param problem made by `wedged_problem` from the structure
   WholeStructure(const Structure& structure, const WedgedProblem& problem);
 
-  /// @param reactions r, dm, in the frame of each candidate, in equilibrium for loose bodies
-  /// @param displacements u, dm, likewise; only loose bodies ask for them
+  /// @param reactions r, dm, in the frame of each candidate, in equilibrium on unconstrained bodies
+  /// @param displacements u, dm, likewise; required for unconstrained bodies only
   [[nodiscard]] WholeState under(std::span<const double> reactions,
                                  std::span<const double> displacements = {}) const;
 
-  /// The forces of the obstacle, or of the other bodies, on the nodes: d x nodes, global axes.
+  /// The contact forces on the nodes: d x nodes, global axes.
   /// @param reactions as above
   [[nodiscard]] Eigen::MatrixXd contact_forces(std::span<const double> reactions) const;
 
-  /// Whether a support or a spring holds the node along any axis.
+  /// Whether a support or a spring acts on the node along any axis.
   [[nodiscard]] bool is_supported(int node) const;
 
  private:
@@ -54,10 +54,11 @@ class WholeStructure {
   Eigen::MatrixXd coordinates_;     // d x nodes
   Eigen::MatrixXd displacements_;   // (d nodes) x dm, node by node
   Eigen::MatrixXd support_forces_;  // (d nodes) x dm: r_D
-  Eigen::MatrixXd contact_forces_;  // (d nodes) x dm: of the obstacle, or of the other body
+  Eigen::MatrixXd contact_forces_;  // (d nodes) x dm: contact forces
   Eigen::MatrixXd axial_forces_;    // members x dm
   std::vector<bool> supported_;     // by node
-  // Of loose bodies: all motions, (d nodes) x P, and what the candidates see of them, dm x P; F.
+  // For unconstrained bodies: all modes, (d nodes) x P, their restriction to contact degrees of
+  // freedom, dm x P; and F.
   Eigen::MatrixXd motions_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> seen_;
   Eigen::MatrixXd compliance_;

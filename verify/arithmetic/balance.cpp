@@ -1,5 +1,6 @@
-// With room D, c + D^2 R z where R'D^2 R z = -R'c: the least change, in squares relative to the
-// room. A little more on the diagonal of R'D^2 R is felt where it is smaller than that.
+// With D = diag(room) the result is c + D^2 R z, where R'D^2 R z = -R'c: the smallest change in the
+// sum of squares relative to the room. The approximate variant adds a small number to the diagonal
+// of R'D^2 R, which excludes directions with smaller diagonal entries.
 #include "verify/arithmetic/balance.hpp"
 
 #include <cstddef>
@@ -50,7 +51,7 @@ std::optional<Rationals> balanced(const std::vector<Rationals>& rows, Rationals 
 
 std::optional<Rationals> nearly_balanced(const std::vector<Rationals>& rows, Rationals numbers,
                                          const std::vector<double>& room) {
-  constexpr double hardly = 0x1p-64;  // of squares
+  constexpr double hardly = 0x1p-64;  // in the sum of squares
   return changed(rows, std::move(numbers), room, hardly);
 }
 

@@ -1,4 +1,4 @@
-// Forces that nearly are in equilibrium, made so exactly.
+// Least-squares correction of forces that are in equilibrium up to rounding.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,16 @@
 
 namespace kusabi::verify {
 
-/// Changes the numbers c as little as can be, such that the sum of c_k rows[k] is zero.
-/// @param numbers c, one a row
-/// @param room of each number, in units of which a change is measured; zero: it stays
-/// @return nothing if that can't be done
+/// Changes the numbers c by the smallest amount, relative to `room`, such that the sum of c_k
+/// rows[k] is zero.
+/// @param numbers c, one for each row
+/// @param room of each number, the unit in which its change is measured; zero: unchanged
+/// @return nothing if there is no such change
 std::optional<Rationals> balanced(const std::vector<Rationals>& rows, Rationals numbers,
                                   const std::vector<double>& room);
 
-/// The same but for what rounding leaves: combinations of equations in which the numbers have
-/// hardly a part stay as they are, since they would take large changes.
+/// Like balanced(), up to rounding: combinations of equations in which the numbers have almost no
+/// part are not corrected, since they would require large changes.
 std::optional<Rationals> nearly_balanced(const std::vector<Rationals>& rows, Rationals numbers,
                                          const std::vector<double>& room);
 

@@ -1,4 +1,5 @@
-// Row by row, as the books have it.
+// Row-oriented Cholesky factorisation within a profile; the error of the factor is computed
+// exactly.
 #include "verify/arithmetic/cholesky.hpp"
 
 #include <algorithm>
@@ -12,16 +13,17 @@
 namespace kusabi::verify {
 namespace {
 
-// Numbers of a grid, each a word, so that products of two add up exactly in two words.
+// Numbers on a common grid, each in one word, such that sums of products of two are exact in two
+// words.
 struct WordList {
   std::vector<std::int64_t> multiples;
   long exponent = 0;
 };
 
-// @param terms at most so many products are added up
+// @param terms the largest number of products in a sum
 WordList on_a_grid(std::span<const double> values, std::size_t terms) {
   const auto bits = (126 - static_cast<long>(std::bit_width(terms))) / 2;
-  int above = 0;  // all are below 2^above
+  int above = 0;  // 2^above exceeds all numbers in size
   std::frexp(*std::max_element(values.begin(), values.end(),
                                [](double a, double b) { return std::abs(a) < std::abs(b); }),
              &above);
@@ -42,7 +44,7 @@ std::size_t longest_row(const Profile& profile) {
   return longest;
 }
 
-// The square of the Frobenius norm of A - shift I - L L'. Outside of the profile all of it is zero.
+// The square of the Frobenius norm of A - shift I - L L'. All entries outside the profile are zero.
 Dyadic square_of_error(const Profile& profile, const DyadicList& matrix, double shift,
                        const WordList& lower) {
   Dyadic sum;
@@ -62,7 +64,7 @@ Dyadic square_of_error(const Profile& profile, const DyadicList& matrix, double 
   return sum;
 }
 
-// In four parts, which a processor adds up at once.
+// Dot product in four partial sums, which are vectorised.
 double dot(const double* a, const double* b, std::size_t size) {
   std::array<double, 4> sums{};
   std::size_t k = 0;
@@ -73,7 +75,7 @@ double dot(const double* a, const double* b, std::size_t size) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-// By inverse iteration: above the least eigenvalue, and close to it.
+// Estimate of the least eigenvalue by inverse iteration; it is too large, by little.
 double estimated_eigenvalue(const Cholesky& factor, std::size_t size) {
   constexpr int steps = 12;
   std::vector<double> motion(size);
@@ -135,7 +137,7 @@ void Cholesky::solve(std::span<double> right) const {
   }
 }
 
-// From half of an estimate down by halves.
+// Candidates for the bound are half the estimate, a quarter of it, and so on.
 std::optional<Dyadic> least_eigenvalue(const Profile& profile, const DyadicList& matrix) {
   std::vector<double> guess;
   guess.reserve(profile.entries());

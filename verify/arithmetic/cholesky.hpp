@@ -1,5 +1,5 @@
-// A Cholesky factor in plain double precision, to guess with: whatever comes out is checked exactly
-// (verify/wedged/proof.hpp), so it may be as wrong as it likes.
+// Cholesky factor in double precision, for approximate solutions. Results are checked exactly
+// (verify/wedged/proof.hpp), so the factor need not be accurate.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ namespace kusabi::verify {
 class Cholesky {
  public:
   /// The factor L of A - shift I = L L'. @return nothing if a pivot is not positive
-  /// @param matrix A, symmetric: the entries of its profile
+  /// @param matrix A, symmetric, as the entries of its profile
   static std::optional<Cholesky> of(const Profile& profile, std::span<const double> matrix,
                                     double shift = 0);
 
-  /// The solution x of L L' x = right, in the place of `right`.
+  /// Solves L L' x = right and overwrites `right` with x.
   void solve(std::span<double> right) const;
 
-  /// L: the entries of the profile.
+  /// L, as the entries of the profile.
   [[nodiscard]] std::span<const double> lower() const { return lower_; }
 
  private:
@@ -30,9 +30,9 @@ class Cholesky {
   std::vector<double> lower_;
 };
 
-/// A lower bound s > 0 of the least eigenvalue of a symmetric matrix, proved:
-/// docs/theory/proofs.md, "K is positive definite". @return nothing if it is not definite, or too
-/// near to it to be shown so by doubles
+/// A proved lower bound s > 0 of the least eigenvalue of a symmetric matrix (docs/theory/proofs.md,
+/// "K is positive definite"). @return nothing if the matrix is not positive definite, or too close
+/// to singular for a proof in double precision
 /// @param matrix the entries of its profile
 std::optional<Dyadic> least_eigenvalue(const Profile& profile, const DyadicList& matrix);
 

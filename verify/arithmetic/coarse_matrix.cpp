@@ -1,4 +1,4 @@
-// Words of 64 bits, and sums of their products in 128.
+// Entries are words of 64 bits; products are added in 128 bits.
 #include "verify/arithmetic/coarse_matrix.hpp"
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 namespace kusabi::verify {
 namespace {
 
-// Products of numbers below these powers of two, as many as there are columns, have a sum within
-// 127 bits.
+// Sums of as many products as there are columns fit into 127 bits if the factors are below these
+// powers of two.
 constexpr long bits_of_entries = 54;
 constexpr std::size_t bits_of_vectors = 62;
 constexpr std::size_t most_columns = 1U << 10U;
@@ -38,7 +38,7 @@ CoarseMatrix::CoarseMatrix(const DyadicMatrix& matrix) : size_(matrix.size) {
     mpz_tdiv_q_2exp(left.get_mpz_t(), entry.get_mpz_t(), static_cast<mp_bitcnt_t>(cut));
     entries_.push_back(word(left));
   }
-  // Of each of the size^2 entries less than one unit.
+  // The error of each of the size^2 entries is less than one unit.
   if (cut > 0) cut_off_ = Dyadic(static_cast<double>(size_)).scaled(exponent_);
 }
 

@@ -1,4 +1,4 @@
-// Numbers in sets that grow together: which pieces a structure falls into.
+// Disjoint sets of numbers with union and find, for connected components of a structure.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@ namespace kusabi::verify {
 
 class DisjointSets {
  public:
-  /// 0 to count - 1, each in a set of its own.
+  /// The sets {0}, {1}, ..., {count - 1}.
   explicit DisjointSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
-  /// The number that stands for the set of `number`, until that is joined with another.
+  /// The representative of the set of `number`; it changes when that set is joined with another.
   [[nodiscard]] std::size_t of(std::size_t number) {
     while (parent_[number] != number) number = parent_[number] = parent_[parent_[number]];
     return number;

@@ -1,4 +1,4 @@
-// As by hand, with fractions.
+// Gaussian elimination in rational numbers.
 #include "verify/arithmetic/elimination.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace kusabi::verify {
 namespace {
 
-// a - factor b, in the place of a.
+// a -= factor b.
 void subtract(Rationals& a, const mpq_class& factor, const Rationals& b) {
   if (sgn(factor) == 0) return;
   for (std::size_t k = 0; k < a.size(); ++k) a[k] -= factor * b[k];
@@ -37,7 +37,7 @@ Rationals Elimination::products(const Rationals& row) const {
 
 bool Elimination::demand(const Rationals& row) {
   const auto product = products(row);
-  // The largest: the numbers stay simple where they are near one.
+  // The pivot is the largest product, which keeps numerators and denominators small.
   const auto largest = std::max_element(product.begin(), product.end(),
                                         [](auto& a, auto& b) { return abs(a) < abs(b); });
   if (largest == product.end() || sgn(*largest) == 0) return false;

@@ -1,5 +1,5 @@
-// Linear equations with few unknowns, in rational numbers: whether they depend on each other is
-// known, not guessed.
+// Linear equations with few unknowns in rational numbers, such that linear dependence is decided
+// exactly.
 #pragma once
 
 #include <cstddef>
@@ -13,32 +13,34 @@ namespace kusabi::verify {
 
 using Rationals = std::vector<mpq_class>;
 
-/// The sum of products. @pre of one size
+/// Dot product. @pre a.size() == b.size()
 mpq_class dot(const Rationals& a, const Rationals& b);
 
-/// The vectors that a growing set of equations leaves.
+/// The solution space of a growing set of homogeneous equations.
 class Elimination {
  public:
-  /// All vectors of a size.
+  /// The space of all vectors of a size.
   explicit Elimination(std::size_t unknowns);
-  /// All combinations of some vectors, which are independent.
+  /// The span of some independent vectors.
   explicit Elimination(std::vector<Rationals> columns) : left_(std::move(columns)) {}
 
-  /// Products of a row with the vectors that are left: all zero if they satisfy row'x = 0.
+  /// Products of a row with the basis of the solution space; all are zero if row'x = 0 follows from
+  /// the equations.
   [[nodiscard]] Rationals products(const Rationals& row) const;
 
-  /// From here on row'x = 0. @return whether that was not so before: a vector less is left
+  /// Adds the equation row'x = 0. @return whether the dimension of the solution space decreases by
+  /// one
   bool demand(const Rationals& row);
 
-  /// The same of all rows, each time of the one in which a vector that is left is largest: no
-  /// vector that is taken is then nearly a combination of the others, however far scales are apart.
+  /// Adds all these equations, each time the one with the largest product with a basis vector, so
+  /// that no removed vector is nearly a combination of the others, however far scales are apart.
   void demand_largest_first(const std::vector<Rationals>& rows);
 
-  /// A basis of what is left.
+  /// A basis of the solution space.
   [[nodiscard]] const std::vector<Rationals>& left() const { return left_; }
 
-  /// Of each row that made a difference, a vector that it took away: with those that are left, a
-  /// basis of all.
+  /// For each equation that decreased the dimension, the basis vector that was removed. Together
+  /// with `left` they are a basis of the initial space.
   [[nodiscard]] const std::vector<Rationals>& taken() const { return taken_; }
 
  private:
@@ -49,7 +51,7 @@ class Elimination {
   std::vector<Rationals> taken_;
 };
 
-/// One solution x of row'x = right for all rows. @return nothing if there is none
+/// A solution x of row'x = right for all rows. @return nothing if there is none
 std::optional<Rationals> solution(std::vector<Rationals> rows, Rationals right);
 
 }  // namespace kusabi::verify

@@ -1,4 +1,4 @@
-// Both ends by MPFR, the lower one rounded down and the upper one up.
+// MPFR computes both bounds, the lower one rounded down and the upper one up.
 #include "verify/arithmetic/enclosure.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr mpfr_prec_t precision = 320;
 
-// The product or quotient of two intervals has its ends among those of their ends.
+// The bounds of a product or quotient of intervals are among those of their bounds.
 template <class Operation>
 void extremes(Operation operation, const std::array<mpfr_srcptr, 2>& a,
               const std::array<mpfr_srcptr, 2>& b, mpfr_ptr lower, mpfr_ptr upper) {
@@ -95,7 +95,7 @@ Enclosure operator-(const Enclosure& a, const Enclosure& b) {
 
 Enclosure operator*(const Enclosure& a, const Enclosure& b) {
   Enclosure product;
-  // Nearly all intervals have one sign, and then two products are enough.
+  // Two products are enough if each interval has one sign, as nearly all have.
   if (mpfr_sgn(a.lower_) >= 0 && mpfr_sgn(b.lower_) >= 0) {
     mpfr_mul(product.lower_, a.lower_, b.lower_, MPFR_RNDD);
     mpfr_mul(product.upper_, a.upper_, b.upper_, MPFR_RNDU);
@@ -139,7 +139,7 @@ void Enclosure::add_product(const Enclosure& a, const Enclosure& b) {
 
 Enclosure operator/(const Enclosure& a, const Enclosure& b) {
   Enclosure quotient;
-  // Written so that NaN counts as zero.
+  // The condition counts NaN as zero.
   if (!(mpfr_sgn(b.lower_) > 0 || mpfr_sgn(b.upper_) < 0) || !b.finite()) {
     mpfr_set_nan(quotient.lower_);
     mpfr_set_nan(quotient.upper_);
@@ -155,7 +155,7 @@ Enclosure operator-(const Enclosure& a) {
 
 Enclosure sqrt(const Enclosure& a) {
   Enclosure root;
-  mpfr_sqrt(root.lower_, a.lower_, MPFR_RNDD);  // of a negative number: not finite
+  mpfr_sqrt(root.lower_, a.lower_, MPFR_RNDD);  // not finite for a negative number
   mpfr_sqrt(root.upper_, a.upper_, MPFR_RNDU);
   return root;
 }

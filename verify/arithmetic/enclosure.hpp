@@ -1,6 +1,6 @@
-// Intervals that hold a number which is not a double: a length, a direction cosine, 1/sqrt(3). All
-// operations round outwards (MPFR), so what they give holds every value that the exact operation
-// has on the numbers of its arguments.
+// Interval arithmetic for numbers that are not doubles, such as lengths, direction cosines and
+// 1/sqrt(3). All operations round outwards (MPFR): the result contains all values of the exact
+// operation on numbers within the arguments.
 #pragma once
 
 #include <mpfr.h>
@@ -9,11 +9,12 @@
 
 namespace kusabi::verify {
 
-/// [lower, upper], both of 320 binary digits. An operation without a result (a division by an
-/// interval with zero in it, the root of a negative number) gives one that is not finite.
+/// The interval [lower, upper] of two numbers with 320 binary digits. An undefined operation
+/// (division by an interval that contains zero, square root of a negative number) returns an
+/// interval that is not finite.
 class Enclosure {
  public:
-  /// @param value exactly @pre finite
+  /// @param value represented exactly @pre finite
   explicit Enclosure(double value = 0);
   Enclosure(const Enclosure& other);
   Enclosure(Enclosure&& other) noexcept;
@@ -32,17 +33,17 @@ class Enclosure {
   Enclosure& operator+=(const Enclosure& other) { return *this = *this + other; }
   Enclosure& operator-=(const Enclosure& other) { return *this = *this - other; }
 
-  /// Adds a * b, the sum alone rounded.
+  /// Adds a * b, where only the sum is rounded.
   void add_product(const Enclosure& a, const Enclosure& b);
 
   [[nodiscard]] bool finite() const;
   [[nodiscard]] bool is_zero() const;  ///< exactly [0, 0]
 
-  /// The ends, exactly. @pre finite()
+  /// The exact lower and upper bound. @pre finite()
   [[nodiscard]] Dyadic lower() const;
   [[nodiscard]] Dyadic upper() const;
 
-  /// A number that |x - value| does not exceed for any x within. @pre finite()
+  /// Upper bound of |x - value| for all x in the interval. @pre finite()
   [[nodiscard]] Dyadic distance(const Dyadic& value) const;
 
  private:

@@ -1,4 +1,4 @@
-// Doubles taken apart, and sums of numbers of different exponents.
+// Mantissas and exponents of doubles, and sums of numbers with different exponents.
 #include "verify/arithmetic/exact.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace kusabi::verify {
 namespace {
 
-// value = mantissa * 2^exponent, the mantissa an integer below 2^53 in size.
+// value = mantissa * 2^exponent with an integer |mantissa| < 2^53.
 struct Parts {
   std::int64_t mantissa = 0;
   int exponent = 0;
@@ -56,7 +56,7 @@ mpq_class Dyadic::rational() const {
 double Dyadic::nearest() const {
   long exponent = 0;
   const double fraction = mpz_get_d_2exp(&exponent, mantissa_.get_mpz_t());
-  constexpr long far = 10000;  // beyond any double
+  constexpr long far = 10000;  // exceeds the exponent of any double
   return std::ldexp(fraction, static_cast<int>(std::clamp(exponent + exponent_, -far, far)));
 }
 
@@ -88,7 +88,7 @@ long Dyadic::magnitude() const {
 
 Dyadic quotient_above(const Dyadic& a, const Dyadic& b) {
   if (a.sign() == 0) return {};
-  // So many digits of the dividend that the quotient has at least 64.
+  // Digits added to the dividend such that the quotient has at least 64.
   constexpr long wanted = 64;
   mpz_class dividend = a.mantissa_;
   const auto have = static_cast<long>(mpz_sizeinbase(dividend.get_mpz_t(), 2));
@@ -102,7 +102,7 @@ Dyadic quotient_above(const Dyadic& a, const Dyadic& b) {
 
 Dyadic sqrt_above(const Dyadic& value) {
   if (value.sign() == 0) return {};
-  // So many digits that the root has at least 64, and an exponent that can be halved.
+  // Digits added such that the root has at least 64 and the exponent is even.
   constexpr std::size_t wanted = 128;
   mpz_class mantissa = value.mantissa_;
   long exponent = value.exponent_;

@@ -1,5 +1,5 @@
-// Exact arithmetic on dyadic numbers, mantissa * 2^exponent: what doubles are, and what their sums
-// and products stay. Nothing is ever rounded but where a name says so (sqrt_above, kept_bits).
+// Exact arithmetic of dyadic numbers, mantissa * 2^exponent. Doubles are dyadic, and so are their
+// sums and products. Only functions whose names say so round (sqrt_above, kept_bits).
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace kusabi::verify {
 
-/// A number, exactly.
+/// An exact dyadic number.
 class Dyadic {
  public:
   Dyadic() = default;
@@ -27,7 +27,7 @@ class Dyadic {
   /// The number times 2^exponent, exactly.
   [[nodiscard]] Dyadic scaled(long exponent) const { return {mantissa_, exponent_ + exponent}; }
 
-  /// The largest integer whose product with 2^exponent is not above the number.
+  /// The largest integer n such that n * 2^exponent does not exceed the number.
   [[nodiscard]] mpz_class multiples(long exponent) const;
 
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
@@ -40,18 +40,18 @@ class Dyadic {
   friend bool operator<(const Dyadic& a, const Dyadic& b) { return (a - b).sign() < 0; }
   friend bool operator>(const Dyadic& a, const Dyadic& b) { return b < a; }
 
-  /// A number not below the square root of `value`, and above it by less than 2^-60 of it.
+  /// Upper bound of the square root of `value` with a relative error below 2^-60.
   /// @pre value >= 0
   friend Dyadic sqrt_above(const Dyadic& value);
 
-  /// A number not below a / b, and above it by less than 2^-60 of it.
+  /// Upper bound of a / b with a relative error below 2^-60.
   /// @pre a >= 0, b > 0
   friend Dyadic quotient_above(const Dyadic& a, const Dyadic& b);
 
   /// Zero, or the exponent e for which 2^(e-1) <= |value| < 2^e.
   [[nodiscard]] long magnitude() const;
 
-  /// The number is a multiple of 2^exponent().
+  /// Exponent such that the number is a multiple of 2^exponent().
   [[nodiscard]] long exponent() const { return exponent_; }
 
  private:
@@ -74,32 +74,32 @@ inline const Dyadic& larger(const Dyadic& a, const Dyadic& b) {
   return a < b ? b : a;
 }
 
-/// Numbers with one exponent for all: entry i is mantissas[i] * 2^exponent.
+/// Numbers with a common exponent: entry i is mantissas[i] * 2^exponent.
 struct DyadicList {
   std::vector<mpz_class> mantissas;
   long exponent = 0;
 
   DyadicList() = default;
-  /// @param kept_bits digits further than this below the largest number are cut off; all are kept
-  ///        unless said otherwise
+  /// @param kept_bits digits further below the largest number than this are truncated; by default
+  ///        none are
   /// @pre all finite
   explicit DyadicList(std::span<const double> values,
                       int kept_bits = std::numeric_limits<int>::max());
 
-  /// These numbers.
+  /// The given numbers.
   explicit DyadicList(std::span<const Dyadic> values);
 
   /// `count` zeros.
   explicit DyadicList(std::size_t count) : mantissas(count) {}
 
-  /// Adds another list of the same size, entry by entry.
+  /// Adds a list of the same size, entry by entry.
   DyadicList& operator+=(DyadicList other);
 
   [[nodiscard]] std::size_t size() const { return mantissas.size(); }
   [[nodiscard]] Dyadic operator[](std::size_t i) const { return {mantissas[i], exponent}; }
 };
 
-/// A square matrix, row by row.
+/// A square matrix, stored by rows.
 struct DyadicMatrix {
   std::size_t size = 0;
   DyadicList entries;
@@ -108,10 +108,11 @@ struct DyadicMatrix {
   [[nodiscard]] DyadicList operator*(const DyadicList& x) const;
 };
 
-/// All symmetric matrices that differ from a known one by at most `radius` in the Frobenius norm.
+/// The set of all symmetric matrices whose distance from `middle` in the Frobenius norm is at most
+/// `radius`.
 struct EnclosedMatrix {
   DyadicMatrix middle;
-  Dyadic radius;  ///< >= 0; zero: the matrix itself
+  Dyadic radius;  ///< >= 0; zero: only the matrix itself
 };
 
 }  // namespace kusabi::verify

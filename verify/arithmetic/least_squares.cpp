@@ -1,5 +1,6 @@
-// Gram-Schmidt orthogonalisation of the columns, each twice: the rotation of a long lever is as far
-// from its translations in size as the lever is long, which normal equations would square.
+// Gram-Schmidt orthogonalisation of the columns, repeated once. Normal equations would square the
+// condition number, which for rotations about a distant point is the ratio of the lever to the size
+// of the body.
 #include "verify/arithmetic/least_squares.hpp"
 
 #include <cmath>
@@ -15,7 +16,7 @@ double product(const Numbers& a, const Numbers& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// Takes the part along a unit vector out of a column. @return its size
+// Subtracts the component along a unit vector from a column. @return that component
 double take_out(const Numbers& unit, Numbers& from) {
   const double part = product(unit, from);
   for (std::size_t row = 0; row < unit.size(); ++row) from[row] -= part * unit[row];
@@ -29,8 +30,8 @@ std::optional<std::vector<double>> least_squares(std::span<const double> matrix,
   if (right.empty() || matrix.empty()) return std::vector<double>{};
   const auto columns = matrix.size() / right.size();
   std::vector<Numbers> units;
-  std::vector<Numbers> parts(columns,
-                             Numbers(columns, 0));  // parts[i][j]: of column i along unit j
+  std::vector<Numbers> parts(
+      columns, Numbers(columns, 0));  // parts[i][j]: component of column i along unit vector j
   for (std::size_t i = 0; i < columns; ++i) {
     Numbers column;
     for (std::size_t row = 0; row < right.size(); ++row)

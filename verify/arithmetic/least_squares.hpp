@@ -1,5 +1,4 @@
-// The combination of a few columns that is nearest to a vector, in plain double precision: to guess
-// with.
+// Linear least squares with few columns in double precision, for approximate solutions.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +8,8 @@
 
 namespace kusabi::verify {
 
-/// x with |A x - b| least. @return nothing if the columns depend on each other, or nearly
-/// @param matrix A, row by row, of as many rows as b has numbers
+/// x that minimises |A x - b|. @return nothing if the columns are dependent up to rounding
+/// @param matrix A, by rows, with as many rows as b has numbers
 std::optional<std::vector<double>> least_squares(std::span<const double> matrix,
                                                  std::span<const double> right);
 

@@ -1,4 +1,4 @@
-// Breadth first from an unknown with few neighbours.
+// Reverse Cuthill-McKee order: breadth-first from an unknown with few neighbours.
 #include "verify/arithmetic/numbering.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// An order of unknowns that keeps the profile of their matrix small.
+// Order of unknowns with a small matrix profile.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace kusabi::verify {
 
-/// By the method of Cuthill and McKee, backwards: neighbours get numbers close to each other.
+/// The reverse Cuthill-McKee order, which gives neighbours close numbers.
 /// @param neighbours of each unknown
 /// @return the unknowns in their new order
 std::vector<std::size_t> narrow_order(const std::vector<std::vector<std::size_t>>& neighbours);

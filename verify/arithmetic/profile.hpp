@@ -1,5 +1,5 @@
-// The lower triangle of a symmetric matrix, each row from its first entry that is not zero up to
-// the diagonal: where a Cholesky factor has its entries as well, so a narrow band stays narrow.
+// Profile (skyline) storage of the lower triangle of a symmetric matrix: each row from its first
+// nonzero entry to the diagonal. A Cholesky factor has the same profile.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ class Profile {
  public:
   Profile() = default;
 
-  /// @param first of each row, its first column; first[i] <= i
+  /// @param first column of each row; first[i] <= i
   explicit Profile(std::vector<std::size_t> first) : first_(std::move(first)) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < first_.size(); ++i) {
@@ -21,14 +21,14 @@ class Profile {
     entries_ = next;
   }
 
-  /// All of the lower triangle.
+  /// The profile of a full lower triangle.
   static Profile full(std::size_t size) { return Profile(std::vector<std::size_t>(size, 0)); }
 
   [[nodiscard]] std::size_t size() const { return first_.size(); }
   [[nodiscard]] std::size_t entries() const { return entries_; }
   [[nodiscard]] std::size_t first(std::size_t row) const { return first_[row]; }
 
-  /// Where an entry lies in a list of all. @pre first(row) <= column <= row
+  /// Index of an entry in the list of all. @pre first(row) <= column <= row
   [[nodiscard]] std::size_t at(std::size_t row, std::size_t column) const {
     return start_[row] + column - first_[row];
   }

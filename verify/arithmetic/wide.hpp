@@ -1,4 +1,4 @@
-// Two machine words, in which products of words add up exactly.
+// 128-bit integer, in which products of machine words are added exactly.
 #pragma once
 
 #include <gmpxx.h>

@@ -1,4 +1,4 @@
-// In an order that keeps the profile small.
+// The order of unknowns is chosen for a small profile.
 #include "verify/limit/gram.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Member by member, then the loads.
+// Members are compared first, then loads.
 #include "verify/limit/limit_agreement.hpp"
 
 #include <algorithm>
@@ -14,13 +14,13 @@ std::string bar_name(const Structure& structure, const Bar& bar) {
   return structure.names[bar.first] + "-" + structure.names[bar.second];
 }
 
-// The middle of what is enclosed, and how far its ends are from it.
+// The middle of an enclosure, and its distance from the bounds.
 Near middle(const Enclosure& value) {
   const auto sum = (value.lower() + value.upper()).scaled(-1);
   return {sum, value.distance(sum)};
 }
 
-// The column that the bar of a member has; nothing if the recorded one is no rounding of it.
+// The exact column of the bar of a member; nothing if the recorded one is not a rounding of it.
 std::optional<std::vector<std::pair<std::size_t, Near>>> true_column(const Sparse& column,
                                                                      const Structure& structure,
                                                                      const Freedom& freedom,
@@ -62,7 +62,7 @@ std::vector<Enclosure> sum_of(const std::vector<Force>& forces, const Structure&
   return sum;
 }
 
-// The recorded load is a sum of doubles, added in double precision: a few roundings off.
+// The recorded load is a sum of doubles in double precision, with few rounding errors.
 std::optional<std::vector<Near>> true_load(const std::vector<double>& recorded,
                                            const std::vector<Enclosure>& load) {
   constexpr long roundings = -40;
@@ -96,9 +96,9 @@ Columns columns_of(const LimitCertificate& certificate) {
   return columns;
 }
 
-// Takes a column from those of a certificate, one of that name if there is one: of equal columns
-// any is as good. @param half_width nothing: whichever it has
-// @return its half-width, if there is one
+// Removes a column from those of a certificate, preferably one with the given name; of equal
+// columns any one. @param half_width nothing: any
+// @return its half-width, if there is such a column
 std::optional<double> take(Columns& columns, Sparse column, const std::string& name,
                            std::optional<double> half_width) {
   std::ranges::sort(column);
@@ -119,7 +119,7 @@ std::string load_name(const Structure& structure, std::size_t parameter) {
   return structure.load_names.empty() ? std::string() : structure.load_names[parameter];
 }
 
-// The columns of T. What acts on a support goes to the ground.
+// The columns of T. Loads on a support act on the ground.
 std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom& freedom,
                                       const std::vector<Enclosure>& dead,
                                       const std::vector<Enclosure>& reference) {
@@ -140,8 +140,8 @@ std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom&
   return columns;
 }
 
-// The half-width of each column of a truss, or what is wrong with the recorded ones. Half-widths
-// that the structure says come first: of columns that are the same they take theirs.
+// The half-width of each column of a truss, or the fault of the recorded ones. Equal columns with
+// specified half-widths are matched first.
 std::variant<std::vector<double>, std::string> half_widths_of(const LimitCertificate& certificate,
                                                               const Structure& structure,
                                                               const std::vector<Sparse>& columns) {

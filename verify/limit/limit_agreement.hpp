@@ -1,5 +1,5 @@
-// Whether a certificate of a limit load speaks of a truss in a problem file: its B, its yield
-// forces, its loads and what is uncertain of them.
+// Consistency of a limit-load certificate with a truss in a problem file: B, yield forces, loads
+// and uncertain loads.
 #pragma once
 
 #include <string>
@@ -11,20 +11,19 @@
 
 namespace kusabi::verify {
 
-/// Direction cosines of the certificate may differ from those of the truss by so much: they are
-/// roundings of them. The proof takes the difference into account, whatever it is.
+/// Tolerance of the recorded direction cosines, which are roundings of the exact ones. The proof
+/// includes the difference whatever its size.
 inline constexpr double cosine_tolerance = 0x1p-48;
 
-/// Compares all numbers that describe the truss: yield forces, weights and the
-/// half-widths that the structure says must be the same, loads
-/// and direction cosines the same but for rounding, by how much is returned. The half-width of each
-/// uncertain load of the structure is returned as well.
-/// @return a sentence that says where they disagree, if they do
+/// Compares all data of the truss. Yield forces, weights and specified half-widths must be equal,
+/// loads and direction cosines equal up to rounding; the differences and the half-width of each
+/// uncertain load are returned.
+/// @return otherwise a sentence with the first difference
 std::variant<LimitTruss, std::string> limit_agreement(const LimitCertificate& certificate,
                                                       const Structure& structure);
 
-/// The truss of claims on least factors: those of the largest ones, with the reference load
-/// reversed.
+/// The truss for claims on least factors: that of the largest ones with the opposite reference
+/// load.
 Structure with_reversed_reference(Structure structure);
 
 }  // namespace kusabi::verify

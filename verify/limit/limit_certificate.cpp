@@ -1,4 +1,4 @@
-// Reading the file, section by section.
+// Reader of limit-load certificates, section by section.
 #include "verify/limit/limit_certificate.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace kusabi::verify {
 namespace {
 
-/// More of anything than this is no truss but a damaged number, and would only cost memory.
+/// Larger counts are refused as damaged numbers before memory is allocated.
 constexpr std::uint64_t most = 10'000'000;
 
 std::size_t count(Lines& lines, const std::string& keyword) {
@@ -21,7 +21,7 @@ std::size_t count(Lines& lines, const std::string& keyword) {
   lines.expect_word(keyword, what);
   const auto value = lines.integer(10, what);
   if (value > most) lines.refuse(what + " of at most " + std::to_string(most));
-  // Each takes a line or a number at least: no memory for what the file cannot hold.
+  // Each item takes at least a line or a number, so the rest of the file bounds their count.
   if (value > lines.left()) lines.refuse(what + " that the rest of the file holds");
   lines.end_of_line(what);
   return value;
@@ -36,7 +36,7 @@ std::size_t place(Lines& lines, std::size_t size, const std::string& what) {
 Sparse sparse(Lines& lines, std::size_t size, const std::string& what) {
   const auto expected = "the number of " + what;
   const auto number = place(lines, size + 1, expected);
-  constexpr std::size_t shortest = 4;  // characters of a place and a number, "0 0x0"
+  constexpr std::size_t shortest = 4;  // characters of an index and a number, "0 0x0"
   if (number > lines.remainder().size() / shortest) lines.refuse(expected + " that the line holds");
   Sparse entries(number);
   for (auto& [at, value] : entries) {
@@ -54,7 +54,7 @@ std::vector<double> vector(Lines& lines, const std::string& keyword, std::size_t
   return values;
 }
 
-// One for all columns, or one for each.
+// One half-width for all columns, or one for each.
 void read_half_widths(Lines& lines, LimitCertificate& certificate) {
   const std::string what = "'alpha' and a number that is not negative, or one for each column";
   const auto m = certificate.uncertain.size();
@@ -119,7 +119,7 @@ void read_names(Lines& lines, LimitCertificate& certificate) {
   }
 }
 
-// The first version knows no names.
+// Version 1 has no names.
 void read_loads(Lines& lines, LimitCertificate& certificate, bool with_names) {
   certificate.dead = vector(lines, "dead", certificate.displacements);
   certificate.reference = vector(lines, "reference", certificate.displacements);
@@ -142,7 +142,7 @@ LimitCut read_cut(Lines& lines, const LimitCertificate& certificate) {
 LimitNode read_node(Lines& lines, const LimitCertificate& certificate, std::size_t nodes) {
   const std::string what = "'node', signs, shares of cuts, a factor, and forces";
   lines.expect_word("node", what);
-  // A line says something of each column, but for those whose shares are zero.
+  // Columns whose shares are zero have no line.
   constexpr std::uint64_t most_signs = 1'000'000;
   if (certificate.uncertain.size() > lines.remainder().size() &&
       certificate.uncertain.size() * nodes > most_signs) {
@@ -187,7 +187,7 @@ void read_evidence(Lines& lines, LimitCertificate& certificate) {
   }
 }
 
-// The claim of the line at hand. @param before that of the same load case
+// The claim of the current line. @param before the previous claim of the same load case
 LimitClaim read_claim(Lines& lines, std::optional<LimitClaim> before) {
   const std::string what = before ? "'claim least', 'case' or 'end'"
                                   : "'claim' and 'largest' or 'none', the first of a case";
@@ -201,7 +201,7 @@ LimitClaim read_claim(Lines& lines, std::optional<LimitClaim> before) {
   lines.refuse(what);
 }
 
-// From the line 'case' to the next, or to 'end': the lines are at that then.
+// Reads from the line 'case' to the next 'case' or 'end', which becomes the current line.
 void read_case(Lines& lines, const LimitCertificate& truss,
                std::vector<LimitStatement>& statements) {
   const std::string what = "'case', and a name that no case before it has, or 'end'";

@@ -1,7 +1,6 @@
-// Certificates of worst-case limit loads as they are read: the problem, a dead load and a motion
-// for the upper bound, static cuts and, for every closed node of the tree of signs, a static proof
-// of the lower bound. docs/certificates.md describes the file. Nothing that is read is believed:
-// verify/limit/limit_proof.hpp checks it.
+// Certificates of worst-case limit loads: the problem, a dead load and a motion for the upper
+// bound, static cuts and, for every closed node of the tree of signs, a static proof of the lower
+// bound. docs/certificates.md describes the file; verify/limit/limit_proof.hpp proves each claim.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +15,14 @@
 
 namespace kusabi::verify {
 
-/// The first line begins so, and ends with the version.
+/// Beginning of the first line, which ends with the version.
 inline constexpr std::string_view limit_first_words = "kusabi limit certificate ";
 
-/// Places and the numbers there; all others are zero.
+/// Indices and numbers; all others are zero.
 using Sparse = std::vector<std::pair<std::size_t, double>>;
 
-/// A column of T as weight times direction, t = w d, exactly: of a single component w is its size
-/// and d is +1 or -1 there; otherwise w is 1.
+/// A column of T as weight times direction, t = w d, exactly: for a single component w is its
+/// absolute value and d is +1 or -1; otherwise w is 1.
 struct LimitColumn {
   double weight = 1;
   Sparse direction;
@@ -31,67 +30,68 @@ struct LimitColumn {
   explicit LimitColumn(const Sparse& load);
 };
 
-/// B y - k f_R = d, roughly.
+/// A static cut: B y - k f_R = d up to rounding.
 struct LimitCut {
-  std::size_t column = 0;  ///< of T, which says what d is
+  std::size_t column = 0;  ///< of T, which determines d
   double factor = 0;       ///< k
   Sparse forces;           ///< y
 };
 
 struct LimitNode {
   std::size_t line = 0;
-  std::vector<int> signs;           ///< m: -1, 1, or 0 if not decided
+  std::vector<int> signs;           ///< m: -1, 1, or 0 if undecided
   double factor = 0;                ///< lambda
   std::vector<double> forces;       ///< q
   Sparse shares;                    ///< mu, by cut, >= 0
-  std::vector<double> one_sided{};  ///< nu, m, >= 0, zero where no sign is decided
+  std::vector<double> one_sided{};  ///< nu, m, >= 0, zero for undecided signs
 };
 
-/// The evidence of one statement; all numbers are finite, all places within range.
+/// The evidence of one statement. All numbers are finite and all indices within range.
 struct LimitCertificate {
   std::size_t displacements = 0;
-  std::vector<double> tension;      ///< q^t, >= 0, a member each
+  std::vector<double> tension;      ///< q^t, >= 0, one for each member
   std::vector<double> compression;  ///< q^c, >= 0
   std::vector<Sparse> columns;      ///< of B
   std::vector<double> dead;         ///< f_D
   std::vector<double> reference;    ///< f_R
-  std::vector<Sparse> uncertain;    ///< T, by column; none is empty, no component zero
+  std::vector<Sparse> uncertain;    ///< T, by column; no column is empty, no component zero
   std::vector<double> alpha;        ///< m: |zeta_j| <= alpha_j, >= 0
   std::vector<double> load;         ///< zeta
   std::vector<double> motion;       ///< u
   std::vector<LimitCut> cuts;
   std::vector<LimitNode> nodes;
-  /// m: the name of each column's load or group, empty if it has none; no names at all: none has.
+  /// m: the name of each column's load or group, empty without name. Empty vector: no names.
   std::vector<std::string> names{};
 
   [[nodiscard]] std::size_t members() const { return columns.size(); }
 };
 
-/// The subject of a statement, over all admissible loads.
+/// The quantity that is bounded, over all admissible loads.
 enum class LimitClaim {
   largest,  ///< the minimum of the largest factor
-  least,    ///< the maximum of the least factor: minus the same with the reference load reversed
-  none,     ///< the recorded load is carried at no factor
+  least,    ///< the maximum of the least factor: minus the minimum for the opposite reference load
+  none,     ///< the recorded load has no admissible factor
 };
 
-/// A claim and its evidence, whose reference load is the reversed one if the claim is `least`.
+/// A claim and its evidence. For the claim `least` the reference load is the opposite one.
 struct LimitStatement {
-  std::string load_case;  ///< empty: the problem file has none
+  std::string load_case;  ///< empty: the problem file has no load cases
   LimitClaim claim = LimitClaim::largest;
   LimitCertificate evidence;
 };
 
-/// A name as a file has it, in one line: control characters as \x0a.
+/// A name on one line, as in the file: control characters as \x0a.
 std::string in_one_line(std::string_view name);
 
-/// The word of a claim in a file.
+/// The keyword of a claim in a file.
 std::string_view claim_word(LimitClaim claim);
 
 /// The text of a file. @param statements of one truss, at least one; those of a load case are
-///        neighbours, of the same loads but for the sign of the reference load
+///        adjacent and have the same loads up to the sign of the reference load
 std::string limit_certificate_text(std::span<const LimitStatement> statements);
 
-/// The statements of a file; of a case `none` alone, or `largest`, and then `least` if it is there.
+/// The statements of a file. A load case has the claim `none` alone, or `largest` and optionally
+///        `least`.
 /// @param file for messages
 /// @throws CertificateError
 std::vector<LimitStatement> read_limit_certificate(std::string_view text, const std::string& file);

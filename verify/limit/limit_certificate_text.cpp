@@ -1,4 +1,4 @@
-// Statements on limit loads written as a file: the truss once, each load case once.
+// Text of limit-load certificates: the truss once, each load case once.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -39,7 +39,7 @@ void put(std::string& text, const Sparse& entries) {
   }
 }
 
-// One number where they are all the same.
+// One number if all are equal.
 void put_half_widths(std::string& text, const std::vector<double>& alpha) {
   if (std::ranges::adjacent_find(alpha, std::not_equal_to()) != alpha.end()) {
     put(text, alpha);

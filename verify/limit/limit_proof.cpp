@@ -1,4 +1,4 @@
-// The two ends, exactly.
+// Lower and upper bound of a limit load factor in exact arithmetic.
 #include "verify/limit/limit_proof.hpp"
 
 #include <algorithm>
@@ -27,8 +27,7 @@ Dyadic elongation_of(const Column& column, const std::vector<Dyadic>& motion) {
   return total;
 }
 
-// How far the true columns are from those of the certificate, entry by entry; none if they are the
-// same.
+// Bounds of the error of each entry of the certificate's columns; empty if they are exact.
 std::vector<SparseDyadic> errors_of(const LimitCertificate& certificate, const LimitTruss& truss) {
   std::vector<SparseDyadic> errors(truss.columns.size());
   bool any = false;
@@ -87,7 +86,7 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
   }
 }
 
-// |load + factor f_R - B forces|, by displacement, with what is not known of f_R and B.
+// |load + factor f_R - B forces|, by displacement, with the errors of f_R and B.
 std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
                                        double factor) const {
   std::vector<Dyadic> doubt(load.size());
@@ -108,24 +107,24 @@ std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic>
 
 namespace {
 
-/// A member is meant to keep its length if what it stretches is less than this share of the motion,
-/// and is made to if rounding the motion may cost more than `is_dear` of all that it dissipates.
-/// (Of a body that is held together by more bars than it needs, not all keep their length exactly
-/// where the directions of bars are rounded.)
+/// A member keeps its length in the intended motion if its elongation is below this share of the
+/// largest. It is made to keep it exactly if the rounding of the motion may change the dissipation
+/// by more than `is_dear` of it. (In a redundant body with rounded bar directions, not all can keep
+/// their length exactly.)
 constexpr double is_still = 1e-9;
 constexpr double is_dear = 1e-14;
 constexpr double rounding = 0x1p-53;
 
-/// Each step takes off ten digits or so of what they stretch; fewer of trusses that are nearly
-/// mechanisms.
+/// Each step reduces the elongations by ten digits or so, fewer for trusses close to mechanisms.
 constexpr int steps = 12;
 constexpr double shift = 1e-10;
 
 }  // namespace
 
-// The recorded motion, changed a little so that members which are meant to keep their length do,
-// and, if so wished, the reference load does no work: a yield force that stands for "never" makes
-// much of a rounding. A guess like any other: what is made of it is exact.
+// The recorded motion with a correction such that members which keep their length in the intended
+// motion keep it exactly and, if requested, the reference load does no work. A large yield force,
+// which stands for an unlimited one, would multiply the rounding error. The correction need not be
+// accurate: its bound is computed exactly.
 std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
   std::vector<Dyadic> motion;
   double largest = 0;
@@ -133,7 +132,7 @@ std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
     motion.emplace_back(u);
     largest = std::max(largest, std::abs(u));
   }
-  // At most: of a rounding nobody knows the sign.
+  // Upper bound of the cost, since the sign of a rounding error is unknown.
   const auto cost_of = [this](std::size_t i, double stretch) {
     return std::abs(stretch) * std::max(certificate_.tension[i], certificate_.compression[i]);
   };
@@ -168,7 +167,7 @@ std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
   if (still.empty()) return motion;
   std::vector<bool> touched(certificate_.displacements);
   std::vector<std::size_t> all;
-  std::vector<double> weight;  // so that each row is one
+  std::vector<double> weight;  // scales each row to one
   for (const auto& rough : roughly) {
     double square = 0;
     for (const auto& [e, entry] : rough) {
@@ -186,7 +185,7 @@ std::vector<Dyadic> LimitProof::still_motion(bool without_work) const {
   if (!gram.definite()) return motion;
   std::vector<double> change(displacements.size());
   for (int step = 0; step < steps; ++step) {
-    // Relative to the largest, so that nothing is lost far below one.
+    // Relative to the largest, such that nothing underflows.
     std::vector<Dyadic> stretches;
     std::optional<long> scale;
     for (const auto* column : still) {
@@ -221,7 +220,7 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
   if (!load_is_admissible()) return "the load is outside of its bounds";
   const auto u = still_motion(false);
   Dyadic work;   // of f_R
-  Dyadic doubt;  // of that
+  Dyadic doubt;  // of the work
   Dyadic value;
   for (std::size_t e = 0; e < u.size(); ++e) {
     const auto size = absolute(u[e]);
@@ -251,7 +250,8 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
 std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) const {
   const auto& certificate = certificate_;
   const auto m = certificate.uncertain.size();
-  // What the shares of the cuts take of each member, and what they leave undone.
+  // The part of each member's yield force that the shares of the cuts use, and the remaining
+  // defect.
   std::vector<Dyadic> taken(certificate.members());
   std::vector<Dyadic> share_of(m);
   std::vector<Dyadic> defects(certificate.displacements);
@@ -325,7 +325,7 @@ bool LimitProof::shows_no_factor() const {
   mpq_class work = 0;
   for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e].value.rational() * motion[e];
   motion[place] -= work / reference[place].value.rational();
-  mpq_class excess = 0;  // of the work of the dead load
+  mpq_class excess = 0;  // dissipation minus work of the dead load
   for (std::size_t e = 0; e < motion.size(); ++e) {
     excess += truss_.dead[e].value.rational() * motion[e];
   }
@@ -355,8 +355,8 @@ bool LimitProof::shows_no_factor() const {
 
 namespace {
 
-// Whether `nodes`, all of which have the signs decided so far, cover all others. A column that all
-// of them decide splits the signs and the nodes alike.
+// Checks that `nodes`, which all have the signs decided so far, cover all combinations of the
+// others. A column decided by all of them partitions both the combinations and the nodes.
 std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<bool>& decided,
                                 std::size_t depth) {
   if (nodes.empty()) return "no node covers some combination of signs";
@@ -378,7 +378,7 @@ std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<b
         node->signs.size() - static_cast<std::size_t>(std::ranges::count(node->signs, 0));
     return count == depth;
   };
-  // A node that decides nothing more covers all that is below.
+  // A node that decides no further sign covers the whole subtree.
   if (std::ranges::any_of(nodes, whole)) return {};
   return "the nodes do not come from a tree: no sign is decided in all of some";
 }

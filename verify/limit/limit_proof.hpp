@@ -1,6 +1,5 @@
-// The proofs of a certificate of a worst-case limit load, in exact arithmetic.
-// docs/theory/proofs.md derives what is checked here, with the same letters; nothing of the solver
-// is used, and nothing that it says is believed.
+// Proofs of the claims of a limit-load certificate in exact arithmetic. docs/theory/proofs.md
+// derives them with the same letters. They depend neither on the solver nor on any result of it.
 #pragma once
 
 #include <cstddef>
@@ -23,35 +22,36 @@ struct Near {
   Dyadic error;
 };
 
-/// The truss that is meant: that of a certificate, whose numbers are doubles, or that of a problem
-/// file, whose directions are roots, known to a hundred digits.
+/// The truss of the proof: that of a certificate, whose numbers are doubles, or that of a problem
+/// file, whose direction cosines are roots, enclosed with a hundred digits.
 struct LimitTruss {
   std::vector<std::vector<std::pair<std::size_t, Near>>> columns;  ///< B, by member
   std::vector<Near> dead;                                          ///< f_D
   std::vector<Near> reference;                                     ///< f_R
-  std::vector<double> half_widths{};  ///< of its uncertain loads, in its own order
+  std::vector<double> half_widths{};  ///< of the uncertain loads of the problem file, in its order
 };
 
-/// The truss as the certificate has it.
+/// The truss with the numbers of the certificate.
 LimitTruss recorded_truss(const LimitCertificate& certificate);
 
 class LimitProof {
  public:
-  /// The certificate must outlive this.
+  /// @pre the certificate outlives this object
   LimitProof(const LimitCertificate& certificate, LimitTruss truss);
   explicit LimitProof(const LimitCertificate& certificate)
       : LimitProof(certificate, recorded_truss(certificate)) {}
 
-  /// The kinematic principle for the recorded load and motion: no smaller than lambda_min, exactly.
-  /// Otherwise why it proves nothing.
+  /// Upper bound of lambda_min by the kinematic principle, for the recorded load and motion;
+  /// otherwise the reason why there is none.
   [[nodiscard]] std::variant<mpq_class, std::string> upper() const;
 
-  /// A number that no admissible load of the node has a factor below; or why it is not shown.
+  /// Lower bound of the factors of all admissible loads of the node; otherwise the reason why there
+  /// is none.
   [[nodiscard]] std::variant<mpq_class, std::string> lower(const LimitNode& node) const;
 
-  /// Whether the recorded load is within its bounds, and the recorded motion, or its opposite,
-  /// shows that it is carried at no factor: made free of work of f_R at one displacement, the load
-  /// does more work on it than the members can dissipate.
+  /// Whether the recorded load is admissible and the recorded motion, or its opposite, proves that
+  /// no factor exists: after a correction at one displacement that makes the work of f_R zero, the
+  /// work of the load exceeds the largest dissipation of the members.
   [[nodiscard]] bool shows_no_factor() const;
 
  private:
@@ -62,16 +62,17 @@ class LimitProof {
 
   const LimitCertificate& certificate_;
   LimitTruss truss_;
-  std::vector<LimitColumn> uncertain_;       // T
-  std::vector<SparseDyadic> column_errors_;  // how far B is from the doubles of the certificate
-  std::vector<Sparse> defects_;              // of each cut, where it is not zero, rounded up
+  std::vector<LimitColumn> uncertain_;  // T
+  std::vector<SparseDyadic>
+      column_errors_;            // bounds of the distance of B from the doubles of the certificate
+  std::vector<Sparse> defects_;  // of each cut, nonzero entries, rounded up
 };
 
-/// What is wrong with the nodes as a cover of all signs; nothing if every combination of signs is
-/// below one of them.
+/// Checks that the nodes cover all combinations of signs. @return the fault; nothing if every
+/// combination is below a node
 std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificate);
 
-/// A double that is not above, and one that is not below; infinite if there is no other.
+/// The nearest doubles below and above the number or equal to it; infinite if there is none.
 double rounded_down(const mpq_class& value);
 double rounded_up(const mpq_class& value);
 

@@ -1,8 +1,9 @@
-// A left inverse of B' by the members that have slack, guessed in doubles and then bounded.
+// Equilibrium correction by a left inverse of B' over the members with slack, approximated in
+// doubles and then bounded.
 //
-// G = (B W B')^-1 B W, with a weight for each member, is a guess of one; E = I - G B' is what it
-// misses, and u = G B'u + E u. With the scaled motion v_e = Y_e |u_e| and |E| <= 1/2 in the norm
-// that belongs to it, max v <= 2 sum_i max_e Y_e |G_ei| |b_i'u|, and so
+// G = (B W B')^-1 B W, with a weight for each member, approximates a left inverse; E = I - G B' is
+// its error, and u = G B'u + E u. With the scaled motion v_e = Y_e |u_e| and |E| <= 1/2 in the
+// corresponding norm, max v <= 2 sum_i max_e Y_e |G_ei| |b_i'u|, and therefore
 //   |u_e| <= sum_i |G_ei| |b_i'u| + (sum_k |E_ek| / Y_k) max v.
 #include "verify/limit/limit_reach.hpp"
 
@@ -18,11 +19,12 @@
 namespace kusabi::verify {
 namespace {
 
-// What is below is zero, or is taken for this: products of two still are numbers.
+// Smaller numbers are replaced by zero, or by this number in upper bounds, such that products of
+// two do not underflow.
 constexpr double tiny = 1e-140;
 
-// Sums and products of numbers that are not negative are off by less than this share: a rounding
-// for each of some millions of terms, 2^-53 each.
+// Bound of the relative rounding error of sums and products of nonnegative numbers: 2^-53 for each
+// of some millions of terms.
 constexpr double all_roundings = 0x1p-28;
 
 template <class Visit>
@@ -32,9 +34,9 @@ void each_displacement(const MemberColumns& members, std::size_t i, const Visit&
   for (const auto& [e, error] : members.errors[i]) visit(e);
 }
 
-// Slack of members that can carry nothing off is taken away: at a displacement without a defect
-// that one member alone reaches, equilibrium leaves that member nothing; and so on from there. What
-// is left may hold its displacements where all of it did not.
+// The slack of usable members. At a displacement without a defect that only one member reaches,
+// equilibrium makes the force of that member zero, so its slack is set to zero; this is repeated
+// until nothing changes.
 std::vector<double> slack_of_use(const MemberColumns& members, std::vector<double> slack,
                                  const std::vector<double>& defect) {
   std::vector<std::vector<std::size_t>> at(members.displacements);
@@ -67,17 +69,17 @@ std::vector<double> slack_of_use(const MemberColumns& members, std::vector<doubl
   return slack;
 }
 
-/// The part of a truss that a defect can be carried off by.
+/// The components of a truss that carry defects.
 struct Part {
   std::vector<std::size_t> displacements;
   std::vector<std::size_t> members;
 };
 
-// Those pieces that have a defect. Nothing if a defect lies where no member has slack.
+// The components with a defect. Nothing if there is a defect that no member with slack reaches.
 std::optional<Part> part_with_defects(const MemberColumns& members,
                                       const std::vector<double>& slack,
                                       const std::vector<double>& defect) {
-  DisjointSets pieces(members.displacements);  // joined by members with slack
+  DisjointSets pieces(members.displacements);  // connected by members with slack
   std::vector<bool> reached(members.displacements);
   for (std::size_t i = 0; i < slack.size(); ++i) {
     if (slack[i] <= tiny) continue;
@@ -107,7 +109,7 @@ std::optional<Part> part_with_defects(const MemberColumns& members,
   return part;
 }
 
-/// The rows of G and of E, one after another, and what adds up over them.
+/// Rows of G and of E, computed one after another, and sums over them.
 class Reach {
  public:
   Reach(const MemberColumns& members, const Part& part, const std::vector<double>& weight)
@@ -116,7 +118,7 @@ class Reach {
         weight_(weight),
         gram_(members.columns, part.members, weight, part.displacements, members.displacements) {}
 
-  // Nothing if the guess is too bad.
+  // Nothing if the approximate inverse is too inaccurate.
   std::optional<std::vector<double>> forces(const std::vector<double>& defect);
 
  private:
@@ -129,7 +131,7 @@ class Reach {
   std::vector<double> size_;      // Y, by place
   std::vector<double> solution_;  // row e of (B W B')^-1
   std::vector<double> missed_;    // row e of E, by place
-  std::vector<double> doubt_;     // how far that may be off
+  std::vector<double> doubt_;     // bound of the error of `missed_`
   std::vector<double> direct_;    // sum_e defect_e |G_ei|
   std::vector<double> largest_;   // max_e Y_e |G_ei|
   double rest_ = 0;               // sum_e defect_e sum_k |E_ek| / Y_k
@@ -143,8 +145,8 @@ bool Reach::row(std::size_t e, double defect) {
   solution_[here] = 1;
   gram_.solve(solution_);
   missed_[here] = 1;
-  // A sum of products, one for each member at a displacement: the roundings of all of them are less
-  // than this share of the sum of their sizes.
+  // Relative bound of the rounding errors of a sum of products, one for each member at a
+  // displacement.
   const double rounded_off = 0x1p-52 * static_cast<double>(part_.members.size() + 4);
   for (const auto i : part_.members) {
     double guess = 0;  // G_ei
@@ -190,7 +192,7 @@ std::optional<std::vector<double>> Reach::forces(const std::vector<double>& defe
   std::vector<double> forces(members_.columns.size(), 0.0);
   for (const auto i : part_.members) {
     forces[i] = (direct_[i] + 2 * rest_ * largest_[i]) * (1 + all_roundings) + tiny * tiny;
-    // A defect beyond all doubles is infinite, and times zero it is no number.
+    // A defect beyond all doubles is infinite, and its product with zero is not a number.
     if (!std::isfinite(forces[i])) return {};
   }
   return forces;
@@ -209,7 +211,8 @@ std::variant<std::vector<double>, std::string> forces_against_defects(
   for (const auto i : part->members) most = std::max(most, slack[i]);
   std::vector<double> best;
   double least_excess = std::numeric_limits<double>::infinity();
-  // By those first that have most left; where that is too uneven for doubles, by all alike.
+  // Weights in proportion to the slack are tried first; if they are too uneven for doubles, more
+  // even ones.
   for (const double power : {1.0, 0.5, 0.0}) {
     std::vector<double> weight(slack.size(), 0.0);
     for (const auto i : part->members) weight[i] = std::max(std::pow(slack[i] / most, power), tiny);

@@ -1,5 +1,5 @@
-// Bars, springs, given stiffnesses, frames, and what belongs together;
-// verify/structure/solid_element.cpp has the elements.
+// Assembly of bars, springs, given stiffnesses and contact frames. Elements are in
+// verify/structure/solid_element.cpp.
 #include "verify/structure/assembly.hpp"
 
 #include "verify/arithmetic/disjoint_sets.hpp"
@@ -55,7 +55,7 @@ void add_bar(const Structure& structure, const Freedom& freedom, const Bar& bar,
   }
 }
 
-// By row of a stiffness of another program: the free displacements in it, and their weights.
+// Free displacements of each row of a stiffness of another program, with their weights.
 std::vector<std::vector<std::pair<std::size_t, Enclosure>>> rows_of(const Structure& structure,
                                                                     const Freedom& freedom,
                                                                     std::size_t index) {
@@ -151,7 +151,7 @@ std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freed
       if (!rows[entry.row].empty() && !rows[entry.column].empty()) join(resisted);
     }
   }
-  std::vector<std::size_t> own;  // a displacement of each candidate
+  std::vector<std::size_t> own;  // one displacement of each candidate
   const auto corner = corners(structure);
   for (const auto& point : structure.contact) {
     std::vector<std::size_t> moving;
@@ -166,7 +166,7 @@ std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freed
     join(moving);
     own.push_back(moving.front());
   }
-  std::map<std::size_t, std::size_t> first;  // candidate of each set
+  std::map<std::size_t, std::size_t> first;  // first candidate of each set
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
     const auto set = sets.of(own[i]);

@@ -1,5 +1,5 @@
-// The stiffness of a structure over its free displacements, K^0 of equation (2) of the wedged
-// paper, every entry enclosed; and the frames of its contact candidates.
+// Enclosed stiffness of a structure over its free displacements, K^0 of equation (2) of the wedged
+// paper, and the frames of its contact candidates.
 #pragma once
 
 #include <array>
@@ -13,28 +13,28 @@
 
 namespace kusabi::verify {
 
-/// H' K^0 H over the free displacements. Not all finite if a bar has no length or an element no
-/// area.
+/// H' K^0 H over the free displacements. Entries are not finite if a bar has length zero or an
+/// element area zero.
 SparseEnclosure enclosed_stiffness(const Structure& structure, const Freedom& freedom);
 
-/// The direction of a bar, a unit vector; its length.
+/// Unit direction vector and length of a bar.
 struct Direction {
   std::vector<Enclosure> cosines;  ///< d
   Enclosure length;
 };
 Direction direction(const Structure& structure, const Bar& bar);
 
-/// Unit vectors n, t1 and, in space, t2 = n x t1: by columns, of which each has d components.
+/// Unit vectors n, t1 and, in space, t2 = n x t1, as columns with d components each.
 using Frame = std::vector<std::vector<Enclosure>>;
 
-/// t1 is the wished tangent less its part along n; without a wish n turned clockwise by a quarter
-/// in the plane, the projection of an axis in space.
+/// t1 is the given tangent minus its component along n. Without a given tangent it is n turned
+/// clockwise by 90 degrees in the plane, the projection of an axis in space.
 Frame frame(const ContactPoint& point, std::size_t dimension);
 
-/// For each candidate, which piece of the structure it belongs to: the number of another candidate
-/// or its own. Displacements belong together if a bar strains by both (which takes a difference of
-/// coordinates that is not zero), if they are of one element, of one spring, of one entry of a
-/// given stiffness, or of one candidate.
+/// For each candidate the connected component of the structure that contains it, as the number of a
+/// candidate in that component. Displacements are connected if a bar strains by both (the
+/// difference of coordinates is not zero), or if they belong to one element, one spring, one entry
+/// of a given stiffness or one candidate.
 std::vector<std::size_t> pieces(const Structure& structure, const Freedom& freedom);
 
 }  // namespace kusabi::verify

@@ -1,5 +1,5 @@
-// Integers throughout: multiples of 2^-300 for the stiffness, of 2^-160 for the displacements that
-// follow a candidate.
+// Static condensation in integers: multiples of 2^-300 for the stiffness, of 2^-160 for the
+// dependent displacements.
 #include "verify/structure/condensation.hpp"
 
 #include <algorithm>
@@ -29,18 +29,18 @@ struct Entry {
 };
 using Rows = std::vector<std::vector<Entry>>;
 
-// K^0, scaled by powers of two and rounded to the grid, cut as equation (2) cuts it.
+// K^0, scaled by powers of two, rounded to the grid and partitioned as in equation (2).
 struct Parts {
   std::size_t contact = 0;  // c
   std::size_t rest = 0;     // n
-  Rows contact_contact;     // all by rows; columns of N in its own order
+  Rows contact_contact;     // all by rows; columns of N in the order of N
   Rows rest_contact;
   Rows rest_rest;
-  Dyadic error_square;     // of the distance from the true K^0, scaled alike, in the Frobenius norm
-  long contact_scale = 0;  // displacements of C were multiplied by 2^this, forces divided
+  Dyadic error_square;  // of the distance from the exact K^0, scaled alike, in the Frobenius norm
+  long contact_scale = 0;  // displacements of C are multiplied by 2^this, forces divided
 };
 
-// Half of the exponent of a diagonal entry: 2^-this on both sides brings it near to 1.
+// Half of the exponent of a diagonal entry: scaling with 2^-this on both sides makes it about 1.
 long half_exponent(const Dyadic& value) {
   return static_cast<long>(std::floor(static_cast<double>(value.magnitude()) / 2));
 }
@@ -71,16 +71,17 @@ class Condensation {
   double springs_;
   const support::LongWork& work_;
   Freedom freedom_;
-  std::vector<std::vector<std::size_t>> seen_;  // displacements of each candidate, d each
-  CornerNumbers corners_;                       // of those in corners, in their frames already
-  std::vector<std::size_t> place_;              // of each free displacement, in C or in N
+  std::vector<std::vector<std::size_t>> seen_;  // d displacements of each candidate
+  CornerNumbers corners_;  // displacements of candidates at nodes with several contact normals,
+                           // already in their frames
+  std::vector<std::size_t> place_;  // position of each free displacement in C or N
   std::vector<bool> is_contact_;
-  std::vector<std::size_t> displacement_;  // of each place in N
+  std::vector<std::size_t> displacement_;  // displacement at each position in N
   Parts parts_;
   Profile profile_;
   std::optional<Cholesky> factor_;                // of K_NN
-  Dyadic least_;                                  // below its eigenvalues
-  std::vector<std::vector<mpz_class>> follows_;   // X: column by column, on the displacement grid
+  Dyadic least_;                                  // lower bound of its eigenvalues
+  std::vector<std::vector<mpz_class>> follows_;   // X, by columns, on the displacement grid
   std::vector<std::vector<mpz_class>> residual_;  // R = K_NC - K_NN X, on the product of both grids
   std::vector<mpz_class> complement_;             // S, c x c, on the stiffness grid
   Dyadic radius_;
@@ -112,9 +113,10 @@ void Condensation::order_unknowns(const SparseEnclosure& stiffness) {
   parts_.rest = rest.size();
 }
 
-// A displacement of a candidate that a roller holds is given a spring of its own, as stiff as the
-// node is along the axis nearest to its normal, and nothing else: so that K has d rows for each.
-// What the obstacle does along it, the roller takes (docs/theory/wedged.md, "Rollers").
+// A candidate displacement along which a roller supports the candidate gets a grounding spring, as
+// stiff as the node along the axis nearest to its normal, and no coupling, such that K has d rows
+// for each candidate. The roller takes the reaction of the obstacle along it
+// (docs/theory/wedged.md, "Rollers").
 void Condensation::release_rollers(const ContactPoint& point, SparseEnclosure& stiffness) {
   auto& numbers = freedom_.number[point.node];
   const auto normal = numbers[steepest_axis(point.normal)];
@@ -126,8 +128,9 @@ void Condensation::release_rollers(const ContactPoint& point, SparseEnclosure& s
   }
 }
 
-// A candidate that is alone at its node has the displacements of the node; rollers are released
-// before corners are turned, since what these are against may be on one.
+// A candidate alone at its node has the displacements of the node. Rollers are released before
+// normal coordinates are introduced, since the opposite place may be at a node with several contact
+// normals.
 void Condensation::number_candidates(SparseEnclosure& stiffness) {
   const auto corner = corners(structure_);
   const auto add_springs = [&](const auto& numbers) {
@@ -167,7 +170,8 @@ std::optional<std::string> Condensation::cut() {
     if (diagonal->second.lower().sign() <= 0) return too_ill;
   }
   order_unknowns(stiffness);
-  // N: each displacement by itself; C: all alike, so that what is left needs no norm of its own.
+  // N: each displacement has its own scale. C: all have the same, such that the error bound needs
+  // no weighted norm.
   std::vector<long> scale(freedom_.count);
   std::optional<long> largest;
   for (std::size_t row = 0; row < freedom_.count; ++row) {
@@ -187,7 +191,7 @@ std::optional<std::string> Condensation::cut() {
       Entry entry{place_[column], value.lower().scaled(shift).multiples(stiffness_grid)};
       const auto error = value.upper().scaled(shift) - Dyadic(entry.value, stiffness_grid);
       parts_.error_square = parts_.error_square + square(error);
-      if (is_contact_[row] && !is_contact_[column]) continue;  // the transpose
+      if (is_contact_[row] && !is_contact_[column]) continue;  // its transpose
       auto& rows = is_contact_[row]      ? parts_.contact_contact
                    : is_contact_[column] ? parts_.rest_contact
                                          : parts_.rest_rest;
@@ -226,8 +230,8 @@ std::optional<std::string> Condensation::factorise() {
   return {};
 }
 
-// X, a column for each displacement of C: solved in double precision for what is left, again and
-// again, until so little is left that its square is nothing.
+// X, a column for each displacement of C, by iterative refinement with double-precision solutions
+// until the square of the residual is negligible.
 void Condensation::follow() {
   follows_.assign(parts_.contact, std::vector<mpz_class>(parts_.rest));
   residual_.assign(parts_.contact, std::vector<mpz_class>(parts_.rest));
@@ -285,11 +289,12 @@ Dyadic square_sum(const std::vector<std::vector<mpz_class>>& columns, long grid)
   return {std::move(sum), 2 * grid};
 }
 
-// S = K_CC - K_CN X - X'R, and how far from it the condensed stiffness may be.
+// S = K_CC - K_CN X - X'R and a bound of its distance from the condensed stiffness.
 void Condensation::complement() {
   const auto c = parts_.contact;
   const long grid = stiffness_grid + displacement_grid;
-  std::vector<mpz_class> sums(c * c);  // K_CN X + X'R, on the stiffness grid and twice the other
+  std::vector<mpz_class> sums(
+      c * c);  // K_CN X + X'R, on the product of the stiffness grid and twice the displacement grid
   for (std::size_t row = 0; row < parts_.rest; ++row) {
     for (const auto& entry : parts_.rest_contact[row]) {
       for (std::size_t j = 0; j <= entry.column; ++j) {
@@ -321,7 +326,8 @@ void Condensation::complement() {
       complement_[c * j + i] = complement_[c * i + j];
     }
   }
-  // delta ‖E‖^2 + (‖R‖ + delta ‖E‖)^2 / (s - delta), E = [I; -X]; and a rounding for each entry
+  // delta ‖E‖^2 + (‖R‖ + delta ‖E‖)^2 / (s - delta), E = [I; -X]; and a rounding error for each
+  // entry
   const Dyadic count(static_cast<double>(c));
   const auto delta = sqrt_above(parts_.error_square);
   const auto size_square = count + square_sum(follows_, displacement_grid);
@@ -332,14 +338,14 @@ void Condensation::complement() {
   }
 }
 
-// What is in the frame of its candidate already is turned no more.
+// Frame of displacements that are already in the frame of their candidate.
 Frame unit_frame(std::size_t d) {
   Frame result(d, std::vector<Enclosure>(d));
   for (std::size_t k = 0; k < d; ++k) result[k][k] = Enclosure(1);
   return result;
 }
 
-// Q'S Q with the frames Q of the candidates, and without the scale.
+// Q'S Q with the frames Q of the candidates, without the scaling.
 EnclosedMatrix Condensation::turned() {
   const auto d = structure_.dimension;
   const auto c = parts_.contact;

@@ -1,5 +1,5 @@
-// K of equations (3) and (6) of the wedged paper, computed from a structure anew and enclosed: a
-// matrix of some 160 digits and a proved bound of its distance from the K that the structure has.
+// Enclosure of K of equations (3) and (6) of the wedged paper, computed from the structure: a
+// matrix with about 160 digits and a proved bound of its distance from the exact K.
 // docs/theory/proofs.md derives it.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace kusabi::verify {
 
-/// K, dm x dm, candidate by candidate, in each n, t1[, t2]; exactly zero between candidates that
-/// nothing connects. Or a sentence that says why it could not be enclosed.
-/// A displacement along which a roller holds a candidate has a spring of its own (K is definite
-/// so).
-/// @param springs added to K along every displacement of a candidate, but for those held
-/// @pre no candidate is held along its normal
-/// @throws support::Stopped if an end is asked for
+/// K, dm x dm, by candidates, each with n, t1[, t2]; exactly zero between candidates that are not
+/// connected. Otherwise a sentence with the reason why K is not enclosed. A displacement along
+/// which a roller supports a candidate has a grounding spring, such that K is definite.
+/// @param springs stiffness added to K along every displacement of a candidate, except supported
+///        ones
+/// @pre no candidate is supported along its normal
+/// @throws support::Stopped if the program is asked to stop
 std::variant<EnclosedMatrix, std::string> condensed_stiffness(const Structure& structure,
                                                               double springs = 0,
                                                               const support::LongWork& work = {});

@@ -1,5 +1,5 @@
-// Body by body; arms are differences of coordinates, so all is rational until directions are
-// divided by their lengths.
+// Rigid-body modes of each body in rational numbers: levers are differences of coordinates; only
+// the division of directions by their lengths is irrational.
 #include "verify/structure/contact_motions.hpp"
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 namespace kusabi::verify {
 namespace {
 
-// A connected piece: its own nodes, and those of the ground that touch it.
+// A connected component: its own nodes, and the ground nodes that touch it.
 struct Body {
   std::vector<std::size_t> nodes;
   std::vector<std::size_t> ground;
-  bool hangs_on_given = false;  // on a stiffness of another program
+  bool hangs_on_given = false;  // depends on a stiffness of another program
 };
 
 bool is_ground(const Structure& structure, std::size_t node) {
@@ -40,7 +40,7 @@ std::vector<Body> bodies_of(const Structure& structure) {
       if (row.node) nodes.push_back(*row.node);
     }
   }
-  for (const auto& tie : structure.ties) {  // the ground among them holds the node, not the body
+  for (const auto& tie : structure.ties) {  // ground nodes support the node, not the body
     links.push_back({tie.node});
     for (const auto& part : tie.to) {
       if (!is_ground(structure, part.node)) links.back().push_back(part.node);
@@ -57,7 +57,7 @@ std::vector<Body> bodies_of(const Structure& structure) {
       if (first != nodes.end() && !is_ground(structure, node)) sets.join(node, *first);
     }
   }
-  std::map<std::size_t, std::size_t> number;  // of the body of a set
+  std::map<std::size_t, std::size_t> number;  // body of each set
   std::vector<Body> bodies;
   for (std::size_t node = 0; node < structure.places.size(); ++node) {
     if (is_ground(structure, node)) continue;
@@ -81,7 +81,8 @@ std::vector<Body> bodies_of(const Structure& structure) {
   return bodies;
 }
 
-// What a motion, velocity of the centre and angular velocity, does to a place along one axis.
+// Displacement of a place along one axis by a rigid-body mode, given by the velocity of the centre
+// and the angular velocity.
 Rationals lever(const Vector& centre, const Rationals& place, std::size_t axis) {
   const auto d = place.size();
   std::vector<mpq_class> arm;
@@ -107,7 +108,7 @@ Rationals lever(const Structure& structure, const Vector& centre, std::size_t no
   return lever(centre, place, axis);
 }
 
-// What inclined supports and ties ask of the motions of a body.
+// Equations of inclined supports and multi-point constraints for the rigid-body modes of a body.
 void demand_conditions(const Structure& structure, const Body& body, const Vector& centre,
                        Elimination& held) {
   const auto d = structure.dimension;
@@ -138,7 +139,7 @@ void demand_conditions(const Structure& structure, const Body& body, const Vecto
   }
 }
 
-// The motions of a body that move any of its nodes.
+// Rigid-body modes of a body that displace at least one of its nodes.
 std::vector<Rationals> motions_of(const Structure& structure, const Body& body,
                                   const Vector& centre) {
   const auto d = structure.dimension;
@@ -164,33 +165,34 @@ std::vector<Rationals> motions_of(const Structure& structure, const Body& body,
   return moving.taken();
 }
 
-// All bodies that can move: their motions side by side.
+// Rigid-body modes of all unconstrained bodies, side by side.
 class LooseBodies {
  public:
   explicit LooseBodies(const Structure& structure);
 
   [[nodiscard]] const std::vector<Rationals>& motions() const { return motions_; }
 
-  /// What they do to a node along an axis.
+  /// Displacements of a node along an axis.
   [[nodiscard]] Rationals at(std::size_t node, std::size_t axis) const;
 
-  /// What they do to a candidate, relative to what it is against.
+  /// Displacements of a candidate along an axis, relative to the opposite place.
   [[nodiscard]] Rationals at(const ContactPoint& point, std::size_t axis) const;
 
-  /// Springs for motions that no candidate sees: each where the first that is left is largest.
+  /// Grounding springs for modes that displace no candidate, each where the first remaining mode is
+  /// largest.
   [[nodiscard]] std::vector<GroundSpring> holding(Elimination unseen) const;
 
  private:
   struct Placed {
     Vector centre;
-    std::size_t first;  // of its numbers among all
+    std::size_t first;  // of its modes among all
   };
 
   const Structure& structure_;
-  std::size_t size_;  // numbers of a motion of one body
+  std::size_t size_;  // number of parameters of a rigid-body mode
   std::vector<Placed> bodies_;
   std::map<std::size_t, std::size_t> body_of_;  // by node
-  std::map<std::size_t, Rationals> placed_;     // where they are meant to be
+  std::map<std::size_t, Rationals> placed_;  // exact places of displaced nodes (placed_nodes.hpp)
   std::vector<Rationals> motions_;
 };
 
@@ -199,8 +201,8 @@ LooseBodies::LooseBodies(const Structure& structure)
       size_(structure.dimension == 2 ? 3 : 6),
       placed_(placed_nodes(structure)) {
   for (const auto& body : bodies_of(structure)) {
-    // Numbers of another program say no motion exactly: K must resist them all, which is proved
-    // with all else.
+    // Stiffness matrices of other programs have rigid-body modes only up to rounding. K must
+    // therefore be definite for such a body, which is proved with the rest.
     if (body.hangs_on_given) continue;
     const auto centre = structure.places[body.nodes.front()];
     const auto own = motions_of(structure, body, centre);
@@ -260,7 +262,7 @@ std::vector<GroundSpring> LooseBodies::holding(Elimination unseen) const {
   return springs;
 }
 
-// The directions n, t1[, t2] before they are divided by their lengths, and these.
+// The directions n, t1[, t2] before normalisation, and their lengths.
 struct Directions {
   std::vector<Rationals> vectors;
   std::vector<Enclosure> lengths;
@@ -303,7 +305,7 @@ Directions directions_of(const ContactPoint& point, std::size_t d) {
   return result;
 }
 
-// By powers of two to a largest entry near one.
+// Scales each column by a power of two such that its largest entry is about 1.
 void scale_columns(ContactMotions& motions) {
   for (std::size_t k = 0; k < motions.count; ++k) {
     double largest = 0;
@@ -336,7 +338,7 @@ std::vector<double> ContactMotions::nearest() const {
 
 namespace {
 
-// The numbers, each by itself off by a share of its size, on a grid far below the largest.
+// The numbers, each with an error relative to its size, rounded to a grid far below the largest.
 NearList on_a_grid(const Rationals& numbers, const Dyadic& share) {
   constexpr long digits = 256;
   long largest = 0;
@@ -362,7 +364,7 @@ NearList on_a_grid(const Rationals& numbers, const Dyadic& share) {
     mpz_fdiv_q(result.values.mantissas[k].get_mpz_t(), scaled.get_num_mpz_t(),
                scaled.get_den_mpz_t());
   }
-  // Twice the share: it is that of what is near, not of what is meant.
+  // Twice the share, since it is relative to the approximate number instead of the exact one.
   result.error = Dyadic(mpz_class(1), grid) + share.scaled(1) * Dyadic(mpz_class(1), largest);
   return result;
 }

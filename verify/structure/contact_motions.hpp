@@ -1,5 +1,5 @@
-// The motions without strain of bodies that nothing holds, as their contact candidates see them,
-// exactly: docs/theory/proofs.md, "Loose bodies".
+// Rigid-body modes of unconstrained bodies, restricted to contact degrees of freedom, in exact
+// arithmetic (docs/theory/proofs.md, "Loose bodies").
 #pragma once
 
 #include <cstddef>
@@ -11,43 +11,44 @@
 
 namespace kusabi::verify {
 
-/// p independent motions. G, what the directions n, t1[, t2] of the candidates see of them, is
-/// irrational, for the directions are unit vectors; before they are made so it is rational.
+/// p independent rigid-body modes. G, their components along the unit vectors n, t1[, t2] of the
+/// candidates, is irrational; before normalisation of the directions it is rational.
 struct ContactMotions {
   std::size_t count = 0;        ///< p
-  std::vector<Rationals> rows;  ///< l_k times row k of G, exactly; dm of p numbers each
-  std::vector<Dyadic> lengths;  ///< near l_k > 0; dm
-  Dyadic spread;                ///< every l_k is within this share of the number above
+  std::vector<Rationals> rows;  ///< l_k times row k of G, exactly; dm rows of p numbers
+  std::vector<Dyadic> lengths;  ///< l_k > 0, rounded; dm
+  Dyadic spread;                ///< bound of the relative error of each l_k
 
-  /// Near G, to guess with: dm x p, row by row.
+  /// G rounded to doubles, for approximate solutions: dm x p, by rows.
   [[nodiscard]] std::vector<double> nearest() const;
 };
 
-/// Numbers near to some that are not dyadic.
+/// Dyadic approximations of numbers.
 struct NearList {
   DyadicList values;
-  Dyadic error;  ///< none is off by more
+  Dyadic error;  ///< bound of the error of each
 };
 
 /// l_k times rational numbers, for all k: components along the directions of the candidates.
 NearList times_lengths(const ContactMotions& motions, const Rationals& numbers);
 
-/// What the candidates see of a motion, G a.
+/// G a: a rigid-body mode restricted to contact degrees of freedom.
 NearList seen_of(const ContactMotions& motions, const Rationals& coefficients);
 
-/// What supports and springs leave, as bars and elements connect the nodes.
+/// Rigid-body modes that supports and springs admit; bars and elements determine the connected
+/// components.
 struct LooseMotions {
   ContactMotions seen;
-  /// Springs, of stiffness 1, that would hold what no candidate sees. No reaction in equilibrium
-  /// makes a force in them.
+  /// Grounding springs of stiffness 1 for modes that displace no candidate. Contact reactions in
+  /// equilibrium cause no force in them.
   std::vector<GroundSpring> unseen;
 };
 LooseMotions loose_motions(const Structure& structure);
 
-/// Motions whose doubles are meant exactly. @param values dm x p, row by row
+/// Rigid-body modes given by doubles, which are taken as exact. @param values dm x p, by rows
 ContactMotions recorded_motions(const std::vector<double>& values, std::size_t count);
 
-/// The motions of some displacements: those rows, without the columns that are zero in them.
+/// Restriction of the modes to some displacements: their rows, without columns that are zero there.
 ContactMotions part_of(const ContactMotions& motions, const std::vector<std::size_t>& rows);
 
 }  // namespace kusabi::verify

@@ -1,5 +1,5 @@
-// One corner after another, those against another body first: what they are against may be a corner
-// itself.
+// Normal coordinates of one node after another; nodes opposite to other bodies come first, since
+// their opposite place may depend on a node with several contact normals.
 #include "verify/structure/corner.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace kusabi::verify {
 namespace {
 
 using Components = std::vector<Enclosure>;
-/// A sum over free displacements.
+/// A linear form over the free displacements.
 using Form = std::map<std::size_t, Enclosure>;
 
 void add(const Enclosure& factor, const Form& form, Form& sum) {
@@ -23,7 +23,8 @@ Components cross(const Components& a, const Components& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// m_i with m_i.n_j = 1 if i = j and 0 otherwise; two normals in space have n_1 x n_2 for a third.
+// The dual basis m_i with m_i.n_j = 1 if i = j and 0 otherwise; for two normals in space the third
+// vector is n_1 x n_2.
 std::vector<Components> dual_basis(std::vector<Components> n) {
   if (n.front().size() == 2) {
     const auto det = n[0][0] * n[1][1] - n[0][1] * n[1][0];
@@ -57,7 +58,7 @@ class Corner {
     });
   }
 
-  /// Takes the mean stiffness of the node from what is not rewritten yet.
+  /// Sets the spring to the mean stiffness of the node before the transformation.
   void read_spring(const SparseEnclosure& stiffness) {
     Enclosure sum;
     for (const auto number : own_) sum += stiffness[number].at(number);
@@ -76,7 +77,7 @@ class Corner {
   }
 
  private:
-  /// The place that a candidate is against, along an axis.
+  /// Displacement along an axis of the place opposite to a candidate.
   [[nodiscard]] Form place(std::size_t candidate, std::size_t axis) const {
     Form form;
     for (const auto& [leader, weight] : structure_.contact[candidate].against) {
@@ -86,7 +87,7 @@ class Corner {
     return form;
   }
 
-  /// The displacement of the node along each axis, in the new ones.
+  /// Displacement of the node along each axis, as forms over the new displacements.
   [[nodiscard]] std::vector<Form> displacements() const {
     const auto d = structure_.dimension;
     std::vector<Components> normals;
@@ -109,7 +110,7 @@ class Corner {
       const auto number = freedom_.number[node_][axis];
       if (number != Freedom::none) forms[number] = &made[axis];
     }
-    std::map<std::size_t, Form> rows;  // taken out before anything is put in their places
+    std::map<std::size_t, Form> rows;  // all are extracted before any is inserted
     for (const auto& [number, form] : forms) rows[number] = std::exchange(stiffness[number], {});
     for (const auto& [number, row] : rows) {
       for (const auto& [column, value] : row) stiffness[column].erase(number);
@@ -128,7 +129,7 @@ class Corner {
     }
   }
 
-  /// Adds a value times the products of two forms.
+  /// Adds a value times the product of two forms.
   static void add_product(const Form& a, const Form& b, const Enclosure& value,
                           SparseEnclosure& stiffness) {
     for (const auto& [row, weight] : a) {
@@ -154,7 +155,8 @@ class Corner {
   const Freedom& freedom_;
   std::size_t node_;
   std::vector<std::size_t> candidates_;
-  std::vector<std::size_t> own_;  // numbers of the node: at first by axis, then by normal
+  std::vector<std::size_t>
+      own_;  // displacement numbers of the node: at first by axis, then by normal
   std::vector<Frame> frames_;
   Enclosure spring_;
 };

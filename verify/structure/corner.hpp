@@ -1,7 +1,8 @@
-// Nodes that are several candidates: the displacements u_a of such a node are made of those along
-// its normals n_i, q_i = n_i.(u_a - p_i), where p_i is the place that candidate i is against. What
-// a candidate sees along a tangent t is a displacement of its own, on a spring to t.(u_a - p_i):
-// of no account to any answer, and K is definite with it (docs/theory/wedged.md, "Corners").
+// Nodes with several contact normals: the displacement u_a of such a node is a function of q_i =
+// n_i.(u_a - p_i) along its normals n_i, where p_i is the displacement of the place opposite to
+// candidate i. The displacement of a candidate along a tangent t is an additional degree of
+// freedom, connected by a spring to t.(u_a - p_i). The spring makes K definite and does not change
+// any answer (docs/theory/wedged.md, "Corners").
 #pragma once
 
 #include <cstddef>
@@ -13,12 +14,12 @@
 
 namespace kusabi::verify {
 
-/// By candidate in a corner: the numbers of its displacements n, t1[, t2].
+/// By candidate at a node with several normals: the numbers of its displacements n, t1[, t2].
 using CornerNumbers = std::map<std::size_t, std::vector<std::size_t>>;
 
-/// Rewrites the stiffness: the numbers of a corner's node become those along its normals and, in
-/// space, of what two normals leave; tangential ones are added at the end. Not all finite where
-/// normals depend on each other.
+/// Transforms the stiffness: the displacements of each node with several normals become those along
+/// its normals and, in space, along the third vector of two normals. Tangential displacements are
+/// appended. Entries are not finite where normals are dependent.
 CornerNumbers turn_corners(const Structure& structure, Freedom& freedom,
                            SparseEnclosure& stiffness);
 

@@ -1,4 +1,4 @@
-// P = I - B G', where B = G (G'G)^-1 is rounded, and nothing else.
+// P = I - B G' with the rounded pseudo-inverse B = G (G'G)^-1; all other operations are exact.
 #include "verify/structure/freed_stiffness.hpp"
 
 #include <algorithm>
@@ -14,10 +14,10 @@ namespace {
 
 constexpr long kept_bits = 160;
 
-// By columns.
+// A matrix by columns.
 using Columns = std::vector<std::vector<Dyadic>>;
 
-// B, and what its entries may be off by; nothing if there is none.
+// B and a bound of the error of its entries; nothing if the columns of G are dependent.
 std::optional<std::pair<Columns, Dyadic>> pseudo_inverse(const ContactMotions& motions) {
   const auto p = motions.count;
   std::vector<Rationals> gram(p, Rationals(p));
@@ -45,7 +45,7 @@ std::optional<std::pair<Columns, Dyadic>> pseudo_inverse(const ContactMotions& m
 Columns columns_of(const ContactMotions& motions) {
   Columns columns(motions.count);
   for (const auto& row : motions.rows) {
-    // Rows are doubles, so their denominators are powers of two.
+    // Entries are doubles, so their denominators are powers of two.
     for (std::size_t k = 0; k < motions.count; ++k) {
       const auto bits = static_cast<long>(mpz_scan1(row[k].get_den_mpz_t(), 0));
       columns[k].emplace_back(row[k].get_num(), -bits);
@@ -54,7 +54,7 @@ Columns columns_of(const ContactMotions& motions) {
   return columns;
 }
 
-// The transpose of a matrix, times a vector.
+// Product of the transpose of a matrix with a vector.
 std::vector<Dyadic> transposed_product(const std::vector<Dyadic>& matrix,
                                        const std::vector<Dyadic>& a) {
   std::vector<Dyadic> product(a.size());
@@ -68,7 +68,7 @@ std::vector<Dyadic> transposed_product(const std::vector<Dyadic>& matrix,
   return product;
 }
 
-// M - G B'M in the place of M.
+// M -= G B'M.
 void subtract_products(const Columns& g, const Columns& b, std::vector<Dyadic>& matrix) {
   Columns products;
   for (const auto& column : b) products.push_back(transposed_product(matrix, column));

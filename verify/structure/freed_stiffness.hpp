@@ -1,4 +1,4 @@
-// A stiffness in doubles, made to resist no motion of a loose body.
+// Projection of a stiffness such that it has given rigid-body modes exactly.
 #pragma once
 
 #include "verify/arithmetic/exact.hpp"
@@ -6,8 +6,8 @@
 
 namespace kusabi::verify {
 
-/// P'K P with P = I - G (G'G)^-1 G'; of all zeros if the columns of G depend on each other.
-/// @param stiffness K, known exactly  @param motions G, with lengths that are exactly one
+/// P'K P with P = I - G (G'G)^-1 G'; zero if the columns of G are dependent.
+/// @param stiffness K, exact  @param motions G, with lengths that are exactly one
 EnclosedMatrix freed(const EnclosedMatrix& stiffness, const ContactMotions& motions);
 
 }  // namespace kusabi::verify

@@ -1,4 +1,4 @@
-// First the numbers, then what is made of them.
+// Numbering of the free displacements, then the weights of the dependent ones.
 #include "verify/structure/freedom.hpp"
 
 #include <cmath>
@@ -51,7 +51,7 @@ Freedom::Freedom(const Structure& structure) {
   const auto corner = corners(structure);
   for (std::size_t axis = 0; axis < d; ++axis) {
     for (const auto& tie : structure.ties) follow(tie.node, axis, tie.to);
-    // What is held with its place has nothing of it
+    // A candidate supported together with its opposite place has no displacement relative to it
     // (problems/structure/checks/constraint_check.hpp).
     for (const auto& point : structure.contact) {
       if (!structure.fixed[point.node][axis] && !corner.contains(point.node))

@@ -1,10 +1,10 @@
-// The free displacements q of a structure, and what all displacements are made of: u = H q.
+// Free displacements q of a structure, and the matrix H of all displacements u = H q.
 //
-// H is the identity but for supports, which hold some; ties, u_a = sum_k w_k u_bk; candidates
-// against another body, u_a = q_a + sum_k w_k u_bk, with q_a their displacement relative to it; and
-// inclined supports, u_i = -sum_j (d_j / d_i) u_j. Every weight is a double, or a quotient
-// enclosed. The node of several candidates keeps its own displacements, u_a = q_a
-// (verify/structure/corner.hpp).
+// H is the identity except for supports, which fix displacements; multi-point constraints, u_a =
+// sum_k w_k u_bk; candidates opposite to another body, u_a = q_a + sum_k w_k u_bk, where q_a is
+// their displacement relative to it; and inclined supports, u_i = -sum_j (d_j / d_i) u_j. Weights
+// are doubles or enclosed quotients. A node with several candidates keeps its own displacements,
+// u_a = q_a (verify/structure/corner.hpp).
 #pragma once
 
 #include <array>
@@ -18,36 +18,37 @@
 
 namespace kusabi::verify {
 
-/// A symmetric matrix, row by row; entries that are not there are zero.
+/// A symmetric matrix by rows; entries that are not stored are zero.
 using SparseEnclosure = std::vector<std::map<std::size_t, Enclosure>>;
 
-/// The axis of the largest component, of equals the first.
+/// The axis of the largest component; the first of equal ones.
 std::size_t steepest_axis(const Vector& direction);
 
-/// Node by node and axis by axis, then the unknowns that stiffnesses have of their own.
+/// Numbers of free displacements: by node and axis, then the internal unknowns of given
+/// stiffnesses.
 struct Freedom {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   std::size_t count = 0;
-  /// By node and axis; `none` if fixed or made of others alone.
+  /// By node and axis; `none` if the displacement is fixed or dependent.
   std::vector<std::array<std::size_t, 3>> number;
-  /// By (node, axis), where there are any: other free displacements in this one, and their weights.
+  /// By (node, axis) of dependent displacements: the free displacements in it and their weights.
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::pair<std::size_t, Enclosure>>>
       others;
 
-  /// By stiffness of another program and row: the number of an unknown of its own, or `none`.
+  /// By given stiffness and row: the number of an internal unknown, or `none`.
   std::vector<std::vector<std::size_t>> own;
 
   explicit Freedom(const Structure& structure);
 
-  /// All free displacements in one, its own first.
+  /// All free displacements in a displacement, its own first.
   [[nodiscard]] std::vector<std::size_t> parts(std::size_t node, std::size_t axis) const;
 
-  /// All free displacements in one, and their weights.
+  /// All free displacements in a displacement, with their weights.
   [[nodiscard]] std::vector<std::pair<std::size_t, Enclosure>> weighted(std::size_t node,
                                                                         std::size_t axis) const;
 
-  /// Adds what stands between two displacements, each a node and an axis, to a matrix over the
+  /// Adds an entry between two displacements, each given by node and axis, to a matrix over the
   /// free ones: H' value H.
   void add(std::pair<std::size_t, std::size_t> row, std::pair<std::size_t, std::size_t> column,
            const Enclosure& value, SparseEnclosure& matrix) const;

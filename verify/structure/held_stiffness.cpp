@@ -1,4 +1,5 @@
-// Springs on the diagonal; guesses in double precision.
+// Grounding springs on the diagonal, and iterative refinement with Cholesky factors in double
+// precision.
 #include "verify/structure/held_stiffness.hpp"
 
 #include <algorithm>
@@ -9,9 +10,9 @@
 namespace kusabi::verify {
 namespace {
 
-// A step of a guess loses nothing by being cut off so far below the last digit of its largest
-// number, and what is not there need not be multiplied. The first one is as long as CoarseMatrix
-// takes.
+// Corrections of the refinement are truncated this many bits below their largest number, which
+// loses no accuracy and saves multiplications. The first approximation is truncated as CoarseMatrix
+// requires.
 constexpr int guessed_bits = 64;
 constexpr int first_guessed_bits = 9;
 
@@ -19,7 +20,7 @@ bool all_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
-// The lower triangle of a matrix, row by row.
+// The lower triangle of a matrix, by rows.
 DyadicList lower_triangle(const DyadicMatrix& matrix) {
   DyadicList result;
   result.exponent = matrix.entries.exponent;
@@ -31,7 +32,7 @@ DyadicList lower_triangle(const DyadicMatrix& matrix) {
   return result;
 }
 
-// Powers of two on the diagonal: as large as the largest entry there, and never zero.
+// Adds powers of two to the diagonal, about as large as its largest entry and never zero.
 EnclosedMatrix with_springs(EnclosedMatrix stiffness, const std::vector<std::size_t>& springs) {
   if (springs.empty()) return stiffness;
   auto& matrix = stiffness.middle;

@@ -1,4 +1,5 @@
-// In axes at right angles a spring along each is the unit matrix times its stiffness.
+// A spring of equal stiffness along each axis of an orthonormal frame is a multiple of the unit
+// matrix.
 #include "verify/structure/loose_stiffness.hpp"
 
 #include <algorithm>

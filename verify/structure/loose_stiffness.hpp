@@ -1,4 +1,4 @@
-// K of a structure whose bodies need not be held, enclosed, and their motions.
+// Enclosure of K of a structure with unconstrained bodies, and their rigid-body modes.
 #pragma once
 
 #include <string>
@@ -11,18 +11,19 @@
 
 namespace kusabi::verify {
 
-/// What a block's proofs are about, of all candidates.
+/// Data of the proofs, over all candidates.
 struct EnclosedProblem {
   EnclosedMatrix stiffness;  ///< K, dm x dm
-  ContactMotions motions;    ///< G, with K G = 0
+  ContactMotions motions;    ///< G with K G = 0
 };
 
-/// `condensed_stiffness`, with springs at the candidates that are taken away again, exactly, and
-/// with springs for what no candidate sees, which carry no force.
+/// `condensed_stiffness` with grounding springs at the candidates, which are subtracted exactly
+/// afterwards, and with grounding springs for rigid-body modes that displace no candidate, in which
+/// no force acts.
 std::variant<EnclosedProblem, std::string> enclosed_problem(const Structure& structure,
                                                             const support::LongWork& work = {});
 
-/// A power of two about as large as the stiffest bar or element.
+/// A power of two about as large as the stiffness of the stiffest bar or element.
 double typical_stiffness(const Structure& structure);
 
 }  // namespace kusabi::verify

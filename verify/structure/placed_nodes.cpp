@@ -1,4 +1,4 @@
-// Sums of products of doubles, as rational numbers; 320 binary digits hold them as well.
+// Sums of products of doubles in rational numbers; 320 binary digits represent them exactly.
 #include "verify/structure/placed_nodes.hpp"
 
 #include <algorithm>
@@ -8,10 +8,11 @@
 namespace kusabi::verify {
 namespace {
 
-// Some roundings of a sum of products of coordinates and weights; relative to the largest of all.
+// Bound of the rounding errors of a sum of products of coordinates and weights, relative to the
+// largest.
 constexpr double rounded_place = 0x1p-48;
 
-// The place that a candidate is against, if its node is off it by rounding alone.
+// The place opposite to a candidate if its node differs from it by rounding only.
 std::optional<Rationals> place_of(const Structure& structure, const ContactPoint& point) {
   Rationals place(structure.dimension);
   double largest = 0;

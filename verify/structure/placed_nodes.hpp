@@ -1,5 +1,5 @@
-// Nodes of pairs that are off the place that they are against by the rounding of their coordinates
-// alone: they are meant to be there (docs/theory/proofs.md, "Loose bodies").
+// Nodes of contact pairs that differ from their opposite place only by rounding of their
+// coordinates; the proofs move them to that place exactly (docs/theory/proofs.md, "Loose bodies").
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace kusabi::verify {
 
-/// By node, the sum of weights times the nodes that it is against, exactly. Nodes that are there
-/// exactly, or farther off than rounding, are left out.
+/// By node, the exact sum of weights times the nodes opposite to it. Nodes exactly at that place,
+/// or farther from it than rounding, are not included.
 std::map<std::size_t, Rationals> placed_nodes(const Structure& structure);
 
-/// Where a node is along an axis, or meant to be.
+/// Coordinate of a node along an axis, or of its exact place.
 Enclosure coordinate(const Structure& structure, std::size_t node, std::size_t axis);
 
 }  // namespace kusabi::verify

@@ -1,5 +1,5 @@
-// Nodes, polynomials and rules as tables; interpolation by the inverse of Vandermonde's matrix in
-// rational numbers.
+// Nodes, monomials and integration rules as tables; interpolation by the inverse of Vandermonde's
+// matrix in rational numbers.
 #include "verify/structure/reference_element.hpp"
 
 #include <map>
@@ -20,7 +20,7 @@ struct Shape {
   std::vector<Place> nodes;
 };
 
-// Corners first, then middles of edges, as in docs/problem-files.md.
+// Vertices first, then midpoints of edges, as in docs/problem-files.md.
 Shape shape_of(std::size_t dimension, std::size_t count) {
   const std::vector<Place> triangle{{0, 0, 0}, {2, 0, 0}, {0, 2, 0},
                                     {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -45,8 +45,8 @@ Shape shape_of(std::size_t dimension, std::size_t count) {
   throw std::invalid_argument("no element has so many nodes");
 }
 
-// Of a simplex all of degree 1 or 2; otherwise all whose degree, factors that enter linearly not
-// counted, is below 1 or 3 (Arnold and Awanou's serendipity space).
+// Monomials of degree at most 1 or 2 on simplices; otherwise those of superlinear degree at most 1
+// or 2 (serendipity space of Arnold and Awanou).
 std::vector<Exponents> monomials(const Shape& shape) {
   const int last = shape.dimension == 3 ? 2 : 0;
   std::vector<Exponents> all;
@@ -65,7 +65,7 @@ std::vector<Exponents> monomials(const Shape& shape) {
   return all;
 }
 
-// By elimination with rows exchanged. @pre invertible
+// Inverse by Gaussian elimination with pivoting. @pre invertible
 Rationals inverse(Rationals matrix) {
   const auto size = matrix.size();
   Rationals result(size, std::vector<mpq_class>(size));
@@ -92,7 +92,7 @@ Rationals inverse(Rationals matrix) {
   return result;
 }
 
-// Column a: the coefficients of the function of node a.
+// Column a: coefficients of the shape function of node a.
 Rationals coefficients(const Shape& shape, const std::vector<Exponents>& powers) {
   Rationals values;
   for (const auto& node : shape.nodes) {
@@ -118,7 +118,7 @@ Enclosure power(const Enclosure& base, int exponent) {
 }
 
 Enclosure enclosed(const mpq_class& value) {
-  // Small numerators and denominators, powers of two.
+  // The numerators and denominators are small integers or powers of two.
   return Enclosure(value.get_num().get_d()) / Enclosure(value.get_den().get_d());
 }
 

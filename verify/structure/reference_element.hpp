@@ -1,6 +1,6 @@
-// What all elements of one shape have in common: the slopes of the shape functions where the
-// stiffness is integrated, enclosed. The shape functions are found from what they are: the
-// polynomials of the shape's space that are 1 at one node and 0 at all others.
+// Data common to all elements of one shape: enclosed gradients of the shape functions at the
+// integration points. The shape functions are determined by their definition: the polynomials of
+// the shape's space that are 1 at one node and 0 at all others.
 #pragma once
 
 #include <array>
@@ -11,14 +11,16 @@
 
 namespace kusabi::verify {
 
-/// A point of the rule of integration.
+/// An integration point.
 struct ReferencePoint {
   Enclosure weight;
-  std::vector<std::array<Enclosure, 3>> slopes;  ///< of each node's function along xi, eta, zeta
+  std::vector<std::array<Enclosure, 3>>
+      slopes;  ///< of each node's shape function along xi, eta, zeta
 };
 
-/// The points of the shape with so many nodes: 3, 6, 4, 8 in the plane, 4, 10, 8, 20 in space.
-/// @throws std::invalid_argument if there is none
+/// The integration points of the shape with this number of nodes: 3, 6, 4 or 8 in the plane, 4, 10,
+/// 8 or 20 in space.
+/// @throws std::invalid_argument if there is no such shape
 const std::vector<ReferencePoint>& reference_points(std::size_t dimension, std::size_t nodes);
 
 }  // namespace kusabi::verify

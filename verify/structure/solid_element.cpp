@@ -1,4 +1,4 @@
-// Jacobians, gradients and stresses, as any book on finite elements has them.
+// Jacobians, gradients and stresses of isoparametric elements.
 #include "verify/structure/solid_element.hpp"
 
 #include "verify/structure/placed_nodes.hpp"
@@ -9,7 +9,8 @@ namespace {
 
 using Vector3 = std::array<Enclosure, 3>;
 
-// The stresses of unit strains: normal on the diagonal, across off it, and shear of a unit angle.
+// Stress for unit strains: `normal` on the diagonal, `across` off the diagonal, and `shear` for an
+// engineering shear strain of one.
 struct Elasticity {
   Enclosure normal;
   Enclosure across;
@@ -30,8 +31,8 @@ Elasticity elasticity(const Element& element, std::size_t dimension) {
   return {common, common * ratio, shear};
 }
 
-// J_kl, the change of place l along natural coordinate k; the place of the first node is the
-// origin.
+// J_kl, the derivative of coordinate l along natural coordinate k; coordinates are relative to the
+// first node.
 std::array<Vector3, 3> jacobian(const Structure& structure, const Element& element,
                                 const ReferencePoint& point) {
   const auto d = structure.dimension;
@@ -51,7 +52,7 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// The functions' gradients along x, y, z at a point of the rule, and the volume it stands for.
+// Gradients of the shape functions along x, y, z at an integration point, and its volume.
 struct Gradients {
   std::vector<Vector3> of_node;
   Enclosure volume;
@@ -79,7 +80,7 @@ Gradients gradients(const Structure& structure, const Element& element,
   return result;
 }
 
-// The integral of the product of the gradients' components: by nodes i, j <= i and axes k, l.
+// Integrals of products of gradient components, for nodes i, j <= i and axes k, l.
 using Products = std::vector<std::vector<std::array<Vector3, 3>>>;
 
 Products integrated_products(const Structure& structure, const Element& element) {
@@ -123,7 +124,7 @@ void add_element(const Structure& structure, const Freedom& freedom, const Eleme
       const auto& product = products[i][j];
       for (std::size_t k = 0; k < d; ++k) {
         for (std::size_t l = 0; l < d; ++l) {
-          Enclosure entry;  // the force at i along k of a unit displacement at j along l
+          Enclosure entry;  // force at i along k for a unit displacement at j along l
           if (k == l) {
             entry = normal * product[k][k];
             for (std::size_t other = 0; other < d; ++other) {

@@ -1,4 +1,4 @@
-// The stiffness of an element of any shape, every entry enclosed.
+// Enclosed stiffness of an isoparametric element.
 #pragma once
 
 #include "verify/structure/assembly.hpp"
@@ -6,7 +6,7 @@
 namespace kusabi::verify {
 
 /// Adds sum_g w_g t |det J_g| B_g' D B_g to the entries of its free displacements.
-/// @throws std::invalid_argument if no shape has so many nodes
+/// @throws std::invalid_argument if no shape has this number of nodes
 void add_element(const Structure& structure, const Freedom& freedom, const Element& element,
                  SparseEnclosure& matrix);
 

@@ -1,7 +1,6 @@
-// A structure as a problem file gives it, in plain data: all that the stiffness at its contact
-// candidates, or its limit load, is computed from. The numbers are meant exactly, as the doubles
-// that they are. The command fills it from the file; how files are read is all that is shared with
-// what is to be proved.
+// Structure as plain data: the input of the enclosed contact stiffness and of the exact limit load.
+// All numbers are exact, as the doubles that they are. The command fills it from the problem file;
+// the file reader is the only code shared with the search.
 #pragma once
 
 #include <array>
@@ -21,16 +20,16 @@ struct Bar {
   std::size_t first = 0;
   std::size_t second = 0;
   double axial_stiffness = 0;  ///< E A, force
-  double tension = 0;          ///< yield forces, of interest to limit analysis alone
+  double tension = 0;          ///< yield forces, for limit analysis
   double compression = 0;
 };
 
-/// An isoparametric element, fully integrated; its shape is told by the number of its nodes.
+/// An isoparametric element, fully integrated; the number of its nodes determines its shape.
 struct Element {
-  std::vector<std::size_t> nodes;  ///< corners, then middles of edges (docs/problem-files.md)
+  std::vector<std::size_t> nodes;  ///< vertices, then midpoints of edges (docs/problem-files.md)
   double modulus = 0;              ///< E
   double ratio = 0;                ///< nu
-  double thickness = 0;            ///< in the plane only, like the next
+  double thickness = 0;            ///< in the plane only, as is plane_strain
   bool plane_strain = false;       ///< otherwise plane stress
 };
 
@@ -41,10 +40,9 @@ struct GroundSpring {
   double stiffness = 0;  ///< force/length
 };
 
-/// A symmetric stiffness that another program has computed.
+/// A symmetric stiffness computed by another program.
 struct GivenStiffness {
-  /// What a row is: the displacement of a node along an axis, or an unknown that nothing else
-  /// speaks of.
+  /// Meaning of a row: the displacement of a node along an axis, or an internal unknown.
   struct Row {
     std::optional<std::size_t> node;
     std::size_t axis = 0;
@@ -55,39 +53,40 @@ struct GivenStiffness {
     double value = 0;
   };
   std::vector<Row> rows;
-  std::vector<Entry> entries;  ///< of both triangles, those that are not zero
+  std::vector<Entry> entries;  ///< nonzero entries of both triangles
 };
 
-/// What part a node has in a displacement that is made of those of others.
+/// Weight of a node in a dependent displacement.
 struct Part {
   std::size_t node = 0;
   double weight = 1;
 };
 
-/// A node whose displacement is the sum of weight times those of others.
+/// A node of a multi-point constraint: its displacement is the sum of weight times those of master
+/// nodes.
 struct TiedNode {
   std::size_t node = 0;
   std::vector<Part> to;
 };
 
-/// A node of which the displacement u has u . direction = 0.
+/// A node with the support condition u . direction = 0.
 struct InclinedNode {
   std::size_t node = 0;
-  Vector direction{};  ///< any length but zero
+  Vector direction{};  ///< any positive length
 };
 
 /// A node that may touch the obstacle, or another body.
 struct ContactPoint {
   std::size_t node = 0;
-  Vector normal{};                  ///< outward, any length but zero
-  std::optional<Vector> tangent{};  ///< where t1 shall point, as far as it lies across the normal
-  /// The axis whose projection across the normal is t1 if nothing is wished for, d = 3.
+  Vector normal{};                  ///< outward, any positive length
+  std::optional<Vector> tangent{};  ///< t1 is its component orthogonal to the normal
+  /// In space without `tangent`: the axis whose component orthogonal to the normal is t1.
   std::size_t tangent_axis = 0;
-  double friction = 1;  ///< relative to the coefficient of a search
-  /// The place of the other body: displacements of the candidate are relative to the sum of
+  double friction = 1;  ///< relative to the friction coefficient of a search
+  /// The opposite place on another body: displacements of the candidate are relative to the sum of
   /// weight times those of these nodes. Empty: a rigid obstacle.
   std::vector<Part> against{};
-  std::string surface{};  ///< what the file calls what it touches, if anything
+  std::string surface{};  ///< name of the opposite surface in the file, or empty
 };
 
 /// A force on the nodes of a truss.
@@ -96,7 +95,7 @@ struct Force {
   Vector components{};
 };
 
-/// A component of a load that is known up to +- weight times a half-width.
+/// A load component that varies by up to weight times a half-width.
 struct UncertainForce {
   std::size_t node = 0;
   std::size_t axis = 0;
@@ -106,32 +105,32 @@ struct UncertainForce {
 struct Structure {
   std::size_t dimension = 0;  ///< d: 2 or 3
   std::vector<std::string> names;
-  std::vector<Vector> places;              ///< one a node
-  std::vector<std::array<bool, 3>> fixed;  ///< one a node
+  std::vector<Vector> places;              ///< one for each node
+  std::vector<std::array<bool, 3>> fixed;  ///< one for each node
   std::vector<Bar> bars;
   std::vector<Element> elements;
   std::vector<TiedNode> ties;
   std::vector<InclinedNode> inclined;
-  std::vector<ContactPoint> contact;  ///< in the order of every answer
+  std::vector<ContactPoint> contact;  ///< in the order of all answers
   std::vector<Force> dead;
   std::vector<Force> reference;
-  /// Nothing: every free component without dead and reference load, with weight 1.
-  /// Otherwise by parameter: all components of one grow together.
+  /// By parameter: the components that vary together. Nothing: every free component without dead
+  /// and reference load is a parameter of weight 1.
   std::optional<std::vector<std::vector<UncertainForce>>> uncertain;
-  /// By parameter, its half-width if the structure says it; all others are free. Empty: all are.
+  /// By parameter, its half-width if the structure specifies it. Empty: none is specified.
   std::vector<std::optional<double>> half_widths;
-  /// By parameter, what its group is called, or else itself; empty: it has no name.
+  /// By parameter, the name of its group or its own; empty: it has no name.
   std::vector<std::string> load_names;
   std::vector<GroundSpring> springs;
   std::vector<GivenStiffness> given;
 };
 
-/// What an answer calls a candidate: its node, and the one that is against it: "a|b"; "a|b+" if
-/// that one, of the largest weight, has others beside it. Where the node is several candidates it
-/// is "a@left" by their surfaces if all have different ones, else "a@1" by their order.
+/// Name of a candidate in answers: its node and the opposite one, "a|b"; "a|b+" if b, the node of
+/// the largest weight, is one of several. Candidates at the same node are "a@left" by their
+/// surfaces if these differ, otherwise "a@1" by their order.
 std::string name_of(const Structure& structure, std::size_t candidate);
 
-/// The candidates at each node that has more than one, by node.
+/// The candidates at each node with more than one, by node.
 std::map<std::size_t, std::vector<std::size_t>> corners(const Structure& structure);
 
 }  // namespace kusabi::verify

@@ -1,4 +1,4 @@
-// One thing after the other, the cheap ones first.
+// Comparisons of a certificate with a structure, the inexpensive ones first.
 #include "verify/wedged/agreement.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::optional<std::string> other_candidates(const Certificate& certificate,
   return {};
 }
 
-// mu_i = mu times the relative friction, but for rounding.
+// The common coefficient mu with mu_i = mu times the relative friction, up to rounding.
 std::variant<double, std::string> common_friction(const Certificate& certificate,
                                                   const Structure& structure) {
   constexpr double roundings = 0x1p-50;
@@ -73,7 +73,7 @@ std::optional<std::string> other_blocks(const Certificate& certificate,
   return {};
 }
 
-// A loose body moves as a whole, so its candidates are of one block.
+// All candidates of an unconstrained body are in one block, since its rigid-body modes couple them.
 std::optional<std::string> other_bodies(const Certificate& certificate,
                                         const ContactMotions& motions) {
   for (std::size_t k = 0; k < motions.count; ++k) {
@@ -92,7 +92,8 @@ std::optional<std::string> other_bodies(const Certificate& certificate,
   return {};
 }
 
-// Each motion of the certificate is a combination of as many of the structure.
+// Each rigid-body mode of the certificate is a combination of those of the structure, and their
+// number is equal.
 std::optional<std::string> other_motions(const Certificate& certificate,
                                          const ContactMotions& motions) {
   const auto p = motions.count;
@@ -112,7 +113,7 @@ std::optional<std::string> other_motions(const Certificate& certificate,
     for (std::size_t row = 0; row < column.size(); ++row) {
       double moves = 0;
       for (std::size_t j = 0; parts && j < p; ++j) moves += own[p * row + j] * (*parts)[j];
-      // Written so that NaN fails too.
+      // The condition is false for NaN.
       if (!(std::abs(column[row] - moves) <= motion_tolerance * largest)) {
         return "its motion " + std::to_string(k + 1) + " is none of the structure: it strains at " +
                certificate.names[row / certificate.dimension];
@@ -129,7 +130,8 @@ std::string direction_name(const Certificate& certificate, std::size_t displacem
          (d == 2 && displacement % d == 1 ? "t" : kinds[displacement % d]) + ")";
 }
 
-// By candidate: K of a loose body may be zero where the K of a search has rounding.
+// By candidate: a lower bound of the scale for comparisons, since K of an unconstrained body may be
+// zero where the K of a search has rounding errors.
 std::vector<double> least_scales(const Structure& structure, const ContactMotions& motions) {
   const double root = std::sqrt(typical_stiffness(structure));
   std::vector<double> scales(structure.contact.size(), 0.0);
@@ -155,7 +157,7 @@ std::optional<std::string> other_stiffness(const Certificate& certificate,
     for (std::size_t j = 0; j <= i; ++j) {
       const double true_one = entries[size * i + j].nearest();
       const double own = certificate.stiffness[size * i + j];
-      // Written so that NaN fails too.
+      // The condition is false for NaN.
       if (!(std::abs(own - true_one) <= stiffness_tolerance * scale[i / d] * scale[j / d])) {
         return "its K is not that of the structure: between " + direction_name(certificate, i) +
                " and " + direction_name(certificate, j) + " it is " + text_of(own) + ", expected " +

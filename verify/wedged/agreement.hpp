@@ -1,4 +1,4 @@
-// Whether a certificate speaks of a structure: its candidates, its friction, its blocks and its K.
+// Consistency of a certificate with a structure: candidates, friction, blocks and K.
 #pragma once
 
 #include <string>
@@ -11,28 +11,27 @@
 
 namespace kusabi::verify {
 
-/// K of the certificate may differ from that of the structure by so much of the largest diagonal
-/// entries of the two candidates: a K from double precision carries rounding of 1e-16 times the
-/// condition of the whole stiffness. Nothing is proved from K of the certificate, so what is
-/// smaller than this does no harm.
+/// Tolerance of the certificate's K relative to the largest diagonal entries of the two candidates:
+/// a K in double precision has rounding errors of 1e-16 times the condition number of the whole
+/// stiffness. No proof uses the certificate's K, so smaller differences are harmless.
 inline constexpr double stiffness_tolerance = 1e-6;
 
-/// The same for the motions of loose bodies, relative to the largest entry of each.
+/// Tolerance of the rigid-body modes, relative to the largest entry of each.
 inline constexpr double motion_tolerance = 1e-6;
 
-/// What a certificate and a structure have in common.
+/// Data of the structure for the proofs.
 struct Agreement {
   EnclosedMatrix stiffness;  ///< of the structure
-  ContactMotions motions;    ///< of its bodies that nothing holds
-  double friction = 0;       ///< the coefficient that those of the candidates are relative to
+  ContactMotions motions;    ///< of its unconstrained bodies
+  double friction = 0;       ///< the coefficient to which those of the candidates are relative
 };
 
-/// Computes K of the structure anew and compares.
-/// @return a sentence that says where they disagree, if they do
+/// Computes K of the structure and compares.
+/// @return otherwise a sentence with the first difference
 std::variant<Agreement, std::string> agreement(const Certificate& certificate,
                                                const Structure& structure);
 
-/// A name as a line of a certificate holds it: control characters as \x0a.
+/// A name on one line, as in the file: control characters as \x0a.
 std::string on_one_line(const std::string& name);
 
 }  // namespace kusabi::verify

@@ -1,5 +1,5 @@
-// What all proofs of a block need; verify/wedged/dead_proof.cpp has dead nodes,
-// verify/wedged/leaf_proof.cpp living leaves.
+// Functions common to all proofs of a block. Infeasible nodes are in verify/wedged/dead_proof.cpp,
+// feasible leaves in verify/wedged/leaf_proof.cpp.
 #include "verify/wedged/block_proof.hpp"
 
 #include <algorithm>
@@ -14,11 +14,11 @@ using support::IndexSet;
 
 namespace {
 
-// More stiffnesses with springs than this are not kept: each is as large as K.
+// Maximum number of regularised stiffnesses in the cache; each is as large as K.
 constexpr std::size_t most_kept = 6;
 
-// A motion that moves no candidate of U along its normal by more than this share of what others do
-// slides along U: that of a plug around its axis, whose normals were rounded.
+// A rigid-body mode slides along U if its normal displacements on U are below this share of its
+// others. An example is the rotation of a conical plug about its axis with rounded normals.
 constexpr double nearly_sliding = 0x1p-40;
 
 }  // namespace
@@ -34,8 +34,8 @@ BlockProof::BlockProof(ContactBlock block)
   near_motions_ = block_.motions.nearest();
   const auto p = motions();
   const auto [springs, sliding] = hold({});
-  if (springs.size() != p) return;  // the motions are not independent
-  // Column by column: the recorded motion as a combination of the own ones.
+  if (springs.size() != p) return;  // the modes are dependent
+  // Column by column: the recorded mode as a combination of the block's modes.
   own_of_recorded_.resize(p * p);
   for (std::size_t column = 0; column < p; ++column) {
     std::vector<double> motion;
@@ -96,7 +96,7 @@ const HeldStiffness& BlockProof::held(const std::vector<std::size_t>& springs) c
   return held_.back();
 }
 
-// The springs are at normal displacements of U: no motion leaves all of these alone.
+// The springs act on normal displacements of U: no rigid-body mode leaves all of these zero.
 const HeldStiffness* BlockProof::held_at_normals(const IndexSet& contact) const {
   const auto d = block_.dimension;
   for (const auto& each : held_) {
@@ -127,7 +127,7 @@ Rationals BlockProof::missing(const std::vector<double>& mean, const DyadicList&
                               const std::vector<Rationals>& among) const {
   const auto p = motions();
   const auto rows = block_.motions.rows.size();
-  std::vector<double> moves;  // of the given motions, row by row
+  std::vector<double> moves;  // displacements by the given modes, by rows
   std::vector<double> rest(rows, 0);
   for (std::size_t row = 0; row < rows; ++row) {
     const auto own = std::span(near_motions_).subspan(p * row, p);

@@ -1,4 +1,4 @@
-// The bounds of candidates in a certificate, a line each.
+// Lines of candidate bounds in a certificate.
 #include <algorithm>
 #include <span>
 #include <string>

@@ -1,4 +1,4 @@
-// The reader: line by line, word by word, up to the bounds and the nodes.
+// Reader of certificates: the header. Bounds and nodes have files of their own.
 #include "verify/wedged/certificate.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace kusabi::verify {
 namespace {
 
-// More than a search could ever decide; K of so many has 10^8 entries.
+// Larger counts exceed any search; K would have more than 10^8 entries.
 constexpr std::size_t most_candidates = 4096;
 constexpr std::string_view first_line = "kusabi certificate 1";
 constexpr std::string_view second_version = "kusabi certificate 2";
@@ -18,7 +18,7 @@ constexpr std::string_view third_version = "kusabi certificate 3";
 constexpr std::string_view fourth_version = "kusabi certificate 4";
 
 void read_names(Lines& lines, std::size_t count, Certificate& certificate) {
-  std::map<std::string_view, std::size_t> lines_of;  // what is read lies in one text
+  std::map<std::string_view, std::size_t> lines_of;  // names are views of the text
   for (std::size_t i = 0; i < count; ++i) {
     lines.next();
     lines.expect_word("name", "'name' and the name of contact candidate " + std::to_string(i + 1));
@@ -168,7 +168,7 @@ std::vector<std::size_t> Certificate::motions_of(const support::IndexSet& block)
 }
 
 Certificate read_certificate(std::string_view text, const std::string& file) {
-  // Something else altogether is not called damaged.
+  // A file of another kind is not reported as damaged.
   Lines beginning(text, file);
   beginning.next();
   const bool fourth = beginning.text() == fourth_version;

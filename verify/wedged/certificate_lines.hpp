@@ -1,5 +1,5 @@
-// What the reader of certificates consists of: the header is in certificate.cpp, bounds are in
-// bound_lines.cpp, nodes in node_lines.cpp.
+// Parts of the certificate reader: the header is in certificate.cpp, bounds are in bound_lines.cpp,
+// nodes in node_lines.cpp.
 #pragma once
 
 #include <cstddef>
@@ -11,27 +11,27 @@
 
 namespace kusabi::verify {
 
-/// How a file of one version says what another says in other words.
+/// Features of a version of the file format.
 struct Version {
-  bool names_blocks = false;  ///< lists them, and begins a node with the number of its block
-  bool has_motions = false;   ///< of loose bodies
-  bool has_bounds = false;    ///< of candidates, and nodes proved with the cuts that follow
+  bool names_blocks = false;  ///< blocks are listed, and a node begins with the number of its block
+  bool has_motions = false;   ///< rigid-body modes of unconstrained bodies
+  bool has_bounds = false;    ///< bounds of candidates, and nodes proved with the resulting cuts
 };
 
-/// The number of a block as the next word has it, but counted from 0.
-/// @throws CertificateError, as all of these
+/// The block number in the next word, counted from 0.
+/// @throws CertificateError, as do all functions below
 std::size_t read_block_number(Lines& lines, const Certificate& certificate);
 
-/// What the numbers of a dead node, or of a bound, are called. @param motions of its block
+/// Name of the numbers of a node `dead` or of a bound in messages. @param motions of its block
 std::string multipliers_of(std::size_t motions);
 
-/// Refuses the line if one of the multipliers of cuts is negative.
+/// Refuses the line if a multiplier of a cut is negative.
 void refuse_negative(const Lines& lines, std::span<const double> multipliers);
 
-/// From the line 'bounds N' to the last of them.
+/// Reads from the line 'bounds N' to the last bound.
 void read_bounds(Lines& lines, Certificate& certificate);
 
-/// From the line 'nodes' to the line 'end N', repeated nodes left out.
+/// Reads from the line 'nodes' to the line 'end N', without repeated nodes.
 void read_records(Lines& lines, Version version, Certificate& certificate);
 
 }  // namespace kusabi::verify

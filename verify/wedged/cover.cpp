@@ -1,4 +1,4 @@
-// The tree, built again from its closed nodes.
+// Reconstruction of the search tree from its closed nodes.
 #include "verify/wedged/cover.hpp"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ class Cover {
   Cover(const Certificate& certificate, const IndexSet& block)
       : certificate_(certificate), block_(block) {}
 
-  // Whether `records` cover all patterns below a node (contact, separated) that all of them lie
-  // below. A candidate that all of them decide splits the patterns and the records alike, so it
-  // does not matter which one is taken. No deeper than there are candidates.
+  // Checks that `records` cover all patterns below the node (contact, separated), which contains
+  // all of them. A candidate decided by all of them partitions the patterns and the records, so any
+  // such candidate will do. The depth does not exceed the number of candidates.
   std::optional<std::string> flaw(std::span<const Record*> records, const IndexSet& contact,
                                   const IndexSet& separated) {
     if (records.empty()) {
@@ -39,7 +39,7 @@ class Cover {
   }
 
  private:
-  // They have no candidate in common but those decided already.
+  // They have no undecided candidate in common.
   [[nodiscard]] std::optional<std::string> flaw_of_one(std::span<const Record*> records,
                                                        const IndexSet& contact,
                                                        const IndexSet& separated) const {

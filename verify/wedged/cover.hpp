@@ -1,5 +1,5 @@
-// Whether the nodes of a certificate are the closed nodes of a tree for each block: every sign
-// pattern of the block below exactly one of them.
+// Check that the nodes of a certificate are the closed nodes of one tree for each block: every sign
+// pattern of the block is below exactly one of them.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace kusabi::verify {
 
-/// @return what is missing, or there twice; nothing if every sign pattern of every block is below
-///         exactly one of its nodes
+/// @return the missing or repeated part; nothing if every sign pattern of every block is below
+///         exactly one node
 std::optional<std::string> flaw_of_cover(const Certificate& certificate);
 
 }  // namespace kusabi::verify

@@ -1,5 +1,5 @@
-// Dead nodes for which the bounds of single candidates are needed, and the proofs of these bounds:
-// nodes with the opposite of the bound as one inequality more.
+// Infeasible nodes that require bounds of candidates, and proofs of these bounds: nodes with the
+// opposite of the bound as an additional inequality.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -74,7 +74,7 @@ Judgement BlockProof::judge_with_bounds(Combination combination) const {
   return judgement;
 }
 
-// What the inequalities give for u_nk, beside nu_nk.
+// Coefficient of u_nk in the inequalities, beside nu_nk.
 Dyadic BlockProof::displacement_share(const Combination& combination, std::size_t k) const {
   if (combination.of_cuts.empty()) return {};
   const auto& opposite = combination.opposite;

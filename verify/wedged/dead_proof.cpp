@@ -1,4 +1,4 @@
-// Dead nodes: no configuration below them.
+// Infeasible nodes: no configuration below them.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,17 +13,18 @@ using support::IndexSet;
 
 namespace {
 
-// A multiplier below this share of the largest may be one that is zero but for a barrier.
+// Multipliers below this share of the largest may be zero except for the barrier of the
+// interior-point method.
 constexpr double small_multiplier = 1e-6;
 
-// By so much of the largest, and more if need be, a multiplier that may not be negative is raised
-// where equilibrium hangs on the last digits of directions.
+// Share of the largest by which a nonnegative multiplier is raised if equilibrium depends on the
+// last digits of directions; larger shares are tried if necessary.
 constexpr double spare = 0x1p-40;
 
 constexpr auto not_in_equilibrium =
     "its multipliers are not in equilibrium, or some are negative where u_n >= 0";
 
-// The least double that is known not to be below a number.
+// The least double that is not below a number.
 double not_below(const Dyadic& number) {
   if (number.sign() == 0) return 0;
   return std::nextafter(number.nearest(), std::numeric_limits<double>::infinity());
@@ -43,7 +44,7 @@ Judgement BlockProof::judge_dead(const IndexSet& contact, const IndexSet& separa
 
 Judgement BlockProof::judge(const Combination& combination) const {
   if (combination.separated == IndexSet::below(static_cast<int>(candidates())))
-    return {};  // r = 0, nothing else
+    return {};  // r = 0, no other solution
   return motions() == 0 ? Judgement{refusal_of_held(combination)} : judge_loose(combination);
 }
 
@@ -58,8 +59,8 @@ Judgement BlockProof::judge_loose(const Combination& combination) const {
                                });
   };
   std::optional<std::string> first;
-  // All of them; without those that a solver had to keep above zero; the motion alone; with some
-  // more of those that may be raised.
+  // The attempts: all multipliers; without those that are positive only by the barrier; the
+  // rigid-body mode alone; with some nonnegative ones raised.
   for (const auto& [small, raised] :
        {std::pair{0.0, 0.0}, {small_multiplier, 0.0}, {2.0, 0.0}, {small_multiplier, spare}}) {
     auto why = refusal(multipliers(combination, small, raised));
@@ -78,7 +79,7 @@ std::optional<std::string> BlockProof::refusal_of_held(const Combination& combin
   for (std::size_t k = 0; k < candidates(); ++k) {
     auto& own = y[block_.dimension * k];
     own = combination.multipliers[k];
-    // As it was recorded but for rounding, and never less than what u_n >= 0 and the cut give.
+    // The recorded value up to rounding, and at least the coefficient of u_n >= 0 and the cut.
     if (!combination.of_cuts.empty() && !holds(combination.contact, k)) {
       own = std::max(own, not_below(Dyadic() - displacement_share(combination, k)));
     }
@@ -90,8 +91,8 @@ std::optional<std::string> BlockProof::refusal_of_held(const Combination& combin
                              });
 }
 
-// y_k is the force times a length that is known up to a share, and no less than what the
-// inequalities give for u_nk, with the opposite sign.
+// Lower bound of the force: y_k is the force times a length with a bounded relative error, and at
+// least minus the coefficient of u_nk in the inequalities.
 mpq_class BlockProof::least_force(const Combination& combination, std::size_t k) const {
   const auto share = displacement_share(combination, k);
   if (share.sign() == 0) return 0;
@@ -112,7 +113,7 @@ BlockProof::Recorded BlockProof::recorded_forces(const Combination& combination,
     result.least.push_back(free ? mpq_class(0) : least_force(combination, i));
     const auto& least = result.least.back();
     const double length = block_.motions.lengths[row].nearest();
-    // Beyond what it must not be below; zero where that is little.
+    // The part above the lower bound; zero if it is small.
     double more = combination.multipliers[i] / length - least.get_d();
     if (std::abs(more) * length < small * most || !std::isfinite(more)) more = 0;
     if (!free) more = std::max(more, 0.0);
@@ -125,8 +126,8 @@ BlockProof::Recorded BlockProof::recorded_forces(const Combination& combination,
 std::optional<BlockProof::Multipliers> BlockProof::multipliers(const Combination& combination,
                                                                double small, double raised) const {
   auto [rows, forces, least, room] = recorded_forces(combination, small, raised);
-  // Those that would become too small are what they may be, and the others do it: one less at each
-  // turn.
+  // Forces that would fall below their lower bounds are fixed there, and the others are corrected;
+  // one more is fixed in each round.
   while (true) {
     const auto exact = balanced(rows, forces, room);
     if (!exact) return {};
@@ -141,7 +142,7 @@ std::optional<BlockProof::Multipliers> BlockProof::multipliers(const Combination
   }
 }
 
-// Directions that hardly have a part in equilibrium are left as they are.
+// Directions with almost no part in equilibrium are not corrected.
 std::optional<BlockProof::Multipliers> BlockProof::near_multipliers(const Combination& combination,
                                                                     double small) const {
   auto [rows, forces, least, room] = recorded_forces(combination, small, 0);
@@ -150,7 +151,7 @@ std::optional<BlockProof::Multipliers> BlockProof::near_multipliers(const Combin
     const auto near = nearly_balanced(rows, forces, room);
     if (!near) return {};
     for (std::size_t i = 0; i < candidates(); ++i) {
-      forces[i] = mpq_class((*near)[i].get_d());  // as many digits as it was recorded with
+      forces[i] = mpq_class((*near)[i].get_d());  // as many digits as were recorded
       if (!holds(combination.contact, i) && forces[i] < least[i]) forces[i] = least[i];
     }
   }
@@ -184,7 +185,7 @@ NearList BlockProof::along_normals(const Rationals& forces) const {
   return times_lengths(block_.motions, everywhere);
 }
 
-// w with K w = nu near y, and a motion more: it does no work in equilibrium.
+// w with K w = nu close to y, plus a rigid-body mode, which does no work in equilibrium.
 std::optional<std::string> BlockProof::check_loose(const Combination& combination,
                                                    const Multipliers& y,
                                                    const std::vector<double>& mean,
@@ -224,11 +225,12 @@ std::optional<std::string> BlockProof::check_held(const Combination& combination
 Dyadic BlockProof::slip_above(const DyadicList& w, std::size_t candidate,
                               const Dyadic& error) const {
   const auto& mu = friction_[candidate];
-  const auto off = error * (Dyadic(1.0) + mu.scaled(1));  // |w_t| of at most two numbers
+  const auto off =
+      error * (Dyadic(1.0) + mu.scaled(1));  // bound of |w_t| for at most two components
   return sqrt_above(square(mu) * tangential_square(w, candidate)) + off;
 }
 
-// w'r >= -epsilon |u|, where each number of w may be off by `error`.
+// w'r >= -epsilon |u|, where each number of w has an error up to `error`.
 std::optional<std::string> BlockProof::check_margins(const IndexSet& separated, const DyadicList& w,
                                                      const Dyadic& error,
                                                      const Dyadic& epsilon) const {

@@ -1,4 +1,4 @@
-// Living leaves: a configuration in the interior of the cone of a sign pattern.
+// Feasible leaves: a configuration in the interior of the cone of a sign pattern.
 #include <cmath>
 #include <utility>
 
@@ -59,7 +59,7 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
   constexpr auto not_balanced = "its tangential reactions are not in equilibrium";
   const auto size = room.size();
   const Dyadic entries(static_cast<double>(size));
-  // Motions that the tangents of U see; the others must leave U alone altogether.
+  // Modes that displace tangents of U; the others must displace no direction of U at all.
   Elimination unseen(leaf.sliding);
   std::vector<std::size_t> tangents;
   for (std::size_t row = 0; row < size; ++row) {
@@ -85,7 +85,7 @@ std::optional<std::string> BlockProof::balance_sliding(const std::vector<double>
   auto near = times_lengths(block_.motions, *exact);
   leaf.right = std::move(near.values);
   leaf.right_error = near.error * entries;
-  // Sums of these with one coefficient each carry any load.
+  // Tangential reactions whose combinations have any given work on the sliding modes.
   std::vector<Rationals> products(motions, Rationals(motions));
   for (const auto row : tangents) {
     for (std::size_t i = 0; i < motions; ++i) {
@@ -135,8 +135,8 @@ std::optional<std::string> BlockProof::check_alive(const HeldStiffness& held, co
     rest_squared = rest_squared + square(r[row] - leaf.right[row]);
   }
   auto right_error = leaf.right_error;
-  auto rest = sqrt_above(rest_squared) + unknown + right_error;  // s times error of u
-  auto error = held.size() * rest + s * unknown;                 // s times that of r_n
+  auto rest = sqrt_above(rest_squared) + unknown + right_error;  // s times the error of u
+  auto error = held.size() * rest + s * unknown;                 // s times the error of r_n
   auto moved = u;
   Dyadic off;
   if (!leaf.sliding.empty()) {
@@ -158,7 +158,7 @@ std::optional<std::string> BlockProof::check_alive(const HeldStiffness& held, co
     }
     const auto pressure = s * r[d * i] - error;
     if (pressure.sign() <= 0) return name + " is not pressed against the obstacle";
-    if (friction_[i].sign() == 0) continue;  // r_t = 0, as it must be
+    if (friction_[i].sign() == 0) continue;  // r_t = 0 is required
     const auto shear = s * (sqrt_above(tangential_square(leaf.right, i)) + right_error);
     if (!(friction_[i] * pressure > shear)) return name + " slips, or is about to";
   }

@@ -1,4 +1,4 @@
-// The reader: line by line, word by word.
+// Reader of lines and words.
 #include "verify/wedged/lines.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ void Lines::refuse(const std::string& expected) const {
 void Lines::next() {
   ++number_;
   const auto end = rest_.find('\n');
-  ended_ = end == std::string_view::npos;  // a line without its end is none
+  ended_ = end == std::string_view::npos;  // a line without line feed is not a line
   line_ = words_ = ended_ ? std::string_view{} : rest_.substr(0, end);
   rest_.remove_prefix(ended_ ? rest_.size() : end + 1);
 }

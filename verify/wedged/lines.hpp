@@ -1,5 +1,5 @@
-// The lines of a certificate and the words of a line, with errors that say where and what was
-// expected.
+// Lines of a certificate and words of a line, with errors that state the place and the expected
+// text.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,13 @@
 
 namespace kusabi::verify {
 
-/// What to show of a line that is not as it should be: not all of a long one, and nothing that a
-/// terminal would obey.
+/// The beginning of a faulty line for messages, without control characters.
 std::string shown(std::string_view text);
 
-/// The lines of a text, and in each its words.
+/// The lines of a text and their words.
 class Lines {
  public:
-  /// Both must outlive this. @param file for messages
+  /// @pre text and file outlive this object @param file for messages
   Lines(std::string_view text, const std::string& file) : rest_(text), file_(file) {}
 
   /// @throws CertificateError
@@ -32,25 +31,25 @@ class Lines {
   [[nodiscard]] std::size_t left() const { return rest_.size(); }  ///< bytes after this line
   [[nodiscard]] std::string_view text() const { return line_; }
 
-  /// The next word of the line, words being separated by one space; empty if there is none.
+  /// The next word of the line, separated by one space; empty if there is none.
   std::string_view word();
 
-  /// All that is left of the line.
+  /// The unread rest of the line.
   [[nodiscard]] std::string_view remainder() const { return words_; }
 
   void expect(std::string_view text);
   void expect_word(std::string_view text, const std::string& what);
   std::uint64_t integer(int base, const std::string& what);
-  /// A set of candidates as a hexadecimal number, whose ones are its numbers.
+  /// A set of candidates as a hexadecimal number whose binary ones are the candidates' numbers.
   support::IndexSet set(const std::string& what);
 
-  /// One finite number like -0x1.8p+3.
+  /// One finite number such as -0x1.8p+3.
   double number(const std::string& what);
 
-  /// The rest of the line: `count` such numbers.
+  /// The rest of the line as `count` such numbers.
   void numbers(std::size_t count, std::vector<double>& values, const std::string& what);
 
-  /// Nothing is left of the line.
+  /// Requires that the line has no further word.
   void end_of_line(const std::string& what) const;
 
  private:
@@ -62,7 +61,7 @@ class Lines {
   bool ended_ = false;
 };
 
-/// Takes the last line off and compares it with what it speaks of.
+/// Removes the last line and compares its digest with that of the text.
 /// @throws CertificateError
 std::string_view without_digest(std::string_view text, const std::string& file);
 

@@ -1,4 +1,4 @@
-// The nodes of a certificate, a line each.
+// Lines of closed nodes in a certificate.
 #include <algorithm>
 #include <span>
 #include <string>
@@ -50,9 +50,9 @@ Record read_record(Lines& lines, Claim claim, Version version, const Certificate
   return record;
 }
 
-// A search that went on from a checkpoint closes some nodes again, with the same evidence.
+// A search resumed from a checkpoint closes some nodes again, with the same evidence.
 void leave_out_repeated(std::vector<Record>& records) {
-  // With cuts or without, dead is dead.
+  // Claims with and without cuts count as the same.
   const auto key = [](const Record& record) {
     return std::tuple(record.block, record.contact, record.separated,
                       record.claim == Claim::cut ? Claim::dead : record.claim);

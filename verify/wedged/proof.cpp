@@ -1,4 +1,4 @@
-// A proof for each block, and which of them a node needs.
+// Proofs for each block, and the blocks of each node.
 #include "verify/wedged/proof.hpp"
 
 #include <utility>
@@ -11,7 +11,7 @@ using support::IndexSet;
 
 namespace {
 
-// A set of candidates as the block numbers them.
+// A set of candidates in the numbering of the block.
 IndexSet within(const IndexSet& block, const IndexSet& set) {
   IndexSet result;
   int number = 0;

@@ -1,5 +1,5 @@
-// The proofs of a certificate, in exact arithmetic. docs/theory/proofs.md derives what is checked
-// here, with the same letters; nothing of the solver is used, and nothing that it says is believed.
+// Proofs of the claims of a certificate in exact arithmetic. docs/theory/proofs.md derives them
+// with the same letters. They depend neither on the solver nor on any result of it.
 #pragma once
 
 #include <cstddef>
@@ -15,29 +15,29 @@ namespace kusabi::verify {
 
 class Proof {
  public:
-  /// Begins with the proof that K, that of the certificate, is positive definite but for its
-  /// motions. The certificate must outlive this.
+  /// Proves that K of the certificate is positive definite up to its rigid-body modes. @pre the
+  /// certificate outlives this object
   explicit Proof(const Certificate& certificate);
 
-  /// The same for every K that `stiffness` encloses, whatever the certificate says of it. Between
-  /// the blocks of the certificate K must be known to be zero.
-  /// @param motions of bodies that nothing holds, G with K G = 0: as many as the certificate has,
-  ///        each of one block
+  /// The same for every K within `stiffness` instead of the certificate's. K must be zero exactly
+  /// between the blocks of the certificate.
+  /// @param motions G with K G = 0, modes of unconstrained bodies: as many as the certificate has,
+  ///        each in one block
   Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
         const ContactMotions& motions = {});
 
-  /// A lower bound s > 0 of the least eigenvalue of K, with a spring for each motion, proved;
-  /// nothing if K was not shown to be positive definite but for these, and then nothing else can be
-  /// shown either.
+  /// A proved lower bound s > 0 of the least eigenvalue of K, with a spring for each rigid-body
+  /// mode; nothing if K was not proved to be positive definite up to these. Nothing else can be
+  /// proved then.
   [[nodiscard]] const std::optional<Dyadic>& least_eigenvalue() const { return least_; }
 
-  /// Proves a bound by those that were taken up before, and takes it up; or says why it does not.
-  /// It holds for all judgements to come.
-  /// @param bound its numbers as many as it says, the candidate one of its block
+  /// Proves a bound with those added before, and adds it for all later judgements. @return the
+  /// reason if it is not proved
+  /// @param bound with as many numbers as its claim requires, its candidate in its block
   /// @pre least_eigenvalue()
   [[nodiscard]] std::optional<std::string> take_up(const Bound& bound);
 
-  /// Checks what is claimed of a node; where nothing is claimed, nothing is refused.
+  /// Checks the claim on a node. A node without a claim is not refused.
   /// @pre least_eigenvalue()
   [[nodiscard]] Judgement judgement(const Record& record) const;
 
@@ -47,8 +47,8 @@ class Proof {
   std::optional<Dyadic> least_;
 };
 
-/// K of a certificate, as its doubles say; with motions, P'K P with the orthogonal projection P on
-/// what is across them.
+/// K of the doubles of a certificate; with rigid-body modes, P'K P with the orthogonal projection P
+/// onto their complement.
 EnclosedMatrix recorded_stiffness(const Certificate& certificate);
 
 }  // namespace kusabi::verify

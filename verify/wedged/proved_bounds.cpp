@@ -1,13 +1,13 @@
-// Quotients that are rounded down.
+// Cut coefficients as quotients rounded down.
 #include "verify/wedged/proved_bounds.hpp"
 
 namespace kusabi::verify {
 namespace {
 
-// Not above 1 / x, and below it by less than 2^-59 of it. @pre x > 0
+// Lower bound of 1 / x with a relative error below 2^-59. @pre x > 0
 Dyadic inverse_below(const Dyadic& x) {
   const Dyadic one(1.0);
-  // quotient_above is above by less than 2^-60, and (1 + e)(1 - e) < 1.
+  // The relative error of quotient_above is below 2^-60, and (1 + e)(1 - e) < 1.
   constexpr long off = -60;
   return quotient_above(one, x) * (one - one.scaled(off));
 }

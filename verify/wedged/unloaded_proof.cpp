@@ -1,5 +1,6 @@
-// Contacts that equilibrium leaves without a reaction: of a loose body in space two places carry
-// each other along the line between them, and a third that cannot reach into it carries nothing.
+// Contacts whose reaction is zero by equilibrium: for an unconstrained body in space with reactions
+// at two points, they act along the line between them, and a third point whose friction cone does
+// not contain a direction in a plane through this line has none.
 #include "verify/wedged/block_proof.hpp"
 
 namespace kusabi::verify {
@@ -8,7 +9,7 @@ using support::IndexSet;
 
 bool BlockProof::leaves_a_contact_unloaded(const IndexSet& contact,
                                            const IndexSet& separated) const {
-  // All pairs are tried: of more than these, hardly any node has all others on one side.
+  // Larger sets are not tried: all pairs are examined, and few such nodes have this property.
   constexpr std::size_t most_carrying = 64;
   std::vector<std::size_t> carrying;
   for (std::size_t i = 0; i < candidates(); ++i) {

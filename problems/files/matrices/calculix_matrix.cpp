@@ -1,4 +1,4 @@
-// Lines in the order in which CalculiX 2.20 writes them.
+// Lines in the order of CalculiX 2.20.
 #include "problems/files/matrices/calculix_matrix.hpp"
 
 #include <charconv>
@@ -16,7 +16,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// A whole number from 1 on.
+/// A positive integer.
 std::optional<int> count_in(std::string_view text) {
   int value = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -77,7 +77,7 @@ void SubstructureReader::head() {
   }
 }
 
-// "** ELEMENT NODES", and then "** 9, 9, 9, 10," lines: a node for each row.
+// "** ELEMENT NODES", then lines such as "** 9, 9, 9, 10,": a node for each row.
 void SubstructureReader::nodes() {
   bool begun = false;
   while (in_.next_line() && is_comment()) {
@@ -139,7 +139,7 @@ void SubstructureReader::matrix() {
   if (field < in_.fields()) in_.fail(field, "the matrix goes on; expected its end");
 }
 
-// The mass may follow.
+// The mass matrix may follow.
 void SubstructureReader::rest() {
   while (next_data()) {
     if (!is_keyword()) in_.fail("the matrix goes on; expected its end");
@@ -160,8 +160,8 @@ void SubstructureReader::rest() {
   }
 }
 
-// What it writes is K_cc, the other nodes held, although its own reactions under *STATIC are those
-// of the condensed matrix (tests/meshes/calculix_matrices.py).
+// CalculiX writes K_cc, with the other nodes fixed, although its own reactions under *STATIC are
+// those of the condensed matrix (tests/meshes/calculix_matrices.py).
 void SubstructureReader::warn() {
   data_.warnings.emplace_back(
       support::InputError(in_.file(), {data_.size_line, 1},

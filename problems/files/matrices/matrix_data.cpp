@@ -1,4 +1,4 @@
-// Entries in order, so that those of one place, and of the one across the diagonal, are found.
+// Sorted entries, such that duplicates and transposed entries are found.
 #include "problems/files/matrices/matrix_data.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Significant digits; 0 of a whole number, which is exact.
+/// Significant digits; 0 for an integer, which is exact.
 int digits_of(std::string_view text) {
   if (text.find_first_of(".eEdD") == std::string_view::npos) return 0;
   const auto mantissa = text.substr(0, text.find_first_of("eEdD"));
@@ -48,7 +48,7 @@ class SymmetryCheck {
   }
 
   MatrixData data_;
-  std::vector<double> roots_;  // of the diagonal
+  std::vector<double> roots_;  // square roots of the diagonal
   double most_asymmetric_ = 0;
 };
 
@@ -96,7 +96,7 @@ void SymmetryCheck::set_diagonal() {
   }
 }
 
-// Of the two entries of a pair the one of the first triangle that is there adds both.
+// The first stored entry of a transposed pair adds both.
 void SymmetryCheck::add_pair(const MatrixEntry& entry, Triplets& entries) {
   const int row = entry.row;
   const int column = entry.column;

@@ -1,5 +1,4 @@
-// A matrix as a file has it, before anything is made of it, and what must hold for it to be the
-// stiffness of a body.
+// Matrix as its file has it, and the conditions for a stiffness matrix.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +11,26 @@
 
 namespace kusabi::problems {
 
-/// Most rows of a matrix from a file.
+/// Maximum number of rows of a matrix from a file.
 inline constexpr int most_matrix_rows = 3'000'000;
 
-/// Two entries that should be equal may differ by so much of the root of the product of their
-/// diagonal entries: what the rounding of another order of summation leaves in doubles.
+/// Tolerance for the difference of transposed entries, relative to the square root of the product
+/// of their diagonal entries: the effect of different orders of summation in doubles.
 inline constexpr double largest_asymmetry = 1e-12;
 
-/// Numbers written with so many digits or fewer are taken as meant; of those with more, up to
-/// `most_rounded_digits`, a program has written as many digits as it was told to, and has rounded.
+/// Numbers with at most this many digits are taken as exact. Numbers with more digits, up to
+/// `most_rounded_digits`, are taken as rounded by the program that wrote them.
 inline constexpr int most_exact_digits = 5;
 inline constexpr int most_rounded_digits = 15;
 
 struct MatrixEntry {
-  int row;  ///< from 0, like the next
+  int row;  ///< counted from 0, as is the column
   int column;
   double value;
   int line;
 };
 
-/// What a row is, where the file says it: CalculiX does.
+/// Meaning of a row in a file of CalculiX.
 struct MatrixRow {
   int node;       ///< its tag
   int direction;  ///< 1, 2, 3: the axes; more: a rotation
@@ -39,29 +38,29 @@ struct MatrixRow {
 };
 
 struct MatrixData {
-  std::string file;  ///< how errors name it
+  std::string file;  ///< name in messages
   int size = 0;
-  int size_line = 1;          ///< where that stands
-  bool one_triangle = false;  ///< the entries of the other one are not there, but meant
+  int size_line = 1;          ///< its line
+  bool one_triangle = false;  ///< the other triangle follows by symmetry
   std::vector<MatrixEntry> entries;
-  int digits = 0;  ///< most significant digits that a number is written with, if it has a fraction
+  int digits = 0;  ///< maximum number of significant digits of numbers with a fraction
   std::string rows_file;
-  std::vector<MatrixRow> rows;        ///< empty, or one a row
-  std::vector<std::string> warnings;  ///< a line each
+  std::vector<MatrixRow> rows;        ///< empty, or one for each row
+  std::vector<std::string> warnings;  ///< one line each
 
-  /// Adds an entry, whose number stands in the file as `text`.
+  /// Adds an entry, whose number is `text` in the file.
   void add(MatrixEntry entry, std::string_view text);
 };
 
-/// A matrix that may be a stiffness.
+/// A symmetric matrix with positive diagonal.
 struct SymmetricMatrix {
-  Eigen::SparseMatrix<double> matrix;    ///< both triangles, symmetric to the last bit
-  double rounding = 0;                   ///< what each number may be off by, relative to itself
-  std::optional<std::string> warning{};  ///< that it was made symmetric
+  Eigen::SparseMatrix<double> matrix;    ///< both triangles, exactly symmetric
+  double rounding = 0;                   ///< bound of the relative rounding error of each number
+  std::optional<std::string> warning{};  ///< set if it was made symmetric
 };
 
-/// @throws InputError at an entry that is there twice, has another one in its transposed place, or
-///         is on the diagonal and not positive
+/// @throws InputError at an entry that is repeated, differs from its transposed entry, or is on
+///         the diagonal and not positive
 SymmetricMatrix symmetric_matrix(MatrixData data);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Names and their endings.
+// File names and their extensions.
 #include "problems/files/matrices/matrix_file.hpp"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The names of the files that a [[stiffness]] has.
+// Names of the files of a [[stiffness]].
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 namespace kusabi::problems {
 
 /// The value of `file` of a [[stiffness]]: a name that ends in .mtx or .sti.
-/// @throws InputError if it is none
+/// @throws InputError for other names
 TomlText matrix_file_name(const TomlReader& reader, const toml::node& entry);
 
-/// The .dof file beside a .sti file, which says what its rows are; empty for others.
+/// The .dof file of a .sti file, which defines the rows; empty for other files.
 std::string rows_file_of(const std::string& place);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// The banner, comments, the size, the numbers.
+// Banner, comments, size and numbers.
 #include "problems/files/matrices/matrix_market.hpp"
 
 #include <cstdint>
@@ -36,7 +36,7 @@ class MarketReader {
   MeshText in_;
   MatrixData data_;
   bool is_array_ = false;
-  std::int64_t count_ = 0;  // of entries, of coordinates only
+  std::int64_t count_ = 0;  // of entries, for coordinates only
 };
 
 // "%%MatrixMarket matrix coordinate real symmetric"

@@ -1,4 +1,4 @@
-// Symmetric matrices as Matrix Market files, which programs of numerical mathematics write and read
+// Symmetric matrices in Matrix Market files, a common format of numerical software
 // (docs/problem-files.md, docs/export.md).
 #pragma once
 
@@ -13,17 +13,17 @@
 
 namespace kusabi::problems {
 
-/// Whether a text begins as a Matrix Market file does.
+/// Whether a text begins with the banner of a Matrix Market file.
 bool is_matrix_market(std::string_view text);
 
 /// A square matrix, coordinate or array, real or integer, symmetric or general.
-/// @param file how errors name it
+/// @param file name in messages
 /// @throws InputError with file and line
 MatrixData read_matrix_market(std::string_view text, const std::string& file);
 
-/// The lower triangle, column by column (`array real symmetric`), with 17 digits, so that it is
-/// read back to the last bit.
-/// @param matrix symmetric to the last bit
+/// Writes the lower triangle by columns (`array real symmetric`) with 17 digits, which reproduce
+/// each double exactly.
+/// @param matrix exactly symmetric
 /// @param comments lines at the top of the file
 void write_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix,
                          std::span<const std::string> comments);

@@ -1,4 +1,4 @@
-// Keyword by keyword.
+// Reader of Abaqus input files, keyword by keyword.
 #include "problems/files/meshes/abaqus_file.hpp"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ constexpr std::array<ElementType, 16> element_types{
      {"T2D3", MeshShape::line3, std::nullopt},
      {"T3D3", MeshShape::line3, std::nullopt}}};
 
-/// What has no part in the stiffness of the body or in its supports.
+/// Keywords without influence on the stiffness of the body or its supports.
 const std::set<std::string, std::less<>> left_out{
     "*STEP",        "*END STEP",     "*STATIC",        "*CLOAD",
     "*DLOAD",       "*DSLOAD",       "*NODE FILE",     "*NODE PRINT",
@@ -59,11 +59,11 @@ const std::set<std::string, std::less<>> left_out{
     "*TIME POINTS", "*MONITOR",      "*CONTROLS",      "*FREQUENCY",
     "*BUCKLE"};
 
-/// Abaqus/CAE writes a file in parts unless told otherwise.
+/// Keywords of files written in parts, the default of Abaqus/CAE.
 const std::set<std::string, std::less<>> of_parts{"*PART",     "*END PART",     "*ASSEMBLY",
                                                   "*INSTANCE", "*END INSTANCE", "*END ASSEMBLY"};
 
-/// The problem file says where the body touches what.
+/// Keywords of contact, which is defined in the problem file.
 const std::set<std::string, std::less<>> of_contact{"*SURFACE INTERACTION",
                                                     "*SURFACE BEHAVIOR",
                                                     "*FRICTION",
@@ -194,7 +194,7 @@ void AbaqusFile::elements(const AbaqusCard& card) {
   }
 }
 
-// Its nodes may take several lines.
+// The nodes of an element may take several lines.
 void AbaqusFile::element(const ElementType& type, std::vector<int>& numbers) {
   MeshElement element{text_.line().whole(0, "the number of an element", 1),
                       type.shape,
@@ -220,7 +220,7 @@ void AbaqusFile::element(const ElementType& type, std::vector<int>& numbers) {
     }
     first = 0;
   }
-  // Abaqus has the middle of a line between its ends.
+  // Abaqus orders the midpoint of a line between its ends.
   if (type.shape == MeshShape::line3) std::swap(element.nodes[1], element.nodes[2]);
   numbers.push_back(index_.add_element(text_.line(), std::move(element)));
 }

@@ -1,4 +1,4 @@
-// Reading the model of an Abaqus or CalculiX input file (.inp).
+// Reader of the model of an Abaqus or CalculiX input file (.inp).
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace kusabi::problems {
 
-/// Nodes, elements, sets, surfaces, isotropic materials, sections and supports. What has no part
-/// in the linear elasticity of the body (steps, loads, output) is left out with a warning that
-/// names it; any other keyword or parameter that is not understood is an error.
+/// Reads nodes, elements, sets, surfaces, isotropic materials, sections and supports. Keywords
+/// without influence on the linear elasticity of the body (steps, loads, output) are ignored with a
+/// warning that names them; all other unknown keywords or parameters are errors.
 ///
-/// A node set, an element set and a surface of one name are one group.
+/// A node set, an element set and a surface with the same name are one group.
 /// @param place of the file, as in `MeshTexts`
 /// @throws InputError at the first fault
 MeshData read_abaqus(const MeshTexts& texts, const std::string& place);

@@ -30,7 +30,7 @@ Range range(const MeshText& line) {
   return result;
 }
 
-/// Of an element.
+/// Maximum number of faces of an element.
 constexpr std::size_t most_faces = 6;
 
 bool is_number(std::string_view field) {
@@ -38,7 +38,7 @@ bool is_number(std::string_view field) {
                             field.front() == '-' || field.front() == '+');
 }
 
-/// Each once, where it comes first.
+/// Removes repetitions and keeps the first occurrence.
 void remove_repeated(std::vector<int>& numbers, std::size_t all) {
   std::vector<bool> seen(all, false);
   std::erase_if(numbers, [&](int number) {
@@ -48,8 +48,8 @@ void remove_repeated(std::vector<int>& numbers, std::size_t all) {
   });
 }
 
-/// Adds what the data lines of a set name: each line a range, or a list.
-/// @param of_tag from a tag to a number, -1 if there is none  @param of_field the same of a field
+/// Adds the content of the data lines of a set: each line is a range or a list.
+/// @param of_tag conversion of a tag to a number, -1 if there is none  @param of_field of a field
 template <class OfTag, class OfField>
 void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called, std::size_t most,
               std::vector<int>& set, OfTag of_tag, OfField of_field) {
@@ -60,7 +60,7 @@ void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called,
       for (std::size_t i = 0; i < line.fields(); ++i) {
         const auto more = of_field(line, i);
         set.insert(set.end(), more.begin(), more.end());
-        // A name may stand for everything, and a file have many.
+        // A name may stand for all entries and occur often in a file.
         if (set.size() > 2 * most) remove_repeated(set, most);
       }
       continue;
@@ -74,7 +74,7 @@ void read_set(AbaqusText& text, const AbaqusCard& card, std::string_view called,
       }
       set.push_back(number);
     }
-    // The same of a line.
+    // A line may have many names, too.
     if (set.size() > 2 * most) remove_repeated(set, most);
   }
   remove_repeated(set, most);

@@ -1,4 +1,4 @@
-// The groups of an Abaqus file by name: *NSET, *ELSET and *SURFACE.
+// Groups of an Abaqus file by name: *NSET, *ELSET and *SURFACE.
 #pragma once
 
 #include <initializer_list>
@@ -16,14 +16,14 @@ class AbaqusGroups {
  public:
   AbaqusGroups(MeshData& mesh, const MeshIndex& index) : mesh_(mesh), index_(index) {}
 
-  /// The group of that name, made if there is none.
+  /// The group with a name; it is created if there is none.
   MeshGroup& group(const AbaqusText& text, const std::string& name, MeshPlace at);
 
-  /// The nodes of a set, or the one node, that a field of the line names.
+  /// The nodes of a set, or a single node, named by a field of the line.
   std::vector<int> nodes(const MeshText& line, std::size_t field) const;
-  /// The same of elements.
+  /// The elements of a set, or a single element, named by a field of the line.
   std::vector<int> elements(const MeshText& line, std::size_t field) const;
-  /// The elements of a set that a parameter names.
+  /// The elements of the set that a parameter names.
   const std::vector<int>& element_set(const AbaqusText& text, const std::string& name) const;
 
   void read_node_set(AbaqusText& text, const AbaqusCard& card);
@@ -43,7 +43,7 @@ class AbaqusGroups {
 void allow_only(const AbaqusText& text, const AbaqusCard& card,
                 std::initializer_list<std::string_view> allowed);
 
-/// The value of a parameter that must be there.
+/// The value of a required parameter.
 const std::string& required(const AbaqusText& text, const AbaqusCard& card, std::string_view name);
 
 }  // namespace kusabi::problems

@@ -40,7 +40,7 @@ void AbaqusMaterials::read_elastic(AbaqusText& text, const AbaqusCard& card) {
   }
 }
 
-// An element in two sections would have two materials.
+// A second section would give an element two materials.
 void AbaqusMaterials::read_section(AbaqusText& text, const AbaqusCard& card) {
   allow_only(text, card, {"ELSET", "MATERIAL"});
   const auto& set = groups_.element_set(text, required(text, card, "ELSET"));

@@ -1,5 +1,4 @@
-// The materials of an Abaqus file, and which elements are of them: *MATERIAL, *ELASTIC and
-// *SOLID SECTION.
+// Materials of an Abaqus file and their elements: *MATERIAL, *ELASTIC and *SOLID SECTION.
 #pragma once
 
 #include <map>
@@ -20,11 +19,11 @@ class AbaqusMaterials {
   void read_elastic(AbaqusText& text, const AbaqusCard& card);
   void read_section(AbaqusText& text, const AbaqusCard& card);
 
-  /// Gives the sections of the mesh their materials, which may stand below them.
+  /// Assigns the materials to the sections of the mesh; materials may follow sections in the file.
   void finish();
 
  private:
-  /// Without elasticity until that is read.
+  /// Without elastic constants until *ELASTIC is read.
   struct Material {
     double modulus = 0;
     double ratio = 0;
@@ -34,9 +33,9 @@ class AbaqusMaterials {
   MeshData& mesh_;
   const AbaqusGroups& groups_;
   std::map<std::string, Material, std::less<>> materials_;  // by name in capitals
-  Material* latest_ = nullptr;                              // that *ELASTIC speaks of
-  std::vector<std::string> names_;                          // of the material of each section
-  std::vector<bool> has_section_;                           // one an element
+  Material* latest_ = nullptr;                              // material of the next *ELASTIC
+  std::vector<std::string> names_;                          // material names of the sections
+  std::vector<bool> has_section_;                           // by element
 };
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Which line is of what kind.
+// Classification of lines.
 #include "problems/files/meshes/abaqus_text.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ bool is_keyword(std::string_view line) {
   return trimmed(line).starts_with('*');
 }
 
-/// The fields of the line as parameters, from `first` on.
+/// Adds the fields of the line from `first` on as parameters.
 void add_parameters(const MeshText& line, std::size_t first, AbaqusCard& card) {
   for (std::size_t i = first; i < line.fields(); ++i) {
     const auto field = line.field(i);
@@ -34,7 +34,7 @@ void add_parameters(const MeshText& line, std::size_t first, AbaqusCard& card) {
   }
 }
 
-/// "*Solid  section" is *SOLID SECTION.
+/// The keyword of a line: *SOLID SECTION for "*Solid  section".
 std::string keyword_in(const MeshText& line) {
   std::string keyword;
   for (const char character : capitals(line.field(0))) {
@@ -114,7 +114,7 @@ void AbaqusText::include() {
   open(place);
 }
 
-// A line that ends in a comma goes on in the next one.
+// A line that ends in a comma is continued in the next one.
 AbaqusCard AbaqusText::card() {
   AbaqusCard result{keyword_in(line()), {}, here()};
   add_parameters(line(), 1, result);

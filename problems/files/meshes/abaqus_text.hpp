@@ -1,5 +1,5 @@
-// The lines of an Abaqus or CalculiX input file: keyword lines and data lines, without comments,
-// and with the files that *INCLUDE names in their places.
+// Lines of an Abaqus or CalculiX input file: keyword lines and data lines, without comments, with
+// the files of *INCLUDE inserted.
 #pragma once
 
 #include <initializer_list>
@@ -15,24 +15,24 @@
 
 namespace kusabi::problems {
 
-/// Most files that include each other.
+/// Maximum depth of nested files.
 inline constexpr int most_nested_files = 20;
 
-/// Most files of a mesh, one counted as often as it is included.
+/// Maximum number of files of a mesh, counting repeated inclusions.
 inline constexpr int most_included_files = 1000;
 
-/// A keyword line: "*ELEMENT, TYPE=C3D4, ELSET=body".
+/// A keyword line, such as "*ELEMENT, TYPE=C3D4, ELSET=body".
 struct AbaqusCard {
-  std::string keyword;  ///< in capitals: "*ELEMENT"
-  /// Name, in capitals, and value as it is written; empty if there is none.
+  std::string keyword;  ///< in capitals, as in "*ELEMENT"
+  /// Name in capitals and value as written; empty if there is none.
   std::vector<std::pair<std::string, std::string>> parameters;
   MeshPlace at;
 
-  /// Null if the line has none of this name.
+  /// The value of a parameter; null if the line does not have it.
   const std::string* find(std::string_view name) const;
 };
 
-/// In capitals, as names are compared.
+/// The text in capitals, as names are compared.
 std::string capitals(std::string_view text);
 
 class AbaqusText {
@@ -40,17 +40,17 @@ class AbaqusText {
   /// @throws InputError if the file at `place` is not among `texts`
   AbaqusText(const MeshTexts& texts, const std::string& place);
 
-  /// Goes to the next keyword line. False at the end.
-  /// @throws InputError at a data line: it belongs to no keyword
+  /// Goes to the next keyword line. @return false at the end
+  /// @throws InputError at a data line, which belongs to no keyword
   bool next_card(AbaqusCard& card);
 
-  /// Goes to the next line if that is a data line of the card.
+  /// Goes to the next line if it is a data line of the card.
   bool next_data();
 
-  /// The line at hand.
+  /// The current line.
   const MeshText& line() const { return *open_.back().text; }
   MeshPlace here() const { return {open_.back().file, line().number()}; }
-  /// All files so far.
+  /// All files read so far.
   const std::vector<std::string>& files() const { return files_; }
 
  private:
@@ -72,7 +72,7 @@ class AbaqusText {
   bool put_back_ = false;
 };
 
-/// The names of the files that a text includes, with their lines.
+/// The names of the included files of a text, with their lines.
 std::vector<std::pair<std::string, int>> abaqus_includes(std::string_view text,
                                                          const std::string& file);
 

@@ -33,8 +33,8 @@ constexpr std::array<std::pair<int, const char*>, 9> unknown{{{6, "a prism of 6 
                                                               {19, "a pyramid of 13 nodes"},
                                                               {21, "a triangle of 10 nodes"}}};
 
-/// Which of Gmsh's nodes comes at each place. Gmsh takes the sides of a tetrahedron as 01 12 20 30
-/// 23 13, those of a hexahedron as 01 03 04 12 15 23 26 37 45 47 56 67.
+/// Gmsh's index of the node at each place. Gmsh orders the edges of a tetrahedron as 01 12 20 30 23
+/// 13, those of a hexahedron as 01 03 04 12 15 23 26 37 45 47 56 67.
 constexpr std::array<int, 10> tetrahedron_order{0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
 constexpr std::array<int, 20> hexahedron_order{0,  1, 2,  3,  4,  5,  6,  7,  8,  11,
                                                13, 9, 16, 18, 19, 17, 10, 12, 14, 15};

@@ -1,4 +1,4 @@
-// The kinds of elements in Gmsh's files: their numbers, and their order of nodes.
+// Element types of Gmsh files: their numbers and their order of nodes.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace kusabi::problems {
 
-/// The shape of an element of Gmsh's type `type`; nothing if there are no such elements here.
+/// The shape of an element of Gmsh's type `type`; nothing if the type is not supported.
 std::optional<MeshShape> gmsh_shape(int type);
 
-/// What Gmsh calls a type: "a prism of 6 nodes", "type 77".
+/// Name of a type in messages: "a prism of 6 nodes", "type 77".
 std::string gmsh_called(int type);
 
-/// What makes a mesh without such elements; empty: nothing by itself.
+/// The setting of a mesh generator that avoids such elements; empty if there is none.
 std::string gmsh_remedy(int type);
 
-/// Brings the nodes of an element from Gmsh's order into that of `MeshShape`: those in the middle
-/// of sides differ in tetrahedra of 10 and hexahedra of 20 nodes.
+/// Converts the nodes of an element from Gmsh's order to that of `MeshShape`: midpoints of edges
+/// differ in tetrahedra with 10 and hexahedra with 20 nodes.
 std::vector<int> from_gmsh_order(MeshShape shape, const std::vector<int>& nodes);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Section by section; the two versions differ in where an element says which groups it is of.
+// Reader of MSH files by sections; the two versions differ in the place of an element's groups.
 #include "problems/files/meshes/gmsh_file.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ class GmshFile {
   std::vector<int> node_tags(int count);
   MeshShape shape(int type, std::size_t field) const;
   void element(MeshShape shape, std::size_t first, const std::vector<int>& groups);
-  /// The element before, if this is a copy of it for another group.
+  /// The previous element, if this one is its copy for another group.
   int copied(const MeshElement& element, const std::vector<int>& groups) const;
   void add_to_groups(int element, int dimension, const std::vector<int>& groups);
   void make_groups();
@@ -89,7 +89,7 @@ void GmshFile::section(const std::string& name) {
   if (name == "$Entities" && version_ == 4) return entities();
   if (name == "$Nodes") return version_ == 2 ? nodes_2() : nodes_4();
   if (name == "$Elements") return version_ == 2 ? elements_2() : elements_4();
-  // None of these changes the mesh.
+  // These sections do not change the mesh.
   if (name == "$Comments" || name == "$Periodic" || name == "$Parametrizations") {
     return skip_section(text_, name);
   }
@@ -119,7 +119,7 @@ void GmshFile::physical_names() {
   end_section(text_, "$PhysicalNames");
 }
 
-// Points, curves, surfaces and volumes of the geometry, each with the groups it is of.
+// Points, curves, surfaces and volumes of the geometry, each with its groups.
 void GmshFile::entities() {
   next_data(text_, "how many points, curves, surfaces and volumes there are");
   std::vector<int> counts;
@@ -134,7 +134,7 @@ void GmshFile::entities() {
       for (int group = 0; group < groups_here; ++group) {
         const int tag = text_.whole(place + 1 + static_cast<std::size_t>(group),
                                     "the number of a group", -largest_tag);
-        groups.push_back(std::abs(tag));  // negative: seen from the other side
+        groups.push_back(std::abs(tag));  // negative: opposite orientation
         groups_at_.emplace(Tag(dimension, groups.back()), here());
       }
     }
@@ -273,7 +273,7 @@ void GmshFile::elements_4() {
   end_section(text_, "$Elements");
 }
 
-// Groups of one name, as a curve and its ends, are one.
+// Groups with the same name, such as a curve and its ends, are merged.
 void GmshFile::make_groups() {
   static constexpr const char* kinds[] = {"point", "curve", "surface", "volume"};
   std::map<std::string, std::size_t> made;

@@ -1,4 +1,4 @@
-// Reading Gmsh's mesh files: MSH 2.2 and 4.1, ASCII.
+// Reader of Gmsh's mesh files: MSH 2.2 and 4.1, ASCII.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace kusabi::problems {
 
-/// Nodes, elements and physical groups. A group without a name is called by its kind and tag:
-/// "curve.5". Elements that MSH 2.2 repeats, once for each of their groups, are one.
-/// @param file how errors name it
-/// @throws InputError at the first fault, or what is not understood
+/// Reads nodes, elements and physical groups. The name of an unnamed group is its kind and tag:
+/// "curve.5". Elements that MSH 2.2 repeats for each of their groups are merged.
+/// @param file name in messages
+/// @throws InputError at the first fault or unsupported entry
 MeshData read_gmsh(std::string_view text, const std::string& file);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Where sections begin and end.
+// Beginnings and ends of sections.
 #include "problems/files/meshes/gmsh_sections.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// What all sections of a Gmsh file have in common: $Name, lines of data, $EndName; and the first,
-// which says what kind of file it is.
+// Common structure of the sections of a Gmsh file: $Name, data lines, $EndName; and the first
+// section, which specifies the version.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ namespace kusabi::problems {
 /// @throws InputError if it is another version, or binary
 int read_gmsh_version(MeshText& text);
 
-/// Goes to the next line, which must be there and within the section.
+/// Goes to the next line. @throws InputError at the end of the file or of the section
 void next_data(MeshText& text, std::string_view expected);
 
-/// Goes to the next line, which must be $EndName.
+/// Goes to the next line. @throws InputError if it is not $EndName
 void end_section(MeshText& text, const std::string& name);
 
 /// Goes to the end of the section.

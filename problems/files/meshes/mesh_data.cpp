@@ -1,4 +1,4 @@
-// What there is to know of each kind of element in a mesh file.
+// Table of the kinds of elements in mesh files.
 #include "problems/files/meshes/mesh_data.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
-// A mesh as its file has it, whichever program wrote it: nodes, elements of all kinds, groups, and
-// what an Abaqus file says besides of materials and supports. Plain data: what is the body and what
-// only names a part of its surface is for the problem file to say.
+// Mesh as its file has it, independent of the program that wrote it: nodes, elements of all kinds,
+// groups, and materials and supports of Abaqus files. Plain data; the problem file determines which
+// elements are the body and which only name parts of its surface.
 #pragma once
 
 #include <array>
@@ -15,14 +15,14 @@
 
 namespace kusabi::problems {
 
-/// Where something of a mesh stands: which of `MeshData::files`, and its line.
+/// Place of an entry: index in `MeshData::files`, and line.
 struct MeshPlace {
   int file = 0;
   int line = 0;
 };
 
-/// Elements of a file, of the order of nodes that `ElementShape` has. Points, lines and, in space,
-/// triangles and quadrilaterals serve as names of parts of the surface.
+/// Elements of a file, with the order of nodes of `ElementShape`. Points, lines and, in space,
+/// triangles and quadrilaterals name parts of the surface.
 enum class MeshShape {
   point,
   line2,
@@ -37,13 +37,13 @@ enum class MeshShape {
   hexahedron20,
 };
 
-/// 0 to 3.
+/// Dimension of a shape, 0 to 3.
 int mesh_dimension(MeshShape shape);
 int mesh_nodes(MeshShape shape);
 int mesh_corners(MeshShape shape);
-/// "a triangle of 6 nodes".
+/// Name of a shape in messages: "a triangle of 6 nodes".
 std::string_view mesh_called(MeshShape shape);
-/// Of triangles, quadrilaterals, tetrahedra and hexahedra.
+/// The element shape of triangles, quadrilaterals, tetrahedra and hexahedra.
 ElementShape element_shape(MeshShape shape);
 
 struct MeshNode {
@@ -55,12 +55,12 @@ struct MeshNode {
 struct MeshElement {
   int tag;
   MeshShape shape;
-  std::vector<int> nodes;           ///< numbers among `MeshData::nodes`
-  std::optional<PlaneState> state;  ///< where the type says it (CPS4, CPE4)
+  std::vector<int> nodes;           ///< indices in `MeshData::nodes`
+  std::optional<PlaneState> state;  ///< specified by some types (CPS4, CPE4)
   MeshPlace at;
 };
 
-/// A face of an element, by its number in `element_faces`.
+/// A face of an element, as an index of `element_faces`.
 struct MeshFace {
   int element;
   int face;
@@ -69,7 +69,7 @@ struct MeshFace {
 struct MeshGroup {
   std::string name;
   MeshPlace at;
-  std::vector<int> nodes;  ///< those listed by themselves
+  std::vector<int> nodes;  ///< explicitly listed nodes
   std::vector<int> elements;
   std::vector<MeshFace> faces;
 };
@@ -90,13 +90,13 @@ struct MeshSupport {
 };
 
 struct MeshData {
-  std::vector<std::string> files;     ///< their names: what was asked for, then what it includes
+  std::vector<std::string> files;     ///< names: the requested file, then included ones
   std::vector<MeshNode> nodes;        ///< by tag
   std::vector<MeshElement> elements;  ///< by tag
   std::vector<MeshGroup> groups;
   std::vector<MeshSection> sections;
   std::vector<MeshSupport> supports;
-  std::vector<std::string> warnings;  ///< what was left out, a line each
+  std::vector<std::string> warnings;  ///< ignored entries, a line each
 };
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Which reader reads what.
+// Choice of the reader by the file name.
 #include "problems/files/meshes/mesh_file.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Elements with the same corners would be there twice.
+/// Two elements with the same vertices would be a duplicate.
 void refuse_copies(const MeshData& mesh) {
   std::vector<std::pair<std::vector<int>, int>> corners;
   for (int number = 0; number < static_cast<int>(mesh.elements.size()); ++number) {

@@ -1,4 +1,4 @@
-// Mesh files of any kind, told by how their names end.
+// Mesh files of any format, distinguished by the file extension.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Lists of nodes; curves in their order.
+// Nodes of groups; curves in their order.
 #include "problems/files/meshes/mesh_groups.hpp"
 
 #include <algorithm>
@@ -15,10 +15,10 @@ const MeshElement& element_of(const MeshData& mesh, int number) {
   return mesh.elements[static_cast<std::size_t>(number)];
 }
 
-/// The lines at each node, of a group of lines.
+/// The lines of a group at each node.
 using Lines = std::multimap<int, int>;
 
-/// The line at `node` that was not taken yet; -1 if there is none.
+/// The first unused line at `node`; -1 if there is none.
 int next_line(const Lines& lines, const std::set<int>& taken, int node) {
   const auto [first, last] = lines.equal_range(node);
   for (auto entry = first; entry != last; ++entry) {
@@ -27,7 +27,7 @@ int next_line(const Lines& lines, const std::set<int>& taken, int node) {
   return -1;
 }
 
-/// Adds the nodes of a curve from `start` on, as far as lines go on.
+/// Adds the nodes of a curve from `start` on, along connected lines.
 void walk(const MeshData& mesh, const Lines& lines, std::set<int>& taken, int start,
           std::vector<int>& nodes) {
   nodes.push_back(start);
@@ -49,7 +49,7 @@ std::vector<int> along_curves(const MeshData& mesh, const MeshGroup& group) {
   }
   std::vector<int> nodes;
   std::set<int> taken;
-  for (const bool from_ends : {true, false}) {  // what is left then are closed curves
+  for (const bool from_ends : {true, false}) {  // the remaining lines are closed curves
     for (auto entry = lines.begin(); entry != lines.end();
          entry = lines.upper_bound(entry->first)) {
       const bool is_end = lines.count(entry->first) != 2;
@@ -104,7 +104,7 @@ std::set<std::vector<int>> group_faces(const MeshData& mesh, const MeshGroup& gr
   };
   for (const MeshFace& face : group.faces) {
     auto nodes = face_nodes(mesh, face);
-    const auto all = nodes.size();  // corners, and as many middles; an edge has one
+    const auto all = nodes.size();  // vertices, and as many midpoints; an edge has one
     const bool straight = mesh_nodes(element_of(mesh, face.element).shape) ==
                           mesh_corners(element_of(mesh, face.element).shape);
     add(std::move(nodes), straight ? all : dimension == 2 ? 2 : all / 2);

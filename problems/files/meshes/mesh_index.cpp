@@ -1,4 +1,4 @@
-// Tags to numbers.
+// Map of tags to indices.
 #include "problems/files/meshes/mesh_index.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ int found(const std::unordered_map<int, int>& numbers, int tag) {
   return entry == numbers.end() ? -1 : entry->second;
 }
 
-/// Sorts `all` by tag; where each has gone.
+/// Sorts `all` by tag. @return the new index of each
 template <class Entry>
 std::vector<int> sort_entries(std::vector<Entry>& all) {
   std::vector<int> order(all.size());

@@ -1,4 +1,4 @@
-// Nodes and elements of a mesh while it is read: found by their tags, each tag once.
+// Nodes and elements of a mesh during reading, found by their tags, which are unique.
 #pragma once
 
 #include <string_view>
@@ -15,16 +15,16 @@ class MeshIndex {
  public:
   explicit MeshIndex(MeshData& mesh) : mesh_(mesh) {}
 
-  /// @throws InputError at field 0 of the line if there is one of this tag
+  /// @throws InputError at field 0 of the line if the tag exists
   void add_node(const MeshText& text, MeshNode node);
-  /// The same of elements; and if the element has a node twice.
+  /// @throws InputError if the tag exists, or if the element has a node twice
   int add_element(const MeshText& text, MeshElement element);
 
-  /// The number of the node, or element, that a field of the line tells by its tag.
+  /// The index of the node, or element, whose tag is in a field of the line.
   int node(const MeshText& text, std::size_t field) const;
   int element(const MeshText& text, std::size_t field) const;
 
-  /// -1: there is none.
+  /// The index of a node; -1 if there is none.
   int find_node(int tag) const;
   int find_element(int tag) const;
 
@@ -34,7 +34,7 @@ class MeshIndex {
   std::unordered_map<int, int> elements_;
 };
 
-/// Brings nodes and elements in the order of their tags; all numbers follow.
+/// Sorts nodes and elements by their tags and adjusts all indices.
 void sort_by_tag(MeshData& mesh);
 
 }  // namespace kusabi::problems

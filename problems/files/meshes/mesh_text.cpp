@@ -1,4 +1,4 @@
-// Lines, fields, numbers.
+// Lines, fields and numbers.
 #include "problems/files/meshes/mesh_text.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::optional<Number> parsed(std::string_view text) {
   return value;
 }
 
-/// With Fortran's exponents too: 1.5D+03.
+/// Accepts Fortran exponents: 1.5D+03.
 std::optional<double> parsed_real(std::string_view text) {
   if (const auto value = parsed<double>(text)) return value;
   std::string other(text);
@@ -65,7 +65,7 @@ bool MeshText::next_line() {
   return true;
 }
 
-// Separated by commas, a field may be empty; separated by blanks, it may not.
+// Fields separated by commas may be empty, those separated by blanks may not.
 void MeshText::split() {
   fields_.clear();
   const bool by_blanks = separators_ == " ";

@@ -1,5 +1,4 @@
-// The text of a mesh file, line by line and field by field; what is wrong is told with file, line
-// and column.
+// Text of a mesh file by lines and fields; errors have file, line and column.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +14,12 @@ inline constexpr int largest_tag = std::numeric_limits<int>::max();
 
 class MeshText {
  public:
-  /// @param separators between fields; blanks are dropped in any case
+  /// @param separators between fields; blanks are always removed
   MeshText(std::string_view text, std::string file, std::string_view separators);
 
-  /// Goes to the next line, and splits it into fields. False at the end of the text.
+  /// Goes to the next line and splits it into fields. @return false at the end of the text
   bool next_line();
-  /// Gives the line back: the next `next_line` has it again.
+  /// Returns the line to the text: the next `next_line` reads it again.
   void put_back() { put_back_ = true; }
 
   std::string_view line() const { return line_; }
@@ -31,14 +30,14 @@ class MeshText {
   std::size_t fields() const { return fields_.size(); }
   std::string_view field(std::size_t index) const { return fields_[index]; }
 
-  /// A whole number from `least` to `largest_tag`.
+  /// An integer from `least` to `largest_tag`.
   int whole(std::size_t index, std::string_view called, int least) const;
   /// A finite number.
   double real(std::size_t index, std::string_view called) const;
 
-  /// @throws InputError at field `index`; at the end of the line if it has fewer
+  /// @throws InputError at field `index`, or at the end of the line if it has fewer
   [[noreturn]] void fail(std::size_t index, std::string_view message) const;
-  /// Of the line as a whole.
+  /// @throws InputError on the whole line
   [[noreturn]] void fail(std::string_view message) const;
 
  private:
@@ -54,7 +53,7 @@ class MeshText {
   std::vector<std::string_view> fields_;
 };
 
-/// Without blanks at its ends.
+/// The text without leading and trailing blanks.
 std::string_view trimmed(std::string_view text);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Places of files.
+// Paths of files.
 #include "problems/files/meshes/mesh_texts.hpp"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// The texts of the files that a problem file names, and that these include: all that is read of
-// them, so that one rank can read the files and all can make the same structure of them.
+// Texts of the files named by a problem file and of the files these include. One rank reads them,
+// and all ranks construct the same structure.
 #pragma once
 
 #include <map>
@@ -11,19 +11,19 @@ namespace kusabi::problems {
 class MeshTexts {
  public:
   MeshTexts() = default;
-  /// @param problem_file its name: the others stand relative to its folder
-  /// @param texts by the place that `place` says
+  /// @param problem_file its name; the others are relative to its folder
+  /// @param texts by the path of `place`
   MeshTexts(const std::string& problem_file, const std::map<std::string, std::string>& texts)
       : problem_file_(problem_file), texts_(&texts) {}
 
-  /// The place of the file that is called `name` in the file at `from` (empty: in the problem
-  /// file), relative to the folder of the problem file.
+  /// The path, relative to the folder of the problem file, of the file `name` in the file at `from`
+  /// (empty: the problem file).
   static std::string place(const std::string& from, std::string_view name);
 
-  /// Null if the file is not among those that were read.
+  /// The text at a path; null if the file was not read.
   const std::string* text(const std::string& place) const;
 
-  /// How errors name it: as seen from where the problem file was named.
+  /// Name in messages, relative to the working directory as the problem file's name is.
   std::string name(const std::string& place) const;
 
  private:

@@ -1,4 +1,4 @@
-// Either way of saying it comes to the same forces.
+// Stiffness and yield forces from either set of keys.
 #include "problems/files/sections/bar_group.hpp"
 
 #include <optional>
@@ -71,7 +71,7 @@ double BarKeys::positive(const toml::node& node, std::string_view called,
   return reader_.positive(node, called, what, smallest_magnitude, largest_magnitude);
 }
 
-// Nothing that is given is zero: that would mean that none is.
+// Zero stands for "not given", since valid numbers are positive.
 double BarKeys::axial_stiffness() const {
   if (modulus_ != nullptr) {
     return positive(*modulus_, "E", "modulus") * positive(*area_, "A", "area");
@@ -82,7 +82,7 @@ double BarKeys::axial_stiffness() const {
   return value;
 }
 
-// A number, or one of each in tension and in compression.
+// One number for both, or one each for tension and compression.
 YieldForces BarKeys::pair(const toml::node& node, std::string_view called,
                           std::string_view what) const {
   if (node.is_number()) {

@@ -1,5 +1,5 @@
-// Keys of a group of bars: EA, or E and A; the axial force at which they yield, or the stress and
-// A; buckling (docs/problem-files.md).
+// Properties of a group of bars: EA, or E and A; yield forces, or yield stress and A; buckling
+// (docs/problem-files.md).
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace kusabi::problems {
 
-/// What is the same of all bars of a group, and where it stands: if it is not given, the group.
+/// Common properties of all bars of a group, and their places in the file, or that of the group if
+/// not given.
 struct BarGroup {
   Member bar{};                         ///< without nodes
   support::SourcePosition stiffness{};  ///< of EA, or of E
@@ -23,9 +24,9 @@ struct BarGroup {
   std::optional<YieldForces> yield_at(double length) const;
 };
 
-/// The keys EA, E, A, yield, fy and buckling of a group. E A and A fy are rounded to a double each,
-/// and so they are meant.
-/// @throws InputError if something is given in both ways, or in one of them by half
+/// The keys EA, E, A, yield, fy and buckling of a group. The products E A and A fy are rounded to a
+/// double, which is then taken as exact.
+/// @throws InputError if a property is given in both ways, or incompletely in one
 BarGroup bars_in(const TomlReader& reader, const TomlTable& group);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Which nodes may touch the obstacle, and in which direction.
+// Contact candidates: nodes that may touch the obstacle, and their normals.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Where each node touches another body; of a rigid obstacle nothing.
+/// The opposite place of each node on another body; empty for a rigid obstacle.
 std::vector<std::vector<Share>> against(const ProblemDraft& draft, const TomlTable& group,
                                         const std::vector<ListedNode>& nodes) {
   if (group.table->get("against") != nullptr)
@@ -27,7 +27,7 @@ std::vector<std::vector<Share>> against(const ProblemDraft& draft, const TomlTab
   return std::vector<std::vector<Share>>(nodes.size());
 }
 
-/// The factor by its name, or by its old one; null if there is none.
+/// The factor by its name, or by its former one; null if there is none.
 const toml::node* friction_factor(const TomlReader& reader, const TomlTable& group) {
   const toml::node* const entry = group.table->get("friction_factor");
   const toml::node* const old = group.table->get("friction");
@@ -36,7 +36,7 @@ const toml::node* friction_factor(const TomlReader& reader, const TomlTable& gro
   return entry != nullptr ? entry : old;
 }
 
-/// `friction` looks like a coefficient.
+/// The former name `friction` is easily mistaken for a coefficient.
 void warn_of_old_name(ProblemDraft& draft, const TomlReader& reader, const toml::node& entry,
                       std::size_t groups) {
   const double factor = reader.number(entry, "the friction factor");

@@ -1,4 +1,4 @@
-// The angle of friction against that of the faces.
+// Comparison of the friction angle with the angle between faces.
 #include "problems/files/sections/facet_doubt.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Faces that differ by less, in degrees, are of one plane.
+/// Faces with a smaller angle, in degrees, are coplanar.
 constexpr double one_plane = 1e-3;
 
 double tangent(double degrees) {

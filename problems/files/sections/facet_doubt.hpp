@@ -1,5 +1,5 @@
-// Normals that follow the facets of a mesh where the surface that is meant may be curved: they are
-// means of faces, and friction that is less than what the faces differ by can't rest on them.
+// Warnings of normals of a faceted mesh of a possibly curved surface: they are means over faces,
+// and results for friction angles below the angle between the faces are not reliable.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace kusabi::problems {
 
-/// Of one `normal = "surface"`.
+/// Data of one `normal = "surface"`.
 struct FacetDoubt {
   support::SourcePosition position;  ///< of the normal
-  double between = 0;  ///< degrees: the largest angle of two faces whose mean is taken at a node
-  double off = 0;      ///< degrees: the largest angle of a mean from one of its faces
-  int candidates = 0;  ///< whose faces differ
+  double between = 0;                ///< degrees: the largest angle between two faces at one node
+  double off = 0;      ///< degrees: the largest angle between a mean normal and one of its faces
+  int candidates = 0;  ///< number of candidates with different faces
   int of = 0;
-  double factor = 1;  ///< of the friction there
+  double factor = 1;  ///< of friction at these candidates
 
   void take(double faces_differ, double mean_is_off);
 };
 
-/// A line for each whose faces differ by more than the friction angle of a coefficient.
+/// One line for each group whose faces differ by more than the friction angle of a coefficient.
 std::vector<std::string> facet_warnings(const std::vector<FacetDoubt>& doubts, double friction,
                                         const std::string& file);
 

@@ -1,4 +1,4 @@
-// Loads and what is uncertain about them, key by key.
+// Loads and uncertain loads, key by key.
 #include "problems/files/sections/loads_file.hpp"
 
 #include <algorithm>
@@ -41,13 +41,13 @@ std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
 
 namespace {
 
-/// A force whose components are known up to half-widths, most of them zero.
+/// A force with half-widths of its components, most of them zero.
 struct BoundedForce {
   Eigen::VectorXd middle;
   Eigen::VectorXd half_width;
 };
 
-// a - b, or the next double if that is rounded down.
+// An upper bound of a - b: the difference or the next double.
 double difference_above(double a, double b) {
   const double difference = a - b;
   const double taken = difference - a;
@@ -56,7 +56,7 @@ double difference_above(double a, double b) {
                   : difference;
 }
 
-// [lower, upper]: both within a half-width of the middle, whatever rounding does.
+// [lower, upper] as middle and half-width, which contain both bounds despite rounding.
 std::pair<double, double> interval(const TomlReader& reader, const toml::node& node) {
   const auto ends = reader.elements(node, "a component of the force");
   if (ends.size() != 2) {
@@ -75,7 +75,7 @@ std::pair<double, double> interval(const TomlReader& reader, const toml::node& n
   return {middle, std::max(difference_above(upper, middle), difference_above(middle, lower))};
 }
 
-// Numbers, or intervals where they may be.
+// Components as numbers or, where allowed, intervals.
 BoundedForce bounded_force(const TomlReader& reader, const toml::node& node, int dimension,
                            Load::Kind kind) {
   const auto components = reader.elements(node, "the force");
@@ -101,20 +101,20 @@ BoundedForce bounded_force(const TomlReader& reader, const toml::node& node, int
   return force;
 }
 
-// What is uncertain, as far as it is read.
+// The uncertain parameters read so far.
 std::vector<UncertainParameter>& uncertain_in(Structure& structure) {
   if (!structure.uncertain) structure.uncertain.emplace();
   return *structure.uncertain;
 }
 
-// How far parameters go, if their group says it.
+// The half-width of the parameters of a group, if specified.
 std::optional<double> half_width_in(const TomlReader& reader, const TomlTable& group) {
   const toml::node* entry = group.table->get("alpha");
   if (entry == nullptr) return {};
   return reader.positive(*entry, "alpha", "half-width", smallest_magnitude, largest_magnitude);
 }
 
-// What the group is called by `key`; empty if it is not.
+// The name of the group under `key`; empty if there is none.
 std::string name_in(const TomlReader& reader, const TomlTable& group, std::string_view key) {
   const toml::node* entry = group.table->get(key);
   return entry == nullptr ? std::string() : reader.text(*entry, key).text;

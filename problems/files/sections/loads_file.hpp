@@ -1,4 +1,4 @@
-// The sections of a problem file that limit analysis needs: [[loads]] and [[uncertainty]]
+// Sections of a problem file for limit analysis: [[loads]] and [[uncertainty]]
 // (docs/problem-files.md).
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace kusabi::problems {
 
-/// A list of axis names as flags, each at most once.
-/// @param called the key, for errors
+/// A list of axis names as flags, without repetitions.
+/// @param called the key, for messages
 std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
                             std::string_view called, int dimension);
 
 class LoadsFile {
  public:
-  /// @param nodes from a table to the nodes that it lists, or an InputError
+  /// @param nodes function from a table to its listed nodes, or an InputError
   LoadsFile(const TomlReader& reader,
             std::function<std::vector<ListedNode>(const TomlTable&)> nodes)
       : reader_(reader), nodes_(std::move(nodes)) {}

@@ -1,4 +1,4 @@
-// Which material has which keys.
+// Keys of each kind of material.
 #include "problems/files/sections/material_section.hpp"
 
 #include <algorithm>

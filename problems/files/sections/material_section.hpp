@@ -1,5 +1,4 @@
-// Materials by group: [[material]], and the keys of a [[mesh]] that say the same of all its
-// elements.
+// Materials by group: [[material]], and the corresponding keys of a [[mesh]] for all its elements.
 #pragma once
 
 #include <optional>
@@ -12,10 +11,10 @@
 
 namespace kusabi::problems {
 
-/// What the elements of some groups are made of: a body, or bars.
+/// The material of the elements of some groups: of a body, or of bars.
 struct GroupMaterial {
   std::vector<TomlText> groups;
-  std::vector<bool> found;  ///< one a group: whether a mesh has it
+  std::vector<bool> found;  ///< by group: whether a mesh has it
   bool of_bars = false;
   Element element{};  ///< without nodes
   bool has_plane = false;
@@ -23,20 +22,20 @@ struct GroupMaterial {
   support::SourcePosition position;
 };
 
-/// The keys E, nu, thickness and plane of a table; in space there are only the first two. Without
-/// `plane` the elements must say it themselves.
+/// The keys E, nu, thickness and plane of a table; in space only the first two. Without
+/// `plane` the elements must specify it.
 GroupMaterial body_material(const ProblemDraft& draft, const TomlTable& table);
 
 /// All of [[material]].
 std::vector<GroupMaterial> read_materials(const ProblemDraft& draft);
 
-/// @param element_groups those that meshes have
+/// @param element_groups those of the meshes
 /// @throws InputError at the first group that no mesh has
 void require_all_found(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials,
                        const std::vector<std::string>& element_groups);
 
-/// Of an element without a material: the group of one may be meant that is spelt otherwise.
-/// @throws InputError at a group that the mesh does not have, but one that is nearly called so
+/// Checks the groups of materials for an element without material, since one may be misspelt.
+/// @throws InputError at a group that the mesh does not have and whose name resembles one of it
 void refuse_misspelt(const ProblemDraft& draft, const std::vector<GroupMaterial>& materials,
                      const std::vector<std::string>& element_groups, const std::string& mesh);
 

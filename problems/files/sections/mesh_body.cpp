@@ -1,4 +1,4 @@
-// Materials of groups come before the sections of the file.
+// Materials of [[material]] have precedence over the sections of the mesh file.
 #include "problems/files/sections/mesh_body.hpp"
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Gives the elements of a group a material.
+/// Assigns a material to the elements of a group.
 void give(const ProblemDraft& draft, const MeshData& mesh, const MeshGroup& group,
           const GroupMaterial& material, const TomlText& name, std::vector<MeshUse>& uses) {
   const int dimension = material.of_bars ? 1 : draft.structure().dimension;
@@ -35,7 +35,7 @@ void give(const ProblemDraft& draft, const MeshData& mesh, const MeshGroup& grou
                   material.of_bars ? "lines" : "elements of the dimension of the problem"));
 }
 
-/// Marks what is body and what is bar; whether there is any.
+/// Marks elements of the body and bars. @return whether there are any
 bool give_roles(const MeshData& mesh, int dimension, std::vector<MeshUse>& uses) {
   bool any = false;
   for (std::size_t i = 0; i < uses.size(); ++i) {

@@ -1,5 +1,5 @@
-// Which elements of a mesh are the body, which are bars, and what they are made of; the others only
-// name parts of its surface.
+// Use of each element of a mesh, body or bar, and its material; other elements only name parts of
+// the surface.
 #pragma once
 
 #include <string>
@@ -18,15 +18,15 @@ struct MeshUse {
   const MeshSection* section = nullptr;     ///< of the file
 };
 
-/// What each element of a mesh is for. The body is what has the dimension of the problem; lines of
-/// two nodes are bars if a [[material]] or a section of the file says what of.
+/// The use of each element of a mesh. Elements with the dimension of the problem are the body;
+/// lines of two nodes are bars if a [[material]] or a section of the file defines their properties.
 /// @param name of the mesh  @param mesh, materials they must outlive the result
-/// @throws InputError if an element is of too high a dimension, has two materials, or if there is
+/// @throws InputError if an element has too high a dimension or two materials, or if there is
 ///         neither a body nor a bar
 std::vector<MeshUse> mesh_uses(const ProblemDraft& draft, const MeshData& mesh,
                                const std::string& name, std::vector<GroupMaterial>& materials);
 
-/// An error that names the file of a mesh and the line.
+/// @throws InputError with the mesh file and the line
 [[noreturn]] void fail_in_mesh(const MeshData& mesh, MeshPlace at, const std::string& message);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// From a mesh to nodes, elements, groups and supports of the structure, in this order.
+// Nodes, elements, groups and supports of the structure from a mesh, in this order.
 #include "problems/files/sections/mesh_file_section.hpp"
 
 #include <algorithm>
@@ -24,10 +24,10 @@
 namespace kusabi::problems {
 namespace {
 
-/// Longest name of a node or a group, as everywhere in problem files.
+/// Maximum length of the name of a node or a group in problem files.
 constexpr std::size_t longest_name = 64;
 
-/// One [[mesh]] on its way into the structure.
+/// Conversion of one [[mesh]].
 class MeshFileSection {
  public:
   MeshFileSection(ProblemDraft& draft, const TomlTable& group, MeshPlan& plan);
@@ -51,7 +51,7 @@ class MeshFileSection {
   [[noreturn]] void fail(MeshPlace at, const std::string& message) const {
     fail_in_mesh(mesh_, at, message);
   }
-  /// In the structure; -1 for those that are left out.
+  /// Number in the structure; -1 for ignored nodes.
   int number(int node) const { return numbers_[static_cast<std::size_t>(node)]; }
   std::vector<int> numbers(const std::vector<int>& nodes) const;
   Structure& structure() { return draft_.structure(); }
@@ -62,11 +62,11 @@ class MeshFileSection {
   TomlText name_;
   double scale_ = 1;
   bool join_ = true;
-  std::optional<GroupMaterial> own_;  // of the elements that nothing else says it of
-  std::vector<int> files_;            // where the sources have `mesh_.files`
-  std::vector<MeshUse> uses_;         // one an element
-  std::vector<bool> used_;            // one a node: whether it is of the body or a bar
-  std::vector<int> numbers_;          // one a node
+  std::optional<GroupMaterial> own_;  // of the elements without any other material
+  std::vector<int> files_;            // indices of `mesh_.files` in the sources
+  std::vector<MeshUse> uses_;         // by element
+  std::vector<bool> used_;            // by node: whether it belongs to the body or a bar
+  std::vector<int> numbers_;          // by node
   int first_element_ = 0;
 };
 
@@ -137,7 +137,7 @@ void MeshFileSection::check_plane() const {
   }
 }
 
-// Nodes of no element, as Gmsh writes the centres of its arcs, are left out.
+// Nodes without elements, such as the centres of arcs in Gmsh files, are ignored.
 void MeshFileSection::add_nodes() {
   used_.assign(mesh_.nodes.size(), false);
   for (std::size_t i = 0; i < uses_.size(); ++i) {

@@ -1,4 +1,4 @@
-// [[mesh]] with a `file`: the mesh that a program has written becomes part of the structure.
+// Section [[mesh]] with a `file`: adds a mesh of another program to the structure.
 #pragma once
 
 #include "problems/files/sections/mesh_plan.hpp"

@@ -1,4 +1,4 @@
-// Joined or not, and whether that leaves a gape.
+// Detection of gaps between joined meshes.
 #include "problems/files/sections/mesh_plan.hpp"
 
 #include <fmt/format.h>

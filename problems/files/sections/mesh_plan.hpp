@@ -1,4 +1,4 @@
-// What the meshes of a problem file have in common: their materials, and whether they are joined.
+// Data common to the meshes of a problem file: their materials, and the joined ones.
 #pragma once
 
 #include <set>
@@ -9,20 +9,21 @@
 
 namespace kusabi::problems {
 
-/// What all meshes of a problem file have in common.
+/// Data common to all meshes of a problem file.
 struct MeshPlan {
   std::vector<GroupMaterial> materials;
-  std::vector<std::string> element_groups{};  ///< of the meshes so far, as the file calls them
-  std::set<int> apart;       ///< nodes of meshes with join = false: no other mesh is joined to them
-  std::vector<bool> joined;  ///< one an element: whether its mesh is joined to others
+  std::vector<std::string>
+      element_groups{};  ///< of the meshes so far, with their names in the file
+  std::set<int> apart;   ///< nodes of meshes with join = false, to which no other mesh is joined
+  std::vector<bool> joined;  ///< by element: whether its mesh is joined to others
 };
 
-/// Meshes are joined where their nodes are, and nowhere else.
+/// Checks for gaps: meshes are joined at common nodes only.
 /// @param first_new of the elements of the latest mesh
-/// @throws InputError if that leaves a gape
+/// @throws InputError if there is a gap
 void refuse_gapes(const ProblemDraft& draft, int first_new, const MeshPlan& plan);
 
-/// The value of `join`: true without it.
+/// The value of `join`; true by default.
 bool joins(const TomlReader& reader, const TomlTable& group);
 
 }  // namespace kusabi::problems

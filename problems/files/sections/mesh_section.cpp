@@ -1,4 +1,4 @@
-// Structured meshes: a quadrilateral by its corners, cut into elements.
+// Structured meshes: a quadrilateral given by its vertices and divided into elements.
 #include <map>
 #include <string>
 #include <vector>
@@ -51,8 +51,8 @@ StructuredMesh shape(const TomlReader& reader, const TomlTable& group) {
   return mesh;
 }
 
-/// The numbers of the nodes, row by row. A node that falls on one of an older part is that one,
-/// and has two names: so they hang together.
+/// Numbers of the nodes, row by row. A node that coincides with one of an earlier mesh is
+/// identified with it and has two names, which connects the meshes.
 std::vector<int> add_nodes(ProblemDraft& draft, const StructuredMesh& mesh, const TomlText& name,
                            bool join, MeshPlan& plan) {
   std::vector<int> numbers;
@@ -78,8 +78,8 @@ std::vector<int> add_nodes(ProblemDraft& draft, const StructuredMesh& mesh, cons
   return numbers;
 }
 
-// Meshes are joined where their nodes are, and nowhere else: two edges on one line with nodes at
-// other places would gape there.
+// Checks for gaps: meshes are joined at common nodes only, so two edges on one line with different
+// nodes would not be connected.
 void refuse_unjoined(const ProblemDraft& draft, const Edges& edges, const std::vector<int>& edge,
                      support::SourcePosition position) {
   const auto& places = draft.structure().coordinates;

@@ -1,5 +1,5 @@
-// Forces at the nodes of a structure, in a file of their own: a load along which the limit load
-// factor is followed (docs/problem-files.md).
+// Nodal forces in a separate file: the load direction for curves of the limit load factor
+// (docs/problem-files.md).
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace kusabi::problems {
 
-/// Reads [[loads]] groups of `nodes` and `force`; what several put on one node adds up.
+/// Reads [[loads]] groups of `nodes` and `force`; forces on the same node are added.
 /// @param node_names of the structure
 /// @return d x nodes, force
 /// @throws InputError at the first fault

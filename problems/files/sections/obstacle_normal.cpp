@@ -1,4 +1,4 @@
-// The shapes of obstacles.
+// Normals of the shapes of obstacles.
 #include "problems/files/sections/obstacle_normal.hpp"
 
 #include <algorithm>
@@ -17,15 +17,16 @@
 namespace kusabi::problems {
 namespace {
 
-/// A node this near the axis, relative to its distance from the point, has no direction from it.
+/// A node closer to the axis than this, relative to its distance from the point, has no radial
+/// direction.
 constexpr double on_the_axis = 1e-9;
 
 constexpr std::string_view kinds_of_normal =
     "[...], \"surface\", { plane = [...] } or { point = [...], axis = [...], half_angle = ..., "
     "body = \"inside\" }";
 
-/// What a list of nodes says of faces: those of its groups, and for the other nodes all whose
-/// corners it has.
+/// Faces selected by a list of nodes: those of its groups, and those whose vertices are all among
+/// the other nodes.
 struct Patch {
   std::set<std::vector<int>> faces;
   std::set<int> nodes;
@@ -39,7 +40,7 @@ struct Patch {
   }
 };
 
-/// Adds what a name in a list says.
+/// Adds the faces of a name in a list.
 void add(const ProblemDraft& draft, const TomlText& name, Patch& patch) {
   const NamedGroup* named = draft.group(name.text);
   if (named != nullptr && !named->faces.empty()) {
@@ -50,7 +51,7 @@ void add(const ProblemDraft& draft, const TomlText& name, Patch& patch) {
   }
 }
 
-/// The patch of a list, and for the nodes that it has twice those of each of its groups.
+/// The patch of a list, and of each group for nodes that are listed twice.
 struct Patches {
   Patch all;
   std::map<std::string, Patch> of_groups;
@@ -79,7 +80,7 @@ double degrees_between(const Eigen::VectorXd& first, const Eigen::VectorXd& seco
   return 2 * std::asin(std::min(1.0, (first - second).norm() / 2)) * 180 / std::numbers::pi;
 }
 
-/// Of the faces at a node that are `wanted`: the largest angle between two, and from a direction.
+/// The largest angles between two `wanted` faces at a node, and between one and a direction.
 std::pair<double, double> angles_of_facets(const Surface& body, int node,
                                            const Eigen::VectorXd& direction,
                                            const std::function<bool(const SurfaceFace&)>& wanted) {
@@ -113,7 +114,7 @@ ObstacleNormal of_surface(const ProblemDraft& draft, const TomlTable& group, Laz
     const Patch& own = faces->at(listed);
     auto normal =
         body.mean_normal(listed.node, [&](const SurfaceFace& face) { return own.holds(face); });
-    // A node by itself: all faces that meet there.
+    // A node outside such faces: all faces at the node.
     if (!normal) normal = body.mean_normal(listed.node, [](const SurfaceFace&) { return true; });
     if (!normal) {
       draft.reader().fail(listed.position,
@@ -138,7 +139,7 @@ Eigen::VectorXd direction(const ProblemDraft& draft, const toml::node& entry,
   return result;
 }
 
-/// { plane = [...] }: the normal of the plane, on whichever side the body is.
+/// { plane = [...] }: the normal of the plane, on either side of the body.
 ObstacleNormal of_plane(const ProblemDraft& draft, const toml::node& entry, LazySurface& surface) {
   const Eigen::VectorXd normal = direction(draft, entry, "the normal of the plane");
   const auto at = [&draft, &surface, normal](const ListedNode& listed) -> Eigen::VectorXd {
@@ -163,7 +164,7 @@ ObstacleNormal of_plane(const ProblemDraft& draft, const toml::node& entry, Lazy
 /// A cylinder (half angle 0) or a cone about an axis; in the plane a circle about a point.
 struct Revolution {
   Eigen::VectorXd point;
-  Eigen::VectorXd axis;   ///< unit, the way the cone widens; in the plane not used
+  Eigen::VectorXd axis;   ///< unit, in the direction in which the cone widens; unused in the plane
   double half_angle = 0;  ///< radian
   bool body_is_inside = true;
 };
@@ -201,7 +202,7 @@ Revolution revolution(const ProblemDraft& draft, const TomlTable& table) {
   return result;
 }
 
-/// The distance from the axis, less what a cone widens by.
+/// The distance from the axis minus the widening of the cone.
 double offset_of(const Revolution& shape, const Eigen::VectorXd& place) {
   Eigen::VectorXd away = place - shape.point;
   if (shape.axis.size() == 0) return away.norm();

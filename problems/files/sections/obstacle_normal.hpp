@@ -1,5 +1,5 @@
-// The outward normal of the obstacle at a node: a direction, that of the body's own surface, or
-// that of a plane, a cylinder or a cone.
+// Outward normal of the obstacle at a node: a direction, or the normal of the body's own surface,
+// of a plane, a cylinder or a cone.
 #pragma once
 
 #include <functional>
@@ -16,18 +16,18 @@
 
 namespace kusabi::problems {
 
-/// What `normal` of a group says.
+/// The value of `normal` of a group.
 struct ObstacleNormal {
-  /// From a node to the outward normal of the obstacle there: d, of any length, not zero.
+  /// The outward normal of the obstacle at a node: d, of any positive length.
   std::function<Eigen::VectorXd(const ListedNode&)> at;
-  /// Of a plane, a cylinder or a cone: where it may be.
+  /// For a plane, a cylinder or a cone: its possible positions.
   std::optional<ParallelSurfaces> surfaces{};
-  /// Of the body's own surface: the largest angle, in degrees, between two faces whose mean the
-  /// normal at a node is, and from the mean to one of them.
+  /// For the body's own surface: the largest angles, in degrees, between two faces whose mean is
+  /// the normal at a node, and between the mean and one of them.
   std::function<std::pair<double, double>(const ListedNode&)> facets{};
 };
 
-/// The surface of the body, found when it is first asked for.
+/// The surface of the body, computed at the first request.
 class LazySurface {
  public:
   explicit LazySurface(const Structure& structure) : structure_(&structure) {}
@@ -42,7 +42,7 @@ class LazySurface {
 };
 
 /// The value of `normal` in a [[contact]] group.
-/// @param group for its lists of nodes, whose faces `normal = "surface"` means
+/// @param group for its lists of nodes, whose faces `normal = "surface"` refers to
 /// @param draft, surface they must outlive the result
 ObstacleNormal obstacle_normal(const ProblemDraft& draft, const TomlTable& group,
                                LazySurface& surface);

@@ -1,5 +1,5 @@
-// A surface is there where a face of the body has all its corners on it: one node alone is on some
-// surface of every family.
+// Positions of a family of surfaces at which a face of the body has all its vertices on one; a
+// single node is on some surface of every family.
 #include "problems/files/sections/obstacle_place.hpp"
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 namespace kusabi::problems {
 namespace {
 
-/// Nodes this far off, relative to the extent of the candidates, are not on the surface: angles
-/// and axes are typed with three digits.
+/// Nodes at a larger distance, relative to the extent of the candidates, are not on the surface:
+/// angles and axes are typed with three digits.
 constexpr double visible_distance = 1e-3;
 
-/// The cosine of the angle to the obstacle up to which a face is one that touches it.
+/// Minimum cosine of the angle between a face and the obstacle for contact.
 constexpr double facing = 0.5;
 
 double extent_of(const ProblemDraft& draft, const std::vector<ListedNode>& nodes) {
@@ -30,7 +30,7 @@ double extent_of(const ProblemDraft& draft, const std::vector<ListedNode>& nodes
   return (most - least).maxCoeff();
 }
 
-/// The offsets of those on which faces at the nodes lie that face the obstacle, increasing.
+/// Offsets of the surfaces that contain faces at the nodes facing the obstacle, increasing.
 std::vector<double> offsets_of_faces(const Surface& body, const ParallelSurfaces& surfaces,
                                      const std::vector<ListedNode>& nodes, double tolerance) {
   std::vector<double> offsets;

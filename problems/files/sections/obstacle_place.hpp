@@ -1,4 +1,4 @@
-// Whether candidates are where the plane, the cylinder or the cone is whose normals they take.
+// Check that candidates lie on the plane, cylinder or cone that defines their normals.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@
 
 namespace kusabi::problems {
 
-/// A family of parallel surfaces that have the normals of the file: all planes of a normal, all
-/// cylinders about an axis, all cones of an axis and a half angle.
+/// A family of parallel surfaces with the same normals: all planes with a normal, all cylinders
+/// about an axis, all cones with an axis and a half angle.
 struct ParallelSurfaces {
-  std::string called;                 ///< "plane with this normal"
-  std::function<double(int)> offset;  ///< of the one that goes through a node
-  /// Out of the obstacle at a node: d, of any length.
+  std::string called;                 ///< such as "plane with this normal"
+  std::function<double(int)> offset;  ///< of the surface through a node
+  /// The outward normal of the obstacle at a node: d, of any length.
   std::function<Eigen::VectorXd(const ListedNode&)> normal;
 };
 
-/// Says how many of the nodes are on none of these surfaces that a face of the body lies on, and
-/// how far off. Nothing if all are.
+/// Message with the number of nodes on none of the surfaces that contain a face of the body, and
+/// their distance. Nothing if all are on one.
 std::optional<std::string> place_fault(const ProblemDraft& draft, const Surface& body,
                                        const ParallelSurfaces& surfaces,
                                        const std::vector<ListedNode>& nodes);

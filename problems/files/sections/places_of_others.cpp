@@ -1,4 +1,4 @@
-// Three ways to say where a node touches another body.
+// Opposite places by edges or groups, by nodes, and by weights.
 #include "problems/files/sections/places_of_others.hpp"
 
 #include <optional>

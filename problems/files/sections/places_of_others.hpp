@@ -1,5 +1,5 @@
-// `against` of [[contact]] and `to` of [[ties]]: the place of another body that each node of a list
-// touches or is tied to (docs/problem-files.md, "Two bodies").
+// The keys `against` of [[contact]] and `to` of [[ties]]: the place on another body that each node
+// of a list touches or is constrained to (docs/problem-files.md, "Two bodies").
 #pragma once
 
 #include <string_view>
@@ -9,14 +9,14 @@
 
 namespace kusabi::problems {
 
-/// Nodes farther than this from the place they touch gape, relative to the size of the face, or,
-/// for node on node, to the size of the structure; unless `gap` says how far they may be.
+/// Tolerance of the distance between a node and its opposite place, relative to the size of the
+/// face, or for two nodes to the size of the structure; the key `gap` overrides it.
 inline constexpr double gaping = 1e-6;
 
-/// The places for `nodes`, one each, from what stands under `key`: the name of an edge or group,
-/// whose nearest face each touches; a list of nodes, one of which is where each is; or a list of
-/// { nodes, weights }, one for each, as they are.
-/// @throws InputError where a node gapes, with the distance
+/// The places of `nodes`, one each, from the value of `key`: the name of an edge or group with the
+/// nearest face for each node; a list of nodes, one of which coincides with each; or a list of {
+/// nodes, weights }, one for each.
+/// @throws InputError where a node has a gap, with the distance
 std::vector<std::vector<Share>> places_of_others(const ProblemDraft& draft, const TomlTable& group,
                                                  std::string_view key,
                                                  const std::vector<ListedNode>& nodes);

@@ -1,4 +1,4 @@
-// The names of nodes and groups, and what lists make of them.
+// Names of nodes and groups, and resolution of lists of names.
 #include "problems/files/sections/problem_draft.hpp"
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace kusabi::problems {
 namespace {
 
-/// Of so many nodes at least one is taken.
+/// Maximum value of `every`.
 constexpr int most_every = 1'000'000;
 
-/// Of the groups of a mesh an error tells no more than these.
+/// Maximum number of groups of a mesh in an error message.
 constexpr std::size_t most_groups_told = 12;
 
 }  // namespace
@@ -44,7 +44,7 @@ std::string ProblemDraft::node_name(int node) const {
 int ProblemDraft::add_node(const std::string& name, const Eigen::VectorXd& place,
                            support::SourcePosition position) {
   const int number = node_count();
-  if (structure_.coordinates.cols() == number) {  // room for twice as many, cut off at the end
+  if (structure_.coordinates.cols() == number) {  // space for twice as many, truncated at the end
     structure_.coordinates.conservativeResize(Eigen::NoChange, 2 * number + 16);
   }
   structure_.coordinates.col(number) = place;
@@ -88,7 +88,7 @@ std::string ProblemDraft::names_instead(const std::string& name) const {
   std::vector<std::string_view> names(structure_.node_names.begin(), structure_.node_names.end());
   for (const auto& [group, nodes] : groups_) names.emplace_back(group);
   if (auto meant = support::did_you_mean(name, names); !meant.empty()) return meant;
-  // A group called as in its mesh file, without the name of the mesh; or an unknown one of a mesh.
+  // A group named as in its mesh file, without the name of the mesh; or an unknown one of a mesh.
   const auto dot = name.find('.');
   const bool bare = dot == std::string::npos;
   std::vector<std::string> groups;

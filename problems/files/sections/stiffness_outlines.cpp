@@ -1,4 +1,4 @@
-// Elements change their list, nodes get supports.
+// Conversion of elements to outlines, and supports of unused nodes.
 #include "problems/files/sections/stiffness_outlines.hpp"
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace kusabi::problems {
 namespace {
 
-// The elements of meshes whose stiffness is given have none of their own.
+// Moves the elements of meshes with given stiffness, which have no stiffness of their own, to the
+// outlines.
 void move_elements(const std::set<const NamedMesh*>& meshes, Structure& structure) {
   std::vector<bool> is_outline(structure.elements.size(), false);
   for (const NamedMesh* mesh : meshes) {
@@ -35,8 +36,8 @@ void move_elements(const std::set<const NamedMesh*>& meshes, Structure& structur
   sources.materials.resize(kept);
 }
 
-// Nodes of outlines that are in no matrix were held where it was made, or taken out of it: they are
-// as good as not there.
+// Supports nodes of outlines that occur in no matrix: they were fixed or eliminated when the matrix
+// was computed.
 void hold_others(const std::set<const NamedMesh*>& meshes, Structure& structure) {
   std::vector<bool> hangs(structure.node_names.size(), false);
   const auto mark = [&](int node) { hangs[static_cast<std::size_t>(node)] = true; };

@@ -1,4 +1,4 @@
-// What becomes of a mesh whose stiffness another program has computed.
+// Meshes whose stiffness was computed by another program.
 #pragma once
 
 #include <set>
@@ -7,8 +7,8 @@
 
 namespace kusabi::problems {
 
-/// Makes the elements of the meshes outlines, and holds those of their nodes that nothing else of
-/// the structure, superelements included, hangs on.
+/// Makes the elements of the meshes outlines, and supports their nodes that nothing else in the
+/// structure, including superelements, is connected to.
 void set_outlines(const std::set<const NamedMesh*>& meshes, Structure& structure);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// [[stiffness]]: a matrix that another program has computed, and what its rows are.
+// Section [[stiffness]]: a matrix computed by another program, and the meaning of its rows.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -21,10 +21,10 @@
 namespace kusabi::problems {
 namespace {
 
-/// Directions of rows in CalculiX and Abaqus: from this one on rotations.
+/// First number of a rotation among the directions of rows in CalculiX and Abaqus.
 constexpr int first_rotation = 4;
 
-/// What a row is, or nothing if it is held.
+/// The meaning of a row, or nothing if it is fixed.
 using Row = std::optional<SuperelementRow>;
 
 class StiffnessSection {
@@ -33,7 +33,7 @@ class StiffnessSection {
 
   void read();
 
-  /// Whose stiffness it is; null if it is not said.
+  /// The mesh of the stiffness; null if not specified.
   const NamedMesh* mesh() const { return mesh_; }
 
  private:
@@ -50,9 +50,9 @@ class StiffnessSection {
   const TomlReader& reader_;
   const TomlTable& group_;
   TomlText file_;
-  const NamedMesh* mesh_ = nullptr;  // whose stiffness it is, if it is said
-  std::string heading_;              // before the tags by which the file knows nodes
-  bool others_free_ = false;         // unknown nodes have unknowns of their own
+  const NamedMesh* mesh_ = nullptr;  // the mesh of the stiffness, if specified
+  std::string heading_;              // prefix of the tags of nodes in the file
+  bool others_free_ = false;         // unknown nodes have internal unknowns
   MatrixData data_;
 };
 
@@ -98,7 +98,7 @@ void StiffnessSection::read() {
   add(data_.rows.empty() ? listed_rows() : named_rows());
 }
 
-/// What the rows of each node are.
+/// The meaning of the rows of each node.
 std::vector<SuperelementRow> StiffnessSection::row_kinds(std::vector<bool>& held) const {
   const int dimension = draft_.structure().dimension;
   std::vector<SuperelementRow> kinds;
@@ -130,7 +130,7 @@ std::vector<SuperelementRow> StiffnessSection::row_kinds(std::vector<bool>& held
   return kinds;
 }
 
-// As listed; without a list those of the mesh.
+// The listed nodes, by default those of the mesh.
 std::vector<ListedNode> StiffnessSection::nodes() const {
   if (mesh_ == nullptr || entry("nodes") != nullptr) return draft_.nodes_listed(group_);
   std::vector<ListedNode> all;
@@ -212,7 +212,7 @@ std::vector<Row> StiffnessSection::named_rows() const {
   return rows;
 }
 
-// Without the rows that are held.
+// Adds the matrix without its fixed rows.
 void StiffnessSection::add(const std::vector<Row>& rows) {
   Structure& structure = draft_.structure();
   auto& warnings = structure.warnings;
@@ -221,7 +221,7 @@ void StiffnessSection::add(const std::vector<Row>& rows) {
   if (warning) warnings.push_back(*warning);
   Superelement made;
   made.rounding = rounding;
-  std::vector<int> place;  // among the rows that are left
+  std::vector<int> place;  // among the remaining rows
   for (const Row& row : rows) {
     place.push_back(row ? static_cast<int>(made.rows.size()) : -1);
     if (row) made.rows.push_back(*row);

@@ -1,4 +1,4 @@
-// Which nodes cannot move, and which are held by springs, and along which axes.
+// Sections [[supports]] and [[springs]]: supported nodes, springs, and their axes.
 #include <algorithm>
 #include <array>
 
@@ -16,7 +16,7 @@ std::array<bool, 3> fixed_axes(const TomlReader& reader, const TomlTable& group,
   return fixed;
 }
 
-// The displacement along one direction. Along an axis that is a roller.
+// Supports the displacement along one direction. Along an axis it is a roller.
 void inclined_group(ProblemDraft& draft, const TomlTable& group, const toml::node& entry) {
   const TomlReader& reader = draft.reader();
   Structure& structure = draft.structure();

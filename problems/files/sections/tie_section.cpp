@@ -1,4 +1,4 @@
-// Which nodes follow others: meshes that hang together where their nodes do not meet.
+// Section [[ties]]: multi-point constraints, which connect meshes whose nodes do not coincide.
 #include <utility>
 
 #include "problems/files/sections/places_of_others.hpp"

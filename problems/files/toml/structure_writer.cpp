@@ -1,4 +1,4 @@
-// The sections of a problem file, one after another (docs/problem-files.md).
+// Writer of a problem file, section by section (docs/problem-files.md).
 #include "problems/files/toml/structure_writer.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string vector_text(const Eigen::VectorXd& numbers) {
   return fmt::format("[{}]", fmt::join(numbers.begin(), numbers.end(), ", "));
 }
 
-// `entries` between brackets, on lines of a readable length.
+// `entries` in brackets, on lines of a readable length.
 std::string list(const std::vector<std::string>& entries) {
   constexpr std::size_t longest = 96;
   std::string text = "[";
@@ -48,7 +48,7 @@ std::string list(const std::vector<std::string>& entries) {
   return fmt::format("{}\n {}\n]", text, line);
 }
 
-// Calls `write(first, last)` for each run of entries that are `alike`, as a section has them.
+// Calls `write(first, last)` for each run of `alike` entries, which form one section.
 template <class Alike, class Write>
 void by_runs(std::size_t count, Alike alike, Write write) {
   for (std::size_t first = 0; first < count;) {
@@ -120,7 +120,7 @@ void write_elements(const Structure& structure, std::string& text) {
 
 void write_supports(const Structure& structure, std::string& text) {
   const auto d = static_cast<std::size_t>(structure.dimension);
-  std::vector<std::array<bool, 3>> kinds;  // in the order in which they occur
+  std::vector<std::array<bool, 3>> kinds;  // in the order of occurrence
   for (const auto& fixed : structure.fixed) {
     const bool any = std::any_of(fixed.begin(), fixed.begin() + structure.dimension,
                                  [](bool axis) { return axis; });
@@ -152,7 +152,7 @@ std::string place_text(const Structure& structure, const std::vector<Share>& pla
                      fmt::join(weights, ", "));
 }
 
-// A group an entry: directions and places differ from node to node.
+// One group for each entry, since directions and places differ from node to node.
 void write_inclined(const Structure& structure, std::string& text) {
   for (const auto& [node, direction] : structure.inclined) {
     text += fmt::format("\n[[supports]]\nnodes = [{}]\ndirection = {}\n",
@@ -248,7 +248,7 @@ std::string half_width_text(const UncertainParameter& parameter) {
   return text + case_text(parameter.load_case);
 }
 
-// A force for each node, and what is not named is zero.
+// One force for each node; nodes that are not named have none.
 void write_uncertain_load(const Structure& structure, const UncertainParameter& parameter,
                           std::string& text) {
   text += fmt::format("\n[[uncertainty]]\nname = {}\nforces = [\n", quoted(parameter.name));
@@ -265,7 +265,7 @@ void write_uncertain_load(const Structure& structure, const UncertainParameter& 
   text += "]\n" + half_width_text(parameter);
 }
 
-// A group a parameter: lists of what is uncertain are short, or left out.
+// One group for each parameter: lists of uncertain loads are short, or omitted.
 void write_uncertainty(const Structure& structure, std::string& text) {
   if (!structure.uncertain) return;
   for (const auto& parameter : *structure.uncertain) {

@@ -1,4 +1,4 @@
-// Writes a structure as a problem file, which read_structure reads back.
+// Writer of a structure as a problem file that read_structure can read.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace kusabi::problems {
 
-/// The text of a problem file. Numbers are written so that they are read back to the last bit.
-/// @pre the structure has no superelements, whose matrices are files of their own
+/// The text of a problem file. Numbers have enough digits to be read back exactly.
+/// @pre the structure has no superelements, whose matrices are separate files
 std::string structure_text(const Structure& structure);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Typed reading of TOML: checks of kind and size, and errors that say what was expected.
+// Typed reading of TOML: checks of kind and size, with errors that state the expected value.
 #include "problems/files/toml/toml_reader.hpp"
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 namespace kusabi::problems {
 namespace {
 
-/// Longest name, in bytes. Names head the columns of a result; no one means a longer one.
+/// Maximum length of a name, in bytes. Names are column headings of results.
 constexpr std::size_t longest_text = 64;
 
 support::SourcePosition position_in_file(const toml::source_position& position) {
   return {static_cast<int>(position.line), static_cast<int>(position.column)};
 }
 
-/// "array", "string", ... with its article, for "is a string; expected ...".
+/// Kind with article, "an array", "a string", ..., for messages "is a string; expected ...".
 std::string kind(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (node.is_array()) return "an array";
@@ -33,7 +33,7 @@ std::string kind(const toml::node& node) {
   return "a date or time";
 }
 
-/// A syntax error in the words of toml++, which mostly say what was expected.
+/// A syntax error in the words of toml++, which mostly include the expected text.
 std::string syntax_message(std::string_view description) {
   std::string message(description);
   if (description.find("expected") == description.npos) message += "; expected TOML 1.0 in UTF-8";
@@ -93,7 +93,7 @@ std::vector<TomlEntry> TomlReader::entries(const toml::node& node, std::string_v
     result.push_back({std::string(key.str()), position_in_file(key.source().begin), &value});
   }
   if (result.empty()) fail(node, fmt::format("{} is empty; expected at least one entry", called));
-  // A TOML table is sorted by key.
+  // Tables of TOML are sorted by key, not by place.
   std::ranges::sort(result, {}, [](const TomlEntry& entry) {
     return std::pair(entry.key_position.line, entry.key_position.column);
   });
@@ -136,7 +136,7 @@ double TomlReader::number(const toml::node& node, std::string_view called) const
   if (!node.is_number()) {
     fail(node, fmt::format("{} is {}; expected a number", called, kind(node)));
   }
-  // A whole number may have more digits than a double: it is rounded, as a decimal fraction is.
+  // An integer may have more digits than a double: it is rounded, as a decimal fraction is.
   const auto whole = node.value_exact<std::int64_t>();
   const double value =
       whole ? static_cast<double>(*whole) : node.value<double>().value_or(std::nan(""));

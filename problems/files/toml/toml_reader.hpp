@@ -1,7 +1,7 @@
-// Typed reading of a TOML document, in which every failure is an InputError with line and column.
+// Typed reading of a TOML document; every failure is an InputError with line and column.
 //
-// Knows the kinds of entry that problem files have (numbers, vectors, names, groups), not what
-// they mean. Only the sources that read files include it: toml++ is a large header.
+// It reads the kinds of entries of problem files (numbers, vectors, names, groups) without their
+// meaning. Only sources that read files include this header, since toml++ is a large one.
 #pragma once
 
 #include <initializer_list>
@@ -16,13 +16,13 @@
 
 namespace kusabi::problems {
 
-/// A table, and what to call it in an error: "the file", "a [[members]] group".
+/// A table and its name in messages: "the file", "a [[members]] group".
 struct TomlTable {
   const toml::table* table;
   std::string called;
 };
 
-/// A value with the key it stands under.
+/// A value with its key.
 struct TomlEntry {
   std::string key;
   support::SourcePosition key_position;
@@ -43,25 +43,25 @@ class TomlReader {
 
   TomlTable root() const { return {&root_, "the file"}; }
 
-  /// @throws InputError at the first other key, with the nearest of `allowed`
+  /// @throws InputError at the first other key, with the most similar of `allowed`
   void allow_only(const TomlTable& table, std::initializer_list<std::string_view> allowed) const;
 
   /// The entry under `key`.
-  /// @param expected what belongs there, for the error if it is missing
+  /// @param expected text of the error if it is missing
   const toml::node& require(const TomlTable& table, std::string_view key,
                             std::string_view expected) const;
 
-  /// The entries of a table that is not empty, in the order of the file.
+  /// The entries of a nonempty table, in the order of the file.
   std::vector<TomlEntry> entries(const toml::node& node, std::string_view called) const;
   TomlTable table(const toml::node& node, std::string_view called) const;
-  /// The tables of an array that is not empty: [[name]] in the file.
+  /// The tables of a nonempty array: [[name]] in the file.
   std::vector<TomlTable> groups(const toml::node& node, std::string_view name) const;
-  /// The elements of an array that is not empty.
+  /// The elements of a nonempty array.
   std::vector<const toml::node*> elements(const toml::node& node, std::string_view called) const;
 
-  /// A finite number; an integer counts as one.
+  /// A finite number; integers are accepted.
   double number(const toml::node& node, std::string_view called) const;
-  /// One from `least`, above zero, to `most`. @param what it is: "area"
+  /// A number from `least`, which is positive, to `most`. @param what its name: "area"
   double positive(const toml::node& node, std::string_view called, std::string_view what,
                   double least, double most) const;
   /// An integer that is one of `allowed`.
@@ -69,12 +69,12 @@ class TomlReader {
              std::initializer_list<int> allowed) const;
   /// An integer from 1 to `most`.
   int count(const toml::node& node, std::string_view called, int most) const;
-  /// `size` finite numbers.
+  /// A vector of `size` finite numbers.
   Eigen::VectorXd vector(const toml::node& node, std::string_view called, int size) const;
-  /// A string fit for a table of results: not empty, short, without control characters.
+  /// A string for tables of results: not empty, short, without control characters.
   TomlText text(const toml::node& node, std::string_view called) const;
   std::vector<TomlText> texts(const toml::node& node, std::string_view called) const;
-  /// The rule of `text`, for a string from elsewhere (a key).
+  /// Applies the rule of `text` to another string (a key).
   void check_text(std::string_view text, std::string_view called,
                   support::SourcePosition position) const;
 

@@ -15,8 +15,8 @@ using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Component of `vector` across the unit `normal`. Twice is enough: the second pass removes what
-/// rounding left along the normal.
+/// Component of `vector` orthogonal to the unit `normal`. The second pass removes the rounding
+/// errors of the first.
 template <class Scalar>
 Vector<Scalar> across(const Vector<Scalar>& normal, const Vector<Scalar>& vector) {
   const Vector<Scalar> once = vector - normal.dot(vector) * normal;
@@ -34,7 +34,7 @@ Vector<Scalar> chosen_tangent(const Vector<Scalar>& normal) {
   return Vector<Scalar>::Unit(normal.size(), farthest);
 }
 
-/// @param normal unit  @param wish if any, of a length near one
+/// @param normal of unit length  @param wish optional tangent of a length near one
 template <class Scalar>
 Matrix<Scalar> frame_of(const Vector<Scalar>& normal, const std::optional<Vector<Scalar>>& wish) {
   const Vector<Scalar> tangent = across<Scalar>(normal, wish ? *wish : chosen_tangent(normal));
@@ -68,7 +68,7 @@ numbers::PreciseMatrix precise_contact_frame(const ContactCandidate& candidate) 
   const PreciseVector normal = direction / direction.norm();
   std::optional<PreciseVector> wish;
   if (candidate.tangent) {
-    // A power of two takes the length away and nothing else.
+    // Division by a power of two is exact.
     const double size = std::exp2(-std::round(std::log2(candidate.tangent->stableNorm())));
     const PreciseVector scaled = (*candidate.tangent * size).cast<Precise>();
     wish = scaled;

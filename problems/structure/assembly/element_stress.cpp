@@ -1,4 +1,5 @@
-// One small inverse for each element: what is drawn needs no more digits than a double has.
+// Stresses in double precision, with the inverse of the Jacobian matrix at the centre of each
+// element.
 #include "problems/structure/assembly/element_stress.hpp"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ Eigen::MatrixXd gradient_at_centre(const Structure& structure, const Element& el
   const auto first = element.nodes.front();
   Eigen::MatrixXd places = Eigen::MatrixXd::Zero(d, d);
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(d, d);
-  // Slopes add up to zero: seen from the first node, what is far or has gone far loses nothing.
+  // The gradients sum to zero, so displacements and coordinates relative to the first node avoid
+  // cancellation.
   for (std::size_t a = 1; a < slopes.size(); ++a) {
     const int node = element.nodes[a];
     const Eigen::RowVectorXd slope = Eigen::Map<const Eigen::RowVectorXd>(slopes[a].data(), d);

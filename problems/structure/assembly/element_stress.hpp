@@ -1,10 +1,10 @@
-// Stresses from the displacements of nodes: of elements at their centre, sigma = D B u, where B has
-// the gradients of the shape functions and D is Hooke's law,
+// Stresses of elements at their centres, from the displacements of nodes: sigma = D B u, where B
+// has the gradients of the shape functions and D is Hooke's law,
 //
 //   sigma = 2 mu e + lambda tr(e) I,   e = (grad u + grad u^T) / 2,
 //
-// with lambda and mu of problems/structure/assembly/solid_element.hpp, the thickness aside. Of
-// members how much of their strength their axial force takes.
+// with lambda and mu of problems/structure/assembly/solid_element.hpp, without the thickness. For
+// members, their axial forces relative to their yield forces.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,24 +13,24 @@
 
 namespace kusabi::problems {
 
-/// Columns: sigma_xx, sigma_yy, sigma_zz, sigma_xy, sigma_yz, sigma_xz, force/length^2, positive in
-/// tension. In the plane sigma_yz = sigma_xz = 0; sigma_zz is 0 in plane stress and
-/// nu (sigma_xx + sigma_yy) in plane strain.
+/// Rows: sigma_xx, sigma_yy, sigma_zz, sigma_xy, sigma_yz, sigma_xz, force/length^2, positive in
+/// tension; one column for each element. In the plane sigma_yz = sigma_xz = 0; sigma_zz is 0 in
+/// plane stress and nu (sigma_xx + sigma_yy) in plane strain.
 using Stresses = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-/// Of the elements, in their order, each where its natural coordinates are those of its centre.
+/// Stresses at the centres of the elements, in their order.
 /// @param displacements of all nodes, d x nodes, global axes, length
 /// @pre the elements pass `check_structure`
 Stresses element_stresses(const Structure& structure, const Eigen::MatrixXd& displacements);
 
-/// The equivalent stress of von Mises, sqrt(3/2 s:s) with s the deviator: one a column, >= 0.
+/// Von Mises stresses, sqrt(3/2 s:s) with the deviator s, one for each column.
 Eigen::VectorXd von_mises(const Stresses& stresses);
 
-/// Whether a yield force is known of any member.
+/// Whether any member has a yield force.
 bool has_yield_forces(const Structure& structure);
 
-/// |q| relative to the yield force on the side of q, one a member: 1 where it yields, 0 where it
-/// carries nothing, infinite where it can carry nothing and does; NaN where none is given.
+/// |q| relative to the yield force of the sign of q, one for each member: 1 at yield, 0 without
+/// force, infinite if there is a force but the yield force is zero; NaN without yield force.
 /// @param forces q of the members, force, positive in tension
 Eigen::VectorXd utilisations(const Structure& structure, const Eigen::VectorXd& forces);
 

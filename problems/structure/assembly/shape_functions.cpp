@@ -1,5 +1,5 @@
-// Barycentric coordinates for simplices, products of lines for the others (serendipity if
-// quadratic).
+// Shape functions: barycentric on simplices, products of linear functions on the others
+// (serendipity if quadratic).
 #include "problems/structure/assembly/shape_functions.hpp"
 
 #include <cmath>
@@ -8,14 +8,14 @@
 namespace kusabi::problems {
 namespace {
 
-/// L_0 = 1 - xi - eta - zeta, L_1 = xi, ...: linear, 4 L_a L_b in the middle of an edge, and
-/// L (2 L - 1) at a corner with such middles.
+/// L_0 = 1 - xi - eta - zeta, L_1 = xi, ...: linear functions L; with midpoint nodes 4 L_a L_b at a
+/// midpoint and L (2 L - 1) at a vertex.
 template <class Scalar>
 NaturalSlopes<Scalar> simplex_slopes(const ShapeTraits& traits, const NaturalPoint<Scalar>& at) {
   const auto d = static_cast<std::size_t>(traits.dimension);
   const auto corners = static_cast<std::size_t>(traits.corners);
   std::vector<Scalar> level(corners);
-  NaturalSlopes<Scalar> rise(corners);  // of L
+  NaturalSlopes<Scalar> rise(corners);  // gradients of L
   level[0] = 1.0;
   for (std::size_t k = 0; k < d; ++k) {
     level[0] -= at[k];
@@ -30,7 +30,7 @@ NaturalSlopes<Scalar> simplex_slopes(const ShapeTraits& traits, const NaturalPoi
       slopes[node][k] = (Scalar(4.0) * level[node] - Scalar(1.0)) * rise[node][k];
   }
   for (std::size_t node = corners; node < slopes.size(); ++node) {
-    // The ends of the edge: where L is one half.
+    // The vertices of the edge, at which L is one half of its sum at the midpoint.
     std::vector<std::size_t> ends;
     double first_level = 1;
     for (std::size_t k = 0; k < d; ++k) {
@@ -46,8 +46,9 @@ NaturalSlopes<Scalar> simplex_slopes(const ShapeTraits& traits, const NaturalPoi
   return slopes;
 }
 
-/// With the node's own coordinates s: a factor (1 + s_k x_k) / 2 for each axis, (1 - x_k^2) for one
-/// that the node is in the middle of, and (sum s_k x_k - (d - 1)) at a corner with such middles.
+/// With the node's own coordinates s: a factor (1 + s_k x_k) / 2 for each axis, (1 - x_k^2) for an
+/// axis on whose middle the node is, and (sum s_k x_k - (d - 1)) at a vertex of a quadratic
+/// element.
 template <class Scalar>
 NaturalSlopes<Scalar> product_slopes(const ShapeTraits& traits, const NaturalPoint<Scalar>& at) {
   const auto d = static_cast<std::size_t>(traits.dimension);
@@ -89,7 +90,7 @@ std::vector<WeightedPoint<Scalar>> simplex_rule(const ShapeTraits& traits) {
   const auto d = static_cast<std::size_t>(traits.dimension);
   const Scalar size = Scalar(1.0) / Scalar(d == 2 ? 2.0 : 6.0);
   const auto points = traits.quadratic ? d + 1 : 1;
-  // Symmetric to the centre: at one corner's L = far, at all others' L = near.
+  // Points symmetric about the centre: L = far at one vertex, L = near at all others.
   Scalar near = Scalar(1.0) / Scalar(static_cast<double>(d + 1));
   Scalar far = near;
   if (traits.quadratic) {
@@ -104,7 +105,7 @@ std::vector<WeightedPoint<Scalar>> simplex_rule(const ShapeTraits& traits) {
   return rule;
 }
 
-/// Gauss's rule of two or three points on a line, along each axis; the first axis fastest.
+/// Gauss rule of two or three points along each axis, the first axis fastest.
 template <class Scalar>
 std::vector<WeightedPoint<Scalar>> product_rule(const ShapeTraits& traits) {
   using std::sqrt;

@@ -1,9 +1,9 @@
-// The slopes of the shape functions of an element in natural coordinates, and the points where its
-// stiffness is integrated: what is the same for all elements of a shape. In any precision.
+// Gradients of the shape functions in natural coordinates and the integration points of each shape,
+// in any precision.
 //
 // Full integration: 1 and 3 points for triangles, 2 x 2 and 3 x 3 for quadrilaterals, 1 and 4 for
 // tetrahedra, 2 x 2 x 2 and 3 x 3 x 3 for hexahedra, as in Abaqus and CalculiX for the elements
-// that have no R in their name.
+// without R in their name.
 #pragma once
 
 #include <vector>
@@ -13,14 +13,14 @@
 
 namespace kusabi::problems {
 
-/// Along xi, eta, zeta, of one shape function each.
+/// Gradients along xi, eta, zeta, one for each shape function.
 template <class Scalar>
 using NaturalSlopes = std::vector<NaturalPoint<Scalar>>;
 
 template <class Scalar>
 NaturalSlopes<Scalar> natural_slopes(ElementShape shape, const NaturalPoint<Scalar>& at);
 
-/// A point of the rule, with all that the element's places are combined with there.
+/// An integration point with the gradients of the shape functions.
 template <class Scalar>
 struct IntegrationPoint {
   NaturalPoint<Scalar> at;
@@ -28,7 +28,8 @@ struct IntegrationPoint {
   NaturalSlopes<Scalar> slopes;
 };
 
-/// Computed once; the weights add up to the size of the shape in natural coordinates.
+/// The integration points, computed once. The weights sum to the volume of the shape in natural
+/// coordinates.
 template <class Scalar>
 const std::vector<IntegrationPoint<Scalar>>& integration_points(ElementShape shape);
 

@@ -15,7 +15,7 @@ namespace {
 template <std::size_t D, class Scalar>
 using Vector = std::array<Scalar, D>;
 
-/// Of the nodes, seen from the first: what is far from the origin loses nothing.
+/// Coordinates relative to the first node, which avoids cancellation far from the origin.
 template <std::size_t D, class Scalar>
 std::vector<Vector<D, Scalar>> places_of(const Structure& structure, const Element& element) {
   std::vector<Vector<D, Scalar>> places(element.nodes.size());
@@ -45,7 +45,7 @@ Jacobian<D, Scalar> jacobian(const std::vector<Vector<D, Scalar>>& places,
   for (std::size_t k = 0; k < D; ++k) {
     for (std::size_t l = 0; l < D; ++l) {
       matrix[k][l] = 0.0;
-      // The first node is the origin.
+      // The first node has zero coordinates.
       for (std::size_t a = 1; a < places.size(); ++a) matrix[k][l] += slopes[a][k] * places[a][l];
     }
   }
@@ -103,7 +103,7 @@ Lame<Scalar> lame(const Element& element) {
 template <std::size_t D, class Scalar>
 using Block = std::array<Scalar, D * D>;
 
-/// H_ab for b <= a, one after the other.
+/// H_ab for b <= a, in this order.
 template <std::size_t D, class Scalar>
 std::vector<Block<D, Scalar>> gradient_products(const Structure& structure,
                                                 const Element& element) {

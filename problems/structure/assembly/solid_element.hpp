@@ -1,11 +1,12 @@
-// The stiffness of an isoparametric element of any shape, of an isotropic material: plane stress
-// and plane strain with a thickness, or in space.
+// Stiffness of an isoparametric element of an isotropic material: plane stress or plane strain with
+// a thickness, or in space.
 //
 //   K_e = sum_g w_g |det J_g| t B_g^T D B_g, which is block (a, b) =
 //   lambda H_ab + mu (H_ab^T + tr(H_ab) I),   H_ab = sum_g w_g |det J_g| grad N_a grad N_b^T
 //
-// for the shape functions N_a: H is all that the geometry gives, and a fifth of the work.
-// lambda = nu E / ((1 + nu) (1 - 2 nu)), in plane stress nu E / (1 - nu^2); mu = E / (2 (1 + nu)).
+// for the shape functions N_a. H depends on the geometry only and takes a fifth of the operations
+// of B^T D B. lambda = nu E / ((1 + nu) (1 - 2 nu)), in plane stress nu E / (1 - nu^2); mu = E / (2
+// (1 + nu)).
 #pragma once
 
 #include <cstddef>
@@ -21,12 +22,12 @@
 
 namespace kusabi::problems {
 
-/// A matrix over all displacements of an element's nodes, node by node and axis by axis, supported
-/// or not.
+/// A matrix over all displacements of an element's nodes, by nodes and axes, including supported
+/// ones.
 template <class Scalar>
 using ElementMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// K_e, force/length, symmetric to the last bit.
+/// K_e, force/length, exactly symmetric.
 /// @pre the element passes `check_structure`
 template <class Scalar>
 ElementMatrix<Scalar> element_matrix(const Structure& structure, const Element& element);
@@ -36,15 +37,15 @@ extern template ElementMatrix<numbers::Precise> element_matrix(const Structure&,
 extern template ElementMatrix<numbers::RunningError> element_matrix(const Structure&,
                                                                     const Element&);
 
-/// One of these displacements, or a free displacement that it is made of.
+/// A displacement of an element, or a master degree of freedom of it.
 template <class Scalar>
 struct ElementPart {
   Eigen::Index place;  ///< in the matrix of the element
   int number;          ///< among the free displacements
-  Scalar weight;       ///< 1 for a displacement of its own
+  Scalar weight;       ///< 1 if the displacement is independent
 };
 
-/// All of them, those that are fixed left out.
+/// All of them, without fixed ones.
 template <class Scalar>
 std::vector<ElementPart<Scalar>> element_parts(const FreeDegrees& degrees, const Element& element) {
   std::vector<ElementPart<Scalar>> parts;
@@ -58,7 +59,7 @@ std::vector<ElementPart<Scalar>> element_parts(const FreeDegrees& degrees, const
   return parts;
 }
 
-/// Adds the entries of an element at its free displacements to those of a matrix over all of these.
+/// Adds the entries of an element to a matrix over the free displacements.
 template <class Scalar>
 void add_matrix(const ElementMatrix<Scalar>& matrix, const std::vector<ElementPart<Scalar>>& parts,
                 std::vector<Eigen::Triplet<Scalar>>& entries) {
@@ -70,21 +71,21 @@ void add_matrix(const ElementMatrix<Scalar>& matrix, const std::vector<ElementPa
   }
 }
 
-/// The vectors b of an element whose squares b b^T add up to its stiffness, as those of a member
-/// do, without a unit: E = 1, nu = 0, thickness 1; in the plane plane stress, in space divided by
-/// the size of the element. What moves without straining these moves freely. d (d + 1) / 2 for each
+/// The vectors b of an element whose sum of b b^T is its stiffness, like those of a member, without
+/// units: E = 1, nu = 0, thickness 1; plane stress in the plane, divided by the size of the element
+/// in space. Its null space contains the rigid-body modes. There are d (d + 1) / 2 vectors for each
 /// integration point.
 std::vector<StrainVector<double>> shape_vectors(const Structure& structure,
                                                 const FreeDegrees& degrees, const Element& element);
 
-/// The sum of their squares.
+/// The sum of their b b^T.
 ElementMatrix<double> shape_matrix(const Structure& structure, const Element& element);
 
-/// Longest distance of a node from the first. Length.
+/// Largest distance of a node from the first. Length.
 double element_extent(const Structure& structure, const Element& element);
 
-/// det J at the corners, and after them at the integration points, length^d; for quadrilaterals
-/// and hexahedra 2^d times that. Of one sign if the element is valid.
+/// det J at the vertices, then at the integration points, length^d; 2^d times that for
+/// quadrilaterals and hexahedra. All have one sign if the element is valid.
 Eigen::VectorXd jacobian_determinants(const Structure& structure, const Element& element);
 
 /// Stiffness of all elements over the free displacements, force/length.

@@ -1,4 +1,4 @@
-// Bodies by disjoint sets; places by a grid of cells.
+// Bodies by disjoint sets; coincident nodes by a grid of cells.
 #include "problems/structure/bodies/connected_bodies.hpp"
 
 #include <algorithm>
@@ -18,13 +18,14 @@
 namespace kusabi::problems {
 namespace {
 
-/// Nodes that are nearer to each other, relative to the extent of the structure, are at one place:
-/// far more than meshers leave between two nodes that they mean to be one, far less than elements.
+/// Nodes closer than this, relative to the extent of the structure, coincide. The tolerance is far
+/// above the differences that mesh generators leave between coincident nodes and far below the size
+/// of elements.
 constexpr double one_place = 1e-7;
-/// And relative to the shortest bar or edge, which may be far shorter than a lever beside it.
+/// The same relative to the shortest bar or edge, which may be far shorter than other members.
 constexpr double one_place_of_edges = 1e-3;
 
-/// Cells of the size of what counts as one place.
+/// Cells of the size of the tolerance.
 class Cells {
  public:
   explicit Cells(const Structure& structure) : structure_(structure) {
@@ -39,7 +40,7 @@ class Cells {
   }
   [[nodiscard]] double size() const { return size_; }
 
-  /// Adds a node. @return one that has been added before and is at the same place, if any is
+  /// Adds a node. @return a node added before at the same place, if any
   std::optional<int> add(int node) {
     const Cell own = cell(node);
     std::optional<int> found;
@@ -85,7 +86,7 @@ class Cells {
   std::multimap<Cell, int> nodes_;
 };
 
-/// Nodes that may be where others are: held by the ground, or touching another body.
+/// Nodes that may coincide with others: supported ones and those in contact with another body.
 std::set<int> meant_apart(const Structure& structure) {
   std::set<int> nodes;
   for (const auto& candidate : structure.contact) {
@@ -119,7 +120,7 @@ std::vector<std::set<int>> connected_bodies(const Structure& structure) {
   for (const Superelement& each : structure.superelements) links.push_back(nodes_of(each));
   for (const Tie& tie : structure.ties) {
     links.push_back({tie.node});
-    for (const Share& share : tie.to) {  // the ground among them holds the node, not the body
+    for (const Share& share : tie.to) {  // ground nodes support the node, not the body
       if (!is_ground(structure, share.node)) links.back().push_back(share.node);
     }
   }

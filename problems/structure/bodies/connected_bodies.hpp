@@ -1,5 +1,6 @@
-// The bodies of a structure: its pieces that members, elements and ties connect. And the nodes at
-// one place that nothing joins, as those of a mesh whose halves were made apart.
+// Bodies of a structure: components connected by members, elements and multi-point constraints; and
+// warnings of coincident nodes that are not connected, as in meshes whose parts were generated
+// separately.
 #pragma once
 
 #include <set>
@@ -13,12 +14,12 @@ namespace kusabi::problems {
 /// Whether a node is supported along every axis. Such a node belongs to the ground.
 bool is_ground(const Structure& structure, int node);
 
-/// The nodes of each body, those of the ground that touch it included, in the order of their first
-/// free nodes. The ground connects nothing, nor does a candidate `against` another body.
+/// The nodes of each body, including ground nodes that touch it, in the order of their first free
+/// nodes. Ground nodes do not connect bodies, nor does a candidate `against` another body.
 std::vector<std::set<int>> connected_bodies(const Structure& structure);
 
-/// A line for all places where nodes of two bodies, or two nodes of one, coincide and neither
-/// elements, ties nor contact join them.
+/// One line if nodes of two bodies, or two nodes of one, coincide without being connected by
+/// elements, multi-point constraints or contact.
 std::vector<std::string> coincidence_warnings(const Structure& structure);
 
 }  // namespace kusabi::problems

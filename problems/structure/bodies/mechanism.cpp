@@ -1,4 +1,4 @@
-// The softest motion of a truss, by inverse iteration with the slightly shifted G.
+// Softest motion of a truss by inverse iteration with the slightly shifted G.
 #include "problems/structure/bodies/mechanism.hpp"
 
 #include <algorithm>
@@ -18,20 +18,21 @@
 namespace kusabi::problems {
 namespace {
 
-/// Shift that keeps G + shift I positive definite in spite of rounding: the diagonal of G is of the
-/// order of ten, its rounding 1e-15.
+/// Shift that keeps G + shift I positive definite despite rounding: the diagonal of G is about ten,
+/// its rounding error 1e-15.
 constexpr double shift = 1e-12;
 
-/// Most steps of inverse iteration. Each divides what is left of a motion of energy e > shift by
-/// 1 + e / shift against a mechanism, so a mechanism is clear after two or three.
+/// Maximum number of steps of inverse iteration. Each divides the remaining part of a motion with
+/// energy e > shift by 1 + e / shift relative to a mechanism, so two or three steps are enough for
+/// a mechanism.
 constexpr int most_steps = 12;
 
-/// A node moves if it moves by more than this part of the largest motion: what stable motions
-/// leave behind after `most_steps` is far less.
+/// A node moves if its displacement exceeds this part of the largest one. The remaining part of
+/// other motions after `most_steps` is far smaller.
 constexpr double visible = 1e-6;
 
-/// A motion without any symmetry, so that every mechanism has a part in it, and the same on every
-/// machine (the standard fixes what mt19937 yields, not what its distributions make of it).
+/// A motion without symmetry, such that every mechanism has a part in it, and equal on all machines
+/// (the standard specifies the numbers of mt19937 but not its distributions).
 Eigen::VectorXd arbitrary_motion(Eigen::Index size) {
   std::mt19937 bits(1);  // NOLINT(cert-msc32-c,cert-msc51-cpp): repeatable on purpose
   Eigen::VectorXd motion(size);
@@ -39,7 +40,7 @@ Eigen::VectorXd arbitrary_motion(Eigen::Index size) {
   return motion.normalized();
 }
 
-/// The stiffness of all elements and springs, as if of unit material.
+/// The stiffness of all elements and springs for unit material.
 Eigen::SparseMatrix<double> shape_stiffness(const Structure& structure,
                                             const FreeDegrees& degrees) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -74,7 +75,7 @@ double energy(const Structure& structure, const FreeDegrees& degrees,
   return sum;
 }
 
-/// An error names at most so many nodes.
+/// Maximum number of names in an error message.
 constexpr std::size_t most_names = 6;
 
 }  // namespace
@@ -88,7 +89,7 @@ std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& deg
   identity.setIdentity();
   shifted += shift * identity;
   const Eigen::VectorXd motion = softest_motion(shifted);
-  // The elongations, not v^T G v: squares of small numbers keep their digits.
+  // The squares of elongations are more accurate than v^T G v.
   const double strain =
       elongations(structure, degrees, motion).squaredNorm() + energy(structure, degrees, motion);
   if (strain > strainless) return {};

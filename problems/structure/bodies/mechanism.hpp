@@ -1,9 +1,9 @@
-// Whether a truss can move without straining any member. The paper assumes K^0 to be positive
-// definite; a structure that is not is refused, with the names of the nodes that move.
+// Detection of mechanisms: motions of a truss without elongation of any member. The paper assumes
+// K^0 to be positive definite; other structures are refused, with the names of the nodes that move.
 //
-// That is a question of geometry alone: with every member stiffness set to one, the stiffness is
-// G = sum_e b_e b_e^T, without units, and a mechanism is a vector v with v^T G v = 0. So EA of any
-// size, or of sizes far apart, changes nothing.
+// The property depends on the geometry only: with every member stiffness set to one, the stiffness
+// is the dimensionless G = sum_e b_e b_e^T, and a mechanism is a vector v with v^T G v = 0. The
+// size of EA and ratios of EA have no influence.
 #pragma once
 
 #include <string>
@@ -17,26 +17,26 @@
 
 namespace kusabi::problems {
 
-/// A motion v, |v| = 1, with sum_e (b_e^T v)^2 up to this strains no member: each elongation is
-/// below 1e-7 of the motion. A true mechanism whose coordinates are typed with eight or more digits
-/// is below it. A stable truss as slender as 1000 square bays is at 1e-11 or so, well above. What
-/// falls in between is caught by the check of the condensed matrices in `wedged_problem`.
+/// A motion v, |v| = 1, with sum_e (b_e^T v)^2 up to this is a mechanism: each elongation is below
+/// 1e-7 of the motion. True mechanisms with coordinates of eight or more digits are below it. A
+/// stable truss with the slenderness of 1000 square bays is at about 1e-11. Intermediate cases are
+/// detected by the check of the condensed matrices in `wedged_problem`.
 inline constexpr double strainless = 1e-14;
 
 /// The nodes that move in a mechanism, in increasing order; empty if the truss is stable. If there
 /// are several independent mechanisms, the nodes of all of them.
 std::vector<int> moving_nodes(const Structure& structure, const FreeDegrees& degrees);
 
-/// The motion that a stiffness resists least, of length one, found by inverse iteration.
+/// The motion of unit length with the least strain energy, by inverse iteration.
 /// @param shifted the stiffness plus a multiple of the unit matrix that makes it definite and is
-///        far below all that is not to be found
+///        far below all eigenvalues except those of mechanisms
 Eigen::VectorXd softest_motion(const Eigen::SparseMatrix<double>& shifted);
 
-/// The nodes that move by more than a part `visible` of the largest motion, in increasing order.
+/// The nodes whose displacement exceeds a part `visible` of the largest one, in increasing order.
 std::vector<int> nodes_moved(const FreeDegrees& degrees, const Eigen::VectorXd& motion,
                              double visible);
 
-/// "a", "b" and 4 more: enough of them to find the place, and still one line.
+/// Names in a message, as in: "a", "b" and 4 more.
 std::string some_names(const Structure& structure, const std::vector<int>& nodes);
 
 /// Refuses a structure that is a mechanism.

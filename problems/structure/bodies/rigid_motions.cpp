@@ -1,4 +1,4 @@
-// The motions of bodies as the null space of what holds them, by elimination.
+// Rigid-body modes as the null space of support and spring conditions, by elimination.
 #include "problems/structure/bodies/rigid_motions.hpp"
 
 #include <algorithm>
@@ -21,10 +21,10 @@ using numbers::Precise;
 using numbers::PreciseMatrix;
 using numbers::PreciseVector;
 
-/// Roundings of an elimination with at most six steps, with room.
+/// Bound of the rounding errors of an elimination with at most six steps.
 constexpr double elimination_roundings = 256;
 
-/// A part of a motion below this is left out of its description.
+/// Components of a mode below this are left out of its description.
 constexpr double visible_part = 1e-6;
 
 /// d x q: the displacement of a place is this times (velocity of the centre, size times angular
@@ -53,7 +53,7 @@ struct Place {
   Eigen::Index column;
 };
 
-/// The largest entry from a row and a column on.
+/// The largest entry, starting from a row and a column.
 Place largest(const PreciseMatrix& matrix, Eigen::Index row, Eigen::Index column) {
   Place place{row, column};
   const Eigen::MatrixXd sizes = matrix.cast<double>().cwiseAbs();
@@ -65,7 +65,7 @@ Place largest(const PreciseMatrix& matrix, Eigen::Index row, Eigen::Index column
   return place;
 }
 
-/// The first entry, row by row, that is no less than half of the largest: x before y before z.
+/// The first entry, row by row, that is at least half of the largest: x before y before z.
 Place first_large(const PreciseMatrix& matrix) {
   const Eigen::MatrixXd sizes = matrix.cast<double>().cwiseAbs();
   const double least = sizes.size() == 0 ? 0 : sizes.maxCoeff() / 2;
@@ -77,8 +77,8 @@ Place first_large(const PreciseMatrix& matrix) {
   return {0, 0};
 }
 
-/// Whether the elimination goes on with a pivot.
-/// @return nothing if it can't be told
+/// Whether the elimination continues with a pivot.
+/// @return nothing if numerically undecided
 std::optional<bool> goes_on(double pivot) {
   if (pivot <= dependent) return false;
   if (pivot >= independent) return true;
@@ -86,7 +86,7 @@ std::optional<bool> goes_on(double pivot) {
 }
 
 /// The null space of a matrix with q columns, and its smallest pivot; no columns and a pivot of
-/// zero if it can't be told.
+/// zero if numerically undecided.
 struct NullSpace {
   PreciseMatrix columns;
   double least_pivot = 1;
@@ -126,8 +126,8 @@ NullSpace null_space(PreciseMatrix matrix) {
 }
 
 /// Combines columns such that the given rows are in echelon form.
-/// @return how many columns have entries in these rows, which come last, and the least pivot; or
-///         nothing
+/// @return the number of columns with entries in these rows, which come last, and the least pivot;
+///         nothing if numerically undecided
 std::optional<std::pair<Eigen::Index, double>> echelon(PreciseMatrix& columns,
                                                        Eigen::Index first_row, Eigen::Index rows) {
   Eigen::Index left = columns.cols();  // columns [left, end) are done
@@ -150,14 +150,14 @@ std::optional<std::pair<Eigen::Index, double>> echelon(PreciseMatrix& columns,
       if (!factor.is_zero()) columns.col(j) -= factor * own;
     }
   }
-  // What was eliminated is zero.
+  // The eliminated entries are zero.
   columns.block(first_row, 0, rows, left).setConstant(Precise(0.0));
   const PreciseMatrix done = columns.rightCols(columns.cols() - left);
   columns.rightCols(done.cols()) = done.rowwise().reverse();  // the first pivot first
   return std::pair(done.cols(), least);
 }
 
-/// The nodes of a piece and what holds it.
+/// Nodes of a connected component and its supports.
 class Piece {
  public:
   Piece(const Structure& structure, const std::set<int>& nodes);
@@ -172,9 +172,10 @@ class Piece {
 
   const Structure& structure_;
   std::vector<std::pair<int, int>> held_;  // node and axis
-  // Of inclined supports and ties to the ground, and of ties within the piece: rows of q entries.
+  // Conditions of inclined supports, of multi-point constraints with the ground and within the
+  // component: rows of q entries.
   std::vector<PreciseMatrix> conditions_;
-  std::vector<std::pair<int, PreciseMatrix>> ties_;  // number of the tie
+  std::vector<std::pair<int, PreciseMatrix>> ties_;  // number of the constraint
   LooseBody body_;
 };
 
@@ -201,8 +202,8 @@ Piece::Piece(const Structure& structure, const std::set<int>& nodes) : structure
   set_conditions(nodes);
 }
 
-// What inclined supports and ties ask of a rigid motion. A tie within the piece asks nothing if the
-// node is where it is tied to.
+// Conditions of inclined supports and multi-point constraints on rigid-body modes. A constraint
+// within the component imposes none if its node is at the place of its masters.
 void Piece::set_conditions(const std::set<int>& nodes) {
   const auto lever_at = [&](int node) {
     return lever(body_.centre, body_.size, structure_.coordinates.col(node));
@@ -230,8 +231,9 @@ void Piece::set_conditions(const std::set<int>& nodes) {
   }
 }
 
-// A tied node moves as the place does that it is tied to. If it is elsewhere, by a gap or by the
-// rounding of shares, a turn of both strains something, although the body is as good as free.
+// A node of a multi-point constraint must move as the place of its masters. If it is at a distance
+// from that place, by a gap or by rounding of the weights, a rotation causes strain although the
+// body is almost unconstrained; such a structure is refused.
 void Piece::require_ties_in_place(const PreciseMatrix& motions) const {
   for (const auto& [tie, rows] : ties_) {
     const PreciseMatrix apart = rows * motions;
@@ -272,7 +274,8 @@ void Piece::refuse() const {
                   support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
 }
 
-// A bar that stands alone turns about itself without moving any node: such a motion is none.
+// A single bar may rotate about its axis without displacement of a node; this is not counted as a
+// mode.
 LooseBody Piece::body() && {
   auto [columns, pivot] = null_space(held());
   if (pivot == 0) refuse();
@@ -288,7 +291,7 @@ LooseBody Piece::body() && {
     const auto still = null_space(std::move(seen));
     if (still.least_pivot == 0) refuse();
     if (still.columns.cols() > 0) {
-      // Those across the still ones: the still ones are none.
+      // The modes orthogonal to those without displacements.
       const auto across = null_space(PreciseMatrix(still.columns.transpose()));
       columns = columns * across.columns;
     }
@@ -305,7 +308,7 @@ LooseBody Piece::body() && {
   return std::move(body_);
 }
 
-/// "x", or "(0.6, 0.8)" for a direction that is no axis.
+/// "x", or "(0.6, 0.8)" for a direction that is not an axis.
 std::string direction_name(const Eigen::VectorXd& direction) {
   Eigen::Index axis = 0;
   const double size = direction.cwiseAbs().maxCoeff(&axis);
@@ -350,8 +353,8 @@ std::vector<LooseBody> loose_bodies(const Structure& structure) {
     of_superelements.insert(nodes.begin(), nodes.end());
   }
   for (const auto& nodes : connected_bodies(structure)) {
-    // Numbers of another program say no motion exactly: what they hold counts as held, and whether
-    // it is is seen from K (superelement_check).
+    // Stiffness matrices of other programs have rigid-body modes only up to rounding: the bodies
+    // are taken as constrained, and superelement_check examines K.
     if (std::ranges::any_of(nodes, [&](int node) { return of_superelements.contains(node); }))
       continue;
     auto body = Piece(structure, nodes).body();

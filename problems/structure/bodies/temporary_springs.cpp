@@ -1,4 +1,4 @@
-// One motion after the other is held where it is largest.
+// Grounding springs: one mode after another is constrained where it is largest.
 #include "problems/structure/bodies/temporary_springs.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Of two places, the first is taken unless the second is better by more than rounding.
+/// A later place is preferred if it is better by more than rounding.
 constexpr double clearly_more = 1 + 1e-9;
 
 double square_sum_at(const StrainVector<double>& vector, const FreeDegrees& degrees, int node) {
@@ -51,9 +51,9 @@ struct Hold {
   int axis;
 };
 
-/// The nodes of a body where it may be held. At candidates on rollers and in corners a spring would
-/// be taken for the stiffness of the body (problems/wedged/tangential_springs.cpp), so these are
-/// left out, unless there are no others.
+/// Nodes of a body for grounding springs. At candidates on rollers and at nodes with several
+/// contact normals a spring would change the compliance of tangential springs
+/// (problems/wedged/tangential_springs.cpp), so they are used only if there are no others.
 std::vector<int> places_to_hold(const Structure& structure, const LooseBody& body) {
   std::set<int> others = corner_nodes(structure);
   for (const ContactCandidate& candidate : structure.contact) {
@@ -66,8 +66,8 @@ std::vector<int> places_to_hold(const Structure& structure, const LooseBody& bod
   return nodes.empty() ? body.nodes : nodes;
 }
 
-/// Where a body is held: the place and axis of the largest motion, again and again, each time of
-/// the motions that leave the places before alone.
+/// The places of springs: repeatedly the node and axis of the largest displacement in the modes
+/// that leave the previous places fixed.
 std::vector<Hold> holds(const Structure& structure, const FreeDegrees& degrees, LooseBody body) {
   std::vector<Hold> result;
   auto nodes = places_to_hold(structure, body);
@@ -88,7 +88,7 @@ std::vector<Hold> holds(const Structure& structure, const FreeDegrees& degrees, 
         column = at;
       }
     }
-    if (most < independent && nodes.size() < body.nodes.size()) {  // they do not do
+    if (most < independent && nodes.size() < body.nodes.size()) {  // these nodes do not suffice
       nodes = body.nodes;
       continue;
     }

@@ -1,5 +1,6 @@
-// Springs that hold loose bodies while F is computed (docs/theory/wedged.md, "Loose bodies").
-// Forces in equilibrium leave them without force, so it does not matter which they are.
+// Grounding springs of unconstrained bodies for the computation of F (docs/theory/wedged.md, "Loose
+// bodies"). No force acts in them when the reactions are in equilibrium, so their choice does not
+// influence any answer.
 #pragma once
 
 #include <span>
@@ -10,13 +11,13 @@
 
 namespace kusabi::problems {
 
-/// One spring a motion, at nodes and axes far apart, each a power of two near the stiffness that
-/// its node has already.
+/// One spring for each mode, at nodes and axes far apart, each with a power of two near the
+/// stiffness of its node.
 /// @param bodies those of the structure
 std::vector<Spring> temporary_springs(const Structure& structure,
                                       std::span<const LooseBody> bodies);
 
-/// The structure with these springs: none of it can move without strain, unless it is a mechanism.
+/// The structure with grounding springs: it has no rigid-body modes.
 Structure held_structure(Structure structure, std::span<const LooseBody> bodies);
 
 }  // namespace kusabi::problems

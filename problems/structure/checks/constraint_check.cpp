@@ -1,4 +1,4 @@
-// Pairs and ties, both of which follow a place; then what rollers and inclined supports hold.
+// Checks of contact pairs and multi-point constraints, then of rollers and inclined supports.
 #include "problems/structure/checks/constraint_check.hpp"
 
 #include <algorithm>
@@ -33,12 +33,13 @@ class ConstraintCheck {
   void rollers() const;
 
  private:
-  /// A node that follows a place of another body.
+  /// A node that depends on a place of another body.
   struct Follower {
     int node;
     const std::vector<Share>* place;
     support::SourcePosition position;
-    bool pair;  ///< not a tie: in a corner there may be others
+    bool pair;  ///< a contact pair instead of a constraint; a node with several contact normals has
+                ///< several
   };
 
   bool is_node(int node) const { return node >= 0 && node < std::ssize(structure_.node_names); }
@@ -140,7 +141,7 @@ void ConstraintCheck::place_of(const Follower& follower, const std::set<int>& fo
       fail(follower.position, fmt::format("node {} is paired with {} twice; expected once",
                                           name(follower.node), name(node)));
     }
-    // Written so that NaN fails too.
+    // The condition is false for NaN.
     if (!(std::abs(weight) >= smallest_share && std::abs(weight) <= largest_share)) {
       fail(follower.position,
            fmt::format("the weight of {} at {} is {:g}; expected a size between {:g} and {:g}",

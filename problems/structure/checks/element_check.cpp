@@ -1,4 +1,4 @@
-// Material, nodes and shape of one element after the other.
+// Checks of material, nodes and shape of each element.
 #include "problems/structure/checks/element_check.hpp"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ void ElementCheck::material() const {
   const auto in_range = [](double value) {
     return value >= smallest_magnitude && value <= largest_magnitude;
   };
-  // Written so that NaN fails too.
+  // The condition is false for NaN.
   if (!in_range(element_.modulus)) {
     fail_material(fmt::format("E is {:g}; expected a positive modulus between {:g} and {:g}",
                               element_.modulus, smallest_magnitude, largest_magnitude));
@@ -111,7 +111,7 @@ void ElementCheck::shape() const {
     fail(fmt::format("the element at {} is no convex quadrilateral; expected corners that go round",
                      corner_names()));
   }
-  // The sign of most says which are wrong.
+  // The sign of the majority determines the wrong ones.
   const bool negative = (values < 0).count() > values.size() / 2;
   const Eigen::ArrayXd right = negative ? Eigen::ArrayXd(-values) : values;
   Eigen::Index where = 0;

@@ -1,4 +1,4 @@
-// The rules for the elements of a structure: part of `check_structure`.
+// Checks of the elements of a structure, a part of `check_structure`.
 #pragma once
 
 #include "problems/structure/model/structure.hpp"
@@ -6,8 +6,8 @@
 namespace kusabi::problems {
 
 /// Checks materials, that each element has the nodes of its shape and the dimension of the
-/// structure, and that its Jacobian determinant is of one sign, and not next to zero, at all
-/// corners and integration points.
+/// structure, and that its Jacobian determinant has one sign, and is not close to zero, at all
+/// vertices and integration points.
 /// @throws InputError at the first fault
 void check_elements(const Structure& structure);
 

@@ -1,4 +1,4 @@
-// The rules a structure must meet before any number is computed from it.
+// Checks of sizes, members, nodes, springs, candidates and loads.
 #include "problems/structure/checks/structure_check.hpp"
 
 #include <algorithm>
@@ -21,10 +21,10 @@
 namespace kusabi::problems {
 namespace {
 
-/// A normal made by this library is off unit length by a few roundings only.
+/// Normals made by this library have unit length up to a few rounding errors.
 constexpr double unit_length_tolerance = 1e-12;
 
-/// The rules of one structure, grouped by what they look at.
+/// The checks of one structure, by subject.
 class StructureCheck {
  public:
   explicit StructureCheck(const Structure& structure) : structure_(structure) {}
@@ -102,7 +102,7 @@ void StructureCheck::member(int index) const {
   if (!is_node(first) || !is_node(second)) {
     fail(position, fmt::format("member {} names a node that does not exist", index));
   }
-  // Written so that NaN fails too.
+  // The condition is false for NaN.
   if (axial_stiffness != 0 &&
       !(axial_stiffness >= smallest_magnitude && axial_stiffness <= largest_magnitude)) {
     fail(position_of(structure_.sources.axial_stiffnesses, index),
@@ -199,7 +199,7 @@ void StructureCheck::springs() const {
                                  "spring where the node is free",
                                  name(node), axis_name(axis)));
     }
-    // Written so that NaN fails too.
+    // The condition is false for NaN.
     if (!(stiffness >= smallest_magnitude && stiffness <= largest_magnitude)) {
       fail(position,
            fmt::format("the stiffness of a spring is {:g}; expected a positive one between "
@@ -236,7 +236,7 @@ void StructureCheck::contact_directions() const {
     const ContactCandidate& candidate = structure_.contact[static_cast<std::size_t>(index)];
     const auto& [node, normal, tangent, friction] =
         std::tie(candidate.node, candidate.normal, candidate.tangent, candidate.friction);
-    // Written so that NaN fails too.
+    // The condition is false for NaN.
     if (friction != 0 && !(friction >= smallest_friction && friction <= largest_friction)) {
       fail(position_of(structure_.sources.frictions, index),
            fmt::format("the friction factor is {:g}; expected 0, or a number between {:g} and {:g}",
@@ -254,7 +254,7 @@ void StructureCheck::contact_directions() const {
       fail(position, fmt::format("the tangent at {} is not a vector of {} finite numbers",
                                  name(node), structure_.dimension));
     }
-    // Written so that a zero tangent fails too.
+    // The condition is false for a zero tangent.
     if (!(tangent_sine(normal, *tangent) > smallest_tangent_sine)) {
       fail(position, fmt::format("the tangent at {} is zero or parallel to the normal; expected a "
                                  "vector that points along the surface",

@@ -1,4 +1,4 @@
-// Factorisations of the scaled stiffness, moved by what rounding may have added.
+// Definiteness by Cholesky factorisations of the scaled stiffness with a shift for rounding errors.
 #include "problems/structure/checks/superelement_check.hpp"
 
 #include <cmath>
@@ -22,11 +22,11 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Roundings of the assembly and of the factorisation in doubles, over those of one number.
+/// Rounding errors of the assembly and of the factorisation in doubles, relative to that of one
+/// number.
 constexpr double own_roundings = 64;
 
-/// A node moves if it moves by more than this part of the largest motion: one that is held only
-/// follows.
+/// A node moves if its displacement exceeds this part of the largest one; smaller ones are elastic.
 constexpr double visible = 1e-3;
 
 double rounding_of(const Superelement& superelement) {
@@ -66,7 +66,7 @@ void check_entries(const Structure& structure, std::size_t index) {
   for (int column = 0; column < static_cast<int>(stiffness.outerSize()); ++column) {
     for (Matrix::InnerIterator entry(stiffness, column); entry; ++entry) {
       const auto row = static_cast<int>(entry.row());
-      // Written so that NaN fails too.
+      // The condition is false for NaN.
       if (!(std::abs(entry.value()) <= largest_magnitude)) {
         fail(structure, index,
              fmt::format("entry ({}, {}) of the stiffness is {:g}; expected at most {:g} in size",
@@ -89,7 +89,7 @@ void check_entries(const Structure& structure, std::size_t index) {
   }
 }
 
-/// To a diagonal of ones, where it is positive.
+/// Scales the diagonal to ones, where it is positive.
 Eigen::VectorXd unit_scale(const Matrix& matrix) {
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(matrix.rows());
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
@@ -98,7 +98,7 @@ Eigen::VectorXd unit_scale(const Matrix& matrix) {
   return scale;
 }
 
-/// The largest sum of sizes in a row.
+/// The largest row sum of absolute values.
 double row_sum(const Matrix& symmetric) {
   double largest = 0;
   for (int column = 0; column < static_cast<int>(symmetric.outerSize()); ++column) {

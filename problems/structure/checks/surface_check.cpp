@@ -1,4 +1,4 @@
-// Whether the normals of the candidates are those of something that the body can lie on.
+// Comparison of contact normals with the surface of the body.
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -11,8 +11,8 @@
 namespace kusabi::problems {
 namespace {
 
-/// How far the normal of each candidate is off the surface, in degrees; nothing where there is
-/// none: at bars, within the body.
+/// Angle between the normal of each candidate and the surface, in degrees; nothing where there is
+/// no surface: at bars and within the body.
 std::vector<std::optional<double>> angles(const Structure& structure) {
   std::vector<std::optional<double>> result(structure.contact.size());
   if (body_elements(structure) == 0 || structure.contact.empty()) return result;

@@ -1,4 +1,4 @@
-// Parameter by parameter, component by component.
+// Checks of uncertain loads, by parameters and components.
 #include "problems/structure/checks/uncertainty_check.hpp"
 
 #include <algorithm>
@@ -39,15 +39,15 @@ class UncertaintyCheck {
   }
 
   const Structure& structure_;
-  int index_ = 0;  // of the component at hand, over all parameters
+  int index_ = 0;  // of the current component, over all parameters
   std::set<std::pair<int, int>> singles_;
   std::set<std::string> names_;
 };
 
-// @param negative whether the weight may be below zero
+// @param negative whether the weight may be negative
 void UncertaintyCheck::component(const UncertainComponent& component, bool negative) {
   const double size = negative ? std::abs(component.weight) : component.weight;
-  // Written so that NaN fails too.
+  // The condition is false for NaN.
   if (!(size >= smallest_weight && size <= largest_weight)) {
     fail(fmt::format("the weight of an uncertain component is {:g}; expected between {:g} and {:g}",
                      component.weight, smallest_weight, largest_weight));
@@ -56,7 +56,7 @@ void UncertaintyCheck::component(const UncertainComponent& component, bool negat
 
 void UncertaintyCheck::half_width(const UncertainParameter& parameter) const {
   if (!parameter.half_width) return;
-  // Written so that NaN fails too.
+  // The condition is false for NaN.
   if (!(*parameter.half_width >= smallest_magnitude &&
         *parameter.half_width <= largest_magnitude)) {
     fail(fmt::format("the half-width of an uncertain load is {:g}; expected between {:g} and {:g}",

@@ -1,4 +1,4 @@
-// Corners of faces and the sides that have middles: the rest follows.
+// Tables of vertices of faces and of sides with midpoint nodes, for each family of shapes.
 #include "problems/structure/geometry/element_faces.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using Faces = std::vector<std::vector<int>>;
 using Sides = std::vector<std::pair<int, int>>;
 
-/// The family of a shape: its corners, and in which order its sides have nodes in their middles.
+/// A family of shapes: its vertices, and the order of its sides with midpoint nodes.
 struct Family {
   int corners;
   Faces faces;
@@ -69,7 +69,8 @@ Faces with_middles(const Family& of) {
   Faces faces = of.faces;
   for (auto& face : faces) {
     const std::size_t corners = face.size();
-    const std::size_t sides = corners == 2 ? 1 : corners;  // an edge has one, a face goes round
+    const std::size_t sides =
+        corners == 2 ? 1 : corners;  // an edge has one, a face as many as vertices
     for (std::size_t side = 0; side < sides; ++side) {
       face.push_back(middle(of, face[side], face[(side + 1) % corners]));
     }

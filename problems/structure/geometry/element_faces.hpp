@@ -1,7 +1,6 @@
-// The faces of the elements: which nodes they have, in an order that tells inside from outside.
+// Faces of the elements as lists of nodes, oriented outwards.
 //
-// Faces are numbered as Abaqus and CalculiX number them (S1, S2, ...). In the plane a face is an
-// edge.
+// Faces are numbered as in Abaqus and CalculiX (S1, S2, ...). In the plane a face is an edge.
 #pragma once
 
 #include <vector>
@@ -10,10 +9,10 @@
 
 namespace kusabi::problems {
 
-/// The nodes of each face, by their places in the element: corners, then the node in the middle of
-/// each side, if the shape has them: the first between the first two corners, and so on. Seen
-/// from outside the corners of a face go round anticlockwise; along an edge the body is on the
-/// left. (Of an element whose nodes go round the usual way; of its mirror image it is inside out.)
+/// The nodes of each face, as indices of the element's nodes: vertices, then the midpoint of each
+/// side of a quadratic shape, first that between the first two vertices, and so on. Seen from
+/// outside the vertices of a face are anticlockwise; along an edge the body is on the left. (For an
+/// element with the usual orientation; its mirror image has the opposite one.)
 const std::vector<std::vector<int>>& element_faces(ElementShape shape);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Derivatives of the shape functions of faces, and with them tangents, normals and sizes.
+// Derivatives of the shape functions of faces, and tangents, normals and areas derived from them.
 #include "problems/structure/geometry/face_geometry.hpp"
 
 #include <cmath>
@@ -20,7 +20,7 @@ struct Point {
 const double gauss2 = 1 / std::sqrt(3.0);
 const double gauss3 = std::sqrt(0.6);
 
-/// The corners of the square, then the middles of its sides.
+/// The vertices of the square, then the midpoints of its sides.
 const std::vector<Point> square_points{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0},
                                        {0, -1, 0},  {1, 0, 0},  {0, 1, 0}, {-1, 0, 0}};
 const std::vector<Point> triangle_points{{0, 0, 0},   {1, 0, 0},     {0, 1, 0},
@@ -79,7 +79,7 @@ Derivatives square_derivatives(Eigen::Index nodes, const Point& at) {
   return slopes;
 }
 
-/// The normal with the size of the face there.
+/// The normal times the area density of the face.
 Eigen::VectorXd normal_at(const FacePlaces& places, const Point& at) {
   const Eigen::Index nodes = places.cols();
   if (places.rows() == 2) {

@@ -1,4 +1,4 @@
-// Keys of corners.
+// Faces sorted by their vertices.
 #include "problems/structure/geometry/face_list.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The faces of all elements, so that those with the same corners stand together.
+// Faces of all elements, such that those with the same vertices are adjacent.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace kusabi::problems {
 
-/// A face of an element, by its corners in ascending order: -1 where it has fewer than four.
+/// A face of an element with its vertices in ascending order: -1 where it has fewer than four.
 struct FaceKey {
   std::array<int, 4> corners;
   int element;  ///< of `body_elements`
@@ -18,7 +18,7 @@ struct FaceKey {
   auto operator<=>(const FaceKey&) const = default;
 };
 
-/// All faces, sorted: by corners, then by element.
+/// All faces, sorted by vertices, then by element.
 std::vector<FaceKey> faces_by_corners(const Structure& structure);
 
 /// The nodes of a face, in the order of `element_faces`.

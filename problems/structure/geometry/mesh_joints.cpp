@@ -1,4 +1,4 @@
-// Nodes near each other by a sorted list; nodes on faces by the triangles that these are made of.
+// Coincident nodes by a sorted list; nodes on faces by triangulation of the faces.
 #include "problems/structure/geometry/mesh_joints.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// Whether `place` lies on the straight edge between its ends, apart from them.
+/// Whether `place` lies on the straight edge between its ends, excluding them.
 bool on_edge(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen::VectorXd& place) {
   const Eigen::VectorXd along = to - from;
   const double length = along.norm();
@@ -24,7 +24,7 @@ bool on_edge(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const Eigen
   return share > same_place && share < 1 - same_place && off <= same_place * length;
 }
 
-/// Whether `place` lies in a triangle in space, apart from its corners.
+/// Whether `place` lies in a triangle in space, excluding its vertices.
 bool on_triangle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& place) {
   const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double area = normal.norm();
@@ -85,8 +85,7 @@ PlaceIndex surface_nodes(const Structure& structure, const Surface& surface,
   return {structure.coordinates, {nodes.begin(), nodes.end()}};
 }
 
-/// Two faces with the same corners, one of which has a node in the middle of a side that the other
-/// has not.
+/// Two faces with the same vertices, one of which has a midpoint node that the other does not have.
 std::optional<Gape> gape_in_the_middle(const Structure& structure, int first) {
   const auto middles = [&](const FaceKey& face) {
     auto nodes = nodes_of(structure, face);
@@ -106,7 +105,7 @@ std::optional<Gape> gape_in_the_middle(const Structure& structure, int first) {
   return std::nullopt;
 }
 
-/// A triangle whose corners are corners of a quadrilateral as well: they part between them.
+/// A triangle whose vertices are vertices of a quadrilateral: the surfaces differ between them.
 std::optional<Gape> triangle_on_quadrilateral(const Surface& surface, int first) {
   for (const SurfaceFace& face : surface.faces()) {
     if (face.corners != 3) continue;

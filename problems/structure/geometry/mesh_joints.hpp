@@ -1,5 +1,5 @@
-// Where meshes meet: nodes at one place are one, and where faces lie on each other without that,
-// the meshes would gape.
+// Joints between meshes: coincident nodes are merged, and faces that touch without common nodes are
+// reported as gaps.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@
 
 namespace kusabi::problems {
 
-/// Places sorted for finding those near another.
+/// Sorted coordinates for the search of nearby nodes.
 class PlaceIndex {
  public:
-  /// @param places d x n; they must outlive the index  @param nodes which of them
+  /// @param places d x n; they must outlive the index  @param nodes the columns in the index
   PlaceIndex(const Eigen::Ref<const Eigen::MatrixXd>& places, const std::vector<int>& nodes);
 
-  /// The least number of a node no farther than `tolerance` along each axis; -1 if there is none.
+  /// The least number of a node within `tolerance` along each axis; -1 if there is none.
   int node_at(const Eigen::VectorXd& place, double tolerance) const;
 
   /// All nodes in a box.
@@ -30,16 +30,16 @@ class PlaceIndex {
   std::vector<std::pair<double, int>> by_x_;
 };
 
-/// A node that lies on a face of another body, or of another element, but is none of its nodes.
+/// A node that lies on a face of another body, or of another element, without belonging to it.
 struct Gape {
   int node;
   int element;
 };
 
-/// The first gape between elements from `first_new` on and those before it which are `joined`, or
-/// within all of the former: faces that share corners and not the nodes between them, or a
-/// quadrilateral on triangles. Faces count as flat.
-/// @param joined one an element
+/// The first gap between elements from `first_new` on and those before it which are `joined`, or
+/// among the former: faces with the same vertices but different midpoints, or a quadrilateral on
+/// triangles. Faces count as flat.
+/// @param joined one for each element
 std::optional<Gape> find_gape(const Structure& structure, int first_new,
                               const std::vector<bool>& joined);
 

@@ -1,4 +1,4 @@
-// Places, edges and elements of a structured mesh.
+// Nodes, edges and elements of a structured mesh.
 #include "problems/structure/geometry/structured_mesh.hpp"
 
 #include <algorithm>

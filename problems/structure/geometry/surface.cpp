@@ -1,4 +1,4 @@
-// Faces of one element only, found by their corners; and the cone of the normals at a node.
+// Faces that belong to one element only, and the cone of normals at a node.
 #include "problems/structure/geometry/surface.hpp"
 
 #include <algorithm>
@@ -16,15 +16,15 @@
 namespace kusabi::problems {
 namespace {
 
-/// Normals that sum to less than this part of their sizes say nothing of a direction.
+/// Sums of normals below this part of the sum of their lengths have no significant direction.
 constexpr double cancelled_normals = 1e-6;
 
-/// The determinant of the products of unit normals below which they count as one: less than a
+/// Unit normals are dependent if the determinant of their Gram matrix is below this: less than a
 /// millionth of a radian apart.
 constexpr double dependent_normals = 1e-12;
 
-/// Whether the nodes of an element go round the other way: seen at its first face, whose normal
-/// then points to the middle of the element.
+/// Whether an element has the opposite orientation: the normal of its first face then points
+/// inwards.
 bool inside_out(const Structure& structure, const Element& element) {
   const auto& face = element_faces(element.shape).front();
   Eigen::MatrixXd places(structure.dimension, static_cast<Eigen::Index>(face.size()));
@@ -38,7 +38,7 @@ bool inside_out(const Structure& structure, const Element& element) {
     middle += structure.coordinates.col(element.nodes[static_cast<std::size_t>(corner)]);
   }
   middle /= corners;
-  // The straight face through the corners: the curved one may bulge past the middle.
+  // The straight face through the vertices, since a curved one may extend beyond the centre.
   const Eigen::Index straight = structure.dimension == 2 ? 2 : corners == 4 ? 3 : 4;
   const Eigen::MatrixXd flat = places.leftCols(straight);
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(structure.dimension);
@@ -103,16 +103,16 @@ std::optional<Eigen::VectorXd> Surface::mean_normal(
     sum += size * normal(face, node);
     sizes += size;
   }
-  // Faces back to back, as those of a crack, say nothing of a direction.
+  // Opposite faces, as those of a crack, have no significant mean normal.
   if (!(sum.stableNorm() > cancelled_normals * sizes)) return std::nullopt;
   return sum.stableNormalized();
 }
 
 namespace {
 
-/// The cosine of the angle between a unit `direction` and its part in the span of the columns, if
-/// that is a sum of them with weights of zero or more; -1 if it is not, or if they depend on each
-/// other.
+/// The cosine of the angle between a unit `direction` and its projection onto the span of the
+/// columns, if that is a combination with nonnegative weights; -1 if it is not, or if the columns
+/// are dependent.
 template <int count>
 double cosine(const Eigen::Matrix<double, Eigen::Dynamic, count>& normals,
               const Eigen::VectorXd& direction) {

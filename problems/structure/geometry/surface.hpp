@@ -1,9 +1,9 @@
-// The surface of the body that the elements make up: the faces that one element has alone, and the
-// directions in which it faces at a node.
+// Surface of the bodies of elements: faces that belong to one element only, and their normals at a
+// node.
 //
-// A node of the surface may touch an obstacle along any direction between those of its faces: along
-// their one normal where the surface is smooth, within the cone of their normals at an edge or a
-// corner. Bars have no surface.
+// A node of the surface may touch an obstacle along any direction between the normals of its faces:
+// their common normal where the surface is smooth, the cone of normals at an edge or vertex. Bars
+// have no surface.
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@
 
 namespace kusabi::problems {
 
-/// A face of one element that no other has.
+/// A face that belongs to one element only.
 struct SurfaceFace {
   int element;             ///< of `body_elements`
   std::vector<int> nodes;  ///< of the structure, in the order of `element_faces`
-  int corners;             ///< how many of them are corners
+  int corners;             ///< number of vertices among them
 };
 
 class Surface {
@@ -31,15 +31,14 @@ class Surface {
   explicit Surface(const Structure& structure);
 
   const std::vector<SurfaceFace>& faces() const { return faces_; }
-  /// The numbers of the faces that a node is of.
+  /// The faces of a node.
   std::vector<int> faces_at(int node) const;
 
-  /// The normal of a face at one of its nodes, out of the body: unit, d.
+  /// The outward unit normal of a face at one of its nodes, d.
   Eigen::VectorXd normal(int face, int node) const;
 
-  /// The mean of the normals at a node, out of the body, of the faces that are `wanted`, weighted
-  /// with their areas (lengths): unit, d. Nothing if the node is of no such face, or if they
-  /// cancel.
+  /// The mean of the outward normals at a node over the `wanted` faces, weighted with their areas
+  /// (lengths): unit, d. Nothing if the node has no such face, or if the normals cancel.
   std::optional<Eigen::VectorXd> mean_normal(
       int node, const std::function<bool(const SurfaceFace&)>& wanted) const;
 
@@ -48,24 +47,24 @@ class Surface {
 
   const Structure* structure_;
   std::vector<SurfaceFace> faces_;
-  std::vector<bool> inside_out_;              // of elements that go round the other way
+  std::vector<bool> inside_out_;              // of elements with the opposite orientation
   std::vector<std::pair<int, int>> at_node_;  // node, face: sorted
 };
 
-/// A normal that points from the obstacle along less than this out of its way, in degrees, is not
-/// worth a word: measures are typed with three digits.
+/// Tolerance in degrees for normals that differ from the surface, since dimensions are typed with
+/// three digits; smaller angles are not reported.
 inline constexpr double visible_angle = 1;
 
-/// The angle in degrees between `direction` and the nearest one that is a sum of `normals` with
-/// weights of zero or more; 90 and more: it is in the half-space behind all of them.
+/// The angle in degrees between `direction` and the nearest combination of `normals` with
+/// nonnegative weights; 90 or more if it is in the half-space opposite to all of them.
 double angle_from_cone(const std::vector<Eigen::VectorXd>& normals,
                        const Eigen::VectorXd& direction);
 
-/// Whether the normal of each candidate points from the obstacle into the body.
-/// @throws InputError at the first one that points out of it
+/// Checks that the normal of each candidate points from the obstacle into the body.
+/// @throws InputError at the first that points out of the body
 void check_normals(const Structure& structure);
 
-/// One line for each normal of the file that is off the surface by more than `visible_angle`.
+/// One line for each normal of the file that differs from the surface by more than `visible_angle`.
 std::vector<std::string> normal_warnings(const Structure& structure);
 
 }  // namespace kusabi::problems

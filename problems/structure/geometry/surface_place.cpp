@@ -1,4 +1,4 @@
-// Shape functions of faces, and the parameters of the nearest point by Gauss and Newton's method.
+// Shape functions of faces; the nearest point by Gauss-Newton and Newton iterations.
 #include "problems/structure/geometry/surface_place.hpp"
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace kusabi::problems {
 namespace {
 
-/// Parameters of a face: one along an edge, from -1 to 1; two across, (x, y) of the unit triangle
-/// or of the square from -1 to 1.
+/// Parameters of a face: one on an edge, from -1 to 1; two on a surface, (x, y) of the unit
+/// triangle or of the square from -1 to 1.
 using Parameters = Eigen::VectorXd;
 
 bool is_triangle(int dimension, std::size_t nodes) {
@@ -67,7 +67,7 @@ void bring_inside(bool triangle, Parameters& at) {
   if (at.sum() > 1) at /= at.sum();
 }
 
-/// The functions at the nearest point of one face.
+/// The shape functions at the nearest point of one face.
 Eigen::VectorXd nearest_functions(const Eigen::MatrixXd& corners, const Eigen::VectorXd& point) {
   constexpr int steps = 50;
   constexpr double settled = 1e-15;
@@ -79,7 +79,7 @@ Eigen::VectorXd nearest_functions(const Eigen::MatrixXd& corners, const Eigen::V
   for (int step = 0; step < steps; ++step) {
     Eigen::MatrixXd slopes(dimension, at.size());
     for (Eigen::Index k = 0; k < at.size(); ++k) {
-      // Exact: the functions are of the second degree in each parameter.
+      // Exact, since the functions are quadratic in each parameter.
       const Parameters one = Parameters::Unit(at.size(), k);
       slopes.col(k) =
           corners *
@@ -94,8 +94,8 @@ Eigen::VectorXd nearest_functions(const Eigen::MatrixXd& corners, const Eigen::V
   return functions(dimension, nodes, at);
 }
 
-/// The nearest multiples of 2^-40, the largest of which takes what is left to a sum of one. A rigid
-/// shift of all nodes then shifts the place alike, exactly.
+/// The nearest multiples of 2^-40; the largest is adjusted such that the sum is one exactly. A
+/// translation of all nodes then translates the place exactly.
 std::vector<Share> shares_of(const FaceNodes& face, const Eigen::VectorXd& values) {
   constexpr double grid = 0x1p40;
   Eigen::VectorXd rounded = (values * grid).array().round() / grid;
@@ -111,7 +111,7 @@ std::vector<Share> shares_of(const FaceNodes& face, const Eigen::VectorXd& value
   return shares;
 }
 
-/// The corners of the faces of each kind of element, going round.
+/// The vertices of the faces of each kind of element, in circular order.
 const std::vector<std::vector<std::size_t>>& face_corners(const ShapeTraits& shape) {
   using Faces = std::vector<std::vector<std::size_t>>;
   static const Faces triangle{{0, 1}, {1, 2}, {2, 0}};
@@ -123,7 +123,7 @@ const std::vector<std::vector<std::size_t>>& face_corners(const ShapeTraits& sha
   return shape.simplex ? tetrahedron : hexahedron;
 }
 
-/// The node in the middle between two corners.
+/// The midpoint node between two vertices.
 std::size_t middle_of(const ShapeTraits& shape, std::size_t first, std::size_t second) {
   NaturalPoint<double> middle{};
   for (std::size_t k = 0; k < 3; ++k)

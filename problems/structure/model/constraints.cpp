@@ -1,4 +1,5 @@
-// Leaders: first of inclined supports, then of what follows nodes that may stand on these.
+// Master degrees of freedom: first of inclined supports, then of nodes that depend on other nodes,
+// which may have inclined supports.
 #include "problems/structure/model/constraints.hpp"
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 
 using numbers::Precise;
 
-/// One displacement as a sum over free ones.
+/// Weights of the free displacements in one displacement.
 class Leaders {
  public:
   Leaders(const Structure& structure, FreeDegrees& degrees)
@@ -34,7 +35,7 @@ class Leaders {
   /// Adds the displacement of a place of another body to that of the node.
   void follow(int node, std::span<const Share> place) {
     for (int axis = 0; axis < structure_.dimension; ++axis) {
-      // Held with that place, so neither moves (check_constraints).
+      // Both the place and the node are fixed along this axis (check_constraints).
       if (structure_.fixed[static_cast<std::size_t>(node)][static_cast<std::size_t>(axis)])
         continue;
       for (const auto& [leader, weight] : place) {
@@ -90,7 +91,8 @@ void set_leaders(const Structure& structure, FreeDegrees& degrees) {
   for (const Tie& tie : structure.ties) leaders.follow(tie.node, tie.to);
   const auto corners = corner_nodes(structure);
   for (const ContactCandidate& candidate : structure.contact) {
-    // The node of a corner may be against two places, so it keeps displacements of its own.
+    // A node with several contact normals may be opposite to two places, so it keeps displacements
+    // of its own.
     if (!corners.contains(candidate.node)) leaders.follow(candidate.node, candidate.against);
   }
 }

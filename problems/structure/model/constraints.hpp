@@ -1,15 +1,14 @@
-// Displacements that are made of others: u = H q, where q are the free ones and H is sparse.
+// Dependent displacements: u = H q, where q are the free ones and H is sparse.
 //
-//   a tie                        u_a = sum_k w_k u_bk
+//   a multi-point constraint     u_a = sum_k w_k u_bk
 //   a candidate on another body  u_a = u_rel + sum_k w_k u_bk, with u_rel, its displacement
-//                                relative to that body, in the place of u_a among the free ones;
-//                                not in a corner, where u_a stays
+//                                relative to that body, replacing u_a among the free ones;
+//                                u_a is kept if the node has several contact normals
 //                                (problems/structure/model/corner.hpp)
 //   an inclined support          u_i = -sum_j (d_j / d_i) u_j, i the axis of the largest |d_i|
 //
-// All that is computed from strains is so computed in the coordinates q: K = H' K^0 H, and a
-// reaction on u_rel is one on a and, with weights and reversed, on the b_k
-// (docs/theory/wedged.md, "Two bodies").
+// Strains are functions of q: K = H' K^0 H. A reaction on u_rel acts on a and, with weights and
+// opposite sign, on the b_k (docs/theory/wedged.md, "Two bodies").
 #pragma once
 
 #include <set>
@@ -20,17 +19,17 @@
 
 namespace kusabi::problems {
 
-/// The displacements, as (node, axis), that have nothing of their own: those of tied nodes, and one
-/// of each node on an inclined support.
+/// The displacements, as (node, axis), without a free displacement of their own: those of nodes
+/// with multi-point constraints, and one of each node with an inclined support.
 std::set<std::pair<int, int>> made_of_others(const Structure& structure);
 
-/// Fills `leaders` of degrees whose numbers are given.
+/// Sets the master degrees of freedom of numbered displacements.
 void set_leaders(const Structure& structure, FreeDegrees& degrees);
 
-/// The axis of the largest component, of equals the first.
+/// The axis of the largest component, the first of equal ones.
 int steepest_axis(const Eigen::VectorXd& direction);
 
-/// Whether any displacement is made of others: what limit analysis knows nothing of.
+/// Whether any displacement is dependent; limit analysis does not support such structures.
 bool has_constraints(const Structure& structure);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// How far each normal of a corner is from those before it.
+// Angles between the normals of a node.
 #include "problems/structure/model/corner.hpp"
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 namespace kusabi::problems {
 namespace {
 
-/// The angle in degrees between the last column and the span of those before it. Of one: 90.
+/// The angle in degrees between the last column and the span of the previous ones; 90 for a single
+/// column.
 double angle_from_span(const Eigen::MatrixXd& unit) {
   const Eigen::Index before = unit.cols() - 1;
   if (before == 0) return 90;
@@ -25,7 +26,7 @@ double angle_from_span(const Eigen::MatrixXd& unit) {
   return std::asin(std::min(1.0, rest.norm())) * 180 / std::numbers::pi;
 }
 
-/// The least of the angles between one of the columns and the span of the others.
+/// The least angle between one of the columns and the span of the others.
 double least_angle(const Eigen::MatrixXd& unit) {
   double least = 90;
   for (Eigen::Index k = 0; k < unit.cols(); ++k) {

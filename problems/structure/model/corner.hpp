@@ -1,8 +1,9 @@
-// Corners: nodes that are contact candidates more than once, each time with another normal. One
-// node of the bottom of a block may so touch the wall beside it, too.
+// Nodes with several contact normals: each normal is a contact candidate. For example, a node at
+// the bottom of a block may also touch the wall beside it.
 //
-// Its candidates see the same d displacements from several sides, so the node keeps its own, and
-// what a candidate sees is a sum (docs/theory/wedged.md, "Corners").
+// The candidates have the same d displacements in different directions, so the node keeps its own
+// displacements, and the displacement of a candidate is a combination of these
+// (docs/theory/wedged.md, "Corners").
 #pragma once
 
 #include <set>
@@ -15,16 +16,16 @@
 
 namespace kusabi::problems {
 
-/// Least angle, in degrees, between a normal of a corner and the span of the others there: nearer
-/// ones are of one face, or of two sides of a gap. F_nn loses the square of it, three parts in a
-/// million, to what is common to both.
+/// Least angle, in degrees, between a normal of a node and the span of its others: closer normals
+/// belong to one face, or to two sides of a gap. F_nn loses the square of it, three parts in a
+/// million, by cancellation.
 inline constexpr double smallest_corner_angle = 0.1;
 
 /// The nodes with more than one candidate.
 std::set<int> corner_nodes(const Structure& structure);
 
-/// What a candidate sees of the free displacements along an axis: that of its node, of a corner
-/// less that of the place that it is against.
+/// Weights of the free displacements in the displacement of a candidate along an axis: that of its
+/// node; at a node with several normals minus that of the opposite place.
 template <class Scalar>
 StrainVector<Scalar> seen_along(const FreeDegrees& degrees, const ContactCandidate& candidate,
                                 bool in_corner, int axis) {
@@ -40,9 +41,9 @@ StrainVector<Scalar> seen_along(const FreeDegrees& degrees, const ContactCandida
   return seen;
 }
 
-/// Checks that the normals of each corner are linearly independent, and that no two candidates have
+/// Checks that the normals of each node are linearly independent, and that no two candidates have
 /// the same name.
-/// @pre nodes and normals of the candidates are right
+/// @pre nodes and normals of the candidates are valid
 /// @throws InputError otherwise
 void check_corners(const Structure& structure);
 

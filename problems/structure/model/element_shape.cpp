@@ -1,4 +1,4 @@
-// One table, in the order of ElementShape.
+// Table of shapes, in the order of ElementShape.
 #include "problems/structure/model/element_shape.hpp"
 
 #include <cstddef>
@@ -8,15 +8,15 @@ namespace {
 
 using Points = std::span<const NaturalPoint<double>>;
 
-// The corners, and the middles of 1-2, 2-3, 3-1.
+// The vertices, and the midpoints of 1-2, 2-3, 3-1.
 constexpr std::array<NaturalPoint<double>, 6> triangle{
     {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
 
-// The corners, and the middles of 1-2, 2-3, 3-4, 4-1.
+// The vertices, and the midpoints of 1-2, 2-3, 3-4, 4-1.
 constexpr std::array<NaturalPoint<double>, 8> quadrilateral{
     {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
 
-// The corners, and the middles of 1-2, 2-3, 3-1, 1-4, 2-4, 3-4.
+// The vertices, and the midpoints of 1-2, 2-3, 3-1, 1-4, 2-4, 3-4.
 constexpr std::array<NaturalPoint<double>, 10> tetrahedron{{{0, 0, 0},
                                                             {1, 0, 0},
                                                             {0, 1, 0},
@@ -28,8 +28,8 @@ constexpr std::array<NaturalPoint<double>, 10> tetrahedron{{{0, 0, 0},
                                                             {0.5, 0, 0.5},
                                                             {0, 0.5, 0.5}}};
 
-// The corners of the face zeta = -1, of the face above it, the middles of the edges of the one and
-// of the other from corner 1 on, and those of the edges between them.
+// The vertices of the face zeta = -1 and of the face zeta = 1, the midpoints of the edges of both
+// from vertex 1 on, and those of the edges between them.
 constexpr std::array<NaturalPoint<double>, 20> hexahedron{
     {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1},  {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},
      {-1, 1, 1},   {0, -1, -1}, {1, 0, -1},  {0, 1, -1},  {-1, 0, -1}, {0, -1, 1}, {1, 0, 1},

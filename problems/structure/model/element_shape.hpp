@@ -1,5 +1,5 @@
-// The shapes of elements: how many nodes, where they are in natural coordinates, and in which
-// order, that of Abaqus and CalculiX (docs/problem-files.md).
+// Shapes of elements: their nodes in natural coordinates, in the order of Abaqus and CalculiX
+// (docs/problem-files.md).
 #pragma once
 
 #include <array>
@@ -15,20 +15,20 @@ namespace kusabi::problems {
 template <class Scalar>
 using NaturalPoint = std::array<Scalar, 3>;
 
-/// What is the same for all elements of one shape.
+/// Data common to all elements of one shape.
 struct ShapeTraits {
   std::string_view name;  ///< "ten-node tetrahedron"
   int dimension;
   bool simplex;    ///< xi, eta, zeta >= 0 with a sum up to 1; otherwise from -1 to 1 each
   bool quadratic;  ///< a node in the middle of each edge
   int corners;
-  /// Corners first, then the middles of edges.
+  /// Vertices first, then the midpoints of edges.
   std::span<const NaturalPoint<double>> nodes;
 };
 
 const ShapeTraits& shape_traits(ElementShape shape);
 
-/// The shape of so many nodes: 3, 6, 4 or 8 in the plane, 4, 10, 8 or 20 in space.
+/// The shape with this number of nodes: 3, 6, 4 or 8 in the plane, 4, 10, 8 or 20 in space.
 std::optional<ElementShape> shape_of(int dimension, std::size_t nodes);
 
 }  // namespace kusabi::problems

@@ -1,5 +1,5 @@
-// How much a member is stretched by the displacements of its ends: the vectors b_e of which the
-// stiffness of a truss, sum_e k_e b_e b_e^T, is made. In any precision.
+// Elongation of a member as a linear function of displacements: the vectors b_e of the stiffness of
+// a truss, sum_e k_e b_e b_e^T, in any precision.
 #pragma once
 
 #include <cmath>
@@ -11,14 +11,15 @@
 
 namespace kusabi::problems {
 
-/// One entry of b_e, or of another linear measure of strain: its change by a unit displacement.
+/// One entry of b_e, or of another linear measure of strain: its derivative by a free displacement.
 template <class Scalar>
 struct Elongation {
   int number;  ///< of the free displacement
   Scalar value;
 };
 
-/// Where displacements are made of others, a number may occur more than once: the entries add up.
+/// The entries of b_e. A number may occur more than once if displacements are dependent; the
+/// entries are then added.
 template <class Scalar>
 using StrainVector = std::vector<Elongation<Scalar>>;
 
@@ -35,8 +36,8 @@ Scalar times(const Scalar& value, const numbers::Precise& weight) {
 
 }  // namespace detail
 
-/// Adds the entry of a node's displacement along an axis, at the free displacements that it is
-/// made of: none if it is fixed.
+/// Adds the entry of a node's displacement along an axis to its master degrees of freedom: none if
+/// it is fixed.
 template <class Scalar>
 void add_entry(const FreeDegrees& degrees, int axis, int node, const Scalar& value,
                StrainVector<Scalar>& vector) {
@@ -48,7 +49,7 @@ void add_entry(const FreeDegrees& degrees, int axis, int node, const Scalar& val
   }
 }
 
-/// What the displacement of a node along an axis is made of, and with which weights.
+/// The free displacements in the displacement of a node along an axis, with their weights.
 template <class Scalar>
 StrainVector<Scalar> parts_of(const FreeDegrees& degrees, int axis, int node) {
   StrainVector<Scalar> parts;
@@ -56,7 +57,7 @@ StrainVector<Scalar> parts_of(const FreeDegrees& degrees, int axis, int node) {
   return parts;
 }
 
-/// From the first to the second end, length. Coordinates are taken as exact.
+/// The vector from the first to the second end, length. Coordinates are taken as exact.
 template <class Scalar>
 Eigen::Matrix<Scalar, Eigen::Dynamic, 1> extent(const Structure& structure, const Member& member) {
   return structure.coordinates.col(member.second).template cast<Scalar>() -
@@ -89,7 +90,8 @@ void add_square(const StrainVector<Scalar>& vector, Scalar weight,
                 std::vector<Eigen::Triplet<Scalar>>& entries) {
   for (const auto& row : vector) {
     for (const auto& column : vector) {
-      // The product of the two entries first: so (i, j) and (j, i) round alike.
+      // The product of the two entries is computed first, such that (i, j) and (j, i) have the same
+      // rounding.
       entries.emplace_back(row.number, column.number, weight * (row.value * column.value));
     }
   }

@@ -1,4 +1,4 @@
-// What is of another case is left out, with its place in the file.
+// Removal of the loads of other cases and of their places in the file.
 #include "problems/structure/model/load_cases.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace kusabi::problems {
 namespace {
 
-// Keeps what is of the case, each with its `sizes(entry)` places in the file.
+// Keeps the entries of the case, each with its `sizes(entry)` places in the file.
 template <class Entry, class Sizes>
 void keep(std::vector<Entry>& entries, std::vector<support::SourcePosition>& positions,
           const std::string& load_case, Sizes sizes) {

@@ -1,4 +1,4 @@
-// Load cases: sets of loads, and of what is uncertain of them, that act one at a time.
+// Load cases: sets of loads and uncertain loads that act one at a time.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace kusabi::problems {
 
-/// Their names, in the order of the file; none if all loads act together.
+/// The names of the load cases, in the order of the file; none if all loads act together.
 std::vector<std::string> load_cases(const Structure& structure);
 
-/// The structure with the loads of one case, and those of all: it has no cases any more.
+/// The structure with the loads of one case and the loads common to all cases, without cases.
 /// @param name one of `load_cases`
 Structure in_load_case(Structure structure, const std::string& name);
 
-/// The same, as a user asks for it. @param name empty: the structure as it is
+/// The same for a name given by the user. @param name empty: the structure unchanged
 /// @throws InputError if there is no such case
 Structure in_chosen_case(Structure structure, const std::string& name);
 
-/// What an error says of the choice between cases.
+/// Text of error messages with the available cases.
 std::string choice_of_load_cases(const Structure& structure);
 
 }  // namespace kusabi::problems

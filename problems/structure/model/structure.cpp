@@ -1,4 +1,4 @@
-// Errors that know where in its file a structure's entry stands.
+// Names of candidates, and errors with the place of an entry in its file.
 #include "problems/structure/model/structure.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace kusabi::problems {
 
 namespace {
 
-/// "@left", "@2": which of the candidates at its node it is; nothing where it is alone.
+/// Suffix "@left" or "@2" of a candidate at a node with several; empty for a single one.
 std::string which_at_node(const Structure& structure, std::size_t index) {
   std::set<std::string> surfaces;
   std::size_t count = 0;

@@ -1,9 +1,8 @@
-// A structure as its file describes it: bars and plane elements in its own units, its supports, the
-// nodes that may touch an obstacle (Gamma_D, Gamma_N and Gamma_C of the wedged paper's section 2),
-// and the loads (section 2.2 and 3.1 of the limit paper).
+// Structure as its file describes it: bars and elements in the user's units, supports, the nodes
+// that may touch an obstacle (Gamma_D, Gamma_N and Gamma_C of the wedged paper's section 2), and
+// loads (sections 2.2 and 3.1 of the limit paper).
 //
-// Plain data. `read_structure` fills it from a file, a program may fill it by hand;
-// `check_structure` says whether it can be computed with.
+// Plain data, filled by `read_structure` from a file or by a program; `check_structure` checks it.
 #pragma once
 
 #include <array>
@@ -19,13 +18,13 @@
 
 namespace kusabi::problems {
 
-/// The user's units, only carried along: every answer is in these.
+/// The user's units, which all answers have; they are not converted.
 struct Units {
   std::string length;
   std::string force;
 };
 
-/// Largest axial forces of a bar that is perfectly plastic, both >= 0.
+/// Yield forces of a perfectly plastic bar in tension and compression, both >= 0.
 struct YieldForces {
   double tension = 0;
   double compression = 0;
@@ -37,7 +36,7 @@ struct YieldForces {
 struct Member {
   int first;
   int second;
-  double axial_stiffness = 0;          ///< E A, force; 0: not given, of no need to limit analysis
+  double axial_stiffness = 0;          ///< E A, force; 0: not given; not required by limit analysis
   std::optional<YieldForces> yield{};  ///< q^y; nothing: not given
 };
 
@@ -50,30 +49,31 @@ struct Load {
   std::string load_case{};  ///< empty: it is of all cases
 };
 
-/// What a parameter of the dead load puts on one component.
+/// One component of an uncertain parameter of the dead load.
 struct UncertainComponent {
   int node;
   int axis;
   double weight = 1;  ///< not zero: the half-width for alpha = 1
 };
 
-/// A parameter zeta_j of the dead load, known up to its half-width, and its column of T (limit
-/// paper (6), (7)).
+/// A parameter zeta_j of the dead load with an unknown value within its half-width, and its column
+/// of T (limit paper (6), (7)).
 struct UncertainParameter {
-  std::string name;  ///< empty: of a single component, which is its name, with a weight above zero
+  std::string
+      name;  ///< empty: a single component, which serves as its name, with a positive weight
   std::vector<UncertainComponent> components;
-  std::optional<double> half_width{};  ///< of zeta_j, force; nothing: the alpha that is asked for
-  std::string group{};                 ///< what the file calls those that it is of; may be empty
-  std::string load_case{};             ///< empty: it is of all cases
+  std::optional<double> half_width{};  ///< of zeta_j, force; nothing: the value of alpha
+  std::string group{};                 ///< name of its group in the file; may be empty
+  std::string load_case{};             ///< empty: in all cases
 };
 
-/// How a plane element is held across the plane.
+/// Condition of a plane element in the third direction.
 enum class PlaneState {
-  stress,  ///< thin: free to become thinner, no stress across
-  strain,  ///< long: no strain across
+  stress,  ///< thin: no stress
+  strain,  ///< long: no strain
 };
 
-/// Which element: how many nodes, and in which order (docs/problem-files.md).
+/// Shape of an element: the number and order of its nodes (docs/problem-files.md).
 enum class ElementShape {
   triangle3,
   triangle6,
@@ -87,10 +87,10 @@ enum class ElementShape {
 
 /// An element of an isotropic body, in the plane or in space.
 struct Element {
-  std::vector<int> nodes;  ///< corners first, going round; in the order of its shape
+  std::vector<int> nodes;  ///< vertices first, in circular order; in the order of its shape
   double modulus;          ///< E, force/length^2
   double ratio;            ///< nu, Poisson's ratio
-  double thickness;        ///< length; of no meaning in space, like the next
+  double thickness;        ///< length; unused in space, as is the plane state
   PlaneState state;
   ElementShape shape = ElementShape::quadrilateral4;
 };
@@ -102,80 +102,83 @@ struct Spring {
   double stiffness;  ///< > 0, force/length
 };
 
-/// What a row of a superelement speaks of: the displacement of a node along an axis, or an unknown
-/// of its own, as a rotation, of which no support and no contact knows.
+/// Meaning of a row of a superelement: the displacement of a node along an axis, or an internal
+/// unknown, such as a rotation, without supports or contacts.
 struct SuperelementRow {
-  int node = -1;  ///< -1: an unknown of its own
+  int node = -1;  ///< -1: an internal unknown
   int axis = 0;
 };
 
-/// A body, or several, whose stiffness another program has computed.
+/// One or several bodies whose stiffness was computed by another program.
 struct Superelement {
   std::vector<SuperelementRow> rows;      ///< each displacement of a node at most once
-  Eigen::SparseMatrix<double> stiffness;  ///< both triangles, force/length; meant exactly
-  /// What each number may be off by, relative to itself, for it was written with so few digits. No
-  /// answer takes that in, but what holds a body by less than this does not hold it.
+  Eigen::SparseMatrix<double> stiffness;  ///< both triangles, force/length; taken as exact
+  /// Relative rounding error of each number due to the digits of its file. Answers do not include
+  /// it, but a body constrained only by less than this counts as unconstrained.
   double rounding = 0;
 };
 
-/// A share that a node has in the place that a contact candidate touches, or another node is tied
-/// to.
+/// The weight of a node in the place opposite to a contact candidate, or in a multi-point
+/// constraint.
 struct Share {
   int node;
   double weight;
 };
 
-/// A node without a will of its own: its displacement is the sum of weight times those of others.
+/// A multi-point constraint: the displacement of a dependent node is the sum of weight times those
+/// of its masters.
 struct Tie {
   int node;
   std::vector<Share> to;
 };
 
-/// A support that is no axis: the displacement u of its node has u . direction = 0.
+/// A support in a direction that is not an axis: u . direction = 0 for the displacement u of its
+/// node.
 struct InclinedSupport {
   int node;
-  Eigen::VectorXd direction;  ///< d, any length but zero
+  Eigen::VectorXd direction;  ///< d, any positive length
 };
 
-/// A node that lies on the surface of the rigid obstacle, or of another body, without a gap.
+/// A node on the surface of the rigid obstacle or of another body, without gap.
 struct ContactCandidate {
   int node;
   Eigen::VectorXd normal;  ///< d, unit, outward normal of the obstacle: u_n >= 0 is separation
-  std::optional<Eigen::VectorXd> tangent;  ///< d, wish for the first tangent, any length
-  double friction = 1;  ///< mu_i, relative to the coefficient that a search is asked for
-  /// d, the normal before it was made a unit vector and rounded; nothing: `normal` is meant
+  std::optional<Eigen::VectorXd> tangent;  ///< d, given first tangent, any length
+  double friction = 1;                     ///< mu_i, relative to the coefficient of a search
+  /// d, the normal before normalisation; nothing: `normal` is exact
   std::optional<Eigen::VectorXd> direction{};
-  /// The place of the other body: its displacement is the sum of weight times that of the node.
-  /// Empty: the obstacle is rigid. The displacement of the candidate is that of `node` less this,
-  /// and the reaction acts on both, with opposite signs.
+  /// The opposite place on another body: its displacement is the sum of weight times those of the
+  /// nodes. Empty: a rigid obstacle. The displacement of the candidate is that of `node` minus
+  /// this, and the reaction acts on both with opposite signs.
   std::vector<Share> against{};
-  /// What the file calls what the candidate touches; of use where a node is more than one
-  /// candidate.
+  /// Name of the opposite surface in the file; distinguishes candidates at one node.
   std::string surface{};
 };
 
-/// Where in the file each entry stands, so that an error found late still names its line. A
-/// structure made by a program leaves the vectors empty.
+/// Position of each entry in the file, for error messages. Structures made by programs leave the
+/// vectors empty.
 struct Sources {
   std::string file;
   std::vector<std::string> more_files;           ///< `SourcePosition::file` counts them from 1
-  std::vector<support::SourcePosition> nodes;    ///< one a node: its name
-  std::vector<support::SourcePosition> members;  ///< one a member: its pair of nodes
-  std::vector<support::SourcePosition> axial_stiffnesses;  ///< one a member: the EA of its group
-  std::vector<support::SourcePosition> elements;   ///< one an element: its nodes, or its mesh
-  std::vector<support::SourcePosition> materials;  ///< one an element: the head of its group
-  std::vector<support::SourcePosition> yields;     ///< one a member: the yield of its group
-  std::vector<support::SourcePosition> contact;    ///< one a candidate: its name in the list
-  std::vector<support::SourcePosition> normals;    ///< one a candidate: the normal of its group
-  std::vector<support::SourcePosition> tangents;   ///< one a candidate: the tangent of its group
-  std::vector<support::SourcePosition> frictions;  ///< one a candidate: the friction of its group
-  std::vector<support::SourcePosition> loads;      ///< one a load: its node in the list
-  /// One a component, parameter by parameter: its node in the list.
+  std::vector<support::SourcePosition> nodes;    ///< of each node: its name
+  std::vector<support::SourcePosition> members;  ///< of each member: its pair of nodes
+  std::vector<support::SourcePosition> axial_stiffnesses;  ///< of each member: the EA of its group
+  std::vector<support::SourcePosition> elements;   ///< of each element: its nodes, or its mesh
+  std::vector<support::SourcePosition> materials;  ///< of each element: the head of its group
+  std::vector<support::SourcePosition> yields;     ///< of each member: the yield of its group
+  std::vector<support::SourcePosition> contact;    ///< of each candidate: its name in the list
+  std::vector<support::SourcePosition> normals;    ///< of each candidate: the normal of its group
+  std::vector<support::SourcePosition> tangents;   ///< of each candidate: the tangent of its group
+  std::vector<support::SourcePosition> frictions;  ///< of each candidate: the friction of its group
+  std::vector<support::SourcePosition> loads;      ///< of each load: its node in the list
+  /// Of each component, by parameters: its node in the list.
   std::vector<support::SourcePosition> uncertain;
-  std::vector<support::SourcePosition> superelements;  ///< one a superelement: its file
-  std::vector<support::SourcePosition> springs;        ///< one a spring: its node in the list
-  std::vector<support::SourcePosition> ties;           ///< one a tie: its node in the list
-  std::vector<support::SourcePosition> inclined;       ///< one an inclined support: likewise
+  std::vector<support::SourcePosition> superelements;  ///< of each superelement: its file
+  std::vector<support::SourcePosition> springs;        ///< of each spring: its node in the list
+  std::vector<support::SourcePosition>
+      ties;  ///< of each multi-point constraint: its node in the list
+  std::vector<support::SourcePosition>
+      inclined;  ///< of each inclined support: its node in the list
 };
 
 struct Structure {
@@ -188,40 +191,40 @@ struct Structure {
   std::vector<Element> elements;  ///< members and elements may be mixed
   std::vector<Spring> springs;
   std::vector<Superelement> superelements;
-  /// Elements of bodies whose stiffness is in a superelement: they show where its surface is.
+  /// Elements of bodies whose stiffness is a superelement, which define their surface.
   std::vector<Element> outlines;
-  std::vector<std::array<bool, 3>> fixed;  ///< per node, per axis; the third is unused if d = 2
+  std::vector<std::array<bool, 3>> fixed;  ///< by node and axis; the third is unused if d = 2
   std::vector<InclinedSupport> inclined;
   std::vector<Tie> ties;
-  std::vector<ContactCandidate> contact;  ///< in the order of every answer
+  std::vector<ContactCandidate> contact;  ///< in the order of all answers
   std::vector<Load> loads;                ///< in the order of the file
-  /// Intervals of the dead load among them. Nothing: every free component that carries neither dead
-  /// nor reference load, with weight 1.
+  /// Uncertain components of the dead load. Nothing: every free component without dead and
+  /// reference load, with weight 1.
   std::optional<std::vector<UncertainParameter>> uncertain;
   Sources sources;
-  /// What the file has that may not be meant, or was left out: a line each, with its place.
+  /// Doubtful or ignored entries of the file, a line each, with their places.
   std::vector<std::string> warnings;
 };
 
-/// How many elements and outlines there are: all that has a surface.
+/// The number of elements and outlines.
 int body_elements(const Structure& structure);
 
-/// One of these, elements first.
+/// An element or outline, elements first.
 const Element& body_element(const Structure& structure, int index);
 
-/// What an answer calls a candidate: its node, and after a bar the node that it is against; "a|b+"
-/// if that one, of the largest share, has others beside it. In a corner the node is "a@left", with
-/// the surface that it touches there; "a@1" by order, unless each has a surface of its own.
+/// Name of a candidate in answers: its node and, after a bar, the opposite node; "a|b+" if b, the
+/// node of the largest weight, is one of several. At a node with several normals "a@left" by the
+/// opposite surface, or "a@1" by order unless each has a surface of its own.
 std::string candidate_name(const Structure& structure, std::size_t index);
 
-/// "x", "y" or "z".
+/// The name "x", "y" or "z".
 std::string_view axis_name(int axis);
 
-/// An error about `structure`: names its file and `position`, or, without a file, the structure.
+/// An error on `structure` with its file and `position`, or without a file, "the structure".
 support::InputError structure_error(const Structure& structure, support::SourcePosition position,
                                     std::string_view message);
 
-/// Entry `index` of `positions`, or no position when the structure has none.
+/// Entry `index` of `positions`, or no position if the structure has none.
 support::SourcePosition position_of(const std::vector<support::SourcePosition>& positions,
                                     int index);
 

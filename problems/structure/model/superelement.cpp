@@ -1,4 +1,4 @@
-// Nodes of superelements.
+// Nodes connected by a superelement.
 #include "problems/structure/model/superelement.hpp"
 
 #include <algorithm>

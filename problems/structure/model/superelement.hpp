@@ -1,4 +1,4 @@
-// Where the rows of a superelement are among the free displacements, in any precision.
+// Rows of a superelement among the free displacements, in any precision.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace kusabi::problems {
 
-/// What each row of a superelement is made of, and with which weights: nothing where it is held.
+/// The free displacements in each row of a superelement, with their weights; none where it is
+/// fixed.
 /// @param index of the superelement
 template <class Scalar>
 std::vector<StrainVector<Scalar>> superelement_parts(const Structure& structure,
@@ -29,8 +30,8 @@ std::vector<StrainVector<Scalar>> superelement_parts(const Structure& structure,
   return parts;
 }
 
-/// Calls `use(number, number, value)` for all that an entry K_ij of a superelement, which is not
-/// zero, is among the free displacements: K_ij times the weights of a part of i and a part of j.
+/// Calls `use(number, number, value)` for all contributions of a nonzero entry K_ij of a
+/// superelement: K_ij times the weights of a part of i and a part of j.
 template <class Scalar, class Use>
 void for_each_entry(const Structure& structure, const FreeDegrees& degrees, std::size_t index,
                     const Use& use) {
@@ -41,7 +42,8 @@ void for_each_entry(const Structure& structure, const FreeDegrees& degrees, std:
       if (entry.value() == 0) continue;
       for (const auto& row : parts[static_cast<std::size_t>(entry.row())]) {
         for (const auto& column : parts[static_cast<std::size_t>(j)]) {
-          // The product of the two weights first: so (i, j) and (j, i) round alike.
+          // The product of the two weights is computed first, such that (i, j) and (j, i) have the
+          // same rounding.
           use(row.number, column.number, entry.value() * (row.value * column.value));
         }
       }
@@ -49,7 +51,7 @@ void for_each_entry(const Structure& structure, const FreeDegrees& degrees, std:
   }
 }
 
-/// The nodes that a superelement holds on to, each once, in increasing order.
+/// The nodes of a superelement, without repetitions, in increasing order.
 std::vector<int> nodes_of(const Superelement& superelement);
 
 }  // namespace kusabi::problems

@@ -1,4 +1,4 @@
-// Assembly of the stiffness of a truss, member by member.
+// Assembly of the stiffness of a truss from its members.
 #include "problems/structure/model/truss.hpp"
 
 #include <cstddef>

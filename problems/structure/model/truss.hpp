@@ -1,5 +1,5 @@
-// The stiffness of a truss over the displacements that its supports leave free: the part
-// [K_CC K_CN; K_NC K_NN] of K^0 in equation (2) of the paper.
+// Stiffness of a truss over its free displacements: the part [K_CC K_CN; K_NC K_NN] of K^0 in
+// equation (2) of the paper.
 #pragma once
 
 #include <vector>
@@ -18,25 +18,24 @@ struct DegreeOfFreedom {
   int axis;
 };
 
-/// A free displacement that has a share in another one.
+/// A master degree of freedom of a dependent displacement, with its weight.
 struct Leader {
   int number;
-  numbers::Precise weight;  ///< right to 104 bits
+  numbers::Precise weight;  ///< accurate to 104 bits
 };
 
-/// The free displacements of a structure, node by node and axis by axis, and after them the
-/// unknowns that superelements have of their own. Those of a candidate against another body are
-/// relative to it.
+/// The free displacements of a structure, by nodes and axes, then the internal unknowns of
+/// superelements. Those of a candidate against another body are relative to it.
 struct FreeDegrees {
-  std::vector<DegreeOfFreedom> free;  ///< number -> node and axis, of all that are of a node
-  /// d x nodes: node and axis -> number, or -1 if fixed or made of others alone.
+  std::vector<DegreeOfFreedom> free;  ///< number -> node and axis, of displacements of nodes
+  /// d x nodes: node and axis -> number, or -1 if fixed or dependent.
   Eigen::MatrixXi number;
-  /// By d * node + axis, or empty if there are none: what the displacement has besides the free one
-  /// of its own number (problems/structure/model/constraints.hpp).
+  /// By d * node + axis, or empty if there are none: masters of the displacement besides the free
+  /// one of its own number (problems/structure/model/constraints.hpp).
   std::vector<std::vector<Leader>> leaders{};
-  /// By superelement and row: the number of an unknown of its own, or -1 for those of nodes.
+  /// By superelement and row: the number of an internal unknown, or -1 for displacements of nodes.
   std::vector<std::vector<int>> own_unknowns{};
-  int own_count = 0;  ///< how many of these there are
+  int own_count = 0;  ///< number of internal unknowns
 
   int of_nodes() const { return static_cast<int>(free.size()); }
   int size() const { return of_nodes() + own_count; }
@@ -48,18 +47,18 @@ FreeDegrees free_degrees(const Structure& structure);
 Eigen::VectorXd member_stiffnesses(const Structure& structure);
 
 /// Sum over the members of k_e b_e b_e^T, where b_e^T u is the elongation of member e: the whole
-/// symmetric matrix, over the free displacements, symmetric to the last bit where no displacement
-/// is made of others.
-/// @param member_stiffness k, one a member; `member_stiffnesses` gives the true one
+/// symmetric matrix over the free displacements, exactly symmetric where no displacement is
+/// dependent.
+/// @param member_stiffness k of each member; `member_stiffnesses` computes the actual values
 Eigen::SparseMatrix<double> truss_stiffness(const Structure& structure, const FreeDegrees& degrees,
                                             const Eigen::VectorXd& member_stiffness);
 
-/// B of the limit paper's (1): column e is b_e, so B q is the load that the axial forces q carry.
-/// Free displacements x members.
+/// B of the limit paper's (1): column e is b_e, so B q is the load in equilibrium with the axial
+/// forces q. Free displacements x members.
 Eigen::SparseMatrix<double> equilibrium_matrix(const Structure& structure,
                                                const FreeDegrees& degrees);
 
-/// Elongation b_e^T u of each member under the free displacements u.
+/// Elongation b_e^T u of each member for the free displacements u.
 Eigen::VectorXd elongations(const Structure& structure, const FreeDegrees& degrees,
                             const Eigen::VectorXd& displacement);
 
