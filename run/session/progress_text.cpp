@@ -1,4 +1,4 @@
-// Columns and their widths.
+// Columns of progress lines and their widths.
 #include "run/session/progress_text.hpp"
 
 #include <algorithm>
@@ -28,19 +28,19 @@ double objective(const ProgressState& state) {
   return state.shown.unit * std::min(state.progress.objective, state.shown.above);
 }
 
-// No bound is beyond the objective: what lies there is not looked at.
+// Bounds beyond the objective are not reported: nodes there are discarded.
 double bound(const ProgressState& state) {
   const double best = std::min(state.progress.objective, state.shown.above);
   return state.shown.unit * std::min(std::max(state.progress.bound, state.shown.below), best);
 }
 
-// Nothing better is left: what waits is only thrown away.
+// No better solution is left; the nodes that wait are only discarded.
 bool proof_is_over(const ProgressState& state) {
   const double best = std::min(state.progress.objective, state.shown.above);
   return state.minimising && std::isfinite(best) && state.progress.bound >= best;
 }
 
-// The guess of the time left, or the last steps of a search by their names.
+// The estimated remaining time, or the name of the last steps of a search.
 std::string left(const ProgressState& state) {
   if (state.progress.open == 0) return "ending";
   return proof_is_over(state) ? "closing" : duration(state.remaining);

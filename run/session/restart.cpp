@@ -1,4 +1,4 @@
-// Checkpoints found and refused.
+// Checkpoints and states: found, opened, or refused.
 #include "run/session/restart.hpp"
 
 #include <cerrno>
@@ -36,7 +36,7 @@ std::unique_ptr<engine::Journal> journal_when_free(const std::string& state,
   }
 }
 
-// A wrong name should cost a second and not the night.
+// Checked before the search, so that a wrong name is reported at once.
 void require_writable_folder(const std::string& checkpoint) {
   const auto folder = std::filesystem::absolute(checkpoint).parent_path();
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
@@ -63,7 +63,8 @@ std::string restart_from(Session& session, const std::string& checkpoint,
                          const std::string& restart, std::optional<std::uint64_t> tree) {
   return session.from_first_rank([&]() -> std::string {
     if (!checkpoint.empty()) require_writable_folder(checkpoint);
-    // The engine refuses to overwrite one as well; here the call can be said that goes on.
+    // The engine refuses to overwrite a checkpoint, too; this message contains the call that
+    // resumes.
     if (!checkpoint.empty() && restart != checkpoint && engine::checkpoint_exists(checkpoint)) {
       throw WrongInput(
           fmt::format("--checkpoint {}: exists already; expected --restart {} to go on from it, "

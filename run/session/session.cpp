@@ -1,4 +1,4 @@
-// The choice between MPI and a single process, and what is wrong, told to all ranks.
+// Choice between MPI and a single process; errors broadcast to all ranks.
 #include "run/session/session.hpp"
 
 #include <algorithm>
@@ -25,10 +25,10 @@ bool serial_wanted(int argc, char** argv) {
   });
 }
 
-// What rank 0 has to say.
+// Message of rank 0.
 struct Told {
   engine::Bytes bytes;
-  std::string wrong;  // what is wrong with the call or its input; empty: nothing
+  std::string wrong;  // error in the call or its input; empty: none
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {

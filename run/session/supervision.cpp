@@ -1,4 +1,4 @@
-// A progress line a search, a line of text for what is between them.
+// One progress line per search, one line of text for each stage between searches.
 #include "run/session/supervision.hpp"
 
 #include <memory>

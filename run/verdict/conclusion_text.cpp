@@ -1,4 +1,4 @@
-// A line each.
+// One line for each part of the verdict.
 #include "run/verdict/conclusion_text.hpp"
 
 #include "run/verdict/words.hpp"
