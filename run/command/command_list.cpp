@@ -1,4 +1,4 @@
-// The tables are filled once, when the list is made.
+// The tables are filled once, in the constructor.
 #include "run/command/command_list.hpp"
 
 #include <algorithm>

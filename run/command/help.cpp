@@ -1,4 +1,4 @@
-// Two columns: names, and what they mean.
+// Two columns: names and their descriptions.
 #include "run/command/help.hpp"
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace kusabi::run {
 namespace {
 
 constexpr std::size_t width = 80;
-constexpr std::size_t column = 26;  // where meanings begin
+constexpr std::size_t column = 26;  // of the descriptions
 
-// "  --mu NUMBER             friction coefficient", in as many lines as it takes.
+// "  --mu NUMBER             friction coefficient", in as many lines as needed.
 std::string entry_of(const std::string& head, const std::string& meaning) {
   auto text = fmt::format("  {}", head);
   const auto lines = folded(meaning, width - column);
@@ -42,7 +42,7 @@ std::string line_of(std::string_view name, std::string_view purpose) {
   return fmt::format("  {:<21}{}\n", name, purpose);
 }
 
-// Where a head and its row, both too long, can be parted: a column ends there in both.
+// Position at which a head and its row, both too long, are broken: the end of a column in both.
 std::size_t end_of_a_column(std::string_view head, std::string_view row) {
   const auto ends = [](std::string_view line, std::size_t at) {
     return line[at] == ' ' && line[at - 1] != ' ';
@@ -52,7 +52,7 @@ std::size_t end_of_a_column(std::string_view head, std::string_view row) {
   return at > 1 ? at : width;
 }
 
-// A head with a row, both too long, as two of each, the rest below the beginning.
+// A head and its row, both too long, broken in two, the second part below the first.
 std::string cut_tables(const std::string& text) {
   std::string cut;
   std::string_view left = text;

@@ -45,7 +45,7 @@ Defaults of options: a table for each subcommand, whose keys are the options wit
 What the call has goes before it.
 )";
 
-// Text of a manual page: a hyphen is one that can be copied, and no line begins with a command.
+// Text of a manual page: hyphens are ASCII hyphens, and no line begins with a macro.
 std::string roff(std::string_view text) {
   std::string escaped;
   bool line_begins = true;

@@ -1,4 +1,4 @@
-// What each kind of option takes, and what is said if it is given something else.
+// Permitted values of each kind of option, and messages for wrong ones.
 #include "run/command/option_table.hpp"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ std::string usual_of(const Range& /*range*/, const std::optional<double>& /*empt
   return {};
 }
 
-// The same number is the same fact, however it is written.
+// One spelling per number, since facts are compared as text.
 std::string as_fact(const std::string& text) {
   double number = 0;
   const char* const last = text.data() + text.size();
@@ -69,7 +69,7 @@ std::string as_fact(const std::string& text) {
   return error == std::errc{} && end == last ? fmt::format("{}", number) : text;
 }
 
-// A value that could not be given stands for none.
+// A value out of range means that there is no default.
 template <class Number>
 std::string usual_of(const Range& range, const Number& variable) {
   if (!is_in(range, variable) || variable == std::numeric_limits<Number>::max()) return {};

@@ -1,4 +1,4 @@
-// Looks among names first, then among the words that explain them.
+// Names are searched first, then the words of their descriptions.
 #include "run/command/wrong_words.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace kusabi::run {
 namespace {
 
-// A word that a name begins with, or one that is nearly a name; empty: none.
+// A word that is the beginning of a name, or nearly a name; empty: none.
 std::string_view meant_by(std::string_view word, const std::vector<std::string_view>& names) {
   constexpr std::size_t telling = 3;
   const auto begins = [&](std::string_view name) { return name.starts_with(word); };
@@ -32,21 +32,21 @@ std::string as_typed(std::string_view word) {
   return '\'' + text.substr(1, text.size() - 2) + '\'';
 }
 
-// The letters of a text, word by word.
+// The words of a text, letters only.
 std::vector<std::string_view> words_of(std::string_view text) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   std::vector<std::string_view> words;
   for (auto at = text.begin(); at != text.end();) {
     const auto begin = std::find_if(at, text.end(), is_letter);
     at = std::find_if_not(begin, text.end(), is_letter);
-    constexpr int explains = 5;  // what is shorter is "the", "from"
+    constexpr int explains = 5;  // shorter words, such as "the" or "from", explain nothing
     if (at - begin >= explains) words.emplace_back(&*begin, static_cast<std::size_t>(at - begin));
   }
   return words;
 }
 
-// The option that is explained by such a word, in the fewest words: the others mention it; null:
-// none.
+// The option whose description has such a word and is the shortest, since longer ones only mention
+// it; null: none.
 const OptionRow* explained_by(const OptionTable& table, std::string_view word) {
   const OptionRow* found = nullptr;
   for (const auto& row : table.rows()) {
@@ -64,7 +64,7 @@ std::vector<std::string_view> names_of(const OptionTable& table) {
   return names;
 }
 
-// Which subcommands have the option.
+// Subcommands that have the option.
 std::vector<std::string_view> owners(const CommandList& list, std::string_view option) {
   std::vector<std::string_view> names;
   for (const auto& entry : list.entries()) {
