@@ -1,5 +1,5 @@
-// The command `kusabi`: reads the call, runs the subcommand, and turns whatever goes wrong into one
-// line and an exit code.
+// The command `kusabi`: reads the call, runs the subcommand, and turns any error into one line and
+// an exit code.
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -48,7 +48,7 @@ int run(Session& session, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  secure_standard_streams();  // before MPI and anything else opens a file
+  secure_standard_streams();  // before MPI or anything else opens a file
   Session session(argc, argv);
   try {
     return run(session, argc, argv);

@@ -1,4 +1,4 @@
-// From the file to the bracket, on all ranks.
+// `kusabi critical`: options, stages and results, on all ranks.
 #include "run/critical/critical.hpp"
 
 #include <algorithm>
@@ -144,7 +144,7 @@ void Critical::read(CommandRun& run) {
 }
 
 void Critical::prepare(CommandRun& run) {
-  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
   auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
   structure_ = std::move(structure);
   warn_all(run.session(), structure_.warnings);
@@ -152,7 +152,7 @@ void Critical::prepare(CommandRun& run) {
   facets_ = std::move(facets);
   problem_ = run.within_limits(
       [&](const auto& work) { return problems::wedged_problem(structure_, work); });
-  // No further than the roughest candidate can be computed with.
+  // Upper limit: the largest coefficient that the candidate with the most friction permits.
   const double most = wedged::CriticalFriction::range(problem_).most;
   if (options_.question.most) friction_at(problem_, *options_.question.most, options_.file);
   if (!options_.question.most && most < wedged::usual_most) options_.question.most = most;

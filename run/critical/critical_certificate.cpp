@@ -1,4 +1,4 @@
-// A certificate file an end; that of an end that has to move is dropped.
+// One certificate file per bound; a file is dropped when its bound moves.
 #include "run/critical/critical_certificate.hpp"
 
 #include <memory>

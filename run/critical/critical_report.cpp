@@ -1,4 +1,4 @@
-// The table and the JSON of `kusabi critical`.
+// Table and JSON of `kusabi critical`.
 #include "run/critical/critical_report.hpp"
 
 #include <iterator>
@@ -53,7 +53,7 @@ std::vector<std::uint64_t> columns_of(const wedged::CriticalTree::Tally& tally) 
   return {tally.branched, tally.dead, tally.leaves, tally.programs};
 }
 
-// What the search for the bracket has cost; empty if there was none.
+// Cost of the search for the bracket; empty if there was none.
 std::string ranks_text(const wedged::CriticalFindings& findings, const Page& page) {
   if (!findings.global_ranks.empty()) {
     RankTable table({"branched", "pruned", "leaves", "programs"});
@@ -96,7 +96,7 @@ const char* phase_name(wedged::CriticalPhase phase) {
   return "upper end";
 }
 
-// All searches, one a line, and their sum.
+// Searches, one per line, and their sum.
 std::string costs_text(const wedged::CriticalFindings& findings) {
   auto text =
       fmt::format("\n{:<12}  {:>12}  {:>9}  {:>9}\n", "search", "friction", "nodes", "programs");

@@ -39,13 +39,13 @@ def end(*_):
 def carry(ends, delay, jitter, loss, counts):
     other = {ends[0]: ends[1], ends[1]: ends[0]}
     choice = random.Random(1)
-    under_way = []  # when each arrives, which it is, where, and what is in it
+    under_way = []  # arrival time, number, socket and data of each packet
     while True:
         wait = max(0, under_way[0][0] - time.monotonic()) if under_way else None
         for source in select.select(ends, [], [], wait)[0]:
             try:
                 packet = os.read(source, LARGEST_PACKET)
-            except OSError:  # not up yet
+            except OSError:  # not listening yet
                 time.sleep(0.001)
                 continue
             if choice.random() < loss:

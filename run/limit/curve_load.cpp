@@ -1,4 +1,4 @@
-// Two formats, told apart by their first character: no TOML file begins with a brace.
+// Two formats, distinguished by the first character: no TOML file begins with a brace.
 #include "run/limit/curve_load.hpp"
 
 #include <algorithm>

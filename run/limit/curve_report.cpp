@@ -1,4 +1,4 @@
-// One list of curves, and what each view makes of a piece.
+// List of curves, and the text of a piece in each view.
 #include "run/limit/curve_report.hpp"
 
 #include <algorithm>
@@ -22,13 +22,13 @@ using limit::LoadCurve;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
 
-/// A curve and what it is called in each view.
+/// A curve and its name in each view.
 struct NamedCurve {
   const LoadCurve* curve;
   const char* key;    // in JSON
   const char* name;   // in CSV
   const char* title;  // in the table
-  double load;        // at beta = 1, as the column of that name has it
+  double load;        // name of the load column at beta = 1
 };
 
 std::vector<NamedCurve> curves_of(const CurveReport& report) {

@@ -1,4 +1,4 @@
-// From the file to the report, on all ranks.
+// `kusabi limit`: options, stages and results, on all ranks.
 #include "run/limit/limit.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ class Limit final : public Subcommand {
   std::string vtu_;
   problems::ProblemText text_;
   std::string load_text_;
-  std::vector<LimitCase> cases_;  // one, without a name, if the file has none
+  std::vector<LimitCase> cases_;  // one without a name if the file has none
 };
 
 void Limit::describe(OptionTable& table) {
@@ -151,7 +151,7 @@ void Limit::check() const {
   }
 }
 
-// What only a worst case has.
+// Options that require a worst case.
 void Limit::refuse_without_worst_case() const {
   const auto& question = options_.question;
   const char* option = nullptr;
@@ -166,7 +166,7 @@ void Limit::refuse_without_worst_case() const {
                   option));
 }
 
-// How far uncertain loads may go, as the file and the call have it.
+// Half-widths of uncertain loads, from the file and the call.
 void Limit::settle_half_widths() {
   options_.asked.groups = group_half_widths(group_alpha_);
   std::vector<problems::LimitProblem*> problems;
@@ -179,7 +179,7 @@ void Limit::settle_half_widths() {
   }
   if (options_.question.alpha) return;
   refuse_without_worst_case();
-  // The dead load exactly as given: the evidence is that of no uncertainty.
+  // The dead load exactly as given: a certificate of the case without uncertainty.
   if (!certificate_.empty()) options_.question.alpha = 0;
 }
 
@@ -190,7 +190,7 @@ void Limit::read(CommandRun& run) {
       [&] { return problems::file_text(options_.curve_load, "a result file in JSON"); });
 }
 
-// The cases of the file, or the one that is asked for.
+// All load cases of the file, or the requested one.
 void Limit::take_cases(problems::Structure structure) {
   structure = problems::in_chosen_case(std::move(structure), options_.load_case);
   auto names = problems::load_cases(structure);
@@ -203,7 +203,7 @@ void Limit::take_cases(problems::Structure structure) {
 }
 
 void Limit::prepare(CommandRun& run) {
-  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
   auto structure = problems::read_structure(text_, options_.file);
   warn_all(run.session(), structure.warnings);
   take_cases(std::move(structure));

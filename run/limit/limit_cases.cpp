@@ -1,4 +1,4 @@
-// Row by row.
+// Load cases, one row each.
 #include "run/limit/limit_cases.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool is_carried_at_none(const limit::LimitAnswer& answer) {
   return answer.status == limit::LoadStatus::not_carried;
 }
 
-// What cases are compared by; infinity: it is not known.
+// Factor by which cases are compared; infinity: unknown.
 double least_factor(const LimitCase& each) {
   const auto& answer = each.found.answer;
   if (is_carried_at_none(answer)) return -std::numeric_limits<double>::infinity();

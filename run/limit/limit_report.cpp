@@ -1,4 +1,4 @@
-// The answer for a person.
+// Table of `kusabi limit`.
 #include "run/limit/limit_report.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ void write_mode(std::string& text, const LimitProblem& problem,
   }
 }
 
-// What holds at the load factor zero, where it is not what one expects.
+// Notes on load factor zero, if it is not carried.
 void write_zero(std::string& text, const char* load, const limit::LimitCollapse& collapse) {
   if (collapse.factor < 0) {
     fmt::format_to(std::back_inserter(text), "  negative: {} alone collapses the structure\n",
@@ -81,7 +81,7 @@ void write_ends(std::string& text, const limit::LimitWorstCase& worst) {
   }
 }
 
-// The factors of all loads, and the load at their lower end where zero is not among them.
+// Load factors carried under all loads, and the load at their lower end if zero is not among them.
 void write_interval(std::string& text, const LimitProblem& problem,
                     const limit::LimitAnswer& answer) {
   const auto interval = guaranteed_interval(answer);
@@ -137,7 +137,7 @@ void write_worst(std::string& text, const LimitOptions& options, const LimitProb
                  worst.counts.relaxations, worst.counts.pricings, worst.tree_programs);
 }
 
-// Why there is no nominal factor.
+// Reason why there is no nominal factor.
 std::string no_nominal(const limit::LimitAnswer& answer) {
   if (answer.status == limit::LoadStatus::not_carried) {
     return fmt::format("the nominal dead load is carried at no load factor, of either sign{}\n",

@@ -1,4 +1,4 @@
-// The 0-1 program, under its own name.
+// Results of the zero-one program.
 #include "run/limit/zero_one_report.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// From the file to the report, on all ranks.
+// `kusabi mip`: options, stages and results, on all ranks.
 #include "run/mip/mip.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::uint64_t program_fingerprint(const ProgramFile& file) {
   return fingerprint.value();
 }
 
-// A checkpoint belongs to a tree, and the tree depends on the options as well.
+// Fingerprint of the tree: a checkpoint belongs to a tree, which depends on the options.
 std::uint64_t tree_fingerprint(std::uint64_t program, const MipOptions& options) {
   support::Fingerprint fingerprint;
   fingerprint.add(program);
@@ -82,7 +82,7 @@ class Mip final : public Subcommand {
 
  private:
   MipOptions options_;
-  std::chrono::steady_clock::time_point began_;  // to read the file, which counts
+  std::chrono::steady_clock::time_point began_;  // the clock includes reading the file
   std::optional<engine::Analysis> analysis_;
   ProgramFile program_;
   std::uint64_t fingerprint_ = 0;
