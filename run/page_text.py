@@ -5,7 +5,7 @@ import dataclasses
 import re
 
 FENCE = re.compile(r"^(`{3,})(\S*)\s*$")
-# What is said of the block below, where no reader sees it.
+# Comments for this program above a block, invisible to readers.
 REMARK = re.compile(r"<!-- (not run|run instead|run before|printed by|exit code|needs)(?:, [^:]*)?: (.*?) -->", re.DOTALL)
 PROGRAM = re.compile(r"(kusabi|mpirun|python3|cmake|glpsol|gmsh|(\./)?(build|run|bench)/\S+|CC=\S+)( |$)")
 LINK = re.compile(r"!?\[(?:[^\]\[]|\[[^\]]*\])*\]\(([^()\s]+)\)")
@@ -57,7 +57,7 @@ def remarks_above(lines, first):
     begin = end
     while begin > 0 and lines[begin - 1].strip() and not lines[begin - 1].startswith(("    ", "```", "|", "#")):
         begin -= 1
-    # The last comments of what stands above, with nothing but comments behind them.
+    # Comments directly above the block.
     above = re.search(r"(?:<!--(?:(?!-->).)*-->\s*)+$", "\n".join(lines[begin:end]), re.DOTALL)
     return [(what, text.strip()) for what, text in REMARK.findall(above[0])] if above else []
 

@@ -35,7 +35,7 @@ text { fill: #e6edf3; }
 
 class Curve(NamedTuple):
     name: str
-    kind: str     # "", "dashed", "dotted"; "dots": its points alone
+    kind: str  # "", "dashed", "dotted"; "dots": points only
     points: list  # pairs of numbers
 
 
@@ -129,9 +129,9 @@ def figure_10(run):
 
 
 class Picture(NamedTuple):
-    name: str       # of the file in docs/images
+    name: str  # file name in docs/images
     command: str
-    draw: Callable  # an SVG text of a run
+    draw: Callable  # function from a run to an SVG text
 
 
 PICTURES = [

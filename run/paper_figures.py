@@ -7,7 +7,7 @@ import re
 from typing import Callable, NamedTuple
 
 LOST = "lost"
-NOTHING = "–"  # the paper describes it and prints no figure
+NOTHING = "–"  # described in the paper without a figure
 PLANE_TRUSSES = (5, 7, 9, 11, 13, 15, 17, 19)
 BODY = "examples/paper/elastic-body.toml"
 SPACE = "examples/paper/space-truss-fit.toml"
@@ -26,12 +26,12 @@ class Row(NamedTuple):
     printed: str
     read: Callable
     why: str = ""
-    # slow: not in a quick run. seconds: a time, likewise, and never compared. ours: no figure of the paper's own
-    # structure to compare with, and `why` says what it is.
+    # slow: not in a quick run. seconds: a time, not in a quick run and never compared. ours: no
+    # figure of the paper to compare with; `why` names the structure.
     kind: str = ""
 
 
-# What is read in results.
+# Values read from results.
 
 def rays_and_cones(run):
     return f"{len(run.result['rays'])}, {len(run.result['cones'])}"

@@ -24,7 +24,7 @@ struct MipReport {
   /// Proved bound: no point has a better objective, in the sense of the file.
   [[nodiscard]] double bound() const;
   [[nodiscard]] double objective() const;
-  /// |objective - bound| / |objective|; the difference itself if the objective is zero.
+  /// |objective - bound| / |objective|; the absolute difference if the objective is zero.
   [[nodiscard]] double gap() const;
 
   [[nodiscard]] Verdict verdict() const;

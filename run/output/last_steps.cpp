@@ -1,4 +1,4 @@
-// The first error waits for its turn.
+// The first error is thrown after all steps.
 #include "run/output/last_steps.hpp"
 
 #include <exception>

@@ -1,4 +1,4 @@
-// From the file to the report, on all ranks.
+// `kusabi patterns`: options, stages and results, on all ranks.
 #include "run/patterns/patterns.hpp"
 
 #include <algorithm>
@@ -78,8 +78,8 @@ class Patterns final : public Subcommand {
   wedged::PatternQuestion question_;
   std::optional<CertificateFile> certificate_;
   std::optional<wedged::PatternFindings> findings_;
-  std::vector<wedged::PatternBracket> brackets_;  // on rank 0, if they are asked for
-  bool goes_on_ = false;                          // whether a checkpoint is there to go on from
+  std::vector<wedged::PatternBracket> brackets_;  // on rank 0, if requested
+  bool goes_on_ = false;  // a checkpoint exists from which the search can be resumed
 };
 
 void Patterns::describe(OptionTable& table) {
@@ -87,7 +87,8 @@ void Patterns::describe(OptionTable& table) {
   using wedged::FacetBound;
   table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table.number("--mu", &options_.friction, above(0), "friction coefficient").required().swept();
-  // Doubles have no more digits in a margin, and above nothing would be left to find.
+  // Lower limit: the digits of a double in a margin. Upper limit: larger values would leave nothing
+  // to find.
   table.number("--tolerance", &options_.tolerance, between(1e-12, 1e-3),
                "a margin t* up to this size is a tie, neither positive nor negative");
   table.choice(
@@ -140,7 +141,7 @@ void Patterns::describe(OptionTable& table) {
       .varies();
   table.number("--top", &options_.top, above(0), "list so many in the table; all are in the file")
       .varies();
-  // By the number of signs decided, see SignPatternTree::bound.
+  // Order by the number of decided signs, see SignPatternTree::bound.
   table
       .choice("--order", options_.order,
               {{"depth-first", engine::Order::depth_first},
@@ -186,7 +187,7 @@ void Patterns::read(CommandRun& run) {
   text_ = run.session().from_first_rank([&] { return problems::problem_text(options_.file); });
 }
 
-// A checkpoint belongs to a tree, and the tree depends on the friction and the tolerance as well.
+// Fingerprint of the tree: a checkpoint belongs to a tree, which depends on friction and tolerance.
 std::uint64_t Patterns::tree_fingerprint() const {
   support::Fingerprint fingerprint;
   fingerprint.add(problem_.fingerprint);
@@ -202,7 +203,7 @@ std::uint64_t Patterns::tree_fingerprint() const {
 }
 
 void Patterns::prepare(CommandRun& run) {
-  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
   auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
   structure_ = std::move(structure);
   warn_all(run.session(), structure_.warnings);
@@ -231,7 +232,7 @@ void Patterns::prepare(CommandRun& run) {
   const auto fingerprint = tree_fingerprint();
   run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
   search.checkpoint = run.checkpoint(options_.checkpoint, fingerprint);
-  // Where an earlier run has come to the end there is nothing left to write down.
+  // If an earlier run has finished, no further evidence is recorded.
   certificate_.emplace(
       run.session(), run.has_searched() ? std::string() : options_.certificate, options_.file,
       fingerprint, !options_.checkpoint.restart.empty() || run.has_begun_to_search(),
@@ -257,8 +258,7 @@ void Patterns::search(CommandRun& run) {
   brackets_ = wedged::pattern_brackets(analysis, problem_, findings_->leaves, options_.friction);
 }
 
-// After an early stop the parts of the certificate are kept only if a checkpoint is there to go on
-// from.
+// After an early stop the parts of the certificate are kept only with a checkpoint to resume from.
 void Patterns::end_certificate() {
   if (!certificate_->wanted() && !options_.certificate.empty()) {
     put_earlier_certificate_in_place(options_.certificate, options_.file, tree_fingerprint(),

@@ -1,4 +1,4 @@
-// What is said below the table, and the JSON, of `kusabi patterns`.
+// Text below the table, and JSON, of `kusabi patterns`.
 #include "run/patterns/patterns_report.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string patterns(const support::ExactCount& count) {
   return counted(count, "sign pattern");
 }
 
-// If all open leaves were patterns, which no other contains.
+// Number of patterns if all open leaves are patterns and none is contained in another.
 support::ExactCount most_patterns(const wedged::PatternFindings& findings) {
   std::vector<std::uint64_t> of_blocks;
   for (const auto& block : findings.blocks) of_blocks.push_back(block.cones + block.open);
@@ -79,7 +79,8 @@ ordered_json PatternsReport::candidates_json() const {
 }
 
 Verdict PatternsReport::verdict() const {
-  // Ties are found by cut-offs, and so is what unconstrained bodies do, but for the exact test.
+  // Degenerate nodes and nodes of unconstrained bodies are classified by cut-offs unless the exact
+  // test has decided them.
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
                                  : findings_.flat == 0 && problem_.loose_bodies.empty();
@@ -101,7 +102,7 @@ Verdict PatternsReport::verdict() const {
   return verdict;
 }
 
-// The pattern with the largest margin, and what would be the first to go wrong there.
+// The pattern with the largest margin, and its nearest inequality.
 std::string PatternsReport::firmest() const {
   const auto& leaves = findings_.leaves;
   if (leaves.empty()) return {};

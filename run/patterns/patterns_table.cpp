@@ -1,4 +1,4 @@
-// The table of `kusabi patterns`: a line a pattern, or a line a group of them.
+// Table of `kusabi patterns`: one line per pattern, or per group of patterns.
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -17,7 +17,8 @@
 namespace kusabi::run {
 namespace {
 
-/// More lines than these are looked at together, not one by one; then in so many groups.
+/// Maximum number of lines before the table becomes an overview, and maximum number of groups in
+/// it.
 constexpr std::size_t many_lines = 40;
 constexpr std::size_t many_groups = 20;
 
@@ -109,8 +110,7 @@ std::string PatternsReport::groups() const {
   return text;
 }
 
-// Whoever has said how the list should be gets it so, and what reads a file counts on a line a
-// pattern.
+// An explicit --sort, --top or --group is obeyed, and files and pipes have one line per pattern.
 bool PatternsReport::is_overview() const {
   return page_.width != Page::endless && options_.group < 0 &&
          options_.sort == PatternSort::number && options_.top > findings_.leaves.size() &&
@@ -137,7 +137,7 @@ std::string PatternsReport::overview() const {
                     counted(static_cast<std::uint64_t>(apart), "candidate"));
 }
 
-// Of Algorithm 5.8: Y_1, ..., Y_k, and what (23) says of each.
+// Candidates of Algorithm 5.8: Y_1, ..., Y_k, with the result of (23) for each.
 std::string PatternsReport::candidates() const {
   std::string text;
   if (!options_.list_candidates) return text;
