@@ -1,4 +1,4 @@
-// A line for each, and which question it answers; what it is called and does is in its folder.
+// List of all subcommands, with chapters of help.
 #include "run/subcommands.hpp"
 
 #include <utility>

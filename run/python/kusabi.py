@@ -8,7 +8,7 @@ environment variable KUSABI names, else `kusabi` of the PATH.
     result = kusabi.run("patterns", "examples/space-truss.toml", mu=0.65, ranks=2)
     result["result"]["count"]               # the result file, see docs/result-files.md
     result.partial                          # stopped early, or something is open
-    result.to_dataframe()                   # a row a pattern; a list of dicts without pandas
+    result.to_dataframe()  # one row per pattern; a list of dicts without pandas
 
     try:
         kusabi.run("patterns", "wrong.toml", mu=0.65)
@@ -208,7 +208,7 @@ def _execute(command, files, ranks, input, options):
 
 def _file_word(file):
     word = os.fspath(file)
-    return f"./{word}" if word.startswith("-") and word != "-" else word  # no option
+    return f"./{word}" if word.startswith("-") and word != "-" else word  # not an option
 
 
 def _executable():
@@ -240,7 +240,8 @@ def _said(text):
 
 
 def _error(ended, result=None):
-    # Warnings come before the error. Refused proofs are an answer, which is printed; else the launcher has spoken.
+    # Warnings precede the error. A refused certificate is an answer, which is printed; otherwise
+    # the message is the launcher's.
     of_launcher = [line.strip() for line in ended.stderr.splitlines() if line.strip(" -")]
     said = _said(ended.stderr)[-1:] or _said(ended.stdout)[:1] or of_launcher[:1]
     message = said[0] if said else f"kusabi ended with exit code {ended.returncode} and said nothing"
@@ -261,13 +262,13 @@ def _is_partial(content):
     """What exit code 3 says, from the file alone."""
     if "verdict" in content:
         return not content["verdict"]["answered"]
-    answer = content["result"]  # of version 0.1
+    answer = content["result"]  # version 0.1
     if content["status"] not in ("solved", "not-carried"):
         return True
     if content["command"] == "patterns":
         return answer["marginal"] + answer["undecided"] > 0
     if content["command"] == "critical":
-        return bool(answer.get("open", answer.get("doubtful")))  # the latter of 0.1
+        return bool(answer.get("open", answer.get("doubtful")))  # "doubtful" in version 0.1
     if content["command"] == "sweep":
         return bool(answer.get("open")) or any(each.get("count", 0) is None for each in answer["points"])
     if content["command"] == "mip":

@@ -1,4 +1,4 @@
-// From the file to the report: which way, on which ranks.
+// `kusabi rays`: options, stages and results; both methods, on all ranks.
 #include "run/rays/rays.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ namespace {
 
 using wedged::RayMethod;
 
-// Of one ray, candidate by candidate.
+// Columns of one ray, candidate by candidate.
 std::vector<pictures::ContactState> contact_states_of(const rays::Supports& supports, int count) {
   std::vector<pictures::ContactState> states;
   for (int i = 0; i < count; ++i) {
@@ -138,7 +138,7 @@ void Rays::read(CommandRun& run) {
 }
 
 void Rays::prepare(CommandRun& run) {
-  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
   auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
   structure_ = std::move(structure);
   warn_all(run.session(), structure_.warnings);
@@ -195,7 +195,7 @@ void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
   const ConfigurationGrids grids(states);
   const auto count = std::min(found_.rays.size(), longest_series);
   VtuSeries series(folder);
-  auto health = found_.health;  // what is said of it was, when the rays were written
+  auto health = found_.health;  // complete after the rays are written
   for (std::size_t i = 0; i < count; ++i) {
     const auto ray = cone_->ray(found_.rays[i], health);
     series.add(
@@ -211,7 +211,7 @@ std::vector<Step> Rays::results(CommandRun& run) {
   const auto states = std::make_shared<const WholeStates>(structure_, problem_);
   const auto report =
       std::make_shared<RaysReport>(options_, *states, *cone_, found_, exact_, CommandRun::page());
-  // All is written in one pass over the rays, so that their numbers are made only once.
+  // Table, CSV and JSON are written in one pass over the rays, whose numbers are computed once.
   const auto table = std::make_shared<std::ostringstream>();
   const auto write = [&run, report, table, states](JsonWriter* json) {
     report->write(run.quiet() ? nullptr : table.get(),

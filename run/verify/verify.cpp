@@ -1,4 +1,4 @@
-// From the file to the verdict, on all ranks.
+// `kusabi verify`: from the file to the verdict, on all ranks.
 #include "run/verify/verify.hpp"
 
 #include <cstdint>
@@ -112,7 +112,7 @@ void Verify::prepare(CommandRun& run) {
   run.keep_state(options_.checkpoint, std::move(facts));
 }
 
-// The first line says what it is a certificate of.
+// The first line identifies the kind of certificate.
 void Verify::search(CommandRun& run) {
   findings_ = text_.starts_with(verify::limit_first_words)
                   ? verify_limit(run, options_, structure_, text_)

@@ -1,4 +1,4 @@
-// Sets that are joined two by two, those of similar size only.
+// Disjoint sets, joined in pairs; only contact sets of similar size are compared.
 #include "run/wedged/pattern_groups.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ int difference(const support::IndexSet& a, const support::IndexSet& b) {
   return (a - b).size() + (b - a).size();
 }
 
-/// Disjoint sets of the numbers below a count, each known by its least member.
+/// Disjoint sets of indices, each represented by its least index.
 class Joined {
  public:
   explicit Joined(std::size_t count) : above_(count) {
@@ -41,7 +41,7 @@ class Joined {
 
 std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration>& patterns,
                                          int most_apart) {
-  // Contact sets that differ by no more differ by no more in size.
+  // Contact sets that differ in n candidates differ in size by n at most.
   std::map<std::pair<std::uint32_t, int>, std::vector<std::size_t>> by_size;
   Joined joined(patterns.size());
   for (std::size_t i = 0; i < patterns.size(); ++i) {
@@ -64,7 +64,7 @@ std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration
     if (group.members.empty()) {
       group.firmest = i;
       group.contact = contact;
-      group.varying = contact;  // the union, until all are there
+      group.varying = contact;  // the union, until all members are added
     }
     group.members.push_back(i);
     group.contact &= contact;
@@ -97,7 +97,7 @@ std::optional<std::vector<PatternGroup>> groups_around_firmest(
     if (near != groups.end()) {
       near->members.push_back(i);
       near->contact &= contact;
-      near->varying |= contact;  // the union, until all are there
+      near->varying |= contact;  // the union, until all members are added
       continue;
     }
     if (groups.size() == most_groups) return {};
