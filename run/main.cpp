@@ -22,7 +22,7 @@ using namespace kusabi::run;
 int complain(Session& session, const std::string& message) {
   if (session.speaks()) {
     std::fflush(stdout);
-    tell("{}\n", message);
+    print_message("{}\n", message);
   }
   return wrong_input;
 }
@@ -59,11 +59,11 @@ int main(int argc, char** argv) {
   } catch (const kusabi::support::InputError& error) {
     return complain(session, error.what());
   } catch (const kusabi::engine::Disagreement& error) {
-    if (session.speaks()) tell("kusabi: {}\n", error.what());
+    if (session.speaks()) print_message("kusabi: {}\n", error.what());
     return failed;
   } catch (const std::exception& error) {
     session.transport().abandon(error.what());
-    tell("kusabi: {}\n", error.what());
+    print_message("kusabi: {}\n", error.what());
     return failed;
   }
 }

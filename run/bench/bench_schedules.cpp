@@ -121,7 +121,7 @@ int bench_schedules(Session& session, const BenchSchedulesOptions& options) {
     }
     if (!session.speaks() || Clock::now() < next_line) continue;
     next_line = Clock::now() + interval;
-    tell("{} of {} schedules, {} failed\n", tried * step, options.seeds, failed_seeds);
+    print_message("{} of {} schedules, {} failed\n", tried * step, options.seeds, failed_seeds);
   }
   fmt::print("{} schedules{}, {} failed\n", tried,
              step == 1 ? "" : fmt::format(" on rank {}", session.transport().rank()), failed_seeds);

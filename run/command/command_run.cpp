@@ -68,16 +68,16 @@ int CommandRun::execute() {
   if (session_.speaks()) {
     do_all(command_.results(*this));
     if (!quiet_) {
-      for (const auto& name : written_) tell("wrote {}\n", name);
+      for (const auto& name : written_) print_message("wrote {}\n", name);
     }
     const auto reached = verdict();
     const auto exit = exit_code(reached);
-    tell_what_is_open(reached);
+    print_open(reached);
     for (const auto& remark : command_.remarks(*this)) {
       if (exit == solved) {
-        tell("{}\n", remark);
+        print_message("{}\n", remark);
       } else {
-        tell_doubt(remark);
+        print_warning(remark);
       }
     }
     if (journal_ && exit == solved) journal_->finish();
@@ -96,11 +96,11 @@ Verdict CommandRun::verdict() const {
 }
 
 // Beneath the table on a terminal that shows both streams.
-void CommandRun::tell_what_is_open(const Verdict& verdict) const {
+void CommandRun::print_open(const Verdict& verdict) const {
   const auto is_terminal = [](const Page& page) { return page.width != Page::endless; };
   if (!quiet_ && is_terminal(page()) && is_terminal(page_of(STDERR_FILENO))) return;
   for (const auto& [sentence, open] : reservations(verdict)) {
-    if (open) tell_doubt(sentence);
+    if (open) print_warning(sentence);
   }
 }
 
@@ -122,9 +122,9 @@ support::LongWork CommandRun::long_work() {
   if (shows()) {
     work.report = [this](const char* name, double share) {
       const auto now = std::chrono::steady_clock::now();
-      if (now - told_ < between_lines) return;
-      told_ = now;
-      tell("{}: {:.0f} %\n", name, 100 * share);
+      if (now - last_line_ < between_lines) return;
+      last_line_ = now;
+      print_message("{}: {:.0f} %\n", name, 100 * share);
     };
   }
   return work;
@@ -134,7 +134,7 @@ int CommandRun::stopped_before_the_search() {
   if (session_.speaks()) {
     const auto why =
         engine::end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
-    tell_doubt(
+    print_warning(
         fmt::format("stopped early ({}) while the problem was prepared: nothing is known yet, no "
                     "file is written",
                     status_name(why)));
@@ -148,12 +148,12 @@ void CommandRun::check() const {
     command_.check();
   } catch (const WrongInput& error) {
     if (defaults_.taken.empty()) throw;
-    throw WrongInput(fmt::format("{} ({})", error.what(), defaults_told()));
+    throw WrongInput(fmt::format("{} ({})", error.what(), defaults_text()));
   }
 }
 
 // "defaults of config.toml: --mu 0.65 --sort margin"
-std::string CommandRun::defaults_told() const {
+std::string CommandRun::defaults_text() const {
   auto text = fmt::format("defaults of {}:", defaults_.file);
   for (const auto& [option, value] : defaults_.taken) {
     text += ' ' + option;
@@ -235,7 +235,7 @@ void CommandRun::announce() {
   if (line.empty()) return;
   auto text =
       fmt::format("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, command_.name(), input(), line);
-  if (!defaults_.taken.empty()) text += defaults_told() + '\n';
+  if (!defaults_.taken.empty()) text += defaults_text() + '\n';
   show_heading(folded(text, page().width));
 }
 
@@ -288,7 +288,7 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
   kept_ = session_.from_first_rank([&] {
     journal_ = opened_journal(choice.state, facts, question.value(), choice.patience);
     for (const auto& line : journal_->warnings()) warn(line);
-    if (journal_->is_finished() && !quiet_) tell("{}: finished before\n", choice.state);
+    if (journal_->is_finished() && !quiet_) print_message("{}: finished before\n", choice.state);
     return state_of(*journal_);
   });
   keeping_ = engine::Keeping{.journal = journal_.get(),

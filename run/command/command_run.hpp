@@ -131,11 +131,11 @@ class CommandRun {
   void put_in_place(const std::string& option);
   [[nodiscard]] std::string input() const;
   void check() const;
-  [[nodiscard]] std::string defaults_told() const;
+  [[nodiscard]] std::string defaults_text() const;
   [[nodiscard]] nlohmann::ordered_json defaults_json() const;
   [[nodiscard]] Verdict verdict() const;
   [[nodiscard]] nlohmann::ordered_json last_members() const;
-  void tell_what_is_open(const Verdict& verdict) const;
+  void print_open(const Verdict& verdict) const;
 
   Session& session_;
   Subcommand& command_;
@@ -149,7 +149,7 @@ class CommandRun {
   std::optional<engine::Keeping> keeping_;    // with --resume, on every rank
   KeptState kept_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point told_ = started_;
+  std::chrono::steady_clock::time_point last_line_ = started_;
   std::optional<std::chrono::steady_clock::time_point> ends_with_the_job_at_;
 };
 

@@ -15,9 +15,9 @@ namespace {
 
 // A word that is the beginning of a name, or nearly a name; empty: none.
 std::string_view meant_by(std::string_view word, const std::vector<std::string_view>& names) {
-  constexpr std::size_t telling = 3;
+  constexpr std::size_t fewest_letters = 3;
   const auto begins = [&](std::string_view name) { return name.starts_with(word); };
-  if (word.size() >= telling && std::ranges::count_if(names, begins) == 1)
+  if (word.size() >= fewest_letters && std::ranges::count_if(names, begins) == 1)
     return *std::ranges::find_if(names, begins);
   return support::nearest(word, names);
 }

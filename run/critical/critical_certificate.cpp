@@ -36,7 +36,7 @@ class EndCertificate final : public wedged::EndRecord {
       const bool one = claim == wedged::EndClaim::one_pattern;
       file_.put_in_place(certificate_header(problem_, friction_, bounds) +
                          (one ? one_pattern_line : ""));
-      if (!quiet_) tell_written({name_});
+      if (!quiet_) print_written({name_});
     } else {
       file_.drop();
     }

@@ -249,7 +249,7 @@ void Limit::search(CommandRun& run) {
     return each.found.answer.worst && each.found.answer.worst->no_safe_m;
   };
   if (run.shows() && std::ranges::any_of(cases_, no_safe_m)) {
-    tell(
+    print_message(
         "--cuts: no safe M was found, and (29) was not tried; the ends are those of static "
         "cuts\n");
   }

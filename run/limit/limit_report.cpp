@@ -154,7 +154,7 @@ std::string no_nominal(const limit::LimitAnswer& answer) {
 
 std::string LimitReport::table(const Page& page) const {
   std::string text = cases.size() > 1 ? cases_text(cases) : std::string();
-  if (!answer.nominal) return text + page.doubtful(no_nominal(answer));
+  if (!answer.nominal) return text + page.warning(no_nominal(answer));
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "nominal load factor {:.10g}\n", answer.nominal->factor);
   write_zero(text, "the dead load", *answer.nominal);
@@ -171,8 +171,8 @@ std::string LimitReport::table(const Page& page) const {
   }
   text += CurveReport{options, problem, answer}.table();
   if (answer.rest != engine::Status::solved) {
-    text += page.doubtful(fmt::format("stopped early ({}): not all that was asked for is here\n",
-                                      status_name(answer.rest)));
+    text += page.warning(fmt::format("stopped early ({}): not all that was asked for is here\n",
+                                     status_name(answer.rest)));
   }
   return text;
 }

@@ -99,7 +99,7 @@ std::string Page::strong(std::string_view text) const {
   return styled(colours, 1, text);
 }
 
-std::string Page::doubtful(std::string_view text) const {
+std::string Page::warning(std::string_view text) const {
   constexpr int yellow = 33;
   return styled(colours, yellow, text);
 }

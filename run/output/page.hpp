@@ -17,7 +17,7 @@ struct Page {
   /// Bold: the answer.
   [[nodiscard]] std::string strong(std::string_view text) const;
   /// Yellow: open, not proved or stopped.
-  [[nodiscard]] std::string doubtful(std::string_view text) const;
+  [[nodiscard]] std::string warning(std::string_view text) const;
 };
 
 /// Page of a descriptor. The width of a terminal is COLUMNS if set, otherwise its own, otherwise

@@ -55,21 +55,21 @@ void flush_standard_output() {
   if (std::fflush(stdout) != 0) fail();
 }
 
-void tell_text(std::string_view text) noexcept {
+void print_text(std::string_view text) noexcept {
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
-void tell_doubt(std::string_view line) noexcept {
+void print_warning(std::string_view line) noexcept {
   try {
-    tell_text(page_of(STDERR_FILENO).doubtful(line) + '\n');
+    print_text(page_of(STDERR_FILENO).warning(line) + '\n');
   } catch (const std::bad_alloc&) {
-    tell_text(line);
+    print_text(line);
   }
 }
 
-void tell_written(std::initializer_list<std::string> files) {
+void print_written(std::initializer_list<std::string> files) {
   for (const auto& file : files) {
-    if (!file.empty()) tell("wrote {}\n", file);
+    if (!file.empty()) print_message("wrote {}\n", file);
   }
 }
 

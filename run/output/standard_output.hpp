@@ -30,18 +30,18 @@ void show_heading(std::string_view text) noexcept;
 void flush_standard_output();
 
 /// Writes to standard error; never throws. Messages that cannot be written are dropped.
-void tell_text(std::string_view text) noexcept;
+void print_text(std::string_view text) noexcept;
 
 /// Formats and writes to standard error; unlike fmt::print(stderr, …), never throws.
 template <class... Arguments>
-void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  tell_text(fmt::format(format, std::forward<Arguments>(arguments)...));
+void print_message(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  print_text(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
 /// A warning or a line about open parts, highlighted on a terminal.
-void tell_doubt(std::string_view line) noexcept;
+void print_warning(std::string_view line) noexcept;
 
 /// One line on standard error for each of `files` with a name.
-void tell_written(std::initializer_list<std::string> files);
+void print_written(std::initializer_list<std::string> files);
 
 }  // namespace kusabi::run

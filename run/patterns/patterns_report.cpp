@@ -92,7 +92,7 @@ Verdict PatternsReport::verdict() const {
                                      .undecided = findings_.open(),
                                      .standing = proved ? Standing::proved : Standing::computed,
                                      .doubt = doubt_of(exact)}};
-  if (auto text = firmest(); !text.empty()) verdict.details.push_back(std::move(text));
+  if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
         "The coefficients from which on the patterns stick (--sort critical) were not all "
@@ -103,7 +103,7 @@ Verdict PatternsReport::verdict() const {
 }
 
 // The pattern with the largest margin, and its nearest inequality.
-std::string PatternsReport::firmest() const {
+std::string PatternsReport::largest_margin() const {
   const auto& leaves = findings_.leaves;
   if (leaves.empty()) return {};
   const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
@@ -222,7 +222,7 @@ ordered_json PatternsReport::groups_json() const {
     auto members = ordered_json::array();
     for (const auto member : group.members) members.push_back(member + 1);
     list.push_back({{"patterns", std::move(members)},
-                    {"firmest", group.firmest + 1},
+                    {"firmest", group.largest_margin + 1},
                     {"contact", candidate_names(problem_, group.contact)},
                     {"varying", candidate_names(problem_, group.varying)}});
   }

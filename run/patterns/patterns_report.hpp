@@ -53,7 +53,7 @@ class PatternsReport {
   [[nodiscard]] std::string overview() const;
   [[nodiscard]] std::string row(std::size_t number) const;
   [[nodiscard]] std::string names(const support::IndexSet& candidates) const;
-  [[nodiscard]] std::string firmest() const;
+  [[nodiscard]] std::string largest_margin() const;
   /// Sentences below the headline.
   [[nodiscard]] std::string details() const;
   [[nodiscard]] nlohmann::ordered_json patterns_json(const WholeStateJson& whole) const;

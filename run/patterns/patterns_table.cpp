@@ -99,8 +99,8 @@ std::string PatternsReport::groups() const {
   std::size_t number = 0;
   for (const auto& group : groups) {
     text += fmt::format("{:>5}  {:>8}  {:>10}  {:>7}  {} | {}\n", ++number, group.members.size(),
-                        margin_text(findings_.leaves[group.firmest]), group.firmest + 1,
-                        names(group.contact), names(group.varying));
+                        margin_text(findings_.leaves[group.largest_margin]),
+                        group.largest_margin + 1, names(group.contact), names(group.varying));
   }
   if (all > groups.size()) text += fmt::format("{:>5}  {} more\n", "…", all - groups.size());
   text += fmt::format(
@@ -121,14 +121,15 @@ std::string PatternsReport::overview() const {
   const auto& leaves = findings_.leaves;
   const auto most_groups = std::max(many_groups, findings_.blocks.size());
   int apart = 1;
-  auto groups = groups_around_firmest(leaves, apart, most_groups);
-  while (!groups) groups = groups_around_firmest(leaves, ++apart, most_groups);
+  auto groups = groups_around_largest_margin(leaves, apart, most_groups);
+  while (!groups) groups = groups_around_largest_margin(leaves, ++apart, most_groups);
   auto text = fmt::format("\n{:>8}  {:>10}  {:>7}  {}\n", "patterns", "margin t*", "number",
                           "the firmest of them is in contact at");
   for (const auto& group : *groups) {
-    const auto& firmest = leaves[group.firmest];
-    text += fmt::format("{:>8}  {:>10}  {:>7}  {}\n", group.members.size(), margin_text(firmest),
-                        group.firmest + 1, contact_text(problem_, firmest.pattern));
+    const auto& largest_margin = leaves[group.largest_margin];
+    text +=
+        fmt::format("{:>8}  {:>10}  {:>7}  {}\n", group.members.size(), margin_text(largest_margin),
+                    group.largest_margin + 1, contact_text(problem_, largest_margin.pattern));
   }
   return text + fmt::format(
                     "{} in {}: in each all differ from the firmest in at most {}. --group 0 lists "

@@ -45,7 +45,7 @@ std::optional<Launch> by_srun(const Environment& environment) {
 
 }  // namespace
 
-std::optional<Launch> launch_told_by(const Environment& environment) {
+std::optional<Launch> launch_from(const Environment& environment) {
   if (auto launch = by_mpirun(environment, "OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK")) {
     return launch;
   }

@@ -24,7 +24,7 @@ struct Launch {
 /// have both SLURM_STEP_ID and SLURM_PROCID, and the interactive step of salloc has a special
 /// number.
 /// @return nothing without a launcher
-std::optional<Launch> launch_told_by(const Environment& environment);
+std::optional<Launch> launch_from(const Environment& environment);
 
 /// Error message if the launch and the number of MPI ranks disagree.
 /// @param serial true if the call has --serial: steps of a batch system may then run independent

@@ -36,7 +36,7 @@ ProgressLine::ProgressLine(engine::Goal goal, const ShownObjective& shown)
 }
 
 ProgressLine::~ProgressLine() {
-  if (bar_shown_) tell("\r\033[K");  // the result follows
+  if (bar_shown_) print_message("\r\033[K");  // the result follows
 }
 
 void ProgressLine::show(const engine::Progress& progress) {
@@ -63,14 +63,14 @@ void ProgressLine::show(const engine::Progress& progress) {
 
 void ProgressLine::show_bar() {
   bar_shown_ = true;
-  tell("\r\033[K{}", progress_bar(state_, terminal_width()));
+  print_message("\r\033[K{}", progress_bar(state_, terminal_width()));
 }
 
 void ProgressLine::show_row() {
   if (rows_++ % rows_a_page == 0) {
-    tell("{}\n", progress_header(state_.minimising));
+    print_message("{}\n", progress_header(state_.minimising));
   }
-  tell("{}\n", progress_row(state_));
+  print_message("{}\n", progress_row(state_));
 }
 
 }  // namespace kusabi::run

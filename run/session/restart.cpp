@@ -24,13 +24,13 @@ std::unique_ptr<engine::Journal> journal_when_free(const std::string& state,
                                                    const engine::Facts& facts, double patience) {
   using Clock = std::chrono::steady_clock;
   const auto begun = Clock::now();
-  for (bool told = false;; told = true) {
+  for (bool announced = false;; announced = true) {
     try {
       return std::make_unique<engine::Journal>(state, facts);
     } catch (const engine::JournalInUse&) {
       if (std::chrono::duration<double>(Clock::now() - begun).count() >= patience) throw;
     }
-    if (!told)
+    if (!announced)
       warn(fmt::format("{}: is in use by another run; waiting {} s for its end", state, patience));
     std::this_thread::sleep_for(between_two_looks);
   }
@@ -48,7 +48,7 @@ void require_writable_folder(const std::string& checkpoint) {
 }  // namespace
 
 void warn(const std::string& line) {
-  tell_doubt("kusabi: warning: " + line);
+  print_warning("kusabi: warning: " + line);
 }
 
 void warn_all(Session& session, const std::vector<std::string>& lines) {

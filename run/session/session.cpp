@@ -26,7 +26,7 @@ bool serial_wanted(int argc, char** argv) {
 }
 
 // Message of rank 0.
-struct Told {
+struct Prepared {
   engine::Bytes bytes;
   std::string wrong;  // error in the call or its input; empty: none
 
@@ -60,15 +60,15 @@ engine::Transport& Session::transport() {
 }
 
 std::optional<std::string> Session::fault_of_launch(bool serial) {
-  const auto launch = launch_told_by([](const char* name) { return std::getenv(name); });
+  const auto launch = launch_from([](const char* name) { return std::getenv(name); });
   auto fault = run::fault_of_launch(launch, static_cast<unsigned>(ranks()), serial);
   if (fault && launch->number != 0) fault->clear();
   return fault;
 }
 
-engine::Bytes Session::told(const std::function<engine::Bytes()>& prepare) {
-  auto told = engine::from_first_rank(transport(), [&] {
-    Told own;
+engine::Bytes Session::broadcast(const std::function<engine::Bytes()>& prepare) {
+  auto prepared = engine::from_first_rank(transport(), [&] {
+    Prepared own;
     try {
       own.bytes = prepare();
     } catch (const WrongInput& error) {
@@ -78,8 +78,8 @@ engine::Bytes Session::told(const std::function<engine::Bytes()>& prepare) {
     }
     return own;
   });
-  if (!told.wrong.empty()) throw WrongInput(told.wrong);
-  return std::move(told.bytes);
+  if (!prepared.wrong.empty()) throw WrongInput(prepared.wrong);
+  return std::move(prepared.bytes);
 }
 
 }  // namespace kusabi::run

@@ -53,7 +53,7 @@ class Session {
 
  private:
   /// Result of `prepare` on rank 0, broadcast to every rank, or its WrongInput.
-  engine::Bytes told(const std::function<engine::Bytes()>& prepare);
+  engine::Bytes broadcast(const std::function<engine::Bytes()>& prepare);
 
   struct Mpi;  // hides mpi.h from the command
   std::unique_ptr<Mpi> mpi_;
@@ -65,13 +65,13 @@ template <class Prepare>
 std::invoke_result_t<Prepare> Session::from_first_rank(Prepare prepare) {
   using Value = std::invoke_result_t<Prepare>;
   if constexpr (std::is_void_v<Value>) {
-    told([&] {
+    broadcast([&] {
       prepare();
       return engine::Bytes();
     });
   } else {
     std::optional<Value> own;
-    const auto bytes = told([&] {
+    const auto bytes = broadcast([&] {
       own.emplace(prepare());
       return ranks() == 1 ? engine::Bytes() : engine::pack(*own);
     });

@@ -13,8 +13,8 @@ std::string conclusion_text(const Verdict& verdict, const Page& page) {
     for (const auto& each : verdict.details) text += ' ' + each;
     text += '\n';
   }
-  for (const auto& each : reservations(verdict)) text += page.doubtful(each.sentence) + '\n';
-  for (const auto& each : verdict.warnings) text += page.doubtful("Warning: " + each) + '\n';
+  for (const auto& each : reservations(verdict)) text += page.warning(each.sentence) + '\n';
+  for (const auto& each : verdict.warnings) text += page.warning("Warning: " + each) + '\n';
   return text;
 }
 

@@ -37,7 +37,7 @@ class Verification {
     std::uint64_t marginal = 0;  ///< without a claim
     /// Infeasible nodes, proved except for displacements over `far_motion` times the strains.
     std::uint64_t but_for_far_motion = 0;
-    /// Degenerate nodes proved by another node's multipliers.
+    /// Undecided nodes with a proof that some candidate in contact stays unloaded.
     std::uint64_t unloaded = 0;
 
     [[nodiscard]] std::uint64_t open() const { return marginal - unloaded; }

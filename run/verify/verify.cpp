@@ -121,7 +121,7 @@ void Verify::search(CommandRun& run) {
 
 std::vector<Step> Verify::results(CommandRun& run) {
   const auto page = CommandRun::page();
-  auto text = page.doubtful(findings_.refusals);
+  auto text = page.warning(findings_.refusals);
   if (!run.quiet()) text += findings_.summary;
   return {CommandRun::print(folded(text, page.width)), run.answer([] { return std::string(); })};
 }

@@ -12,7 +12,7 @@ namespace kusabi::run {
 
 struct PatternGroup {
   std::vector<std::size_t> members;  ///< indices in the list, in its order
-  std::size_t firmest = 0;           ///< index of the member with the largest margin
+  std::size_t largest_margin = 0;    ///< index of the member with the largest margin
   support::IndexSet contact;         ///< candidates in contact in all members
   support::IndexSet varying;         ///< candidates in contact in some members, but not in all
 };
@@ -30,7 +30,7 @@ std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration
 /// comes first.
 /// @param most_groups maximum number of groups
 /// @return nothing if there would be more
-std::optional<std::vector<PatternGroup>> groups_around_firmest(
+std::optional<std::vector<PatternGroup>> groups_around_largest_margin(
     const std::vector<wedged::Configuration>& patterns, int most_apart, std::size_t most_groups);
 
 }  // namespace kusabi::run

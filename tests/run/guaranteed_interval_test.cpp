@@ -75,7 +75,7 @@ TEST_F(GuaranteedInterval, OfAHangerUnderUplift) {
               HasSubstr("no load factor is carried under every admissible load"));
 }
 
-// Where both ends are 1 no digits tell whether the interval is empty.
+// Where both ends are 1 no digits print_message whether the interval is empty.
 TEST_F(GuaranteedInterval, IsOpenWhereItIsOnePoint) {
   const auto json = result_of(case_file("uplift.toml") + " --alpha 2", 3);
   const auto& interval = json["guaranteed_interval"];

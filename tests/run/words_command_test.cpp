@@ -192,16 +192,17 @@ TEST_F(Words, GroupsPatternsThatDifferInFewCandidates) {
   std::size_t members = 0;
   for (const auto& group : all["groups"]) {
     members += group["patterns"].size();
-    const auto firmest = all["patterns"][group["firmest"].get<std::size_t>() - 1];
+    const auto largest_margin = all["patterns"][group["firmest"].get<std::size_t>() - 1];
     for (const auto& number : group["patterns"]) {
       const auto& pattern = all["patterns"][number.get<std::size_t>() - 1];
-      EXPECT_LE(pattern["margin"], firmest["margin"]);
+      EXPECT_LE(pattern["margin"], largest_margin["margin"]);
       for (const auto& name : group["contact"])
         EXPECT_NE(std::ranges::find(pattern["contact"], name), pattern["contact"].end());
     }
-    EXPECT_THAT(table, HasSubstr(fmt::format("  {:>8}  {:>10}  {:>7}  ", group["patterns"].size(),
-                                             fmt::format("{:.3e}", firmest["margin"].get<double>()),
-                                             group["firmest"].get<int>())));
+    EXPECT_THAT(table,
+                HasSubstr(fmt::format("  {:>8}  {:>10}  {:>7}  ", group["patterns"].size(),
+                                      fmt::format("{:.3e}", largest_margin["margin"].get<double>()),
+                                      group["firmest"].get<int>())));
   }
   EXPECT_EQ(members, all["patterns"].size());
   EXPECT_EQ(result()["options"]["group"], 1);
@@ -219,7 +220,7 @@ TEST_F(Words, ALongListIsShownInGroupsOnATerminal) {
   EXPECT_THAT(in_one_line(shown), HasSubstr(head));
   EXPECT_THAT(in_one_line(shown), HasSubstr(fmt::format("{} patterns in ", patterns.size())));
   EXPECT_THAT(in_one_line(shown), HasSubstr("--group 0 lists every one"));
-  // The sizes of all groups are that of the list; the firmest of all comes first.
+  // The sizes of all groups are that of the list; the largest_margin of all comes first.
   std::istringstream lines(shown.substr(shown.find(head)));
   std::string line;
   std::getline(lines, line);

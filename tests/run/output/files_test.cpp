@@ -237,7 +237,7 @@ class LaunchOf {
   explicit LaunchOf(Variables variables) : variables_(std::move(variables)) {}
 
   [[nodiscard]] bool refused(unsigned ranks, bool serial = false) const {
-    const auto launch = launch_told_by([this](const char* name) {
+    const auto launch = launch_from([this](const char* name) {
       const auto found = variables_.find(name);
       return found == variables_.end() ? nullptr : found->second.c_str();
     });

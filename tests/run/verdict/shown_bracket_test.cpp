@@ -1,4 +1,4 @@
-// Decimal bounds are bounds, and tell lower from upper.
+// Decimal bounds are bounds, and print_message lower from upper.
 #include "run/verdict/shown_bracket.hpp"
 
 #include <cmath>
