@@ -76,15 +76,15 @@ def show(name, kusabi, file, folder, method, most=None):
                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS)))
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    told = f"{name:18} {'' if most is None else f'up to {most:g}':14} {method:8} {seconds:7.2f} s"
+    label = f"{name:18} {'' if most is None else f'up to {most:g}':14} {method:8} {seconds:7.2f} s"
     if not output.exists():
-        print(f"{told}  cut off", flush=True)
+        print(f"{label}  cut off", flush=True)
         return None, None
     result = json.loads(output.read_text())
     searches = result["statistics"]["searches"]
     proofs = sum(each["programs"] for each in searches if each["phase"].endswith("end"))
     bracket = result["result"]["critical_friction"]
-    print(f"{told} {sum(each['programs'] for each in searches) - proofs:8} + {proofs:<6} {bracket['lower']:.10g}"
+    print(f"{label} {sum(each['programs'] for each in searches) - proofs:8} + {proofs:<6} {bracket['lower']:.10g}"
           f" … {bracket['upper']}", flush=True)
     return bracket["lower"], bracket["upper"]
 

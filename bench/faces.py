@@ -18,7 +18,7 @@ import tempfile
 import time
 
 FRICTION = "5.2"
-MOST_RELATIVE = 100  # beyond, the relative rule takes hours
+MOST_RELATIVE = 100  # beyond this size, the relative rule takes hours
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_hwloc_base_binding_policy": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1",
                "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe", "PRTE_MCA_hwloc_default_binding_policy": "none"}

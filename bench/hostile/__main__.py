@@ -22,9 +22,11 @@ import transform
 from oracle import BodiesOracle, Oracle
 from structure import Mechanism, from_toml, to_toml
 
-#: Kinds whose scales are so far apart that an answer may be left open; one that is given must be right all the same.
+#: Kinds with scales so far apart that an answer may be open; an answer that is given must be
+#: correct.
 FAR = ("lever", "coupling")
-#: A corner that holds by itself leaves the critical coefficient open (docs/theory/wedged.md).
+#: A node with several contact normals that is wedged by itself leaves the critical coefficient
+#: open (docs/theory/wedged.md).
 MAY_BE_OPEN = (*FAR, "corner", "loose-corner")
 
 

@@ -1,9 +1,9 @@
-"""A structure of any bodies, held or not, in the plane, in 80 digits: pairs, corners, triangles and loose bodies.
+"""Plane structures of bodies, constrained or not, in 80 digits: pairs, nodes with several normals, triangles.
 
-Reads a problem file by itself (nodes, members, elements of three or four nodes, springs of none, supports along the axes,
-candidates with weights). A body that nothing holds has a compliance only with springs that hold it; reactions in
-equilibrium make no force in these, so u = F r + G a with any a, and G'r = 0. A node of a pair that is off its place by the
-rounding of its coordinates alone is put there, exactly.
+Reads problem files by itself (nodes, members, elements of three or four nodes, supports along the axes, candidates with
+weights; no springs). The compliance of an unconstrained body requires grounding springs; reactions in equilibrium cause
+no force in these, so u = F r + G a with any a, and G'r = 0. Nodes of a pair that differ by the rounding of their
+coordinates are moved together exactly.
 """
 
 import tomllib

@@ -17,10 +17,10 @@ from decimal import Decimal
 from compare import Kusabi, whole_cones
 from oracle import BodiesOracle
 
-#: (file, friction coefficient, further words of `patterns`, whether scales are far apart)
+#: (file, friction coefficient, further arguments of `patterns`, whether scales are far apart)
 ASKED = (("lever_3e11", 0.5, (), True), ("lever_1e12", 0.5719, (), True), ("weak_coupling_1e-11", 1.83834805972901, (), True),
          ("pair_on_edges", 1.2492575712727418, (), False), ("loose_with_cuts", 1.72062024876753, ("--cuts", "always"), False))
-#: How far the oracle looks for the smallest coefficient, and how narrowly.
+#: Upper limit and width of the search for the smallest coefficient by the oracle.
 MOST, WIDTH = 8.0, Decimal("1e-10")
 
 
@@ -66,7 +66,7 @@ def _certificate(kusabi, case, path):
     proved, _, line = kusabi.run("verify", evidence, "--problem", path)
     if code == 3 and case["far"]:
         return
-    ties = result["result"]["exact"]["ties"]  # of which it claims nothing, and says so
+    ties = result["result"]["exact"]["ties"]  # no claim, as it states
     if proved != code and not (proved == 3 and ties):
         yield f"patterns: exit code {code}, verify: {proved}: {line}"
 

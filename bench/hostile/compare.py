@@ -241,7 +241,7 @@ class Judge:
                     continue
                 proved, _, line = self.kusabi.run("verify", file, *more)
                 self._count("certificates")
-                # What is a tie cannot be proved, only said: by `patterns`, which counts them.
+                # Degenerate patterns cannot be proved: `patterns` counts them.
                 answer = result["result"]
                 ties = answer["exact"]["ties"] if "exact" in answer else asked[0] == "critical" and file.endswith(".upper")
                 if proved != 0 and not (proved == 3 and ties):

@@ -12,7 +12,7 @@ from structure import dot
 
 #: Relative size below which a pivot of the equations is zero.
 RANK = Decimal("1e-40")
-#: A value of t* that is smaller than this, with a gap smaller than this, is taken for zero.
+#: Values of t* below this, with a gap below this, are zero.
 TIE = Decimal("1e-24")
 
 ALIVE, DEAD, TIED, UNSURE = "alive", "dead", "tied", "unsure"
@@ -72,7 +72,7 @@ def _affine(rows, right):
         for step, column in enumerate(pivots):
             vector[column] = -table[step][j]
         basis.append(vector)
-    for i, vector in enumerate(basis):  # orthonormal, only to begin at a sensible point
+    for i, vector in enumerate(basis):  # orthonormal, only as a starting point
         for other in basis[:i]:
             along = dot(vector, other)
             vector = [x - along * y for x, y in zip(vector, other)]
@@ -163,7 +163,7 @@ class Leaf:
         at = lambda row: row[1] + dot(row[0], point)
         return [at(row) for row in self.linear], [(at(first), [at(o) for o in others]) for first, others in self.cones]
 
-    def climb(self, gap, stop_at_sign=True):
+    def escalate(self, gap, stop_at_sign=True):
         """Raises t until its bracket [low, high] is narrower than `gap`, or its sign is known. Leaves both in self."""
         self.low, self.high = Decimal("-Infinity"), Decimal("Infinity")
         if self.empty:
@@ -269,7 +269,7 @@ class Leaf:
 
 def sign(leaf):
     """alive, dead, tied or unsure, with the leaf's point where it was decided."""
-    leaf.climb(TIE)
+    leaf.escalate(TIE)
     if leaf.low > 0 and leaf.low > TIE:
         return ALIVE
     if leaf.high < 0 and (leaf.high < -TIE or leaf.empty):
@@ -280,11 +280,11 @@ def sign(leaf):
 def margin(flexibility, d, friction, contact, apart):
     """t* in the program's unit to more than four digits: (low, high)."""
     leaf = Leaf(mean_scaled(flexibility, d), d, friction, contact, apart)
-    leaf.climb(Decimal("1e-3"), stop_at_sign=False)
+    leaf.escalate(Decimal("1e-3"), stop_at_sign=False)
     while not leaf.empty and leaf.high - leaf.low > abs(leaf.low) * Decimal("1e-5") and leaf.high - leaf.low > TIE:
         goal = max(min(leaf.high - leaf.low, abs(leaf.low)) * Decimal("1e-3"), TIE / 2)
         before = leaf.high - leaf.low
-        leaf.climb(goal, stop_at_sign=False)
+        leaf.escalate(goal, stop_at_sign=False)
         if leaf.high - leaf.low >= before:
             break
     return leaf.low, leaf.high

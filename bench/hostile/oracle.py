@@ -105,7 +105,7 @@ class BodiesOracle:
     """The same questions about bodies of any kind in the plane, held or not (bodies.py)."""
 
     d = 2
-    DIGITS = 140  # long levers and weak couplings take forty of them
+    DIGITS = 140  # long levers and weak couplings need forty of them
 
     def __init__(self, text):
         self.structure = bodies.Bodies(text)
@@ -137,7 +137,7 @@ class BodiesOracle:
         return result
 
     def _enumerate(self, mu, block):
-        # The command takes the product of both as a double.
+        # The command computes the product as a double.
         friction = [Decimal(float(mu) * self.structure.candidates[i].friction) for i in block]
         at = [2 * i + a for i in block for a in (0, 1)]
         columns = [l for l in range(len(self.motions[0])) if any(self.motions[row][l] for row in at)]

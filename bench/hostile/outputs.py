@@ -90,7 +90,7 @@ def contradictions(kusabi, words, tally):
             page = file.read()
         text = _plain(page)
         sentence = result.get("verdict", {}).get("sentence")
-        if sentence is None:  # the headline of the report, then
+        if sentence is None:  # headline of the report
             head = re.search(r'<p id="verdict">(.*?)</p>', page, re.S)
             sentence = _plain(head.group(1)) if head else None
         if sentence is None:

@@ -52,7 +52,7 @@ def _edges(flexibility, friction, motions):
 def enumerate_plane(flexibility, friction, motions=()):
     """All leaves with a nonzero reaction.
 
-    flexibility: 2m x 2m in (n, t); friction: m Decimals, 0 allowed; motions: G of bodies that nothing holds, 2m rows: then
+    flexibility: 2m x 2m in (n, t); friction: m Decimals, 0 allowed; motions: G of unconstrained bodies, 2m rows: then
     G'r = 0, and u_n has any combination of them beside F r. Returns a PlaneAnswer whose `leaves` are
     (U, S, G, solid): candidates in contact, with reaction, with gap, and whether D(Y) has an interior.
     """
@@ -99,7 +99,7 @@ def enumerate_plane(flexibility, friction, motions=()):
                 ray = make(x)
                 ray.u[i] = Decimal(0)
                 ray.gaps &= ~(1 << i)
-                for j in done:  # zero by its parents
+                for j in done:  # zero at its parents
                     if a.u[j] == 0 and b.u[j] == 0:
                         ray.u[j] = Decimal(0)
                         ray.gaps &= ~(1 << j)

@@ -19,7 +19,7 @@ from fractions import Fraction
 
 from exact_program import INFEASIBLE, OPTIMAL, UNBOUNDED, Program, exact_optimum
 
-TOLERANCE = Fraction(1, 10**8)  # an answer is optimal within this part of its size (docs/result-files.md)
+TOLERANCE = Fraction(1, 10**8)  # relative tolerance of an optimum (docs/result-files.md)
 
 
 def _rows(rng, program, columns, count, low, high, senses, per_row):
@@ -52,7 +52,7 @@ def _plant(rng, program):
         if (lower is None or lower <= activity) and (upper is None or activity <= upper):
             continue
         if row.sense == "E" and Fraction(float(activity)) != activity:
-            row.sense = rng.choice("LG")  # no double is equal to it
+            row.sense = rng.choice("LG")  # equal to no double
         toward = math.inf if row.sense == "L" else -math.inf
         row.right = float(activity) + {"E": 0, "L": 1, "G": -1}[row.sense] * rng.choice([0, 0, 0, 1, 3])
         if row.sense != "E" and Fraction(row.right) != activity:
@@ -253,11 +253,11 @@ def examine(arguments, index):
             for what, line in (("wrong", judged.wrong), ("open", judged.open)):
                 if line:
                     findings.append((what, f"{line}; truth: {truth[0]}{value}; {ranks} rank(s)"))
-            told = (code, *((result or {}).get(key) for key in ("answer", "objective", "bound")))
+            answer = (code, *((result or {}).get(key) for key in ("answer", "objective", "bound")))
             if first is None:
-                first = told
-            elif told[:3] != first[:3]:
-                findings.append(("differs", f"{first} on {arguments.ranks[0]}, {told} on {ranks} rank(s)"))
+                first = answer
+            elif answer[:3] != first[:3]:
+                findings.append(("differs", f"{first} on {arguments.ranks[0]}, {answer} on {ranks} rank(s)"))
     return os.path.basename(path), text, truth[0], findings
 
 

@@ -10,8 +10,8 @@ from itertools import combinations
 from cone_program import ALIVE, DEAD, TIED, UNSURE, Leaf, equilibrated, sign
 from structure import dot
 
-#: In the equilibrated problem: what is below is at rest, since a tie is reached to 10^-24 and a point that vanishes
-#: there to the square root of it or so.
+#: In the equilibrated problem: smaller values are zero, since t* = 0 is reached to 10^-24 and
+#: vanishing components : to about its square root.
 REST = Decimal("1e-9")
 
 

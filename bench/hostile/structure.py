@@ -11,8 +11,8 @@ from decimal import Decimal, getcontext
 DIGITS = 80
 getcontext().prec = DIGITS
 
-#: Relative size below which a number of the compliance is an exact zero: far above 10^-80 times any condition met
-#: here, far below what sums of a few doubles can leave.
+#: Relative size below which an entry of the compliance is an exact zero: far above 10^-80 times
+#: the condition numbers : here, far below the rounding errors of sums in doubles.
 ZERO = Decimal("1e-45")
 
 
@@ -210,7 +210,7 @@ def compliance(structure):
                 if j <= i:
                     matrix[i][j] += x * y
     start = [matrix[i][i] for i in range(size)]
-    for i in range(size):  # Cholesky, in place, lower triangle
+    for i in range(size):  # Cholesky factorisation in place, lower triangle
         row = matrix[i]
         for j in range(i):
             other = matrix[j]
@@ -238,7 +238,7 @@ def compliance(structure):
                 load[i] = value / row[i] if value else value
             loads.append(load)
     flexibility = [[dot(a, b) for b in loads] for a in loads]
-    for i, row in enumerate(flexibility):  # what cancels to the last digits is zero
+    for i, row in enumerate(flexibility):  # entries that cancel to the last digits are zero
         for j in range(len(row)):
             if abs(row[j]) < ZERO * (flexibility[i][i] * flexibility[j][j]).sqrt():
                 row[j] = Decimal(0)

@@ -208,7 +208,7 @@ def same(said, true):
     if said["empty"] is not (least > largest):
         return False
     if said["lower"]["lower"] is None:
-        return False  # carried at none, it says
+        return False  # not carried at any factor
     return all(said[end]["lower"] - NEAR * size <= value <= said[end]["upper"] + NEAR * size and
                said[end]["upper"] - said[end]["lower"] <= NEAR * size
                for end, value in (("lower", least), ("upper", largest)))

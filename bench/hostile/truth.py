@@ -18,7 +18,7 @@ from oracle import Oracle
 
 DIGITS = Decimal("1e-13")
 
-#: file: (coefficients to list the patterns at, coefficients to list rays at, more arguments of `critical`)
+#: file: (coefficients for patterns, coefficients for rays, further arguments of `critical`)
 ASKED = {
     "plane_truss_and_post": (["1", "3"], ["1"], [["--method", "newton", "--mu-max", "1"]]),
     "two_pieces": (["3", "4.9", "5.1"], ["3", "5.1"], [["--method", "newton", "--mu-max", "6"], ["--method", "bisection", "--mu-max", "6"]]),
@@ -41,7 +41,7 @@ ASKED = {
     "critical_flat_grid": (["1.5"], ["1.5"], [["--method", "newton", "--mu-max", "2"]]),
 }
 
-#: Certificates that must not be proved: {file: (arguments, exit codes allowed, why)}
+#: Certificates that must be refused: {file: (arguments, permitted exit codes, reason)}
 REFUSED = {
     "forged-decoupled-K.cert": (["--problem", "../../examples/plane-truss.toml"], [1], "the K is not that of the structure"),
     "everything-marginal.cert": ([], [1, 3], "every node is left open: nothing is proved"),

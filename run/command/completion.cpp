@@ -216,7 +216,7 @@ void fish_options(std::string& text, const std::string& when, const OptionTable&
 
 std::string fish(const CommandList& list) {
   std::string text = R"(# Completion of kusabi for fish, written by kusabi --completion fish.
-# Whether the words after kusabi begin with these; with none, whether there are none yet.
+# True if the words after kusabi begin with these; without arguments, if there are none.
 function __kusabi_after
     set -l words (commandline -opc)
     set -e words[1]
@@ -226,7 +226,7 @@ function __kusabi_after
     end
     test (count $words) -ge (count $argv); and test "$words[1..(count $argv)]" = "$argv"
 end
-# Whether they are these and no more.
+# True if the words after kusabi are exactly these.
 function __kusabi_at
     set -l words (commandline -opc)
     set -e words[1]

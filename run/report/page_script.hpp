@@ -34,14 +34,14 @@ inline constexpr std::string_view page_script = R"(
   // A complete name matches that candidate, any other text a part of names.
   const matches = (answer, wanted) => wanted === "" ||
     (names.has(wanted) ? answer.contact.includes(wanted) : answer.contact.some(name => name.includes(wanted)));
-  const tell = count => { shown.textContent = count + " of " + answers.length + " shown"; };
+  const showCount = count => { shown.textContent = count + " of " + answers.length + " shown"; };
   const show = () => {
     let count = 0;
     for (const answer of answers) {
       answer.element.hidden = !matches(answer, filter.value.trim());
       if (!answer.element.hidden) ++count;
     }
-    tell(count);
+    showCount(count);
   };
   const sort = () => {
     answers.sort(orders[order.value]);

@@ -75,7 +75,7 @@ class Counts(KusabiCase):
         page = self.folder / "page.html"
         for wrapped in (False, True):
             content = json.loads(self.result.read_text())
-            if wrapped:  # as 0.1 has written it
+            if wrapped:  # as written by version 0.1
                 del content["result"]["count_log10"]
                 content["result"]["count"] = 0
                 self.result.write_text(json.dumps(content))

@@ -1,4 +1,4 @@
-"""That the calls of the pages do what the pages say, and that run/docs finds a page that is wrong, and mends it.
+"""Calls of the pages, compared with their output on the pages; run/docs finds a wrong page, and corrects it.
 
     python3 docs_test.py RUN_DOCS BUILD MPIRUN
 """

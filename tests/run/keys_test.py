@@ -12,7 +12,8 @@ from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main  # noqa: E402: besid
 
 PAGE = SOURCES / "docs" / "problem-files.md"
 WITH_NODES = {"except", "every"}  # a table of their own, for all lists of nodes
-# The sections of the page, in its order, and what makes one an empty one of its kind. [nodes] has names of nodes as keys.
+# Sections of the page, in its order, and an empty value of each. Keys of [nodes] are names of
+# nodes.
 SECTIONS = [
     ("members", ""), ("elements", ""), ("mesh", ""), ("mesh", 'name = "b"\nfile = "doorstop.msh"'), ("material", 'groups = ["stop.rubber"]'),
     ("supports", ""), ("ties", ""), ("springs", ""), ("stiffness", ""), ("contact", ""), ("loads", ""), ("uncertainty", ""),

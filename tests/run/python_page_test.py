@@ -33,7 +33,7 @@ class Page(KusabiCase):
         for language, program, shown in blocks:
             imported = re.findall(r"^import (\w+)", program, re.MULTILINE)
             missing = [name for name in imported if name != "kusabi" and importlib.util.find_spec(name) is None]
-            # DataFrames are what kusabi.py makes where pandas is.
+            # DataFrames require pandas.
             if "to_dataframe" in program and importlib.util.find_spec("pandas") is None:
                 missing.append("pandas")
             if missing:

@@ -19,7 +19,7 @@ import kusabi  # noqa: E402: of the sources
 CASES = SOURCES / "tests" / "cases"
 PROGRAMS = SOURCES / "tests" / "programs"
 QUALIFIED = "computed, not proved"
-# The normal is 45 degrees off the edge of the block, which is answered with a warning.
+# The normal is 45 degrees off the edge of the block, which gives a warning.
 OFF = """name = "block"
 dimension = 2
 units = { length = "m", force = "N" }
@@ -127,7 +127,7 @@ class States(KusabiCase):
         older = {key: value for key, value in result.items() if key not in ("verdict", "warnings")}
         self.result.write_text(json.dumps(older))
         said = Header(self.kusabi("report", self.result).stdout).found["verdict"]
-        if result["command"] != "limit":  # whose least factors older versions do not know
+        if result["command"] != "limit":  # older versions do not write least factors
             self.assertEqual(said, [result["verdict"]["sentence"]])
         self.assertEqual(kusabi.load(self.result).partial, result["verdict"]["exit_code"] == 3)
 
@@ -172,7 +172,7 @@ class States(KusabiCase):
                            **{words[i].lstrip("-").replace("-", "_"): words[i + 1] if i + 1 < len(words) and
                               not str(words[i + 1]).startswith("--") else True
                               for i in range(1, len(words)) if str(words[i]).startswith("--")})
-        result = json.loads(self.result.read_text())  # of this run: a limit may come elsewhere
+        result = json.loads(self.result.read_text())  # of this run: a limit may be reached elsewhere
         verdict = result["verdict"]
         self.assertEqual(quiet.partial, code == 3)
         self.assertEqual(quiet.sentence, verdict["sentence"])

@@ -122,8 +122,8 @@ class Table(KusabiCase):
 
     def test_one_file_for_two_is_refused(self):
         place = self.folder / "one"
-        told = self.refused("patterns", EXAMPLES / "two-bars.toml", "--mu", 2, "--csv", place, "--output", place)
-        self.assertIn("--output", told)
+        message = self.refused("patterns", EXAMPLES / "two-bars.toml", "--mu", 2, "--csv", place, "--output", place)
+        self.assertIn("--output", message)
         self.assertFalse(place.exists())
 
 

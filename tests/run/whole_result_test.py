@@ -18,7 +18,8 @@ except ImportError:
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 from kusabi_case import SOURCES, KusabiCase, main  # noqa: E402: beside the folder of this file
 
-# Two parts that wedge each by itself; of the first a node is tied to the tip and held by a spring and a slope.
+# Two parts that wedge independently; a node of the first is constrained to the tip and held by a
+# spring and a slope.
 PROBLEM = """
 name = "of everything a little"
 dimension = 2
@@ -119,9 +120,9 @@ class WholeResult(KusabiCase):
             for each in load["components"]:
                 place = (each["node"], "xyz".index(each["axis"]))
                 made[place] = made.get(place, 0) + parameter["value"] * each["weight"]
-        told = {(each["node"], axis): force for each in answer["critical_part"] for axis, force in enumerate(each["force"])}
-        for place in made.keys() | told.keys():
-            self.assertAlmostEqual(made.get(place, 0), told.get(place, 0), delta=1e-12)
+        stated = {(each["node"], axis): force for each in answer["critical_part"] for axis, force in enumerate(each["force"])}
+        for place in made.keys() | stated.keys():
+            self.assertAlmostEqual(made.get(place, 0), stated.get(place, 0), delta=1e-12)
 
         structure = problem["structure"]
         self.check_members(structure)

@@ -1,4 +1,4 @@
-// Groups beside the reachability of a graph, of random patterns.
+// Groups of random patterns, compared with reachability in a graph.
 #include "run/wedged/pattern_groups.hpp"
 
 #include <random>
@@ -88,7 +88,7 @@ int apart(const Configuration& a, const Configuration& b) {
   return count;
 }
 
-TEST(PatternGroups, AroundTheFirmestAreAsFirmAndAsNearAsTheyCanBe) {
+TEST(PatternGroups, AroundLargestMarginsMembersAreNearAndNotLarger) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const auto list = random_patterns(seed, 60);
     const int most_apart = 1 + static_cast<int>(seed % 3);
@@ -104,7 +104,7 @@ TEST(PatternGroups, AroundTheFirmestAreAsFirmAndAsNearAsTheyCanBe) {
         EXPECT_EQ(list[i].block, first.block);
         EXPECT_LE(list[i].lower, first.lower);
         EXPECT_LE(apart(list[i], first), most_apart);
-        for (std::size_t before = 0; before < g; ++before) {  // none of these would have it
+        for (std::size_t before = 0; before < g; ++before) {  // no earlier group could contain it
           const auto& other = list[(*groups)[before].largest_margin];
           EXPECT_TRUE(other.block != list[i].block || apart(list[i], other) > most_apart);
         }
