@@ -1,10 +1,12 @@
-"""Bodies of tests/cases that once came out wrong: what is true of them, and whether that comes out.
+"""Bodies of tests/cases that earlier versions got wrong: correct answers, and the comparison with
+them.
 
-    python3 bench/hostile/bodies_cases.py tests/cases --kusabi build/kusabi     # holds every command against bodies.json
+    python3 bench/hostile/bodies_cases.py tests/cases --kusabi build/kusabi     # compares every command with bodies.json
     python3 bench/hostile/bodies_cases.py tests/cases --write                   # writes bodies.json, by the oracle alone
 
-An answer must be right with exit code 0, or left open with exit code 3 and a sentence where scales are far apart (`far`).
-Certificates must be proved; the ends of `critical` that are called proved must hold.
+An answer must be correct with exit code 0, or open with exit code 3 and a sentence if scales are
+far apart (`far`). Certificates must be proved; bounds of `critical` that are called proved must be
+correct.
 """
 
 import argparse
@@ -25,7 +27,7 @@ MOST, WIDTH = 8.0, Decimal("1e-10")
 
 
 def _critical(oracle):
-    """[dead at, feasible at]; the latter None if nothing is up to MOST."""
+    """[infeasible at, feasible at]; the latter is None if nothing is feasible up to MOST."""
     low, high = Decimal(0), Decimal(MOST)
     if not oracle.wedges(float(high)):
         return [MOST, None]

@@ -1,8 +1,8 @@
-"""A structure in many digits: what `kusabi` is judged against must not share its rounding.
+"""Structure in 80 digits, as a reference whose rounding errors are independent of `kusabi`.
 
-Reads a problem file with the standard library's TOML reader and assembles stiffness and compliance in decimal
-arithmetic of 80 digits. The doubles of the file are meant exactly. Nothing here is shared with the program under test;
-only the meaning of a problem file is the same (docs/problem-files.md).
+Reads a problem file with the TOML reader of the standard library and assembles stiffness and
+compliance in decimal arithmetic. The doubles of the file are taken as exact. Only the meaning of
+problem files (docs/problem-files.md) is shared with the program.
 """
 
 import tomllib
@@ -93,7 +93,8 @@ def from_toml(text):
 
 
 def to_toml(structure, name="hostile"):
-    """The problem file of a structure, one element, support and candidate a group. Numbers are read back bit by bit."""
+    """Problem file of a structure with one group per element, support and candidate. Numbers keep
+    all bits."""
     lines = [f'name = "{name}"', f"dimension = {structure.dimension}", 'units = { length = "m", force = "kN" }', "", "[nodes]"]
     lines += [f'"{node}" = {[float(x) for x in place]}' for node, place in structure.nodes.items()]
     for stiffness, a, b in structure.bars:
@@ -126,7 +127,8 @@ def unit(vector):
 
 
 def frame(normal):
-    """The exact unit normal, and unit tangents. Which tangents does not matter: only |r_t| is ever used."""
+    """Exact unit normal, and unit tangents. The choice of tangents does not matter, since only
+    |r_t| is used."""
     n = unit(normal)
     if len(n) == 2:
         return [n, [n[1], -n[0]]]
@@ -186,7 +188,7 @@ def _quad_strain(structure, quad):
 
 
 class Mechanism(Exception):
-    """The free stiffness is singular, or so nearly that no answer of sixteen digits could mean anything."""
+    """The stiffness is singular, or nearly so that sixteen digits have no meaning."""
 
 
 def compliance(structure):
@@ -246,7 +248,7 @@ def compliance(structure):
 
 
 def blocks(flexibility, d):
-    """Candidates that the compliance connects: lists of their numbers, in order of the first."""
+    """Candidates coupled by the compliance: lists of indices, in order of the first."""
     m = len(flexibility) // d
     left = list(range(m))
     result = []

@@ -1,10 +1,10 @@
-"""Writes tests/cases/truth.json: what must come out for the inputs there, by the oracle in 80 digits.
+"""Writes tests/cases/truth.json: correct answers for the inputs there, by the oracle in 80 digits.
 
     python3 bench/hostile/truth.py tests/cases
 
-Nothing in it is copied from an output of `kusabi`. `exit` is the exit code; in the list of a block, margins are t* in the
-unit of the block (docs/theory/wedged.md), right to four digits; a critical coefficient is a bracket of the truth. In
-`cones` of rays, `contact` is without the idle candidates.
+No output of `kusabi` is copied. `exit` is the exit code; in the list of a block, margins are t* in
+the unit of the block (docs/theory/wedged.md), correct to four digits; a critical coefficient is a
+bracket of the exact one. In `cones` of rays, `contact` is without the inactive candidates.
 """
 
 import json
@@ -49,7 +49,7 @@ REFUSED = {
 
 
 def structural_blocks(structure):
-    """Candidates connected through free displacements, by the exact zeros of the bars' directions."""
+    """Candidates coupled through free displacements, by exact zeros of the directions of bars."""
     parent = {}
 
     def root(key):
@@ -76,7 +76,7 @@ def structural_blocks(structure):
 
 
 def patterns(oracle, mu):
-    """What `patterns` and the cones of `rays` must say."""
+    """Expected output of `patterns`, and cones of `rays`."""
     whole = oracle.cones(mu)
     assert not whole.doubtful, whole.doubtful
     blocks, count = [], 1
@@ -118,7 +118,7 @@ def critical(oracle):
 
 
 def rounded(value, way):
-    """13 significant digits, to the side that keeps the truth inside."""
+    """13 significant digits, rounded outwards."""
     return str(value.quantize(Decimal(1).scaleb(value.adjusted() - 13), rounding=way))
 
 

@@ -1,10 +1,11 @@
-"""A wire between two network interfaces, whose packets take their time, overtake one another and get lost: what netem
-does, where the kernel has none.
+"""Connection of two network interfaces whose packets are delayed, reordered and lost, as by netem,
+for kernels without it.
 
     python3 slow_wire.py ONE OTHER DELAY JITTER LOSS
 
-Makes the two interfaces (TUN) and says "ready"; whoever called moves each into a namespace. DELAY and JITTER are in
-milliseconds, LOSS in packets of a hundred. Ends at SIGTERM, and says how many packets it carried and lost.
+Creates the two interfaces (TUN) and prints "ready"; the caller moves each into a namespace. DELAY
+and JITTER are in milliseconds, LOSS in percent of the packets. Ends at SIGTERM, and prints the
+numbers of packets delivered and lost.
 """
 import fcntl
 import heapq
@@ -29,7 +30,7 @@ def interface(name):
 
 
 class Ended(Exception):
-    """Somebody sent SIGTERM."""
+    """SIGTERM was received."""
 
 
 def end(*_):

@@ -1,4 +1,4 @@
-"""That docs/problem-files.md has every key that the reader knows, and no other.
+"""Keys in docs/problem-files.md, compared with those of the reader.
 
     python3 keys_test.py KUSABI SOURCES
 """
@@ -35,7 +35,7 @@ def page_sections():
 
 class Keys(KusabiCase):
     def known(self, addition):
-        """The keys that the reader says it knows, of a section that has one that it does not."""
+        """Known keys, as listed by the reader for a section with an unknown key."""
         problem = self.folder / "problem.toml"
         problem.write_text((EXAMPLES / "doorstop.toml").read_text() + addition)
         shutil.copy(EXAMPLES / "doorstop.msh", self.folder)

@@ -1,4 +1,4 @@
-"""That what older versions have written is still read: tests/old-files/.
+"""Files of older versions (tests/old-files/) are still read.
 
     python3 old_files_test.py KUSABI SOURCES
 """

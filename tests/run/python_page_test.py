@@ -1,4 +1,4 @@
-"""That what docs/python.md shows runs, and prints what is shown.
+"""Programs on docs/python.md run and print the output shown.
 
     python3 python_page_test.py KUSABI SOURCES
 

@@ -1,4 +1,4 @@
-"""That run/python/kusabi.py runs the command and reads what it writes, alone and on two ranks.
+"""run/python/kusabi.py runs the command and reads its files, alone and on two ranks.
 
     python3 python_test.py KUSABI SOURCES
 """

@@ -1,10 +1,11 @@
-"""What --resume promises: however often a run is killed, and wherever, the same call comes to the result of a run that
-nobody touches; a state that is damaged is refused in a line or gone on with properly; one that is in use or of another
-call is refused.
+"""--resume: wherever and however often a run is killed, the same call reaches the result of an
+uninterrupted run; a damaged state is refused in one line or resumed correctly; a state in use or of
+another call is refused.
 
     python3 resume_test.py [Class.test] MPIEXEC MORTAL KUSABI SOURCES
 
-MPIEXEC is the launcher with its option for the number of ranks, in one word; MORTAL the library of resume/mortal.cpp.
+MPIEXEC is the launcher with its option for the number of ranks, in one word; MORTAL the library of
+resume/mortal.cpp.
 """
 import fcntl
 import json
@@ -65,7 +66,7 @@ class Resumed(KusabiCase):
         return subprocess.run(line, capture_output=True, text=True, check=False, env=environment, timeout=250)
 
     def answer(self):
-        """All of the result that two runs have alike."""
+        """Part of the result that is the same for two runs."""
         result = json.loads(self.result.read_text())
         del result["statistics"]
         self.result.unlink()
@@ -85,13 +86,13 @@ class Resumed(KusabiCase):
         return run
 
     def begin(self, call, dies_at):
-        """Leaves a state of a run that was killed."""
+        """Leaves the state of a killed run."""
         run = self.resume(call, dies_at=dies_at)
         self.assertIn(run.returncode, KILLED, run.stderr)
 
 
 class Killed(Resumed):
-    """Ten times, each time a little later, and before and within what it does to its files by turns."""
+    """Ten kills, each a little later, alternating between before and during a system call."""
 
     def check(self, name, ranks=1, kills=10):
         call = CALLS[name]
@@ -213,7 +214,7 @@ class State(Resumed):
         self.assertIn("expected one of the two", line)
 
     def check_damage(self, call, file, times, seed):
-        """Each damage of a file is refused in a line, or what comes of it is right."""
+        """Each damage of a file is refused in one line, or the result is correct."""
         expected = self.unbroken(call)
         keep = self.folder / "whole"
         shutil.rmtree(keep, ignore_errors=True)
@@ -282,7 +283,7 @@ class State(Resumed):
 
 class Improved(Resumed):
     def test_is_kept(self):
-        """Without any interval, what is kept of a search is kept because something better was found."""
+        """With a long interval, states are kept because a better solution was found."""
         for name in ("program", "zero-one"):
             call = CALLS[name]
             saves = {}
@@ -298,7 +299,7 @@ class Improved(Resumed):
 
 
 class Verified(Resumed):
-    """The words of a verification are its result."""
+    """The result of a verification is its text."""
 
     QUESTIONS = {"patterns": ("patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65),
                  "limit": ("limit", EXAMPLES / "static-gap.toml", "--alpha", 0.35)}

@@ -1,5 +1,5 @@
-"""That docs/result.schema.json accepts every result of every example, and nothing in which a key is missing, has
-another name, or holds something else.
+"""docs/result.schema.json accepts every result of every example, and refuses results with a
+missing, renamed or retyped key.
 
     python3 schema_test.py [Schema.test_NAME] KUSABI SOURCES
 
@@ -78,7 +78,7 @@ NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_suppo
 
 
 def places(value, way=(), name=""):
-    """The way to every key of an object, with the name of the object that has it; of lists the first entries."""
+    """Paths to all keys of an object, with the name of the object of each; first entries of lists only."""
     if isinstance(value, dict):
         for key, inner in value.items():
             if name not in NAMED:
@@ -165,7 +165,7 @@ class Schema(KusabiCase):
             self.check("mip", f"../tests/programs/{name}", words)
 
     def check_is_documented(self, result):
-        """Each key in turn is missing, has another name, and holds something of another type."""
+        """Each key in turn is removed, renamed, and given a value of another type."""
         result = short(result)
         self.assertTrue(self.schema.is_valid(result))
         own = OPTIONAL_OF[result["command"]]

@@ -1,4 +1,5 @@
-"""That the tables of --csv hold what the result file does, bit for bit, in the columns that docs/result-files.md names.
+"""Tables of --csv contain the numbers of the result file, bit for bit, in the columns of
+docs/result-files.md.
 
     python3 table_test.py KUSABI SOURCES
 """

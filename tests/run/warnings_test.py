@@ -1,4 +1,4 @@
-"""Inputs that look right and are not: what is said of them, and that nothing is said of those that are right.
+"""Plausible but wrong inputs cause warnings or errors; correct ones do not.
 
     python3 warnings_test.py KUSABI SOURCES
 """
@@ -91,7 +91,7 @@ class Warnings(Problems):
 
 
 class Messages(Problems):
-    """Each names the cause and the remedy, in one line."""
+    """Each message names the cause and the remedy, in one line."""
 
     def test_a_group_that_is_spelt_otherwise(self):
         message = self.refused("show", self.groove(material='[[material]]\ngroups = ["w.Steel"]\n' + STEEL))

@@ -1,9 +1,9 @@
-"""That a result file needs no problem file: what it names is in it, and its numbers follow from what it says of the
-structure.
+"""Result files without their problem files: all names are in the file, and its numbers follow from
+its structure.
 
     python3 whole_result_test.py KUSABI SOURCES
 
-With jsonschema (Debian: python3-jsonschema) the results are held against the schema as well.
+With jsonschema (Debian: python3-jsonschema) the results are validated as well.
 """
 import json
 import math
@@ -70,7 +70,7 @@ class WholeResult(KusabiCase):
             self.assertEqual(name, "-".join(structure["node_names"][node] for node in ends))
 
     def elongations(self, structure, displacements):
-        """Of each member: (u_2 - u_1) . e, and its length."""
+        """For each member: (u_2 - u_1) . e, and its length."""
         for first, second in structure["members"]:
             edge = [b - a for a, b in zip(structure["positions"][first], structure["positions"][second])]
             names = structure["node_names"]
