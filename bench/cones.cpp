@@ -1,14 +1,13 @@
-// How long one node of the wedged problem takes: microseconds and iterations of the cone solver per
-// node program, for a certified sign and for the full accuracy of the value.
+// Cost of one node of the wedged problem: microseconds and iterations of the cone solver per node
+// program, for a certified sign and for full accuracy of the value.
 //
-//   bench_cones INSTANCE...           a table, a row an instance
-//   bench_cones --json INSTANCE...    the same and the data, for bench/cones.py, which sets a peer
-//                                     beside it
+//   bench_cones INSTANCE...                  table, one row per instance
+//   bench_cones --json INSTANCE...           table, and data for bench/cones.py
 //   bench_cones --walk ROWS DEPTH BAYS MU    writes an instance
 //
-// An instance is a space truss (problems/families/space_truss) and nodes of its tree, those of
-// random walks from the root: 200, or 24 of more than 60 candidates. Run it on a quiet machine; the
-// best of several rounds counts.
+// An instance is a space truss (problems/families/space_truss) with nodes of its tree from random
+// walks: 200, or 24 with more than 60 candidates. The best of several rounds counts; run it on an
+// idle machine.
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -34,7 +33,7 @@ using nlohmann::json;
 
 constexpr int dimension = 3;
 
-// Of instances of more than `most_small` candidates there are fewer nodes, and fewer rounds.
+// Instances of more than `most_small` candidates have fewer nodes and fewer rounds.
 constexpr int most_small = 60;
 constexpr std::size_t node_count = 200, large_node_count = 24;
 constexpr int rounds = 15, large_rounds = 3;
@@ -45,7 +44,7 @@ struct Node {
   IndexSet contact, separated;
 };
 
-// A set as the instance has it: a number in hexadecimal digits, or in decimals where it fits.
+// A set in the format of instances: hexadecimal digits, or decimals where they suffice.
 IndexSet set_of(const json& word) {
   if (word.is_number()) return IndexSet(word.get<std::uint64_t>());
   const auto digits = word.get<std::string>();
@@ -79,7 +78,7 @@ Instance read(const std::string& file) {
   return instance;
 }
 
-// F of the truss, scaled as the tree scales it.
+// F of the truss, scaled as in the tree.
 Eigen::MatrixXd scaled_compliance(const problems::SpaceTrussSize& size) {
   const auto problem = problems::wedged_problem(problems::space_truss(size));
   return problem.compliance / problems::mean_normal_compliance(problem);
@@ -90,8 +89,8 @@ conic::NodeSolver<dimension> solver_of(const Eigen::MatrixXd& compliance, double
   return {compliance, std::vector<double>(m, friction)};
 }
 
-// Nodes of random walks from the root: a walk ends at a node that is proved dead, or at a leaf. It
-// branches where u_n r_n is largest (the wedged paper, Remark 5.5) and takes a random child.
+// Nodes of random walks from the root: a walk ends at an infeasible node or at a leaf. It branches
+// where u_n r_n is largest (Remark 5.5 of the wedged paper) and takes a random child.
 std::vector<Node> walked_nodes(conic::NodeSolver<dimension>& solver, int m) {
   std::mt19937_64 generator(static_cast<std::uint64_t>(m));
   const IndexSet all = IndexSet::below(m);

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The cone solver beside cvxopt on the same node programs, in one run.
+"""Comparison of the cone solver with cvxopt on the same node programs, in one run.
 
     bench/cones.py [build/bench/bench_cones]
 
-For each instance of bench/instances/cones-*.json: microseconds and iterations per solve of both, and
-their ratio. cvxopt (Debian: python3-cvxopt) solves the same program to the same accuracy in the
-original variables r (of the candidates that are not separated) and t, with its Cholesky KKT solver;
-building its matrices is not counted. Its value must lie within our bracket, or the line says so.
+For each instance of bench/instances/cones-*.json: microseconds and iterations per solve of both,
+and their ratio. cvxopt (Debian: python3-cvxopt) solves the same program to the same accuracy in the
+original variables r (of candidates that are not separated) and t, with its Cholesky KKT solver; the
+assembly of its matrices is not counted. A value outside the bracket of Kusabi is reported.
 """
 
 import glob

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""The critical friction coefficient: the global search beside enumerating first, and two ranks beside one.
+"""Critical friction coefficient: global search compared with enumeration first, and two ranks with
+one.
 
     bench/critical.py [build/kusabi]
 
-For each truss: nodes opened, cone programs solved and seconds of the global search; of the enumeration at mu^0
-that Algorithm 6.1 begins with, and of its second step by Newton's method and by bisection. Then, for the largest,
-nodes opened per second and rank, on two ranks and on one. Nodes and programs are the same on any machine.
+For each truss: nodes opened, cone programs solved and seconds of the global search; of the
+enumeration at mu^0 that Algorithm 6.1 begins with, and of its second step by Newton's method and by
+bisection. For the largest truss, nodes opened per second and rank, on two ranks and on one. Nodes
+and programs are the same on any machine.
 """
 
 import json

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""The critical friction coefficient by each method: what `kusabi critical --method auto` has to choose from.
+"""Critical friction coefficient by each method, among which `kusabi critical --method auto`
+chooses.
 
     bench/critical_methods.py [build/kusabi [NAME...]]
 
-For examples, trusses of the families and the faces of blocks of plane quadrilaterals (all, or those named): the cone
-programs that the search for the bracket takes and those of the proofs of both ends, and seconds of CPU of the whole
-call; without --mu-max, and with 0.9, 1.1 and 2 times the answer, where `newton` begins with the patterns that
-live there. A call ends after 60 s of CPU time. Programs are the same on any machine.
+For examples, trusses of the families and faces of blocks of plane quadrilaterals (all, or those
+named): cone programs of the search for the bracket and of the proofs of both bounds, and CPU
+seconds of the whole call; without --mu-max, and with 0.9, 1.1 and 2 times the answer, at which
+`newton` begins with the patterns that are feasible there. A call ends after 60 s of CPU time.
+Programs are the same on any machine.
 """
 
 import json
@@ -65,7 +67,7 @@ def problems(kusabi, folder):
 
 
 def show(name, kusabi, file, folder, method, most=None):
-    """Prints a line. @return both ends"""
+    """Prints a line. @return lower and upper bound"""
     output = pathlib.Path(folder, "out.json")
     output.unlink(missing_ok=True)
     words = [kusabi, "critical", file, "--method", method, "--quiet", "--serial", "--output", output]
@@ -76,15 +78,15 @@ def show(name, kusabi, file, folder, method, most=None):
                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS)))
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    told = f"{name:18} {'' if most is None else f'up to {most:g}':14} {method:8} {seconds:7.2f} s"
+    label = f"{name:18} {'' if most is None else f'up to {most:g}':14} {method:8} {seconds:7.2f} s"
     if not output.exists():
-        print(f"{told}  cut off", flush=True)
+        print(f"{label}  cut off", flush=True)
         return None, None
     result = json.loads(output.read_text())
     searches = result["statistics"]["searches"]
     proofs = sum(each["programs"] for each in searches if each["phase"].endswith("end"))
     bracket = result["result"]["critical_friction"]
-    print(f"{told} {sum(each['programs'] for each in searches) - proofs:8} + {proofs:<6} {bracket['lower']:.10g}"
+    print(f"{label} {sum(each['programs'] for each in searches) - proofs:8} + {proofs:<6} {bracket['lower']:.10g}"
           f" … {bracket['upper']}", flush=True)
     return bracket["lower"], bracket["upper"]
 

@@ -1,7 +1,7 @@
-// What the engine itself costs, apart from the nodes: one figure for each thing it does.
+// Cost of the engine without the nodes: one figure per operation.
 //
-// Nanoseconds of CPU time; items are nodes. Over MPI on one rank, so no message is on its way: what
-// is measured is the price of being ready for one.
+// Nanoseconds of CPU time; items are nodes. MPI runs on one rank without messages, so its figures
+// are the cost of polling.
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -15,7 +15,7 @@
 namespace kusabi::engine {
 namespace {
 
-// A node as the sign-pattern tree has them: a sign for each of 40 contact nodes.
+// A node like those of the tree of sign patterns: a sign for each of 40 contact nodes.
 struct Signs {
   std::vector<std::int8_t> signs = std::vector<std::int8_t>(40);
 
@@ -25,7 +25,7 @@ struct Signs {
   }
 };
 
-// A node as cheap as can be.
+// A node without cost.
 struct Depth {
   std::uint32_t left = 0;
 
@@ -35,8 +35,8 @@ struct Depth {
   }
 };
 
-// The complete binary tree, whose nodes cost nothing. Its first leaf is a solution, and no bound
-// rules anything out: all goals but Goal::first open all nodes.
+// Complete binary tree whose nodes cost nothing. Its first leaf is a solution, and no bound closes
+// a node: all goals except Goal::first open all nodes.
 struct EmptyTree {
   using Node = Depth;
   using Solution = Depth;
@@ -60,10 +60,10 @@ struct EmptyTree {
 constexpr std::uint32_t depth = 18;
 constexpr std::int64_t nodes = (std::int64_t{1} << (depth + 1)) - 1;
 
-// ---- the pools
-// ------------------------------------------------------------------------------------
+// ---- pools
+// ----------------------------------------------------------------------------------------
 
-// One way through the tree, without an explorer.
+// One pass through the tree, without an explorer.
 void frontier_push_pop(benchmark::State& state) {
   for (auto _ : state) {
     Frontier<Depth> frontier;
@@ -82,7 +82,7 @@ void frontier_push_pop(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * nodes);
 }
 
-// One node out, one in, with so many waiting.
+// Takes one node out and puts one in, with many nodes waiting.
 void heap_push_pop(benchmark::State& state) {
   std::uint64_t random = 1;
   const auto bound = [&](const Depth&) {
@@ -111,7 +111,7 @@ Frontier<Signs> frontier_of(std::int64_t size) {
   return frontier;
 }
 
-// All that the giver and the taker of so many nodes do, but for the message.
+// Work of sender and receiver for a transfer of that many nodes, without the message.
 void steal(benchmark::State& state) {
   const auto full = frontier_of(2 * state.range(0));
   for (auto _ : state) {
@@ -139,10 +139,10 @@ void deserialise(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-// ---- the search
-// -----------------------------------------------------------------------------------
+// ---- search
+// ---------------------------------------------------------------------------------------
 
-// @param nodes_per_step between two looks at the messages; 0: adapted to what a node costs
+// @param nodes_per_step between two checks for messages; 0: adapted to the cost of a node
 template <class AnyTransport>
 void search_empty_tree(benchmark::State& state) {
   EmptyTree tree{depth};
@@ -153,7 +153,7 @@ void search_empty_tree(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * nodes);
 }
 
-// What a search for the best solution adds to a node: a look at its bound.
+// Cost per node of a search for the best solution: checking its bound.
 void search_empty_tree_for_the_best(benchmark::State& state) {
   Options options;
   options.goal = Goal::best;

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Faces of meshes with many candidates: one rule of branching beside the other, two ranks beside one, and the proof.
+"""Faces of meshes with many candidates: branching rules, two ranks compared with one, and the
+proof.
 
     bench/faces.py [build/kusabi [CANDIDATES...]]
 
-Blocks of 4 x 1 of plane quadrilaterals, held at one end, with all nodes of the lower side in contact (their critical
-coefficient is near 5.3). For each number of candidates: nodes, iterations and seconds of `patterns` at 5.2, where
-nothing can wedge, by the relative rule up to a hundred candidates, by the deepest one, and by the one that a trial
-finds (its seconds are among them); wall seconds of that on two ranks, and seconds of `verify`. Nodes and iterations are the same on any machine; seconds are of CPU but for two ranks.
+Blocks of 4 x 1 of plane quadrilaterals, fixed at one end, with all nodes of the lower side in
+contact (critical coefficient near 5.3). For each number of candidates: nodes, iterations and
+seconds of `patterns` at 5.2, where it cannot stick, by the relative rule up to a hundred
+candidates, by the deepest candidate, and by the automatic choice (including its sampling); wall
+seconds of the latter on two ranks, and seconds of `verify`. Nodes and iterations are the same on
+any machine; seconds are CPU seconds except on two ranks.
 """
 
 import json
@@ -18,7 +21,7 @@ import tempfile
 import time
 
 FRICTION = "5.2"
-MOST_RELATIVE = 100  # beyond, the relative rule takes hours
+MOST_RELATIVE = 100  # beyond this size, the relative rule takes hours
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_hwloc_base_binding_policy": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1",
                "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe", "PRTE_MCA_hwloc_default_binding_policy": "none"}

@@ -1,8 +1,8 @@
-// Worst-case limit loads: how long the family of grids takes, and random trusses on which static
-// cuts leave a gap, so that the tree of signs is measured too.
+// Worst-case limit loads: run time of the family of grids, and random trusses with a gap after
+// static cuts, so that the tree of signs is measured too.
 //
-//   bench_limit                   the grids with 3 to 10 bays, alpha = 20 and 40 kN
-//   bench_limit gaps [TRUSSES]    random trusses with 6 nodes at whole coordinates, yield force 1
+//   bench_limit                   grids with 3 to 10 bays, alpha = 20 and 40 kN
+//   bench_limit gaps [TRUSSES]    random trusses with 6 nodes at integer coordinates, yield force 1
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -117,7 +117,7 @@ void gaps(std::uint32_t count) {
                  solved->root.lower * model.factor_unit, solved->least * model.factor_unit,
                  solved->nodes);
     } catch (const support::InputError&) {
-      continue;  // two nodes at one place, or a mechanism
+      continue;  // two nodes at one point, or a mechanism
     }
   }
   fmt::print("{} of {} trusses with a gap; {} nodes in their trees\n", gap_count, solved_count,

@@ -1,6 +1,6 @@
-// How many nodes the sign-pattern tree needs for a pattern, under one rule of branching or another:
-// those that the program has, and those that were tried and did not pay (docs/theory/wedged.md).
-// Then what polyhedral friction makes of it (Algorithm 5.8), and how well the time left is guessed.
+// Nodes of the tree of sign patterns per pattern, under the branching rules of the program and
+// under rules that were tried and rejected (docs/theory/wedged.md); candidates under polyhedral
+// friction (Algorithm 5.8); accuracy of the estimated remaining time.
 //
 // Nodes and cone programs are the same on any machine; CPU seconds are not.
 #include <algorithm>
@@ -27,18 +27,19 @@ namespace {
 using namespace kusabi;
 using conic::Sign;
 
-// What a candidate is like at a node.
+// Values of a candidate at a node.
 struct Candidate {
   double displacement;  // u_n >= 0
   double reaction;      // r_n >= 0
-  double compliance;    // F_nn of its own
-  double reach;         // F_nn + mu |F_nt| of its own
+  double compliance;    // its own F_nn
+  double reach;         // its own F_nn + mu |F_nt|
 };
 
 struct Strategy {
   std::string name;
-  std::function<double(const Candidate&)> score;  // the largest is branched on
-  int tried = 0;  // of so many with the largest scores both children are solved first
+  std::function<double(const Candidate&)> score;  // the candidate with the largest score is
+                                                  // branched on
+  int tried = 0;  // strong branching on this many candidates with the largest scores
 };
 
 const std::vector<Strategy>& strategies() {
@@ -107,13 +108,13 @@ class Search {
     return solver_->solve(contact, separated);
   }
 
-  // One child is dead and was just solved; the other is all that is left of the node.
+  // One child is infeasible and was just solved; the other replaces the node.
   void close_and_open(std::uint64_t contact, std::uint64_t separated) {
     ++nodes;
     open(contact, separated);
   }
 
-  // The bits of the free candidates, best score first.
+  // Bits of the free candidates, best score first.
   [[nodiscard]] std::vector<std::uint64_t> rank(std::uint64_t rest) const {
     std::vector<std::pair<double, std::uint64_t>> scores;
     for (; rest != 0; rest &= rest - 1) {
@@ -187,28 +188,28 @@ void measure_facets(const Instance& instance) {
   }
 }
 
-// What the progress line would have said at each tenth of the run, against what was still to come.
+// Estimates of the remaining time at each tenth of the run, compared with the true values.
 void measure_estimates(const Instance& instance) {
   const auto problem = announced(instance, "time left");
   const std::vector<double> friction(problem.contact_names.size(), instance.friction);
   wedged::SignPatternTree tree(problem, friction);
-  struct Guess {
+  struct Estimate {
     double at, closed;
     std::optional<double> left;
   };
-  std::vector<Guess> guesses;
+  std::vector<Estimate> estimates;
   run::RemainingTime remaining;
   engine::Options options;
   options.progress = [&](const auto& state) {
     remaining.observe(state.seconds, state.closed);
-    guesses.push_back({state.seconds, state.closed, remaining.seconds()});
+    estimates.push_back({state.seconds, state.closed, remaining.seconds()});
   };
   const auto outcome = engine::search(tree, options);
-  const double whole = guesses.empty() ? 0 : guesses.back().at;
-  fmt::print("{:>9} {:>9} {:>14} {:>14}   ({} nodes, {:.1f} s)\n", "of time", "of tree",
-             "guess: s left", "truth: s left", outcome.opened(), whole);
+  const double whole = estimates.empty() ? 0 : estimates.back().at;
+  fmt::print("{:>9} {:>9} {:>14} {:>14}   ({} nodes, {:.1f} s)\n", "of time", "of tree", "estimate",
+             "true: s left", outcome.opened(), whole);
   int tenth = 1;
-  for (const auto& [at, closed, left] : guesses) {
+  for (const auto& [at, closed, left] : estimates) {
     if (at < 0.1 * tenth * whole || tenth == 10) continue;
     fmt::print("{:>7} % {:>7.1f} % {:>14} {:>14.1f}\n", 10 * tenth, 100 * closed,
                left ? fmt::format("{:.1f}", *left) : "-", whole - at);
@@ -218,7 +219,7 @@ void measure_estimates(const Instance& instance) {
 
 }  // namespace
 
-// bench_patterns [branching | facets | time-left]: all three unless told
+// bench_patterns [branching | facets | time-left]: all three by default
 int main(int count, char** words) {
   const std::string part = count > 1 ? words[1] : "";
   const auto wanted = [&](const char* name) { return part.empty() || part == name; };

@@ -1,11 +1,11 @@
-// How long the rays of plane trusses take: by double description, whole and divided, and pattern by
-// pattern on one rank, and, where they are installed, by lrs and cddexec, which enumerate all rays
-// of C_r, complementary or not.
+// Run time of the rays of plane trusses: by double description, whole and divided, pattern by
+// pattern on one rank, and, if installed, by lrs and cddexec, which enumerate all rays of C_r,
+// complementary or not.
 //
 //   bench_rays [MU [FIRST_ROWS [LAST_ROWS [SECONDS]]]]
 //
-// A column ends when a size took longer than a quarter of SECONDS (the next one may take four times
-// as long); lrs and cddexec are stopped after SECONDS. Our own times are CPU seconds of one core.
+// A column ends when a size took longer than a quarter of SECONDS (the next may take four times as
+// long); lrs and cddexec are stopped after SECONDS. Times of Kusabi are CPU seconds of one core.
 // Rays, peaks and pairs are the same on any machine.
 #include <chrono>
 #include <cmath>
@@ -57,7 +57,7 @@ Measured double_description(const rays::ReactionCone& cone) {
   return {time, found.rays.size(), found.effort, found.health};
 }
 
-// By a tree of either kind, which `plant` makes.
+// Rays by a tree, of the kind that `plant` makes.
 Measured search(const auto& plant) {
   Measured result;
   result.seconds = cpu_seconds_of([&] {
@@ -92,7 +92,7 @@ void write_inequalities(const rays::ReactionCone& cone, const std::string& file)
   out << "end\n";
 }
 
-// The time of another program on the same cone, as a cell.
+// Time of another program for the same cone, as a cell.
 std::string other(const std::string& program, const std::string& file, double limit) {
   if (std::system(
           fmt::format("command -v {} > /dev/null", program.substr(0, program.find(' '))).c_str()) !=

@@ -1,6 +1,6 @@
-// The zero-one tree on random programs of several kinds: nodes, linear programs and seconds of its
-// ways to branch and of what is done at the root, beside GLPK's own branch and cut (what glpsol
-// --cuts does) on the same programs. Optima must agree.
+// The zero-one tree on random programs of several kinds: nodes, linear programs and seconds for
+// each branching rule and each option at the root, compared with branch and cut of GLPK (glpsol
+// --cuts) on the same programs. Optima must agree.
 //
 // Nodes and linear programs are the same on any machine; seconds are not.
 #include <chrono>
@@ -21,7 +21,7 @@ namespace {
 
 using namespace kusabi;
 
-constexpr double time_limit = 20;  // seconds for each program and way
+constexpr double time_limit = 20;  // seconds per program and variant
 
 struct Sums {
   std::uint64_t nodes = 0;

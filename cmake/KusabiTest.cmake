@@ -60,7 +60,7 @@ function(kusabi_test name)
   endif()
 endfunction()
 
-# Open MPI is told by environment variables, which other launchers ignore, to run as root (CI does),
+# Environment variables, which other launchers ignore, make Open MPI run as root (CI does),
 # to put more ranks than cores on a machine, not to pin ranks to cores that others use as well (both
 # PRTE_... from version 5 on), and not to hand its core over at every empty poll (which makes crowded
 # runs several times slower).

@@ -1,5 +1,5 @@
-// The command `kusabi`: reads the call, runs the subcommand, and turns whatever goes wrong into one
-// line and an exit code.
+// The command `kusabi`: reads the call, runs the subcommand, and turns any error into one line and
+// an exit code.
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -22,7 +22,7 @@ using namespace kusabi::run;
 int complain(Session& session, const std::string& message) {
   if (session.speaks()) {
     std::fflush(stdout);
-    tell("{}\n", message);
+    print_message("{}\n", message);
   }
   return wrong_input;
 }
@@ -48,7 +48,7 @@ int run(Session& session, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  secure_standard_streams();  // before MPI and anything else opens a file
+  secure_standard_streams();  // before MPI or anything else opens a file
   Session session(argc, argv);
   try {
     return run(session, argc, argv);
@@ -59,11 +59,11 @@ int main(int argc, char** argv) {
   } catch (const kusabi::support::InputError& error) {
     return complain(session, error.what());
   } catch (const kusabi::engine::Disagreement& error) {
-    if (session.speaks()) tell("kusabi: {}\n", error.what());
+    if (session.speaks()) print_message("kusabi: {}\n", error.what());
     return failed;
   } catch (const std::exception& error) {
     session.transport().abandon(error.what());
-    tell("kusabi: {}\n", error.what());
+    print_message("kusabi: {}\n", error.what());
     return failed;
   }
 }

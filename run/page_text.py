@@ -1,11 +1,10 @@
-"""What run/docs reads of a page in Markdown: blocks of commands and of output, links, tables. Text only; nothing
-is run here.
-"""
+"""Parts of a Markdown page for run/docs: blocks of commands and of output, links, tables. Text
+only; nothing is run here."""
 import dataclasses
 import re
 
 FENCE = re.compile(r"^(`{3,})(\S*)\s*$")
-# What is said of the block below, where no reader sees it.
+# Comments for this program above a block, invisible to readers.
 REMARK = re.compile(r"<!-- (not run|run instead|run before|printed by|exit code|needs)(?:, [^:]*)?: (.*?) -->", re.DOTALL)
 PROGRAM = re.compile(r"(kusabi|mpirun|python3|cmake|glpsol|gmsh|(\./)?(build|run|bench)/\S+|CC=\S+)( |$)")
 LINK = re.compile(r"!?\[(?:[^\]\[]|\[[^\]]*\])*\]\(([^()\s]+)\)")
@@ -16,8 +15,8 @@ PICTURE = re.compile(r"!\[[^\]]*\]\(([^()\s]+)\)")
 
 @dataclasses.dataclass
 class Block:
-    """A piece of code of a page: lines `first` to `last`, without them, of the page; `inset` is what stands before each
-    line. `remarks` are pairs of what is remarked and its text."""
+    """A block of code of a page: the lines between `first` and `last`; `inset` is the indentation
+    of each line. `remarks` are pairs of kind and text."""
 
     first: int
     last: int
@@ -35,8 +34,8 @@ class Block:
 
     @property
     def commands(self):
-        """The lines that are typed: all of a block that begins with a program, up to the first
-        empty line of an indented one behind which no program stands."""
+        """The command lines: all lines of a block that begins with a program, up to the first empty
+        line of an indented one that no program follows."""
         if self.remark("printed by") or not (self.language in ("sh", "console") or
                                              (not self.language and PROGRAM.match(self.lines[0]))):
             return []
@@ -45,19 +44,19 @@ class Block:
 
     @property
     def shown(self):
-        """Index of the first line, in the block, of what an indented one shows below its commands."""
+        """Index of the first line of output in an indented block."""
         return len(self.commands) + 1 if len(self.commands) < len(self.lines) else None
 
 
 def remarks_above(lines, first):
-    """The remarks that stand right above a block."""
+    """The remarks directly above a block."""
     end = first
     while end > 0 and not lines[end - 1].strip():
         end -= 1
     begin = end
     while begin > 0 and lines[begin - 1].strip() and not lines[begin - 1].startswith(("    ", "```", "|", "#")):
         begin -= 1
-    # The last comments of what stands above, with nothing but comments behind them.
+    # Comments directly above the block.
     above = re.search(r"(?:<!--(?:(?!-->).)*-->\s*)+$", "\n".join(lines[begin:end]), re.DOTALL)
     return [(what, text.strip()) for what, text in REMARK.findall(above[0])] if above else []
 
@@ -86,7 +85,7 @@ def blocks(text):
 
 
 def prose(text):
-    """The lines of the page, those of its blocks of code left blank."""
+    """The lines of the page, with blocks of code left blank."""
     lines = text.splitlines()
     for block in blocks(text):
         lines[block.first:block.last] = [""] * (block.last - block.first)
@@ -94,12 +93,12 @@ def prose(text):
 
 
 def without_code(text):
-    """The page without any code, its lines where they were."""
+    """The page without code, with its lines at their numbers."""
     return re.sub(r"(`+)[^`\n]+\1", lambda span: " " * len(span[0]), "\n".join(prose(text)))
 
 
 def anchors(text):
-    """Where links can point within a page: its headings as GitHub names them, and what <a id> names."""
+    """Targets of links within a page: its headings as GitHub names them, and names of <a id>."""
     names = set(re.findall(r'<a id="([^"]+)"', text))
     for line in prose(text):
         heading = re.match(r"#{1,6} +(.*?)\s*$", line)
@@ -115,7 +114,7 @@ def anchors(text):
 
 
 def link_faults(path, text):
-    """Links of the page at `path` that lead nowhere. What is in the net is not looked up."""
+    """Links of the page at `path` without a target. Web links are not checked."""
     for number, line in enumerate(without_code(text).splitlines(), 1):
         for target in LINK.findall(line):
             if re.match(r"[a-z]+:", target):
@@ -129,7 +128,7 @@ def link_faults(path, text):
 
 
 def option_faults(path, text, known):
-    """Options in the prose that the command does not have; of calls of other programs nothing is known."""
+    """Options in the prose that the command does not have; calls of other programs are skipped."""
     for number, line in enumerate(prose(text), 1):
         for code in re.findall(r"`([^`]+)`", line):
             call = re.match(r"(?:.* )?kusabi (.*)|(--.*)", code)
@@ -143,7 +142,7 @@ def cells(line):
 
 
 def table_faults(path, text):
-    """Tables whose rows are not as wide as their heads, or that have none."""
+    """Tables with rows of another width than their head, or without rows."""
     lines, head = prose(text), None
     for number, line in enumerate(lines, 1):
         if not re.fullmatch(r"\|.*\|\s*", line):

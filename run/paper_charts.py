@@ -1,7 +1,7 @@
-"""The pictures of docs/papers.md: Figures 5 and 10 of the limit paper, and how the counts of the wedged paper
-grow with friction, each drawn from a result of ours.
+"""Pictures of docs/papers.md: Figures 5 and 10 of the limit paper, and the counts of the wedged
+paper over friction, each drawn from a result.
 
-A picture is a call and what makes an SVG text of its run (run/papers).
+A picture is a call, and a function that makes an SVG text from its run (run/papers).
 """
 import html
 import math
@@ -35,7 +35,7 @@ text { fill: #e6edf3; }
 
 class Curve(NamedTuple):
     name: str
-    kind: str     # "", "dashed", "dotted"; "dots": its points alone
+    kind: str  # "", "dashed", "dotted"; "dots": points only
     points: list  # pairs of numbers
 
 
@@ -73,9 +73,10 @@ def drawn(curve, number, across, up):
 
 
 def chart(title, x_name, y_name, curves, letters=()):
-    """An SVG image. Its title is its name for those who do not see it.
+    """An SVG image. Its title is its accessible name.
 
-    letters: places that the paper names, each with its point and how far its name is off it, in pixels."""
+    letters: points named in the paper, each with its position and the offset of its name in pixels.
+    """
     left, top, right, bottom = PLOT
     across = Axis([x for each in curves for x, _ in each.points], left, right)
     up = Axis([y for each in curves for _, y in each.points], bottom, top)
@@ -129,9 +130,9 @@ def figure_10(run):
 
 
 class Picture(NamedTuple):
-    name: str       # of the file in docs/images
+    name: str  # file name in docs/images
     command: str
-    draw: Callable  # an SVG text of a run
+    draw: Callable  # function from a run to an SVG text
 
 
 PICTURES = [

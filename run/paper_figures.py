@@ -1,13 +1,13 @@
-"""What the two papers print, the call of ours that answers it, and what to read in its result.
+"""Figures printed in the two papers, the calls that compute them, and the values in their results.
 
-W is METR 2009-28 (wedged configurations), L is METR 2006-39 (worst-case limit loads). `same` is said by
-run/papers, from the figures; where ours is another one, `why` must say so.
+W is METR 2009-28 (wedged configurations), L is METR 2006-39 (worst-case limit loads). run/papers
+determines agreement from the figures; where they differ, `why` must give the reason.
 """
 import re
 from typing import Callable, NamedTuple
 
 LOST = "lost"
-NOTHING = "–"  # the paper describes it and prints no figure
+NOTHING = "–"  # described in the paper without a figure
 PLANE_TRUSSES = (5, 7, 9, 11, 13, 15, 17, 19)
 BODY = "examples/paper/elastic-body.toml"
 SPACE = "examples/paper/space-truss-fit.toml"
@@ -26,19 +26,19 @@ class Row(NamedTuple):
     printed: str
     read: Callable
     why: str = ""
-    # slow: not in a quick run. seconds: a time, likewise, and never compared. ours: no figure of the paper's own
-    # structure to compare with, and `why` says what it is.
+    # slow: not in a quick run. seconds: a time, not in a quick run and never compared. ours: no
+    # figure of the paper to compare with; `why` names the structure.
     kind: str = ""
 
 
-# What is read in results.
+# Values read from results.
 
 def rays_and_cones(run):
     return f"{len(run.result['rays'])}, {len(run.result['cones'])}"
 
 
 def cones(run):
-    """How many rays each cone has, and where it is in contact, candidates counted from 0 at the lower end."""
+    """Number of rays of each cone, and its contact set, with candidates counted from 0 at the lower end."""
     number = {each["node"]: at for at, each in enumerate(run.problem["contact"])}
     idle = [set(cone.get("idle", ())) for cone in run.result["cones"]]
     return "; ".join(f"{len(cone['rays'])}: {braced(number[each] for each in cone['contact'] if each not in rest)}"
@@ -66,7 +66,7 @@ def critical(run):
 
 
 def enclosed(lower, upper, digits):
-    """A number between two ends, if they are alike to so many digits."""
+    """A number between two bounds, if they agree to the given digits."""
     low, high = f"{lower:.{digits}f}", f"{upper:.{digits}f}"
     return low if low == high else f"{low} … {high}"
 
@@ -100,7 +100,7 @@ def cones_of_program(run):
 
 
 def sums_are_solutions(run):
-    """Whether the sum of all rays of each cone is a solution, u_n r_n = 0 (W 3.8, 3.9)."""
+    """True if the sum of all rays of each cone is a solution, u_n r_n = 0 (W 3.8, 3.9)."""
     worst = 0
     for cone in run.result["cones"]:
         rays = [run.result["rays"][number - 1] for number in cone["rays"]]

@@ -1,12 +1,12 @@
-"""Compares two SVG files: the same if nothing but numbers differs, and these by no more than what compilers round
-differently."""
+"""Comparison of two SVG files: they are the same if only numbers differ, by no more than rounding
+of compilers."""
 import re
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 def difference(old, new):
-    """What the two texts do not have in common, in a sentence; nothing if they are as good as the same."""
+    """The difference of two texts in a sentence; nothing if they are the same."""
     lines, others = old.splitlines(), new.splitlines()
     if len(lines) != len(others):
         return f"{len(lines)} lines; expected {len(others)}"

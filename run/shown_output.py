@@ -1,8 +1,9 @@
-"""Compares what a page shows of a command with what comes out, and writes it anew.
+"""Comparison of output shown on a page with the actual output, and its update.
 
-Lines may be wrapped as the page likes. A lone … stands for any number of words. Numbers may differ by two in their last
-digit, those of more digits by 1e-12 of their size, as compilers round differently; whole numbers may not. The rows of a table of ranks, and the version, are not compared:
-they change from run to run.
+Lines may be wrapped. A lone … stands for any number of words. Numbers may differ by two in their
+last digit, those of more digits by 1e-12 of their size, as compilers round differently; integers
+must agree. Rows of a table of ranks, and the version, are not compared, since they change from run
+to run.
 """
 import re
 import textwrap
@@ -25,13 +26,13 @@ def words(text):
 
 
 def last_digit(number):
-    """What one in the last digit is worth."""
+    """Unit of the last digit."""
     mantissa, _, exponent = number.partition("e")
     return 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
 
 
 def alike(one, two):
-    """Whether two words are the same but for rounding."""
+    """True if two words agree except for rounding."""
     if one == two:
         return True
     if NUMBER.sub("#", one) != NUMBER.sub("#", two):
@@ -45,7 +46,7 @@ def alike(one, two):
 
 
 def difference(shown, came):
-    """The first thing that a page does not show as it comes, in a sentence; nothing if it is all right."""
+    """The first difference between page and output, in a sentence; nothing if they agree."""
     old, new = words(shown), words(came)
     at, to, gap, after_gap, farthest = 0, 0, None, 0, (0, 0)
     while to < len(new):
@@ -68,18 +69,18 @@ def difference(shown, came):
 
 
 def likeness(line):
-    """By what a line is found again when its numbers are others."""
+    """Key by which a line with other numbers is found again."""
     return NUMBER.sub("#", " ".join(line.split()[:2]))
 
 
 def wrapped(lines):
-    """As broad as a page."""
+    """Wrapped to the width of a page."""
     for line in lines:
         yield from [line] if len(line) <= WIDTH else textwrap.wrap(line, WIDTH, break_long_words=False, break_on_hyphens=False)
 
 
 def renewed(shown, came):
-    """What comes out, abridged as the page has it; lines. Those between two gaps are sought by their first words."""
+    """The output, abridged like the page, as lines. Lines between two gaps are found by their first words."""
     if difference("\n".join(shown), came) is None:
         return shown
     new = list(wrapped(came.rstrip("\n").splitlines()))

@@ -1,11 +1,11 @@
-// Which subcommands there are.
+// All subcommands.
 #pragma once
 
 #include "run/command/command_list.hpp"
 
 namespace kusabi::run {
 
-/// All of them.
+/// Makes the list.
 CommandList command_list();
 
 }  // namespace kusabi::run

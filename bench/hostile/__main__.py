@@ -1,9 +1,10 @@
-"""bench/hostile: random hard structures against an oracle that shares nothing with the program.
+"""bench/hostile: random difficult structures, compared with an oracle that shares no code with the
+program.
 
     python3 bench/hostile --kusabi build/kusabi --count 1000 --seed 1
 
-Needs Python 3.11 and its standard library only. Prints each case that comes out otherwise than the oracle says, writes it
-to --found, and counts. Exit code 0: no disagreement, nothing open; 1: some.
+Requires Python 3.11 only. Prints each case that differs from the oracle, writes it to --found, and
+counts. Exit code 0: no disagreement, nothing open; 1: some.
 """
 
 import argparse
@@ -22,14 +23,16 @@ import transform
 from oracle import BodiesOracle, Oracle
 from structure import Mechanism, from_toml, to_toml
 
-#: Kinds whose scales are so far apart that an answer may be left open; one that is given must be right all the same.
+#: Kinds with scales so far apart that an answer may be open; an answer that is given must be
+#: correct.
 FAR = ("lever", "coupling")
-#: A corner that holds by itself leaves the critical coefficient open (docs/theory/wedged.md).
+#: A node with several contact normals that is wedged by itself leaves the critical coefficient
+#: open (docs/theory/wedged.md).
 MAY_BE_OPEN = (*FAR, "corner", "loose-corner")
 
 
 class Settings:
-    """The arguments that say what is asked about each case."""
+    """Arguments of the questions about each case."""
 
     def __init__(self, arguments):
         self.kusabi, self.seed = arguments.kusabi, arguments.seed
@@ -42,7 +45,7 @@ class Settings:
 
 
 def _outputs(settings, judge, case, rng):
-    """What all outputs of some commands say of one answer."""
+    """Findings on the consistency of all outputs of some commands."""
     mus = sorted({case.mu, float(f"{case.mu * rng.uniform(0.3, 0.9):.6g}")})
     for words in (["patterns", judge.file, "--mu", repr(case.mu)], ["critical", judge.file],
                   ["sweep", judge.file, "--mu", ",".join(map(repr, mus))],
@@ -52,7 +55,7 @@ def _outputs(settings, judge, case, rng):
 
 
 def _sweep(judge, case):
-    """The counts of a sweep."""
+    """Findings on the counts of a sweep."""
     asked = sorted({case.mu, float(f"{0.7 * case.mu:.6g}"), float(f"{1.5 * case.mu:.6g}")})
     code, result, _, said = judge._ask("sweep", judge.file, "--mu", ",".join(map(repr, asked)))
     if result is None:
@@ -77,7 +80,7 @@ def _truths(settings, judge, case, rng):
 
 
 def _examine_bodies(settings, index, kind):
-    """The same of a case of generate_bodies."""
+    """The same for a case of generate_bodies."""
     case = generate_bodies.make(settings.seed, index, [kind], settings.contrasts)
     rng = random.Random(f"ask/{settings.seed}/{index}")
     tally = {}
@@ -150,7 +153,7 @@ def _same(judge, kusabi, case, name, text, got):
 
 
 def _write(folder, case, finding, number):
-    """The case as a problem file whose first lines say what is wrong."""
+    """The case as a problem file whose first lines are its findings."""
     os.makedirs(folder, exist_ok=True)
     first, *rest = finding.line.split("\n", 1)
     path = os.path.join(folder, f"{case.name}-{number}.toml")

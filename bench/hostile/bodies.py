@@ -1,9 +1,9 @@
-"""A structure of any bodies, held or not, in the plane, in 80 digits: pairs, corners, triangles and loose bodies.
+"""Plane structures of bodies, constrained or not, in 80 digits: pairs, nodes with several normals, triangles.
 
-Reads a problem file by itself (nodes, members, elements of three or four nodes, springs of none, supports along the axes,
-candidates with weights). A body that nothing holds has a compliance only with springs that hold it; reactions in
-equilibrium make no force in these, so u = F r + G a with any a, and G'r = 0. A node of a pair that is off its place by the
-rounding of its coordinates alone is put there, exactly.
+Reads problem files by itself (nodes, members, elements of three or four nodes, supports along the axes, candidates with
+weights; no springs). The compliance of an unconstrained body requires grounding springs; reactions in equilibrium cause
+no force in these, so u = F r + G a with any a, and G'r = 0. Nodes of a pair that differ by the rounding of their
+coordinates are moved together exactly.
 """
 
 import tomllib
@@ -22,7 +22,8 @@ class Candidate:
 
 
 class Bodies:
-    """What a problem file says: as structure.Structure, with candidates as above; names of the candidates."""
+    """Contents of a problem file: as structure.Structure, with candidates as above; names of the
+    candidates."""
 
     def __init__(self, text):
         table = tomllib.loads(text)
@@ -45,7 +46,7 @@ class Bodies:
         self.names = [self._name(i) for i in range(len(self.candidates))]
 
     def _place(self):
-        """Exact places of all nodes; as decimals where they were moved."""
+        """Exact positions of all nodes, converted to decimals for nodes that were moved."""
         self.places = {name: [Fraction(x) for x in place] for name, place in self.nodes.items()}
         for own in self.candidates:
             if not own.against:
@@ -72,7 +73,7 @@ class Bodies:
 
 
 def _bodies(bodies):
-    """Connected pieces: [(own nodes, nodes of the ground that they hang on)]."""
+    """Connected parts: [(own nodes, fixed nodes connected to them)]."""
     parent = {node: node for node in bodies.nodes if not bodies.is_ground(node)}
 
     def root(node):
@@ -102,7 +103,7 @@ def _lever(bodies, centre, node, axis):
 
 
 def _left(columns, row):
-    """What of the columns (vectors) satisfies row'x = 0, and the one that goes, or None."""
+    """The subspace of the columns (vectors) with row'x = 0, and the column removed, or None."""
     products = [sum(a * b for a, b in zip(row, column)) for column in columns]
     pivot = next((k for k, value in enumerate(products) if value), None)
     if pivot is None:
@@ -114,7 +115,8 @@ def _left(columns, row):
 
 
 def _motions(bodies):
-    """[(centre, nodes of the body, a motion)] of all bodies, and as many springs (node, axis) that would hold them."""
+    """[(centre, nodes of the body, a motion)] of all bodies, and as many grounding springs (node,
+    axis) as they need."""
     result, springs = [], []
     for nodes, ground in _bodies(bodies):
         centre = nodes[0]
@@ -132,7 +134,7 @@ def _motions(bodies):
 
 
 def _triangle_strain(bodies, element):
-    """Strain vectors of a triangle, as structure._quad_strain has them of a quadrilateral."""
+    """Strain vectors of a triangle, in the format of structure._quad_strain."""
     modulus, ratio, thickness, plane, between = element
     modulus, ratio, thickness = Decimal(modulus), Decimal(ratio), Decimal(thickness)
     shear = modulus / (2 * (1 + ratio))
@@ -171,7 +173,7 @@ def _stiffness(bodies, number, springs):
 
 
 def _solved(matrix, loads):
-    """K^-1 of each load, by Cholesky's method."""
+    """Columns K^-1 f, by Cholesky factorisation."""
     size = len(matrix)
     start = [matrix[i][i] for i in range(size)]
     for i in range(size):

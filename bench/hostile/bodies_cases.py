@@ -1,10 +1,12 @@
-"""Bodies of tests/cases that once came out wrong: what is true of them, and whether that comes out.
+"""Bodies of tests/cases that earlier versions got wrong: correct answers, and the comparison with
+them.
 
-    python3 bench/hostile/bodies_cases.py tests/cases --kusabi build/kusabi     # holds every command against bodies.json
+    python3 bench/hostile/bodies_cases.py tests/cases --kusabi build/kusabi     # compares every command with bodies.json
     python3 bench/hostile/bodies_cases.py tests/cases --write                   # writes bodies.json, by the oracle alone
 
-An answer must be right with exit code 0, or left open with exit code 3 and a sentence where scales are far apart (`far`).
-Certificates must be proved; the ends of `critical` that are called proved must hold.
+An answer must be correct with exit code 0, or open with exit code 3 and a sentence if scales are
+far apart (`far`). Certificates must be proved; bounds of `critical` that are called proved must be
+correct.
 """
 
 import argparse
@@ -17,15 +19,15 @@ from decimal import Decimal
 from compare import Kusabi, whole_cones
 from oracle import BodiesOracle
 
-#: (file, friction coefficient, further words of `patterns`, whether scales are far apart)
+#: (file, friction coefficient, further arguments of `patterns`, whether scales are far apart)
 ASKED = (("lever_3e11", 0.5, (), True), ("lever_1e12", 0.5719, (), True), ("weak_coupling_1e-11", 1.83834805972901, (), True),
          ("pair_on_edges", 1.2492575712727418, (), False), ("loose_with_cuts", 1.72062024876753, ("--cuts", "always"), False))
-#: How far the oracle looks for the smallest coefficient, and how narrowly.
+#: Upper limit and width of the search for the smallest coefficient by the oracle.
 MOST, WIDTH = 8.0, Decimal("1e-10")
 
 
 def _critical(oracle):
-    """[dead at, feasible at]; the latter None if nothing is up to MOST."""
+    """[infeasible at, feasible at]; the latter is None if nothing is feasible up to MOST."""
     low, high = Decimal(0), Decimal(MOST)
     if not oracle.wedges(float(high)):
         return [MOST, None]
@@ -66,7 +68,7 @@ def _certificate(kusabi, case, path):
     proved, _, line = kusabi.run("verify", evidence, "--problem", path)
     if code == 3 and case["far"]:
         return
-    ties = result["result"]["exact"]["ties"]  # of which it claims nothing, and says so
+    ties = result["result"]["exact"]["ties"]  # no claim, as it states
     if proved != code and not (proved == 3 and ties):
         yield f"patterns: exit code {code}, verify: {proved}: {line}"
 

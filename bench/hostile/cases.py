@@ -1,8 +1,8 @@
-"""Runs the inputs of tests/cases through `kusabi` and holds what comes out against truth.json.
+"""Comparison of `kusabi` on the inputs of tests/cases with truth.json.
 
     python3 bench/hostile/cases.py tests/cases --kusabi build/kusabi
 
-Prints a line for each entry that differs. Exit code 0: none does.
+Prints a line for each entry that differs. Exit code 0: none.
 """
 
 import argparse

@@ -1,8 +1,10 @@
-"""Holds the oracle against others: rays against programs in 80 digits, and both against cvxopt and HiGHS in doubles.
+"""Checks of the oracle: rays against programs in 80 digits, and both against cvxopt and HiGHS in
+doubles.
 
     /usr/bin/python3 bench/hostile/check_oracle.py --count 300
 
-Debian: python3-cvxopt, python3-scipy. What t* in doubles cannot tell from zero (|t*| < 1e-7) is not judged.
+Debian: python3-cvxopt, python3-scipy. Leaves with |t*| < 1e-7 are skipped, since doubles cannot
+determine their sign.
 """
 
 import argparse
@@ -21,7 +23,7 @@ UNSURE = 1e-7
 
 
 def program(flexibility, d, friction, contact):
-    """t* of a leaf by cvxopt; None if it gives up. All candidates have friction."""
+    """t* of a leaf by cvxopt; None if it fails. All candidates have friction."""
     m = len(friction)
     columns = [(i, a) for i in contact for a in range(d)]
     n = len(columns) + 1

@@ -1,4 +1,4 @@
-"""Asks the command `kusabi` about a case and holds its answers against the oracle."""
+"""Comparison of `kusabi` with the oracle on one case."""
 
 import json
 import os
@@ -10,7 +10,7 @@ DISAGREE, OPEN, DOUBTFUL, REFUSED = "disagreement", "open", "doubtful", "refused
 
 
 class Finding:
-    """What came out otherwise than it should: kind (above), what was asked, one line of what and what is true."""
+    """A finding: kind (above), question, and one line with the answer and the correct one."""
 
     def __init__(self, kind, asked, line):
         self.kind, self.asked, self.line = kind, asked, line
@@ -24,7 +24,7 @@ class Kusabi:
         self.calls = 0
 
     def run(self, *arguments):
-        """(exit code, JSON or None, what was printed). Exit code None: it did not end in time."""
+        """(exit code, JSON or None, output). Exit code None: time limit."""
         output = os.path.join(self.folder, "result.json")
         if os.path.exists(output):
             os.remove(output)
@@ -45,7 +45,7 @@ class Kusabi:
 
 
 def whole_cones(result):
-    """{(S, G): solid} of the whole from the patterns of its blocks."""
+    """{(S, G): solid} of the whole structure from the patterns of its blocks."""
     everything = [name for block in result["blocks"] for name in block["candidates"]] if "blocks" in result else None
     parts = {}
     for pattern in result["patterns"]:
@@ -71,10 +71,10 @@ def describe(cones):
 
 
 class Judge:
-    """All checks of one case. `findings` collects what is not as it should be, `tally` counts."""
+    """All checks of one case. `findings` collects errors, `tally` counts."""
 
     def __init__(self, kusabi, oracle, case, tally, far=False, may_be_open=False):
-        """far: scales so far apart that small numbers are no excuse; may_be_open: answers may be left open."""
+        """far: scales are far apart; may_be_open: answers may be open."""
         self.kusabi, self.oracle, self.case, self.tally = kusabi, oracle, case, tally
         self.far, self.may_be_open = far, may_be_open
         self.findings = []
@@ -95,11 +95,11 @@ class Judge:
             self._find(OPEN, asked, line)
 
     def excuse(self, truth):
-        """Why the truth is not to judge by, or None."""
+        """Reason why the oracle has no reliable answer, or None."""
         return None if self.far else truth.doubtful
 
     def _ask(self, *arguments):
-        """The JSON if the exit code is 0 or 3; else None, and a finding."""
+        """The JSON if the exit code is 0 or 3; otherwise None, and a finding."""
         asked = " ".join(str(a) for a in arguments if a != self.file)
         code, result, line = self.kusabi.run(*arguments)
         self._count(f"exit {code}")
@@ -110,7 +110,7 @@ class Judge:
         return code, None, None, asked
 
     def _differs(self, asked, got, truth, doubtful):
-        """A finding if the sets differ; says what is missing and what is too many."""
+        """A finding if the sets differ, with the missing and the superfluous ones."""
         if set(got) == set(truth):
             return False
         missing, spare = set(truth) - set(got), set(got) - set(truth)
@@ -171,7 +171,8 @@ class Judge:
             self._find(DOUBTFUL if truth.doubtful else DISAGREE, asked, f"{result['count']} rays, but {truth.rays}")
 
     def _bracket(self, *more):
-        """(lower, upper) if the call was answered; an open one is checked and listed, and None."""
+        """(lower, upper) if the call was answered; an open answer is checked and listed, and None
+        is returned."""
         code, result, _, asked = self._ask("critical", self.file, *more)
         if result is None:
             return None
@@ -184,7 +185,7 @@ class Judge:
         return ends
 
     def ends(self):
-        """The bracket by itself, and its ends by the oracle."""
+        """Consistency of the bracket, and its bounds by the oracle."""
         bracket = self._bracket()
         if bracket is not None:
             self._true_bracket("critical", *bracket)
@@ -197,7 +198,7 @@ class Judge:
             self._find(DISAGREE, asked, f"nothing wedges at the upper end {upper!r}")
 
     def critical(self):
-        """All methods, and the ends of the bracket by the oracle. Returns the bracket of the default."""
+        """All methods, and the bounds by the oracle. Returns the bracket of the default."""
         bracket = self._bracket()
         if bracket is None:
             return None
@@ -225,7 +226,7 @@ class Judge:
         return bracket
 
     def certificates(self, mu, of_structure, words=()):
-        """Certificates of the patterns and of both ends of the bracket, accepted by `kusabi verify`."""
+        """Certificates of the patterns and of both bounds, accepted by `kusabi verify`."""
         path = os.path.join(self.kusabi.folder, "evidence")
         more = ["--problem", self.file] if of_structure else []
         for asked, files in ((("patterns", self.file, "--mu", repr(mu), *words), [path]),
@@ -241,7 +242,7 @@ class Judge:
                     continue
                 proved, _, line = self.kusabi.run("verify", file, *more)
                 self._count("certificates")
-                # What is a tie cannot be proved, only said: by `patterns`, which counts them.
+                # Degenerate patterns cannot be proved: `patterns` counts them.
                 answer = result["result"]
                 ties = answer["exact"]["ties"] if "exact" in answer else asked[0] == "critical" and file.endswith(".upper")
                 if proved != 0 and not (proved == 3 and ties):

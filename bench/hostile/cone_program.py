@@ -1,8 +1,8 @@
-"""The cone program of a leaf in 80 digits: its sign, its value, and what is at rest in it.
+"""Cone program of a leaf in 80 digits: its sign, its value, and its inactive candidates.
 
-The program is (P) of docs/theory/wedged.md. Its equations are eliminated exactly (up to 80 digits), and what is left
-has an interior, so that a plain logarithmic barrier with Newton's method serves, in the plane and in space. It is slow
-and simple; both is wanted of what others are judged by.
+The program is (P) of docs/theory/wedged.md. Its equations are eliminated exactly (up to 80 digits);
+the rest has an interior, so that a logarithmic barrier with Newton's method applies, in the plane
+and in space. The method is slow and simple, as suits a reference.
 """
 
 import math
@@ -12,7 +12,7 @@ from structure import dot
 
 #: Relative size below which a pivot of the equations is zero.
 RANK = Decimal("1e-40")
-#: A value of t* that is smaller than this, with a gap smaller than this, is taken for zero.
+#: Values of t* below this, with a gap below this, are zero.
 TIE = Decimal("1e-24")
 
 ALIVE, DEAD, TIED, UNSURE = "alive", "dead", "tied", "unsure"
@@ -32,7 +32,7 @@ def equilibrated(flexibility, d):
 
 
 def _affine(rows, right):
-    """x0 and a basis (list of vectors) of all x with rows x = right, or None if there are none."""
+    """x0 and a basis (list of vectors) of all x with rows x = right; None if there are none."""
     n = len(rows[0])
     table = []
     for row, value in zip(rows, right):
@@ -72,7 +72,7 @@ def _affine(rows, right):
         for step, column in enumerate(pivots):
             vector[column] = -table[step][j]
         basis.append(vector)
-    for i, vector in enumerate(basis):  # orthonormal, only to begin at a sensible point
+    for i, vector in enumerate(basis):  # orthonormal, only as a starting point
         for other in basis[:i]:
             along = dot(vector, other)
             vector = [x - along * y for x, y in zip(vector, other)]
@@ -102,7 +102,7 @@ def _solve(matrix, right):
 
 
 class Leaf:
-    """The program of one leaf, in the unit of the compliance it is given.
+    """The program of one leaf, in the unit of the given compliance.
 
     @param contact, apart, rest  candidates with u_n = 0; with r = 0; with both
     """
@@ -150,7 +150,7 @@ class Leaf:
         return [dot(coefficients, vector) for vector in self.basis] + [of_t], dot(coefficients, self.start)
 
     def reaction(self):
-        """{candidate: reaction} at the present point."""
+        """{candidate: reaction} at the current point."""
         x = list(self.start)
         for value, vector in zip(self.point, self.basis):
             x = [a + value * b for a, b in zip(x, vector)]
@@ -163,8 +163,9 @@ class Leaf:
         at = lambda row: row[1] + dot(row[0], point)
         return [at(row) for row in self.linear], [(at(first), [at(o) for o in others]) for first, others in self.cones]
 
-    def climb(self, gap, stop_at_sign=True):
-        """Raises t until its bracket [low, high] is narrower than `gap`, or its sign is known. Leaves both in self."""
+    def escalate(self, gap, stop_at_sign=True):
+        """Increases t until its bracket [low, high] is narrower than `gap`, or its sign is known.
+        Both are stored in self."""
         self.low, self.high = Decimal("-Infinity"), Decimal("Infinity")
         if self.empty:
             self.high = self.low
@@ -232,7 +233,7 @@ class Leaf:
         return decrement if length == 1 else Decimal(1)
 
     def _length(self, step, linear, cones, gain):
-        """How far to go: the minimum of the barrier function along the step, to a few digits, in doubles."""
+        """Step length: the minimum of the barrier function along the step, to a few digits, in doubles."""
         slopes = [float(dot(row, step) / value) for (row, _), value in zip(self.linear, linear)]
         curves = []
         for (first, others), (top, rest) in zip(self.cones, cones):
@@ -268,8 +269,8 @@ class Leaf:
 
 
 def sign(leaf):
-    """alive, dead, tied or unsure, with the leaf's point where it was decided."""
-    leaf.climb(TIE)
+    """alive, dead, tied or unsure, with the point of the leaf."""
+    leaf.escalate(TIE)
     if leaf.low > 0 and leaf.low > TIE:
         return ALIVE
     if leaf.high < 0 and (leaf.high < -TIE or leaf.empty):
@@ -278,13 +279,13 @@ def sign(leaf):
 
 
 def margin(flexibility, d, friction, contact, apart):
-    """t* in the program's unit to more than four digits: (low, high)."""
+    """t* in the unit of the program to more than four digits: (low, high)."""
     leaf = Leaf(mean_scaled(flexibility, d), d, friction, contact, apart)
-    leaf.climb(Decimal("1e-3"), stop_at_sign=False)
+    leaf.escalate(Decimal("1e-3"), stop_at_sign=False)
     while not leaf.empty and leaf.high - leaf.low > abs(leaf.low) * Decimal("1e-5") and leaf.high - leaf.low > TIE:
         goal = max(min(leaf.high - leaf.low, abs(leaf.low)) * Decimal("1e-3"), TIE / 2)
         before = leaf.high - leaf.low
-        leaf.climb(goal, stop_at_sign=False)
+        leaf.escalate(goal, stop_at_sign=False)
         if leaf.high - leaf.low >= before:
             break
     return leaf.low, leaf.high

@@ -1,5 +1,6 @@
-"""A mixed zero-one program as plain data, its files, and its exact optimum: linear programs in rational numbers (the simplex
-method with Bland's rule) below a tree over the binaries. For a few columns and rows only."""
+"""Mixed zero-one programs as plain data, their files, and their exact optimum: linear programs in
+rational numbers (simplex method with Bland's rule) at the nodes of a tree over the binaries. For a
+few columns and rows only."""
 
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -25,7 +26,7 @@ class Row:
     range: float | None = None
 
     def ends(self):
-        """(lower, upper), none where there is none"""
+        """(lower, upper); None where there is none"""
         width = None if self.range is None else Fraction(self.range)
         right = Fraction(self.right)
         if self.sense == "E":
@@ -51,7 +52,7 @@ class Program:
             self.rows.append(Row(f"r{len(self.rows)}", sense, right, terms))
 
     def missed(self, values):
-        """A row or bound that a point, as the result file has it, does not satisfy to 1e-9 of its terms."""
+        """A row or bound that a point of the result file violates by more than 1e-9 of its terms."""
         at = [Fraction(values.get(column.name, 0.0)) for column in self.columns]
         for row in self.rows:
             terms = [Fraction(value) * at[j] for j, value in row.terms.items()]
@@ -118,7 +119,8 @@ class Program:
 
 
 class Dictionary:
-    """Minimise c'x with Ax <= b, x >= 0: each basic variable is a constant plus a combination of the others."""
+    """Minimise c'x with Ax <= b, x >= 0: each basic variable is a constant plus a combination of
+    the others."""
 
     def __init__(self, a, b, c):
         self.rows = [[-value for value in row] for row in a]
@@ -152,7 +154,8 @@ class Dictionary:
         self.basic[i], self.free[j] = self.free[j], self.basic[i]
 
     def feasible(self):
-        """Bland's rule for a point: the first basic variable below zero, the first column that raises it."""
+        """Bland's rule for a feasible point: the first negative basic variable, the first column
+        that increases it."""
         while True:
             low = [i for i, constant in enumerate(self.constants) if constant < 0]
             if not low:
@@ -178,7 +181,7 @@ class Dictionary:
 
 
 def _relaxed(program, held):
-    """(status, value, values of the binaries) of the relaxation, minimised, with binaries held as `held` says."""
+    """(status, value, values of the binaries) of the relaxation, minimised, with binaries fixed by `held`."""
     parts, start, a, b, c = [], [], [], [], []
     widths = []
     for j, column in enumerate(program.columns):
@@ -228,7 +231,7 @@ def _relaxed(program, held):
 
 
 def exact_optimum(program):
-    """(status, optimum in the sense of the file or none)"""
+    """(status, optimum in the sense of the file or None)"""
     binaries = [j for j, column in enumerate(program.columns) if column.binary]
     best = None
     nodes = [{}]

@@ -1,11 +1,13 @@
-"""Random structures of all kinds, made to be hard: ties, pieces, contrasts, several obstacles."""
+"""Random structures of all kinds that are numerically difficult: degenerate ones, several parts,
+contrasts, several obstacles."""
 
 import math
 import random
 
 from structure import Mechanism, Structure, compliance, from_toml, to_toml
 
-#: `decimal-grid`, a grid of 0.7 by 0.5 whose ties rounding has broken, is not among them: nobody can be judged by it.
+#: `decimal-grid`, a grid of 0.7 by 0.5 with degenerate nodes perturbed by rounding, is not
+#: included: it has no reference.
 KINDS = ("bars", "space-bars", "post", "space-post", "pieces", "space-pieces", "grid", "space-grid", "rods", "space-rods",
          "quads", "mesh", "mixed")
 
@@ -83,7 +85,7 @@ def _bars(rng, structure, head, m, contrast, shift=0.0):
 
 
 def _post(rng, structure, head, contrast, shift):
-    """A candidate on d bars of its own; half of them with a bar along the normal, at whole coordinates."""
+    """A candidate on d bars; half of them have a bar along the normal, at integer coordinates."""
     d = structure.dimension
     tip = f"{head}tip"
     structure.nodes[tip] = [shift] + [0.0] * (d - 1)
@@ -101,7 +103,8 @@ def _post(rng, structure, head, contrast, shift):
 
 
 def _grid(rng, structure, head, sizes, full, shift=0.0):
-    """A right-angled truss at whole coordinates: rows and columns of rods, some diagonals; the first layer is held."""
+    """A right-angled truss at integer coordinates: rows and columns of rods, some diagonals; the
+    first layer is fixed."""
     d = structure.dimension
     cells = [[]]
     for size in sizes:
@@ -136,7 +139,8 @@ def _whole_normals(rng, d, count):
 
 
 def _rods(rng, structure, head, m, shift=0.0):
-    """Candidates in a row on upright rods; neighbours are joined along the row only, or not at all; few diagonals."""
+    """Candidates in a row on upright rods; neighbours are joined along the row only, or not at all;
+    few diagonals."""
     d = structure.dimension
     tips = []
     bar = lambda a, b: structure.bars.append((float(rng.choice((1, 1, 2, 3))), a, b))
@@ -162,7 +166,8 @@ def _rods(rng, structure, head, m, shift=0.0):
 
 
 def _quads(rng, structure, head, columns, rows, contrast, shift=0.0):
-    """A strip of four-node elements, its nodes jittered, held along its left edge, its materials drawn one by one."""
+    """A strip of four-node elements with perturbed nodes, fixed along its left edge, with random
+    materials."""
     name = lambda i, j: f"{head}q{i}{j}"
     for i in range(columns + 1):
         for j in range(rows + 1):
@@ -183,7 +188,7 @@ def _quads(rng, structure, head, columns, rows, contrast, shift=0.0):
 
 
 def _mesh(rng):
-    """[[mesh]] at coordinates that are exact in binary, so that its inner nodes are the same to everybody."""
+    """[[mesh]] at coordinates that are exact in binary, so that all readers compute the same inner nodes."""
     eighth = lambda: rng.randint(-2, 2) / 8
     corners = [[x + eighth(), y + eighth()] for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
     columns, rows = rng.choice((1, 2)), rng.choice((1, 2))
@@ -262,7 +267,7 @@ def _build(rng, kind, contrast):
 
 
 class Case:
-    """text of a problem file, its kind, contrast, and a friction coefficient to ask at."""
+    """text of a problem file, its kind, contrast, and a friction coefficient"""
 
     def __init__(self, name, kind, contrast, text, mu):
         self.name, self.kind, self.contrast, self.text, self.mu = name, kind, contrast, text, mu

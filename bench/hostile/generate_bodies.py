@@ -1,7 +1,9 @@
-"""Random bodies that generate.py has none of: loose ones, pairs, corners, long levers, weak couplings.
+"""Random bodies of kinds that generate.py lacks: unconstrained bodies, pairs, nodes with several
+normals, long levers, weak couplings.
 
-Those in the plane are read by bodies.py; of those in space certificates and outputs are checked. Levers and couplings are as far from the rest as floating point can hardly follow: there the
-answer must be right, or left open in a sentence and by the exit code.
+Plane ones are read by bodies.py; for those in space certificates and outputs are checked. Levers
+and couplings reach the limits of floating point: the answer must be correct, or open in a sentence
+and by the exit code.
 """
 
 import math
@@ -14,7 +16,7 @@ KINDS = ("loose-truss", "loose-mesh", "wedge", "pair", "loose-pair", "corner", "
 
 
 class _Draft:
-    """The lines of a problem file; places of nodes."""
+    """Lines of a problem file; positions of nodes."""
 
     def __init__(self, rng, contrast, dimension=2):
         self.rng, self.contrast, self.dimension = rng, contrast, dimension
@@ -54,20 +56,20 @@ class _Draft:
 
 
 def _round_places(rng, count, radius=1.0, centre=(0.0, 0.0)):
-    """Places around a centre, going round."""
+    """Positions around a centre, in order."""
     angles = sorted((k + rng.uniform(-0.3, 0.3)) * 2 * math.pi / count for k in range(count))
     return [[centre[0] + radius * rng.uniform(0.7, 1.1) * math.cos(a), centre[1] + radius * rng.uniform(0.7, 1.1) * math.sin(a)]
             for a in angles]
 
 
 def _inwards(rng, place, spread=0.5):
-    """A normal of an obstacle that faces a body about the origin."""
+    """Normal of an obstacle that faces a body about the origin."""
     angle = math.atan2(-place[1], -place[0]) + rng.uniform(-spread, spread)
     return [math.cos(angle), math.sin(angle)]
 
 
 def _truss(draft, head, places):
-    """Bars between all nodes, or all but a few."""
+    """Bars between all nodes, or nearly all."""
     names = [draft.node(f"{head}{i}", place) for i, place in enumerate(places)]
     count = len(names)
     for i in range(count):
@@ -99,7 +101,8 @@ def _loose(draft, mesh):
 
 
 def _wedge(draft):
-    """A block at whole coordinates between flats that lean by whole slopes: ties, and walls that are parallel."""
+    """A block at integer coordinates between planes with integer slopes: degenerate patterns, and
+    parallel walls."""
     rng = draft.rng
     width, height = rng.randint(1, 3), rng.randint(1, 2)
     places = [[0, 0], [width, 0], [width, height], [0, height]]
@@ -122,7 +125,7 @@ def _held(draft, names):
 
 
 def _pair(draft, held):
-    """A body inside that touches one around it at places of its edges; the outer one is held, or rests on obstacles."""
+    """A body inside another one in contact with its edges; the outer one is fixed, or rests on obstacles."""
     rng = draft.rng
     outer = (_fan if rng.random() < 0.5 else _truss)(draft, "b", _round_places(rng, rng.randint(3, 5), 2.0))
     if held:
@@ -167,7 +170,7 @@ def _corner(draft, held):
 
 
 def _mixture(draft):
-    """A held truss, a loose mesh and another held piece, each with candidates."""
+    """A constrained truss, an unconstrained mesh and another constrained part, each with candidates."""
     rng = draft.rng
     names = _truss(draft, "n", _round_places(rng, 3))
     _held(draft, names)
@@ -178,7 +181,7 @@ def _mixture(draft):
 
 
 def _lever(draft):
-    """A loose truss with a node a million to ten million millions away, on bars that are as stiff as the others."""
+    """An unconstrained truss with a node 10^6 to 10^13 away, on bars of the same stiffness as the others."""
     rng = draft.rng
     names = _truss(draft, "n", _round_places(rng, rng.randint(3, 4)))
     length, angle = 10 ** rng.uniform(6, 13), rng.uniform(0, 2 * math.pi)
@@ -190,7 +193,7 @@ def _lever(draft):
 
 
 def _coupling(draft):
-    """Two held trusses, joined by a bar that is next to nothing."""
+    """Two constrained trusses, joined by a very weak bar."""
     rng = draft.rng
     pieces = []
     for head, shift in (("a", 0.0), ("b", 6.0)):
@@ -208,7 +211,7 @@ def _coupling(draft):
 
 
 def _space(draft):
-    """A loose tetrahedron of bars or solid, or a truss of five nodes, with obstacles around it."""
+    """An unconstrained tetrahedron of bars or solid, or a truss of five nodes, with obstacles around it."""
     rng = draft.rng
     corners = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]] + ([[0.1, 0.2, 1.8]] if rng.random() < 0.5 else [])
     names = [draft.node(f"n{i}", [x + rng.uniform(-0.3, 0.3) for x in corner]) for i, corner in enumerate(corners)]

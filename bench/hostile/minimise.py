@@ -1,4 +1,4 @@
-"""Makes a disagreeing problem file smaller, as long as the same command still disagrees with the oracle.
+"""Reduction of a problem file while the same command still disagrees with the oracle.
 
     python3 bench/hostile/minimise.py FILE --kusabi build/kusabi --ask patterns --mu 1.5 > SMALLER.toml
 """
@@ -19,7 +19,7 @@ class _Case:
 
 
 def _wrong(path, ask, mu, kinds, text):
-    """The findings of one command about one file, as lines."""
+    """Findings of one command on one file, as lines."""
     try:
         oracle = Oracle(text)
     except (Mechanism, ZeroDivisionError, KeyError, ArithmeticError):
@@ -38,7 +38,7 @@ def _wrong(path, ask, mu, kinds, text):
 
 
 def _smaller(structure):
-    """Structures with one thing less."""
+    """Structures with one part removed."""
     for field in ("candidates", "bars", "quads"):
         for i in range(len(getattr(structure, field))):
             other = copy.deepcopy(structure)

@@ -1,4 +1,5 @@
-"""The truth about a problem file: its maximal cones at a friction coefficient, and whether anything can wedge."""
+"""Oracle for a problem file: its maximal cones at a friction coefficient, and the existence of
+wedged configurations."""
 
 from decimal import Decimal, localcontext
 from itertools import product
@@ -11,14 +12,15 @@ import structure
 
 
 class Answer:
-    """cones: {(S, G): solid} over names; rays: their number, or None; doubtful: why the truth is not to be judged by."""
+    """cones: {(S, G): solid} over names; rays: their number, or None; doubtful: reason why the
+    answer is unreliable."""
 
     def __init__(self, cones, rays, doubtful):
         self.cones, self.rays, self.doubtful = cones, rays, doubtful
 
 
 class Oracle:
-    """Compliance and blocks of one structure, computed once, and questions about it."""
+    """Compliance and blocks of one structure, computed once, and analyses of it."""
 
     def __init__(self, text):
         self.structure = structure.from_toml(text)
@@ -32,7 +34,7 @@ class Oracle:
         return [Decimal(mu) * factor for factor in self.relative]
 
     def block(self, numbers):
-        """The compliance of the candidates `numbers` alone."""
+        """Compliance of the candidates `numbers` alone."""
         at = [i * self.d + a for i in numbers for a in range(self.d)]
         return [[self.flexibility[i][j] for j in at] for i in at]
 
@@ -64,7 +66,7 @@ class Oracle:
         return Answer(cones, None, doubtful)
 
     def by_rays(self, mu):
-        """The whole at once, by extremal rays; plane only."""
+        """All blocks at once, by extremal rays; plane only."""
         found = plane.enumerate_plane(self.flexibility, self.friction(mu))
         cones = {(self._named(s), self._named(g)): solid for (s, g), solid in plane.maximal(found.leaves).items()}
         doubtful = f"a displacement is {float(found.least):.1e} of its parts" if found.least < Decimal("1e-11") else None
@@ -74,7 +76,7 @@ class Oracle:
         return self.by_rays(mu) if self.d == 2 else self.by_programs(mu)
 
     def wedges(self, mu):
-        """True if there is a nonzero solution at mu, False if not, None if that is too close to tell."""
+        """True if there is a nonzero solution at mu, False if not, None if undecided."""
         if self.d == 2:
             return bool(plane.enumerate_plane(self.flexibility, self.friction(mu)).leaves)
         unsure = 0
@@ -102,10 +104,10 @@ class Oracle:
 
 
 class BodiesOracle:
-    """The same questions about bodies of any kind in the plane, held or not (bodies.py)."""
+    """The same analyses for plane bodies of any kind, constrained or not (bodies.py)."""
 
     d = 2
-    DIGITS = 140  # long levers and weak couplings take forty of them
+    DIGITS = 140  # long levers and weak couplings need forty of them
 
     def __init__(self, text):
         self.structure = bodies.Bodies(text)
@@ -119,7 +121,7 @@ class BodiesOracle:
                     row[l] = row[l] / top if top else row[l]
 
     def _blocks(self):
-        """Candidates that the compliance or a loose body connects."""
+        """Candidates coupled by the compliance or by an unconstrained body."""
         m = len(self.names)
         linked = lambda i, j: any(self.flexibility[2 * i + a][2 * j + b] for a in (0, 1) for b in (0, 1)) or any(
             any(self.motions[2 * i + a][l] for a in (0, 1)) and any(self.motions[2 * j + a][l] for a in (0, 1))
@@ -137,7 +139,7 @@ class BodiesOracle:
         return result
 
     def _enumerate(self, mu, block):
-        # The command takes the product of both as a double.
+        # The command computes the product as a double.
         friction = [Decimal(float(mu) * self.structure.candidates[i].friction) for i in block]
         at = [2 * i + a for i in block for a in (0, 1)]
         columns = [l for l in range(len(self.motions[0])) if any(self.motions[row][l] for row in at)]
@@ -150,7 +152,8 @@ class BodiesOracle:
         return frozenset(self.names[block[k]] for k in numbers)
 
     def cones(self, mu):
-        """Of `patterns`: a block that cannot wedge is at rest, even if its body could move away."""
+        """For `patterns`: candidates of a block that cannot wedge are inactive, even if its body
+        could move away."""
         least, parts = Decimal(1), []
         for block in self._blocks():
             found = self._enumerate(mu, block)
@@ -166,7 +169,7 @@ class BodiesOracle:
         return self._answer(cones, least)
 
     def by_rays(self, mu):
-        """Of `rays`: of the whole at once, with what moves away without a reaction."""
+        """For `rays`: all blocks at once, with bodies that move away without a reaction."""
         everything = range(len(self.names))
         found = self._enumerate(mu, everything)
         return self._answer({(self._named(everything, s), self._named(everything, g)): solid

@@ -1,6 +1,7 @@
-"""Holds what one call hands over against its JSON: what it prints, report, csv, the object of Python and the exit code.
+"""Consistency of the outputs of one call with its JSON: text, report, CSV, Python object and exit
+code.
 
-What is true is another matter (compare.py); here every output of one answer has to say the same.
+Correctness is checked in compare.py.
 """
 
 import csv
@@ -30,7 +31,7 @@ def _plain(text):
 
 
 def _open(command, answer):
-    """What the JSON itself leaves open: words, empty if nothing."""
+    """Parts of the JSON that are open, in words; empty if none."""
     left = []
     for key in ("marginal", "undecided"):
         if answer.get(key):
@@ -50,13 +51,13 @@ def _open(command, answer):
 
 
 def _rows(command, answer):
-    """How many rows the csv has, but for its head; None: not said here."""
+    """Number of rows of the CSV without its header; None: not known here."""
     return {"patterns": lambda: len(answer["patterns"]), "rays": lambda: len(answer["rays"]),
             "sweep": lambda: len(answer["points"]) + 2 * len(answer["staircase"])}.get(command, lambda: None)()
 
 
 def contradictions(kusabi, words, tally):
-    """Lines of what outputs of `kusabi WORDS` say otherwise than its JSON. `kusabi` is a compare.Kusabi."""
+    """Lines about outputs of `kusabi WORDS` that differ from its JSON. `kusabi` is a compare.Kusabi."""
     folder, command = kusabi.folder, words[0]
     place = lambda name: os.path.join(folder, name)
     names = {"json": place("one.json"), "csv": place("one.csv"), "html": place("one.html")}
@@ -90,7 +91,7 @@ def contradictions(kusabi, words, tally):
             page = file.read()
         text = _plain(page)
         sentence = result.get("verdict", {}).get("sentence")
-        if sentence is None:  # the headline of the report, then
+        if sentence is None:  # headline of the report
             head = re.search(r'<p id="verdict">(.*?)</p>', page, re.S)
             sentence = _plain(head.group(1)) if head else None
         if sentence is None:

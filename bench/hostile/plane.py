@@ -1,9 +1,9 @@
-"""Every wedged configuration in the plane, by extremal rays in 80 digits.
+"""All wedged configurations in the plane, by extremal rays in 80 digits.
 
-Friction is linear in the plane: a reaction is a nonnegative sum of the two edges of its friction cone. For each choice
-"contact or separated" a cone is cut out of the nonnegative sums, one candidate after another (double description). The
-rays of a leaf tell all: their sum is a point of the relative interior of its cone D(Y), so what vanishes on all of them
-vanishes throughout.
+Friction is linear in the plane: a reaction is a nonnegative sum of the two edges of its friction
+cone. For each choice "contact or separated" a cone is cut out of the nonnegative sums, one
+candidate after another (double description). The sum of the rays of a leaf is a point of the
+relative interior of its cone D(Y), so components that vanish on all rays vanish on D(Y).
 """
 
 from decimal import Decimal
@@ -12,15 +12,17 @@ from structure import ZERO
 
 
 class Ray:
-    """coefficients of the friction edges and of motions, normal displacements and what is missing in equilibrium, and the
-    bits of what is zero."""
+    """Coefficients of the friction edges and of motions, normal displacements and equilibrium
+    residuals, and a bit set of zeros."""
 
     __slots__ = ("x", "u", "zeros", "support", "gaps")
 
 
 class PlaneAnswer:
-    """cones: set of (frozenset S, frozenset G, solid) before taking maxima; rays: their (support, gaps);
-    least: the smallest relative displacement that was taken for nonzero."""
+    """cones: set of (frozenset S, frozenset G, solid) before taking maxima; rays: their (support,
+    gaps);
+    least: the smallest relative displacement that was regarded as nonzero.
+    """
 
     def __init__(self):
         self.leaves = []
@@ -29,8 +31,8 @@ class PlaneAnswer:
 
 
 def _edges(flexibility, friction, motions):
-    """Columns for the edges of all friction cones: [(candidate, u_n of every candidate and then G'r, sums of sizes)]; and
-    for each motion one either way, of no candidate."""
+    """Columns for the edges of all friction cones: [(candidate, u_n of every candidate and then
+    G'r, sums of sizes)]; and for each motion one in each direction, without a candidate."""
     m = len(friction)
     count = len(motions[0]) if motions else 0
     of_equations = lambda row, k: [motions[2 * k + row][l] for l in range(count)]
@@ -52,9 +54,10 @@ def _edges(flexibility, friction, motions):
 def enumerate_plane(flexibility, friction, motions=()):
     """All leaves with a nonzero reaction.
 
-    flexibility: 2m x 2m in (n, t); friction: m Decimals, 0 allowed; motions: G of bodies that nothing holds, 2m rows: then
-    G'r = 0, and u_n has any combination of them beside F r. Returns a PlaneAnswer whose `leaves` are
-    (U, S, G, solid): candidates in contact, with reaction, with gap, and whether D(Y) has an interior.
+    flexibility: 2m x 2m in (n, t); friction: m Decimals, 0 allowed; motions: G of unconstrained
+    bodies, 2m rows: then G'r = 0, and any combination of them is added to u_n = F r. Returns a
+    PlaneAnswer whose `leaves` are (U, S, G, solid): candidates in contact, with reaction, with gap,
+    and True if D(Y) has an interior.
     """
     m = len(friction)
     columns = _edges(flexibility, friction, motions)
@@ -99,7 +102,7 @@ def enumerate_plane(flexibility, friction, motions=()):
                 ray = make(x)
                 ray.u[i] = Decimal(0)
                 ray.gaps &= ~(1 << i)
-                for j in done:  # zero by its parents
+                for j in done:  # zero at its parents
                     if a.u[j] == 0 and b.u[j] == 0:
                         ray.u[j] = Decimal(0)
                         ray.gaps &= ~(1 << j)

@@ -1,9 +1,11 @@
-"""Random mixed zero-one programs made to be hard for `kusabi mip`, against their exact optimum.
+"""Random mixed zero-one programs that are numerically difficult for `kusabi mip`, with their exact
+optimum.
 
     python3 bench/hostile/programs.py --kusabi build/kusabi --count 900 --seed 1 --found wrong/
 
-Each program is solved in rational arithmetic by a tree search of its own (exact_program.py). Prints each case that comes out
-otherwise or stays open, writes its file to --found, and counts. Exit code 0: no disagreement, nothing open; 1: some.
+Each program is solved in rational arithmetic by an independent tree search (exact_program.py).
+Prints each case that differs or stays open, writes its file to --found, and counts. Exit code 0: no
+disagreement, nothing open; 1: some.
 """
 
 import argparse
@@ -19,7 +21,7 @@ from fractions import Fraction
 
 from exact_program import INFEASIBLE, OPTIMAL, UNBOUNDED, Program, exact_optimum
 
-TOLERANCE = Fraction(1, 10**8)  # an answer is optimal within this part of its size (docs/result-files.md)
+TOLERANCE = Fraction(1, 10**8)  # relative tolerance of an optimum (docs/result-files.md)
 
 
 def _rows(rng, program, columns, count, low, high, senses, per_row):
@@ -36,7 +38,7 @@ def _costs(rng, program, share=0.7):
 
 
 def _plant(rng, program):
-    """Right-hand sides moved such that a random point, near the bounds of its columns, satisfies all rows."""
+    """Right-hand sides chosen such that a random point near the bounds of its columns satisfies all rows."""
     at = []
     for column in program.columns:
         lower, upper = column.lower, column.upper
@@ -52,7 +54,7 @@ def _plant(rng, program):
         if (lower is None or lower <= activity) and (upper is None or activity <= upper):
             continue
         if row.sense == "E" and Fraction(float(activity)) != activity:
-            row.sense = rng.choice("LG")  # no double is equal to it
+            row.sense = rng.choice("LG")  # equal to no double
         toward = math.inf if row.sense == "L" else -math.inf
         row.right = float(activity) + {"E": 0, "L": 1, "G": -1}[row.sense] * rng.choice([0, 0, 0, 1, 3])
         if row.sense != "E" and Fraction(row.right) != activity:
@@ -60,7 +62,7 @@ def _plant(rng, program):
 
 
 def big_m(rng):
-    """Rows that a binary switches off, M between 1e2 and 1e9; columns with odd bounds."""
+    """Rows switched off by a binary, M between 1e2 and 1e9; columns with unusual bounds."""
     program = Program()
     m = 10.0 ** rng.randint(2, 9)
     binaries = [program.column(binary=True) for _ in range(rng.randint(2, 7))]
@@ -76,7 +78,7 @@ def big_m(rng):
 
 
 def fixed_charge(rng):
-    """Flows whose arcs cost something once they are used; one M for all, far too large."""
+    """Flows with fixed costs of arcs; one M for all, far too large."""
     program = Program()
     nodes = rng.randint(3, 5)
     m = 10.0 ** rng.randint(2, 9)
@@ -95,7 +97,7 @@ def fixed_charge(rng):
 
 
 def knapsack(rng):
-    """Equality knapsacks, and pairs of them, with a continuous column that may make up for little."""
+    """Equality knapsacks, and pairs of them, with a continuous column for small corrections."""
     program = Program()
     binaries = [program.column(binary=True, cost=float(rng.randint(-30, 30))) for _ in range(rng.randint(4, 10))]
     rest = program.column(0, rng.choice([0.5, 2, None]), cost=float(rng.randint(1, 9)))
@@ -109,7 +111,7 @@ def knapsack(rng):
 
 
 def ties(rng):
-    """Coefficients of 0 and 1, equal costs: many optima, bases that are degenerate."""
+    """Coefficients of 0 and 1, equal costs: many optima, degenerate bases."""
     program = Program()
     binaries = [program.column(binary=True, cost=float(rng.choice([-1, 1, 1]))) for _ in range(rng.randint(3, 8))]
     others = [program.column(0, rng.choice([None, 1, 2]), cost=float(rng.choice([-1, 0, 1]))) for _ in range(rng.randint(1, 5))]
@@ -134,7 +136,7 @@ def free(rng):
 
 
 def decades(rng):
-    """Coefficients over twelve decades, and decimals that no double is."""
+    """Coefficients over twelve decades, and decimals without an equal double."""
     program = Program()
     binaries = [program.column(binary=True) for _ in range(rng.randint(2, 6))]
     others = [program.column(0, rng.choice([None, 10.0 ** rng.randint(-3, 6)])) for _ in range(rng.randint(1, 5))]
@@ -149,7 +151,7 @@ def decades(rng):
 
 
 def penalties(rng):
-    """Rows that may be missed at a cost of 1e4 to 1e12 a unit."""
+    """Rows that may be violated at a cost of 1e4 to 1e12 per unit."""
     program = Program()
     binaries = [program.column(binary=True) for _ in range(rng.randint(3, 7))]
     penalty = 10.0 ** rng.randint(4, 12)
@@ -179,7 +181,8 @@ def make(seed, index, kinds):
 
 
 class Judged:
-    """A run of the command beside the truth: `wrong` and `open` say in a line what is the matter, or nothing."""
+    """A run of the command compared with the exact optimum: `wrong` and `open` are one line each,
+    or empty."""
 
     def __init__(self, program, truth, code, result, said):
         self.program, self.truth, self.code, self.result = program, truth, code, result
@@ -221,7 +224,7 @@ class Judged:
 
 
 def run(kusabi, options, path, ranks):
-    """(exit code, result, what was said)"""
+    """(exit code, result, output)"""
     output = path + f".{ranks}.json"
     launcher = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
     serial = [] if ranks > 1 else ["--serial"]
@@ -253,11 +256,11 @@ def examine(arguments, index):
             for what, line in (("wrong", judged.wrong), ("open", judged.open)):
                 if line:
                     findings.append((what, f"{line}; truth: {truth[0]}{value}; {ranks} rank(s)"))
-            told = (code, *((result or {}).get(key) for key in ("answer", "objective", "bound")))
+            answer = (code, *((result or {}).get(key) for key in ("answer", "objective", "bound")))
             if first is None:
-                first = told
-            elif told[:3] != first[:3]:
-                findings.append(("differs", f"{first} on {arguments.ranks[0]}, {told} on {ranks} rank(s)"))
+                first = answer
+            elif answer[:3] != first[:3]:
+                findings.append(("differs", f"{first} on {arguments.ranks[0]}, {answer} on {ranks} rank(s)"))
     return os.path.basename(path), text, truth[0], findings
 
 

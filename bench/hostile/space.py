@@ -1,7 +1,9 @@
-"""Every wedged configuration in space (or in the plane), by the cone program of each leaf in 80 digits.
+"""All wedged configurations in space (or in the plane), by the cone program of each leaf in 80
+digits.
 
-A leaf with t* = 0 is looked at where the barrier leaves it: in the relative interior of its cone D(Y). What is at rest
-there is at rest throughout, and that is checked by solving again with these candidates held at rest.
+For a leaf with t* = 0 the barrier method ends in the relative interior of its cone D(Y). Candidates
+that are inactive there are inactive throughout, which is checked by solving again with these
+candidates inactive.
 """
 
 from decimal import Decimal
@@ -10,8 +12,8 @@ from itertools import combinations
 from cone_program import ALIVE, DEAD, TIED, UNSURE, Leaf, equilibrated, sign
 from structure import dot
 
-#: In the equilibrated problem: what is below is at rest, since a tie is reached to 10^-24 and a point that vanishes
-#: there to the square root of it or so.
+#: In the equilibrated problem: smaller values are zero, since t* = 0 is reached to 10^-24 and
+#: vanishing components : to about its square root.
 REST = Decimal("1e-9")
 
 
@@ -30,7 +32,8 @@ def _flat(leaf, flexibility, d, friction, contact, apart):
 
 
 def enumerate_cones(flexibility, d, friction):
-    """All leaves of one block with a nonzero solution: [(U, S, G, solid)], and the number of leaves left unsure."""
+    """All leaves of one block with a nonzero solution: [(U, S, G, solid)], and the number of
+    undecided leaves."""
     m = len(friction)
     scaled = equilibrated(flexibility, d)
     leaves, unsure = [], 0

@@ -1,8 +1,8 @@
-"""A structure in many digits: what `kusabi` is judged against must not share its rounding.
+"""Structure in 80 digits, as a reference whose rounding errors are independent of `kusabi`.
 
-Reads a problem file with the standard library's TOML reader and assembles stiffness and compliance in decimal
-arithmetic of 80 digits. The doubles of the file are meant exactly. Nothing here is shared with the program under test;
-only the meaning of a problem file is the same (docs/problem-files.md).
+Reads a problem file with the TOML reader of the standard library and assembles stiffness and
+compliance in decimal arithmetic. The doubles of the file are taken as exact. Only the meaning of
+problem files (docs/problem-files.md) is shared with the program.
 """
 
 import tomllib
@@ -11,8 +11,8 @@ from decimal import Decimal, getcontext
 DIGITS = 80
 getcontext().prec = DIGITS
 
-#: Relative size below which a number of the compliance is an exact zero: far above 10^-80 times any condition met
-#: here, far below what sums of a few doubles can leave.
+#: Relative size below which an entry of the compliance is an exact zero: far above 10^-80 times
+#: the condition numbers : here, far below the rounding errors of sums in doubles.
 ZERO = Decimal("1e-45")
 
 
@@ -93,7 +93,8 @@ def from_toml(text):
 
 
 def to_toml(structure, name="hostile"):
-    """The problem file of a structure, one element, support and candidate a group. Numbers are read back bit by bit."""
+    """Problem file of a structure with one group per element, support and candidate. Numbers keep
+    all bits."""
     lines = [f'name = "{name}"', f"dimension = {structure.dimension}", 'units = { length = "m", force = "kN" }', "", "[nodes]"]
     lines += [f'"{node}" = {[float(x) for x in place]}' for node, place in structure.nodes.items()]
     for stiffness, a, b in structure.bars:
@@ -126,7 +127,8 @@ def unit(vector):
 
 
 def frame(normal):
-    """The exact unit normal, and unit tangents. Which tangents does not matter: only |r_t| is ever used."""
+    """Exact unit normal, and unit tangents. The choice of tangents does not matter, since only
+    |r_t| is used."""
     n = unit(normal)
     if len(n) == 2:
         return [n, [n[1], -n[0]]]
@@ -186,7 +188,7 @@ def _quad_strain(structure, quad):
 
 
 class Mechanism(Exception):
-    """The free stiffness is singular, or so nearly that no answer of sixteen digits could mean anything."""
+    """The stiffness is singular, or nearly so that sixteen digits have no meaning."""
 
 
 def compliance(structure):
@@ -210,7 +212,7 @@ def compliance(structure):
                 if j <= i:
                     matrix[i][j] += x * y
     start = [matrix[i][i] for i in range(size)]
-    for i in range(size):  # Cholesky, in place, lower triangle
+    for i in range(size):  # Cholesky factorisation in place, lower triangle
         row = matrix[i]
         for j in range(i):
             other = matrix[j]
@@ -238,7 +240,7 @@ def compliance(structure):
                 load[i] = value / row[i] if value else value
             loads.append(load)
     flexibility = [[dot(a, b) for b in loads] for a in loads]
-    for i, row in enumerate(flexibility):  # what cancels to the last digits is zero
+    for i, row in enumerate(flexibility):  # entries that cancel to the last digits are zero
         for j in range(len(row)):
             if abs(row[j]) < ZERO * (flexibility[i][i] * flexibility[j][j]).sqrt():
                 row[j] = Decimal(0)
@@ -246,7 +248,7 @@ def compliance(structure):
 
 
 def blocks(flexibility, d):
-    """Candidates that the compliance connects: lists of their numbers, in order of the first."""
+    """Candidates coupled by the compliance: lists of indices, in order of the first."""
     m = len(flexibility) // d
     left = list(range(m))
     result = []

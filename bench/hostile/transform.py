@@ -1,6 +1,7 @@
-"""Structures that are the same but for their description: what is true of one is true of the other.
+"""Transformations of structures that do not change the answer.
 
-Each transformation is exact in binary arithmetic, so that ties stay ties; `None` if it is not to be had exactly.
+Each is exact in binary arithmetic, so that degenerate patterns stay degenerate; None if it cannot
+be exact.
 """
 
 import copy
@@ -12,7 +13,7 @@ def _all(structure):
 
 
 def scale(rng, structure):
-    """Lengths by one power of two, forces by another; moduli are forces by lengths, thicknesses stay."""
+    """Lengths and forces multiplied by powers of two; moduli change accordingly, thicknesses stay."""
     result = _all(structure)
     length, force = 2.0 ** rng.randint(-16, 16), 2.0 ** rng.randint(-30, 30)
     result.nodes = {name: [length * x for x in place] for name, place in result.nodes.items()}
@@ -24,7 +25,7 @@ def scale(rng, structure):
 
 
 def turn(rng, structure):
-    """By quarters of a turn and a reflection: the axes in another order, some with the other sign."""
+    """Quarter turns and a reflection: the axes in another order, some with the other sign."""
     d = structure.dimension
     order = list(range(d))
     rng.shuffle(order)
@@ -39,7 +40,7 @@ def turn(rng, structure):
 
 
 def renumber(rng, structure):
-    """Nodes, bars, elements, supports and candidates in another order; bars and elements the other way round."""
+    """Nodes, bars, elements, supports and candidates in another order; bars and elements reversed."""
     result = _all(structure)
     shuffled = lambda items: rng.sample(items, len(items))
     result.nodes = dict(shuffled(list(result.nodes.items())))
@@ -51,7 +52,7 @@ def renumber(rng, structure):
 
 
 def split(rng, structure):
-    """A bar along an axis in two, at a node that rollers hold across it: exactly as stiff."""
+    """A bar along an axis divided in two at a node with rollers across it: the same stiffness."""
     d = structure.dimension
     choices = []
     for i, (_, a, b) in enumerate(structure.bars):
@@ -78,7 +79,8 @@ def split(rng, structure):
 
 
 def post(rng, structure):
-    """A candidate far away, on bars along the axes with the normal along one: it never wedges, it is at rest."""
+    """A distant candidate on bars along the axes with the normal along one: it never wedges and is
+    inactive."""
     result = _all(structure)
     d = structure.dimension
     far = [4096.0] + [0.0] * (d - 1)

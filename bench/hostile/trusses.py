@@ -1,10 +1,12 @@
-"""Random trusses under uncertain loads: the guaranteed interval of load factors against all corners of the load box.
+"""Random trusses under uncertain loads: guaranteed interval of load factors, compared with all
+vertices of the load box.
 
     python3 bench/hostile/trusses.py --kusabi build/kusabi --count 300 --seed 1
 
-Each corner is a known load, whose least and largest factor a simplex method written here finds: in doubles, and in rational
-numbers where the two programs disagree. Cables that take no compression, struts that take no tension, uplift, several load
-cases, groups with half-widths of their own. Exit code 0: no disagreement, and nothing open but loads that are just carried.
+Each vertex is a known load, for which a simplex method finds the least and largest factor: in
+doubles, and in rational numbers where the two programs disagree. Cables without compression, struts
+without tension, uplift, several load cases, groups with different half-widths. Exit code 0: no
+disagreement, and nothing open except for loads that are barely carried.
 """
 
 import argparse
@@ -22,7 +24,7 @@ NEAR = 1e-6
 
 
 class Failed(Exception):
-    """The simplex method came to no end."""
+    """The simplex method did not terminate."""
 
 
 def _pivot(rows, basis, row, column):
@@ -56,7 +58,7 @@ def _minimise(rows, basis, columns, eps):
 
 
 def factors(truss, load, number=float):
-    """(least, largest) factor at which the load is carried; None: at none."""
+    """(least, largest) factor at which the load is carried; None: it is not carried."""
     eps = 0 if number is Fraction else 1e-9
     n, members = len(load), len(truss["columns"])
     # x_i = q_i + c_i >= 0, its slack to c_i + t_i, and the factor as a difference.
@@ -108,7 +110,7 @@ def factors(truss, load, number=float):
 
 
 def _in_all(intervals):
-    """What all intervals have in common, perhaps least > largest; None: one of them is None."""
+    """Intersection of all intervals, perhaps with least > largest; None: one of them is None."""
     least, largest = -math.inf, math.inf
     for ends in intervals:
         if ends is None:
@@ -118,7 +120,7 @@ def _in_all(intervals):
 
 
 def _corners(case):
-    """The dead load at every corner of one load case."""
+    """The dead load at every vertex of one load case."""
     for signs in itertools.product((-1, 1), repeat=len(case["uncertain"])):
         load = list(case["dead"])
         for sign, (column, half_width) in zip(signs, case["uncertain"]):
@@ -193,12 +195,12 @@ def make(seed, index):
 
 
 def truth(truss, cases, number=float):
-    """(least, largest) over all corners of all cases; None: some load is carried at no factor."""
+    """(least, largest) over all vertices of all cases; None: some load is not carried at any factor."""
     return _in_all(factors(truss, load, number) for case in cases for load in _corners(case))
 
 
 def same(said, true):
-    """Whether the interval of a result is that of the corners; None: too near to empty to judge."""
+    """True if the interval of a result is that of the vertices; None: too close to empty."""
     size = 1 + (0 if true is None else max(map(abs, true)))
     if true is None:
         return said["empty"] is True
@@ -208,14 +210,14 @@ def same(said, true):
     if said["empty"] is not (least > largest):
         return False
     if said["lower"]["lower"] is None:
-        return False  # carried at none, it says
+        return False  # not carried at any factor
     return all(said[end]["lower"] - NEAR * size <= value <= said[end]["upper"] + NEAR * size and
                said[end]["upper"] - said[end]["lower"] <= NEAR * size
                for end, value in (("lower", least), ("upper", largest)))
 
 
 class Kusabi:
-    """One truss put to the program."""
+    """Comparison for one truss."""
 
     def __init__(self, program, folder, text):
         self.program, self.folder = program, folder
@@ -241,7 +243,7 @@ class Kusabi:
 
 
 def examine(program, seed, index, counts):
-    """What is wrong with one truss; nothing: nothing."""
+    """Findings on one truss; empty: none."""
     text, truss, cases, arguments = make(seed, index)
     with tempfile.TemporaryDirectory() as folder:
         kusabi = Kusabi(program, folder, text)

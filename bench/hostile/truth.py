@@ -1,10 +1,10 @@
-"""Writes tests/cases/truth.json: what must come out for the inputs there, by the oracle in 80 digits.
+"""Writes tests/cases/truth.json: correct answers for the inputs there, by the oracle in 80 digits.
 
     python3 bench/hostile/truth.py tests/cases
 
-Nothing in it is copied from an output of `kusabi`. `exit` is the exit code; in the list of a block, margins are t* in the
-unit of the block (docs/theory/wedged.md), right to four digits; a critical coefficient is a bracket of the truth. In
-`cones` of rays, `contact` is without the idle candidates.
+No output of `kusabi` is copied. `exit` is the exit code; in the list of a block, margins are t* in
+the unit of the block (docs/theory/wedged.md), correct to four digits; a critical coefficient is a
+bracket of the exact one. In `cones` of rays, `contact` is without the inactive candidates.
 """
 
 import json
@@ -18,7 +18,7 @@ from oracle import Oracle
 
 DIGITS = Decimal("1e-13")
 
-#: file: (coefficients to list the patterns at, coefficients to list rays at, more arguments of `critical`)
+#: file: (coefficients for patterns, coefficients for rays, further arguments of `critical`)
 ASKED = {
     "plane_truss_and_post": (["1", "3"], ["1"], [["--method", "newton", "--mu-max", "1"]]),
     "two_pieces": (["3", "4.9", "5.1"], ["3", "5.1"], [["--method", "newton", "--mu-max", "6"], ["--method", "bisection", "--mu-max", "6"]]),
@@ -41,7 +41,7 @@ ASKED = {
     "critical_flat_grid": (["1.5"], ["1.5"], [["--method", "newton", "--mu-max", "2"]]),
 }
 
-#: Certificates that must not be proved: {file: (arguments, exit codes allowed, why)}
+#: Certificates that must be refused: {file: (arguments, permitted exit codes, reason)}
 REFUSED = {
     "forged-decoupled-K.cert": (["--problem", "../../examples/plane-truss.toml"], [1], "the K is not that of the structure"),
     "everything-marginal.cert": ([], [1, 3], "every node is left open: nothing is proved"),
@@ -49,7 +49,7 @@ REFUSED = {
 
 
 def structural_blocks(structure):
-    """Candidates connected through free displacements, by the exact zeros of the bars' directions."""
+    """Candidates coupled through free displacements, by exact zeros of the directions of bars."""
     parent = {}
 
     def root(key):
@@ -76,7 +76,7 @@ def structural_blocks(structure):
 
 
 def patterns(oracle, mu):
-    """What `patterns` and the cones of `rays` must say."""
+    """Expected output of `patterns`, and cones of `rays`."""
     whole = oracle.cones(mu)
     assert not whole.doubtful, whole.doubtful
     blocks, count = [], 1
@@ -118,7 +118,7 @@ def critical(oracle):
 
 
 def rounded(value, way):
-    """13 significant digits, to the side that keeps the truth inside."""
+    """13 significant digits, rounded outwards."""
     return str(value.quantize(Decimal(1).scaleb(value.adjusted() - 13), rounding=way))
 
 

@@ -1,4 +1,5 @@
 // All extremal rays and maximal cones of wedged configurations in the plane:
+//
 //   rays plane-truss.toml 0.8
 #include <cstdio>
 #include <cstdlib>

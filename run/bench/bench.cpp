@@ -1,4 +1,4 @@
-// The options of the measurements; what they do is in a file each.
+// Options of the measurements, each of which is in a file of its own.
 #include "run/bench/bench.hpp"
 
 #include <string>
@@ -17,12 +17,12 @@
 namespace kusabi::run {
 namespace {
 
-// A measurement reads nothing, and prints as it goes.
+// A measurement reads no files and prints as it runs.
 class Bench : public Subcommand {
  public:
   void search(CommandRun& run) final {
     const bool good = measure(run.session()) == solved;
-    // A reduction counts, and here it counts the ranks on which something was wrong.
+    // A reduction adds: the number of ranks on which a measurement failed.
     const auto all =
         engine::all_reduce(run.session().transport(), {.ranks = 1, .found = good ? 0U : 1U});
     agrees_ = all.found == 0;
@@ -31,7 +31,7 @@ class Bench : public Subcommand {
   [[nodiscard]] Verdict verdict() const final { return {.answer = Measurement{.agrees = agrees_}}; }
 
  protected:
-  /// @return the exit code, of this rank
+  /// @return the exit code of this rank
   virtual int measure(Session& session) = 0;
 
  private:

@@ -1,4 +1,4 @@
-// `kusabi bench`: measures and tries the search engine.
+// `kusabi bench`: measurements and tests of the search engine.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// One simulated search a row, and where its time went.
+// Simulated searches, one per row, with the use of their time.
 #include "run/bench/bench_scaling.hpp"
 
 #include <algorithm>
@@ -16,14 +16,14 @@ namespace {
 
 constexpr double micro = 1e-6;
 
-// What all ranks together did.
+// Totals over all ranks.
 struct Sums {
   std::uint64_t requests = 0;
   std::uint64_t transfers = 0;
   double ramp_up = 0;
   double between = 0;
   double tail = 0;
-  double end = 0;  // the last rank knows that the search is over
+  double end = 0;  // termination is known to the last rank
 };
 
 Sums sums(const engine::Outcome<benchmark::SizedTree>& outcome) {

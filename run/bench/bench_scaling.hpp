@@ -1,4 +1,4 @@
-// `kusabi bench scaling`: how far the search scales, by simulation in virtual time.
+// `kusabi bench scaling`: speedup of the search on many ranks, by simulation in virtual time.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 namespace kusabi::run {
 
 struct BenchScalingOptions {
-  std::uint64_t nodes = 100'000'000;   ///< of the tree
-  double node_microseconds = 10;       ///< to open one
-  double latency_microseconds = 2;     ///< of a message
-  double handling_microseconds = 0.5;  ///< that a message costs its sender, and its receiver
+  std::uint64_t nodes = 100'000'000;   ///< nodes of the tree
+  double node_microseconds = 10;       ///< time to open a node
+  double latency_microseconds = 2;     ///< latency of a message
+  double handling_microseconds = 0.5;  ///< time per message of its sender, and of its receiver
   double gigabytes_a_second = 10;      ///< bandwidth
   int least_ranks = 1;
-  int most_ranks = 65536;  ///< four times as many in each row
+  int most_ranks = 65536;  ///< largest number of ranks; four times as many in each row
   std::uint64_t seed = 1;
 };
 

@@ -1,4 +1,4 @@
-// What is drawn from a seed, and what must hold whatever was drawn.
+// Random schedules of messages from a seed, and the invariants that every schedule must satisfy.
 #include "run/bench/bench_schedules.hpp"
 
 #include <array>
@@ -23,7 +23,7 @@ using engine::Goal;
 using engine::Order;
 using engine::Weather;
 
-// Days on which one thing or another takes longest.
+// Machines on which one activity or another is the slowest.
 constexpr std::array weathers{
     Weather{},
     Weather{.latency = 100e-6},                                          // messages
@@ -31,8 +31,8 @@ constexpr std::array weathers{
     Weather{.latency = 50e-6, .node = 0},                                // everything but nodes
     Weather{.node = 100e-6},                                             // nodes
     Weather{.handling = 5e-6},                                           // sending and receiving
-    Weather{.stall = 5e-3, .stall_probability = 0.02},                   // a rank now and then
-    Weather{.latency = 200e-6, .stall = 2e-3, .stall_probability = 0.1}  // one or the other
+    Weather{.stall = 5e-3, .stall_probability = 0.02},                   // some ranks stall
+    Weather{.latency = 200e-6, .stall = 2e-3, .stall_probability = 0.1}  // a random mixture
 };
 
 struct Draw {
@@ -61,7 +61,7 @@ Draw draw(std::uint64_t seed) {
   return draw;
 }
 
-// What is wrong with the search of this seed; empty: nothing.
+// The failed invariant of the search of this seed; empty: none.
 std::string fault(std::uint64_t seed) {
   auto [tree, ranks, weather, options] = draw(seed);
   engine::Options depth_first;
@@ -121,7 +121,7 @@ int bench_schedules(Session& session, const BenchSchedulesOptions& options) {
     }
     if (!session.speaks() || Clock::now() < next_line) continue;
     next_line = Clock::now() + interval;
-    tell("{} of {} schedules, {} failed\n", tried * step, options.seeds, failed_seeds);
+    print_message("{} of {} schedules, {} failed\n", tried * step, options.seeds, failed_seeds);
   }
   fmt::print("{} schedules{}, {} failed\n", tried,
              step == 1 ? "" : fmt::format(" on rank {}", session.transport().rank()), failed_seeds);

@@ -1,4 +1,4 @@
-// `kusabi bench schedules`: does the protocol hold under any schedule of messages?
+// `kusabi bench schedules`: tests of the protocol under random schedules of messages.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 namespace kusabi::run {
 
 struct BenchSchedulesOptions {
-  std::uint64_t seeds = 10'000;  ///< schedules to try; under mpirun the ranks deal them out
+  std::uint64_t seeds = 10'000;  ///< number of schedules, divided among the ranks under mpirun
   std::uint64_t first_seed = 1;
 };
 
-/// Simulates one search a seed, on a machine, a tree and with a goal drawn from the seed, and
-/// compares it with the search on one rank. @return the exit code; 1 if any search differs, with
-/// one line each
+/// Simulates one search per seed, with machine, tree and goal drawn from the seed, and compares it
+/// with the search on one rank.
+/// @return the exit code; 1 if any search differs, with one line each
 int bench_schedules(Session& session, const BenchSchedulesOptions& options);
 
 }  // namespace kusabi::run

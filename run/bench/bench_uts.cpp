@@ -1,7 +1,5 @@
-// The recursion, the search, and the tables that compare them.
-//
-// CPU time, not wall-clock time, and the least of some rounds: that is what a machine that others
-// use as well can measure.
+// Plain recursion, search by the engine, and tables that compare them. Costs are CPU times, the
+// minimum over some rounds, since wall-clock times depend on other load of the machine.
 #include "run/bench/bench_uts.hpp"
 
 #include <algorithm>
@@ -25,12 +23,12 @@ using benchmark::UnbalancedTree;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Of this process, from its start.
+// CPU time of this process since its start.
 double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// What a person would write who needs no engine.
+// Plain recursion, as a program without an engine has it.
 void visit(const UnbalancedTree& tree, const UnbalancedTree::Node& node, TreeCounts& seen) {
   const auto children = tree.children(node);
   seen += {1, children == 0 ? 1U : 0U, node.depth};
@@ -39,10 +37,10 @@ void visit(const UnbalancedTree& tree, const UnbalancedTree::Node& node, TreeCou
   }
 }
 
-// What one rank saw, and the CPU time that it took for it.
+// Statistics of one rank and its CPU time.
 struct Part {
   TreeCounts counts;
-  double recursion_seconds = 0;  // for the whole tree
+  double recursion_seconds = 0;  // of one recursion over the whole tree
   double search_seconds = 0;
 
   Part& operator+=(const Part& other) {
@@ -58,13 +56,13 @@ struct Part {
   }
 };
 
-// The tree, with CPU times in its tally: the engine asks for it once, when the search is over.
+// The tree; its tally records CPU times when the engine reads it at the end of the search.
 class TimedTree : public UnbalancedTree {
  public:
   using Tally = Part;
   using UnbalancedTree::UnbalancedTree;
 
-  /// Walks the whole tree without the engine. @return what there is
+  /// Walks the whole tree without the engine. @return its counts
   TreeCounts recur() {
     TreeCounts seen;
     const double start = cpu_seconds();
@@ -84,7 +82,7 @@ class TimedTree : public UnbalancedTree {
   double start_ = 0;
 };
 
-// The search alone: the ranks begin it together, and the recursion is behind all of them.
+// The search alone: the ranks begin together, after all recursions.
 engine::Outcome<TimedTree> search(Session& session, TimedTree& tree) {
   engine::all_reduce(session.transport());
   tree.start();
@@ -124,8 +122,7 @@ void print_counts(const TreeCounts& counted, const TreeCounts& published) {
   line("depth", counted.depth, published.depth);
 }
 
-// CPU seconds of one round, over all ranks: the recursion costs a rank so much on the average, the
-// search costs them so much together.
+// CPU seconds of one round over all ranks: the mean recursion of a rank, and the whole search.
 struct Times {
   double recursion = 0;
   double search = 0;
@@ -155,8 +152,8 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
   engine::Outcome<TimedTree> fastest;
   for (unsigned round = 0; round < options.rounds; ++round) {
     TimedTree tree(standard.parameters, options.work);
-    // Every rank recurs over the whole tree, all at once: the yardstick is taken on the cores of
-    // the search, and under its load.
+    // Every rank recurs over the whole tree at the same time, so that the reference time is
+    // measured on the cores of the search and under its load.
     right &= tree.recur() == standard.counts;
     auto outcome = search(session, tree);
     if (!session.speaks()) continue;

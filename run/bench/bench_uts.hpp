@@ -1,5 +1,5 @@
-// `kusabi bench uts --tree T1`: the Unbalanced Tree Search benchmark. Are the published counts
-// found, and how much CPU time does the engine cost beside a plain recursion?
+// `kusabi bench uts --tree T1`: the Unbalanced Tree Search benchmark; compares the counts with the
+// published ones, and the CPU time with that of a plain recursion.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 namespace kusabi::run {
 
 struct BenchUtsOptions {
-  std::string tree = "T1";  ///< a name in benchmark::standard_trees
-  unsigned work = 1;        ///< hashes a node; one takes about 0.1 microseconds
-  unsigned rounds = 5;      ///< recursions and searches in turn, of which the fastest count
+  std::string tree = "T1";  ///< name of a tree in benchmark::standard_trees
+  unsigned work = 1;        ///< hashes per node, about 0.1 microseconds each
+  unsigned rounds = 5;      ///< number of recursions and searches, in turn; the fastest counts
 };
 
-/// Runs the command on all ranks. @return the exit code: `failed` if the counts are not the
-///   published ones
+/// Runs the command on all ranks.
+/// @return the exit code: `failed` if the counts are not the published ones
 /// @throws std::out_of_range if there is no tree of that name
 int bench_uts(Session& session, const BenchUtsOptions& options);
 

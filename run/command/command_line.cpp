@@ -1,5 +1,5 @@
-// CLI11 splits the call into words; what words mean is in the tables, and what is said of wrong
-// ones in wrong_words.
+// Parsing of the command line: CLI11 splits the call, option_table gives meanings and wrong_words
+// the error messages.
 #include "run/command/command_line.hpp"
 
 #include <algorithm>
@@ -34,11 +34,11 @@ void add(CLI::App& command, OptionRow& row) {
 }
 
 void add_options(CLI::App& command, OptionTable& table) {
-  command.allow_extras();  // wrong_words says it better
+  command.allow_extras();  // wrong_words has the message
   for (auto& row : table.rows()) add(command, row);
 }
 
-// The call as CLI11 knows it.
+// The call as CLI11 reads it.
 struct Parser {
   CLI::App app{"", "kusabi"};
   std::map<std::string_view, CLI::App*> groups;
@@ -76,8 +76,8 @@ struct Parser {
   }
 };
 
-// The first word that CLI11 has found no place for; empty: none. Options come first, since a file
-// may be too many only because it was the value of one.
+// The first word that CLI11 cannot place; empty: none. Options come first, since a file may be
+// superfluous only because it was the value of an unknown option.
 std::string left_over(const CLI::App& command) {
   auto words = command.remaining();
   std::erase(words, "--");
@@ -87,7 +87,7 @@ std::string left_over(const CLI::App& command) {
   return words.empty() ? std::string{} : words.front();
 }
 
-// What CLI11 says of an option that has too few values, or too many, in our words.
+// Message for an option with too few or too many values.
 std::string wrong_count(std::string_view said, const CommandList::Entry* entry) {
   const auto name = said.substr(0, said.find_first_of(": "));
   const auto* row = entry == nullptr ? nullptr : entry->table.find(name);
@@ -95,22 +95,22 @@ std::string wrong_count(std::string_view said, const CommandList::Entry* entry) 
   if (row == nullptr) return std::string(said);
   if (row->value.empty()) return fmt::format("{} takes no value", row->name);
   if (said.find("received") != std::string_view::npos)
-    return fmt::format("{} is there more than once", row->name);
-  return fmt::format("{} is without its value, {}", row->name, row->expected);
+    return fmt::format("{} is given more than once", row->name);
+  return fmt::format("{} has no value; expected {}", row->name, row->expected);
 }
 
-// The first word of the call that CLI11 has given back to `kusabi` itself; empty: none.
+// The first word of the call that CLI11 returns to `kusabi` itself; empty: none.
 std::string left_over_of_all(const CLI::App& app) {
   auto words = app.remaining();
   std::erase(words, "--");
   return words.empty() ? std::string{} : words.front();
 }
 
-// @param files what comes after "--"
+// @param files arguments after "--"
 void check_words(const CommandList& list, const Parser& parser,
                  const std::vector<std::string>& files) {
   if (const auto word = left_over_of_all(parser.app); !word.empty()) {
-    // What a subcommand has no place for after "--" goes back to `kusabi`.
+    // Arguments after "--" that the subcommand does not take return to `kusabi`.
     const auto* const taker = parser.asked();
     if (taker != nullptr && std::ranges::find(files, word) != files.end())
       throw WrongCall(one_word_too_many(*taker, word));
@@ -131,7 +131,7 @@ void check_words(const CommandList& list, const Parser& parser,
   }
 }
 
-// `kusabi help`, and what follows.
+// `kusabi help` and its argument.
 std::string help_on(const CommandList& list, const std::vector<std::string>& words) {
   std::string name;
   for (const auto& word : words) {

@@ -1,4 +1,4 @@
-// From the words of a call to the subcommand that it asks for, or to the text that it asks for.
+// Parsing of a call: the subcommand that it names, or the text that it requests.
 #pragma once
 
 #include <stdexcept>
@@ -8,26 +8,25 @@
 
 namespace kusabi::run {
 
-/// The call is wrong; one line.
+/// Error in the call; one line.
 class WrongCall : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What a call asks for: a subcommand, whose options have been taken, or a text to print.
+/// Request of a call: a subcommand with its options read, or a text to print.
 struct Asked {
   CommandList::Entry* entry = nullptr;
   std::string text;
-  bool wrong = false;  ///< whether the text is shown for want of a question (exit code 2)
+  bool wrong = false;  ///< the text is shown because the call is empty (exit code 2)
 };
 
-/// Takes the options of the call into the variables of the list's tables.
-///
-/// Whether all are there that must be is `check_whole`'s to say: defaults may add some.
+/// Stores the options of the call in the variables of the tables. `check_whole` checks for missing
+/// options, since defaults may add some.
 /// @throws WrongCall
 Asked parse(CommandList& list, int argc, const char* const* argv);
 
-/// @throws WrongCall if an option is missing that is required, or that another one needs
+/// @throws WrongCall if a required option is missing, or one that another option requires
 void check_whole(const CommandList::Entry& entry);
 
 }  // namespace kusabi::run

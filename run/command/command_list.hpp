@@ -1,5 +1,5 @@
-// All subcommands with their tables of options: what the command line, help, the manual pages and
-// completion are made from.
+// CommandList: all subcommands with their option tables, from which command line, help, manual
+// pages and completion are made.
 #pragma once
 
 #include <deque>
@@ -16,13 +16,13 @@ namespace kusabi::run {
 
 class CommandList {
  public:
-  /// A group of subcommands, called by its name and theirs.
+  /// A group of subcommands, called as "GROUP NAME".
   struct Group {
     std::string_view name;
     std::string_view purpose;
   };
 
-  /// What people come with, and the subcommands that answer it: the order of help.
+  /// A chapter of help: a purpose, and the subcommands for it in order.
   struct Chapter {
     std::string_view question;
     std::vector<std::string_view> names;
@@ -45,16 +45,16 @@ class CommandList {
   [[nodiscard]] const std::deque<Entry>& entries() const { return entries_; }
   [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
   [[nodiscard]] const std::vector<Chapter>& chapters() const { return chapters_; }
-  /// The options of `kusabi` itself.
+  /// Options of `kusabi` itself.
   [[nodiscard]] OptionTable& own() { return own_; }
   [[nodiscard]] const OptionTable& own() const { return own_; }
 
-  /// The one of that name ("patterns", "example grid"); null if there is none.
+  /// The subcommand of that name ("patterns", "example grid"); null if there is none.
   [[nodiscard]] const Entry* find(std::string_view name) const;
   [[nodiscard]] const Group* group(std::string_view name) const;
 
-  /// The words that may follow those of a group, or, without one, `kusabi` itself: subcommands and
-  /// groups, each once.
+  /// Words that may follow a group or, without one, `kusabi` itself: subcommands and groups, each
+  /// once.
   [[nodiscard]] std::vector<std::string_view> words_after(std::string_view group) const;
 
  private:
@@ -66,9 +66,9 @@ class CommandList {
   std::string shell_;
 };
 
-/// The group of "example grid"; empty if it is in none.
+/// The group of "example grid" is "example"; empty if there is none.
 std::string_view group_of(std::string_view name);
-/// "grid" of "example grid", and of "grid".
+/// "grid" for "example grid", and for "grid".
 std::string_view last_word(std::string_view name);
 
 }  // namespace kusabi::run

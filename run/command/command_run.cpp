@@ -1,4 +1,4 @@
-// The stages, and what all subcommands do alike between them.
+// Stages of a run, and the work common to all subcommands.
 #include "run/command/command_run.hpp"
 
 #include <algorithm>
@@ -31,9 +31,9 @@
 namespace kusabi::run {
 namespace {
 
-constexpr const char* standard_output = "-";  // in the call
+constexpr const char* standard_output = "-";  // name of standard output in a call
 
-// Where an output goes; empty: nowhere.
+// Destination of an output; empty: none.
 std::string place_of(const OptionRow& row) {
   if (row.role == Role::output && row.given == standard_output) return standard_output_file;
   return row.given.value_or(std::string{});
@@ -46,7 +46,7 @@ CommandRun::CommandRun(Session& session, Subcommand& command, const OptionTable&
     : session_(session), command_(command), table_(table), defaults_(defaults) {
   const auto* const quiet = table.find("--quiet");
   quiet_ = quiet != nullptr && quiet->given;
-  // What a program reads there is not for people.
+  // Output on standard output is read by programs, so no table is printed.
   for (const auto& row : table.rows())
     quiet_ = quiet_ || (row.role == Role::output && row.given == standard_output);
 }
@@ -68,23 +68,22 @@ int CommandRun::execute() {
   if (session_.speaks()) {
     do_all(command_.results(*this));
     if (!quiet_) {
-      for (const auto& name : written_) tell("wrote {}\n", name);
+      for (const auto& name : written_) print_message("wrote {}\n", name);
     }
     const auto reached = verdict();
     const auto exit = exit_code(reached);
-    tell_what_is_open(reached);
+    print_open(reached);
     for (const auto& remark : command_.remarks(*this)) {
       if (exit == solved) {
-        tell("{}\n", remark);
+        print_message("{}\n", remark);
       } else {
-        tell_doubt(remark);
+        print_warning(remark);
       }
     }
     if (journal_ && exit == solved) journal_->finish();
     code = static_cast<std::uint64_t>(exit);
   }
-  // A reduction adds up, and only rank 0 has something to add; the others sleep until it is
-  // written.
+  // Reduction of a value of rank 0 only; the other ranks sleep until it has written.
   return static_cast<int>(
       engine::all_reduce(session_.transport(), {.ranks = 1, .found = code}).found);
 }
@@ -96,12 +95,12 @@ Verdict CommandRun::verdict() const {
   return reached;
 }
 
-// A terminal that shows both streams has it beneath the table.
-void CommandRun::tell_what_is_open(const Verdict& verdict) const {
+// Beneath the table on a terminal that shows both streams.
+void CommandRun::print_open(const Verdict& verdict) const {
   const auto is_terminal = [](const Page& page) { return page.width != Page::endless; };
   if (!quiet_ && is_terminal(page()) && is_terminal(page_of(STDERR_FILENO))) return;
   for (const auto& [sentence, open] : reservations(verdict)) {
-    if (open) tell_doubt(sentence);
+    if (open) print_warning(sentence);
   }
 }
 
@@ -110,7 +109,7 @@ double CommandRun::seconds() const {
   return since.count();
 }
 
-// What takes less than a second comes to its end in any case, and a line about it to nobody.
+// Lines about work of less than a second are left out.
 support::LongWork CommandRun::long_work() {
   constexpr double least = 1;
   static constexpr std::chrono::seconds between_lines(2);
@@ -123,9 +122,9 @@ support::LongWork CommandRun::long_work() {
   if (shows()) {
     work.report = [this](const char* name, double share) {
       const auto now = std::chrono::steady_clock::now();
-      if (now - told_ < between_lines) return;
-      told_ = now;
-      tell("{}: {:.0f} %\n", name, 100 * share);
+      if (now - last_line_ < between_lines) return;
+      last_line_ = now;
+      print_message("{}: {:.0f} %\n", name, 100 * share);
     };
   }
   return work;
@@ -135,26 +134,25 @@ int CommandRun::stopped_before_the_search() {
   if (session_.speaks()) {
     const auto why =
         engine::end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
-    tell_doubt(
-        fmt::format("stopped early ({}) while the problem was prepared: nothing is known yet, no "
-                    "file is written",
-                    status_name(why)));
+    print_warning(fmt::format(
+        "stopped early ({}) during the preparation of the problem: no results, no files",
+        status_name(why)));
   }
   return stopped_early;
 }
 
-// What does not go together may be in the call in part only.
+// Combinations are checked on the whole call, after defaults are added.
 void CommandRun::check() const {
   try {
     command_.check();
   } catch (const WrongInput& error) {
     if (defaults_.taken.empty()) throw;
-    throw WrongInput(fmt::format("{} ({})", error.what(), defaults_told()));
+    throw WrongInput(fmt::format("{} ({})", error.what(), defaults_text()));
   }
 }
 
 // "defaults of config.toml: --mu 0.65 --sort margin"
-std::string CommandRun::defaults_told() const {
+std::string CommandRun::defaults_text() const {
   auto text = fmt::format("defaults of {}:", defaults_.file);
   for (const auto& [option, value] : defaults_.taken) {
     text += ' ' + option;
@@ -163,7 +161,7 @@ std::string CommandRun::defaults_told() const {
   return text;
 }
 
-// The verdict, known when the rest is written, and where defaults came from, if from anywhere.
+// The verdict, after all files are written, and the source of defaults, if any.
 nlohmann::ordered_json CommandRun::last_members() const {
   const auto reached = verdict();
   auto all = nlohmann::ordered_json::object();
@@ -182,7 +180,7 @@ nlohmann::ordered_json CommandRun::defaults_json() const {
   return all;
 }
 
-// The job's end is asked for once, and by rank 0 alone: the batch system has others to serve.
+// The end of the job is requested once, by rank 0: squeue serves others, too.
 void CommandRun::settle_time_limit() {
   auto* const limits = table_.ends_with_the_job();
   if (limits == nullptr) return;
@@ -192,7 +190,7 @@ void CommandRun::settle_time_limit() {
                               std::chrono::duration<double>(limits->seconds));
 }
 
-// The first file that is read: what messages are about.
+// The first input file, which messages name.
 std::string CommandRun::input() const {
   for (const auto& row : table_.rows()) {
     if (row.role == Role::input && !row.named() && row.given) return *row.given;
@@ -212,7 +210,7 @@ void CommandRun::open_outputs() {
       read_too.push_back({row.name, *row.given});
     } else if (row.role == Role::checkpoint || row.role == Role::restart ||
                row.role == Role::state) {
-      // A search that goes on keeps its state where it was, or elsewhere if told so.
+      // A resumed search keeps its state in the same file unless --checkpoint is given.
       if (others.empty()) others.push_back({row.name, *row.given});
     }
   }
@@ -236,7 +234,7 @@ void CommandRun::announce() {
   if (line.empty()) return;
   auto text =
       fmt::format("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, command_.name(), input(), line);
-  if (!defaults_.taken.empty()) text += defaults_told() + '\n';
+  if (!defaults_.taken.empty()) text += defaults_text() + '\n';
   show_heading(folded(text, page().width));
 }
 
@@ -262,10 +260,10 @@ std::vector<std::string> CommandRun::how_to_go_on(const CheckpointChoice& choice
   const auto& checkpoint = choice.kept_in();
   if (checkpoint.empty()) return {};
   if (!saved && !engine::checkpoint_exists(checkpoint)) {
-    return {"nothing is saved: no checkpoint could be written"};
+    return {"nothing is saved: no checkpoint was written"};
   }
   std::vector<std::string> lines;
-  if (!saved) lines.emplace_back("the last checkpoint could not be written");
+  if (!saved) lines.emplace_back("the last checkpoint was not written");
   lines.push_back(fmt::format("go on{} with: {} --restart {}",
                               saved ? "" : " from the one before it", call(Role::restart),
                               quoted(checkpoint)));
@@ -289,7 +287,7 @@ void CommandRun::keep_state(const CheckpointChoice& choice, engine::Facts proble
   kept_ = session_.from_first_rank([&] {
     journal_ = opened_journal(choice.state, facts, question.value(), choice.patience);
     for (const auto& line : journal_->warnings()) warn(line);
-    if (journal_->is_finished() && !quiet_) tell("{}: finished before\n", choice.state);
+    if (journal_->is_finished() && !quiet_) print_message("{}: finished before\n", choice.state);
     return state_of(*journal_);
   });
   keeping_ = engine::Keeping{.journal = journal_.get(),
@@ -308,7 +306,7 @@ engine::Supervision CommandRun::supervision(const engine::Limits& limits) {
     left.seconds = std::max(0.0, until.count());
   }
   auto result = run::supervision(kept_.finished ? engine::Limits{} : left, quiet_);
-  if (kept_.finished) result.interrupt = {};  // what takes no time need not be stopped
+  if (kept_.finished) result.interrupt = {};  // too short to be stopped
   result.warn = warn;
   result.keeping = keeping_;
   return result;

@@ -1,5 +1,5 @@
-// One run of a subcommand, from its options to the exit code, the same for all of them: read on
-// rank 0, open the outputs, prepare, announce, search, write, say what is left.
+// CommandRun: one run of a subcommand, from options to exit code: read on rank 0, open outputs,
+// prepare, announce, search, write, report.
 #pragma once
 
 #include <chrono>
@@ -36,23 +36,24 @@ namespace kusabi::run {
 
 class CommandRun {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive it.
   CommandRun(Session& session, Subcommand& command, const OptionTable& table,
              const Defaults& defaults);
 
-  /// Goes through all stages. @return the exit code, the same on every rank
-  /// @throws WrongInput, support::InputError, engine::Disagreement on every rank alike; whatever
-  ///   else goes wrong on one
+  /// Runs all stages.
+  /// @return the exit code, the same on every rank
+  /// @throws WrongInput, support::InputError, engine::Disagreement on every rank; any other error
+  /// on one rank
   int execute();
 
   [[nodiscard]] Session& session() { return session_; }
-  /// Whether this rank shows what happens: rank 0, unless told to be quiet.
+  /// True on the rank that prints: rank 0, unless --quiet is given.
   [[nodiscard]] bool shows() { return session_.speaks() && !quiet_; }
   [[nodiscard]] bool quiet() const { return quiet_; }
 
-  /// Does work before the search that every rank does by itself and that takes long. It is shown,
-  /// and ended by the limits and signals of the call: on all ranks, if on one.
-  /// @throws support::Stopped on every rank alike
+  /// Runs long work that every rank does by itself before the search. Its progress is shown; limits
+  /// and signals end it on all ranks.
+  /// @throws support::Stopped on every rank
   template <class Work>
   std::invoke_result_t<Work, const support::LongWork&> within_limits(Work work) {
     std::optional<std::invoke_result_t<Work, const support::LongWork&>> result;
@@ -62,7 +63,7 @@ class CommandRun {
       result.emplace(work(long_work()));
     } catch (const support::Stopped&) {
       stopped = true;
-    } catch (...) {  // the others may have been stopped before they came to this
+    } catch (...) {  // the others may have been stopped earlier
       wrong = std::current_exception();
     }
     const engine::Reduction own{.ranks = 1, .found = stopped ? 1U : 0U};
@@ -71,54 +72,53 @@ class CommandRun {
     return *std::move(result);
   }
 
-  /// What the engine is to keep and to go on from.
+  /// Checkpoint that the engine writes, and the one that it resumes from.
   /// @param tree fingerprint of the tree
-  /// @throws WrongInput if there is no such checkpoint, or one is in the way
+  /// @throws WrongInput if the checkpoint to resume from does not exist, or the one to write exists
   engine::CheckpointOptions checkpoint(const CheckpointChoice& choice, std::uint64_t tree);
 
-  /// Opens what --resume names, if it is given: what is finished of the question, for this run and
-  /// those that go on with it.
-  /// @param problem facts of what is read, beside those of the options
-  /// @throws WrongInput if it is in use, damaged or of another call
+  /// Opens the state file of --resume, if given: everything finished so far, for this run and later
+  /// ones.
+  /// @param problem facts of the input, in addition to those of the options
+  /// @throws WrongInput if it is in use, damaged or belongs to another call
   void keep_state(const CheckpointChoice& choice, engine::Facts problem);
 
-  /// Whether a search is finished already, or at least one is under way.
+  /// True if a search is finished or under way.
   [[nodiscard]] bool has_searched() const { return kept_.searched; }
   [[nodiscard]] bool has_begun_to_search() const { return kept_.searched || kept_.searching; }
-  /// Whether all that was asked for was finished in an earlier run.
+  /// True if an earlier run has finished everything.
   [[nodiscard]] bool is_finished() const { return kept_.finished; }
 
-  /// How the command takes part in a question, and where that is kept. Signals are heeded from here
-  /// on. @param limits of the call
+  /// Supervision of an analysis and the file that keeps its state. Catches signals from here on.
+  /// @param limits of the call
   engine::Supervision supervision(const engine::Limits& limits);
 
-  /// How a search that stopped early is gone on with, in lines for
-  /// Subcommand::remarks. @param saved
-  /// whether its last state is in the checkpoint
+  /// Lines for Subcommand::remarks: the call that resumes a search that stopped early.
+  /// @param saved true if its last state is in the checkpoint
   [[nodiscard]] std::vector<std::string> how_to_go_on(const CheckpointChoice& choice,
                                                       engine::Status why, bool saved);
 
-  // On rank 0: whether an output is wanted, and what Subcommand::results is made of. What a step
-  // writes is made when its turn comes, and only if it is wanted; so one that fails takes nothing
-  // from the others.
+  // Outputs and Steps of Subcommand::results, on rank 0. A step makes its content when its turn
+  // comes, and only if the output is requested, so an error in one step does not affect the others.
 
   [[nodiscard]] bool wants(const std::string& option) const;
   /// @pre wants(option)
   [[nodiscard]] std::ostream& stream(const std::string& option);
 
-  /// Writes the file of --output, if it is wanted.
+  /// Writes the file of --output, if requested.
   Step result(std::function<nlohmann::ordered_json()> make);
   Step result(std::function<void(JsonWriter&)> write);
-  /// Writes another output, if it is wanted. @param write may be empty: `stream` has had it all
+  /// Writes another output, if requested.
+  /// @param write may be empty if `stream` has received everything
   Step file(const std::string& option, std::function<void(std::ostream&)> write);
-  /// Fills a folder, if it is wanted.
+  /// Fills a folder, if requested.
   Step folder(const std::string& option, std::function<void(OutputFolder&)> fill);
-  /// What answers are printed on. The standard output of a job is the launcher's, of which it is
-  /// not known what becomes: as endless and plain as a file.
+  /// Page of the answer. The standard output of an MPI job belongs to the launcher, so it is
+  /// treated as a file: no folding, no colours.
   [[nodiscard]] static Page page();
-  /// Prints the table and below it the verdict, folded for the page, unless quiet.
+  /// Prints the table, and the verdict below it, folded for the page; nothing with --quiet.
   Step answer(std::function<std::string()> make);
-  /// Prints even if quiet.
+  /// Prints even with --quiet.
   static Step print(std::string text);
 
  private:
@@ -131,11 +131,11 @@ class CommandRun {
   void put_in_place(const std::string& option);
   [[nodiscard]] std::string input() const;
   void check() const;
-  [[nodiscard]] std::string defaults_told() const;
+  [[nodiscard]] std::string defaults_text() const;
   [[nodiscard]] nlohmann::ordered_json defaults_json() const;
   [[nodiscard]] Verdict verdict() const;
   [[nodiscard]] nlohmann::ordered_json last_members() const;
-  void tell_what_is_open(const Verdict& verdict) const;
+  void print_open(const Verdict& verdict) const;
 
   Session& session_;
   Subcommand& command_;
@@ -143,13 +143,13 @@ class CommandRun {
   const Defaults& defaults_;
   bool quiet_ = false;
   std::map<std::string, OutputFile> outputs_;    // by option; on rank 0
-  std::map<std::string, OutputFolder> folders_;  // likewise
+  std::map<std::string, OutputFolder> folders_;  // by option; on rank 0
   std::vector<std::string> written_;
   std::unique_ptr<engine::Journal> journal_;  // on rank 0, if --resume is given
-  std::optional<engine::Keeping> keeping_;    // likewise, on every rank
+  std::optional<engine::Keeping> keeping_;    // with --resume, on every rank
   KeptState kept_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point told_ = started_;
+  std::chrono::steady_clock::time_point last_line_ = started_;
   std::optional<std::chrono::steady_clock::time_point> ends_with_the_job_at_;
 };
 

@@ -1,4 +1,4 @@
-// One script a shell, each in the manner of that shell; none needs anything but the shell itself.
+// One script per shell, in its own language, without further dependencies.
 #include "run/command/completion.hpp"
 
 #include <iterator>
@@ -18,7 +18,7 @@ bool takes_a_file(const OptionRow& row) {
   return row.value == "FILE" || row.role == Role::input || row.role == Role::output;
 }
 
-// For a script: within single quotes.
+// Quoting for a script: within single quotes.
 std::string within_quotes(std::string_view text) {
   std::string quoted;
   for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -35,7 +35,7 @@ std::string option_names(const OptionTable& table) {
 
 // ---- bash
 
-// What follows an option: "      --mu) return ;;".
+// Case of an option: "      --mu) return ;;".
 std::string bash_values(const OptionTable& table) {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -114,7 +114,7 @@ complete -F _kusabi kusabi
 
 // ---- zsh
 
-// Text in a specification of _arguments, where brackets and colons mean something.
+// Text in a specification of _arguments, with brackets and colons escaped.
 std::string zsh_text(std::string_view text) {
   std::string plain;
   for (const char c : within_quotes(text)) {
@@ -216,7 +216,7 @@ void fish_options(std::string& text, const std::string& when, const OptionTable&
 
 std::string fish(const CommandList& list) {
   std::string text = R"(# Completion of kusabi for fish, written by kusabi --completion fish.
-# Whether the words after kusabi begin with these; with none, whether there are none yet.
+# True if the words after kusabi begin with these; without arguments, if there are none.
 function __kusabi_after
     set -l words (commandline -opc)
     set -e words[1]
@@ -226,7 +226,7 @@ function __kusabi_after
     end
     test (count $words) -ge (count $argv); and test "$words[1..(count $argv)]" = "$argv"
 end
-# Whether they are these and no more.
+# True if the words after kusabi are exactly these.
 function __kusabi_at
     set -l words (commandline -opc)
     set -e words[1]

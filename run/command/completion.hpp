@@ -1,4 +1,4 @@
-// Scripts that let a shell complete calls of kusabi, from the tables: subcommands, options, choices
+// Completion scripts for shells, generated from the option tables: subcommands, options, choices
 // and names of files.
 #pragma once
 
@@ -9,8 +9,7 @@
 
 namespace kusabi::run {
 
-/// @param shell "bash", "zsh" or "fish"
-/// @throws WrongCall if it is another
+/// @param shell "bash", "zsh" or "fish" @throws WrongCall for any other
 std::string completion(const CommandList& list, std::string_view shell);
 
 }  // namespace kusabi::run

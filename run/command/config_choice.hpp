@@ -1,4 +1,4 @@
-// Which file defaults come from, as the call has it.
+// File of default options, as named in the call.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 namespace kusabi::run {
 
 struct ConfigChoice {
-  std::string file;   ///< of --config; empty: where one is looked for
+  std::string file;   ///< of --config; empty: the default place
   bool none = false;  ///< --no-config
 };
 

@@ -1,4 +1,4 @@
-// Which file, what it may hold, and what of it is taken.
+// Configuration file: its place, its permitted keys, and the values used.
 #include "run/command/config_file.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using problems::TomlReader;
 
 constexpr std::size_t largest_config = 1 << 20;
 
-// Where defaults are unless the call or KUSABI_CONFIG says otherwise; empty: nowhere.
+// Default place, used without --config and KUSABI_CONFIG; empty: none.
 fs::path usual_place() {
   if (const char* const home = std::getenv("XDG_CONFIG_HOME");
       home != nullptr && fs::path(home).is_absolute())
@@ -45,7 +45,7 @@ std::string config_place(const ConfigChoice& choice) {
   return !place.empty() && fs::exists(place, unseen) ? place.string() : std::string{};
 }
 
-// Its name and its text; nothing if there is none.
+// Name and text of the file; nothing if there is none.
 std::vector<std::string> config_text(const ConfigChoice& choice) {
   const auto place = config_place(choice);
   if (place.empty()) return {};
@@ -65,10 +65,10 @@ support::SourcePosition position_of(const toml::key& key) {
   reader.fail(position_of(key), message);
 }
 
-// Why the option is none that has a default; empty: it has.
+// Reason why an option cannot have a default; empty: it can.
 std::string_view no_default(const OptionRow& row) {
   if (row.name == "--serial" || row.name == "--config" || row.name == "--no-config")
-    return "is needed before this file is read; expected in the call only";
+    return "applies before this file is read; expected in the call only";
   if (row.role != Role::plain) return "names a file of one run; expected in the call only";
   return {};
 }
@@ -88,7 +88,7 @@ void check_key(const TomlReader& reader, const toml::key& key, const OptionTable
     reader.fail(position_of(key), fmt::format("{} {}", key.str(), why));
 }
 
-// The value as a call has it; nothing for a switch that is off.
+// The value in the syntax of a call; nothing for a switch that is off.
 std::optional<std::string> value_of(const TomlReader& reader, const toml::key& key,
                                     const toml::node& node, const OptionRow& row) {
   const auto wrong = [&](std::string_view expected) {
@@ -105,7 +105,7 @@ std::optional<std::string> value_of(const TomlReader& reader, const toml::key& k
   return std::nullopt;
 }
 
-// A value of the file that the call leaves room for.
+// A value of the file for an option that is not in the call.
 struct Wanted {
   OptionRow* row;
   std::string text;
@@ -146,7 +146,7 @@ class ConfigReader {
     return *table;
   }
 
-  // The table of a subcommand: all keys are looked at, and those of the one that runs noted.
+  // The table of a subcommand: all keys are checked; those of the current subcommand are used.
   void look(const toml::key& key, const toml::node& node, const std::string& group) {
     const auto name =
         group.empty() ? std::string(key.str()) : fmt::format("{} {}", group, key.str());
@@ -165,7 +165,7 @@ class ConfigReader {
     }
   }
 
-  // Not if it needs an option that is not there.
+  // False if the option requires another one that is absent.
   [[nodiscard]] bool makes_sense(const OptionRow& row) const {
     return row.needs.empty() || entry_.table.find(row.needs)->given ||
            std::ranges::any_of(wanted_,

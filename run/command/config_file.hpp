@@ -1,5 +1,5 @@
-// Defaults of options from a TOML file: a table for each subcommand, whose keys are its options
-// without their dashes. What the call has goes before it.
+// Defaults of options from a TOML file: one table per subcommand, with option names without dashes
+// as keys. Options of the call override them.
 #pragma once
 
 #include <string>
@@ -11,18 +11,17 @@
 
 namespace kusabi::run {
 
-/// What a run has taken from the file.
+/// Defaults used by a run.
 struct Defaults {
   std::string file;
   std::vector<std::pair<std::string, std::string>> taken;  ///< options and values; may be empty
 };
 
-/// Reads the file on rank 0 and takes what it has for `entry`, and the call has not, on every rank.
-///
-/// The file is that of --config, else of KUSABI_CONFIG (if that is empty, none), else
-/// kusabi/config.toml in XDG_CONFIG_HOME or ~/.config, which need not be there. An option that
-/// needs another one which neither the call nor the file has is left out.
-/// @throws WrongInput, support::InputError on every rank alike, with file, line and key
+/// Reads the file on rank 0 and sets, on every rank, the options of `entry` that the call does not
+/// have. The file is that of --config, otherwise of KUSABI_CONFIG (none if that is empty),
+/// otherwise kusabi/config.toml in XDG_CONFIG_HOME or ~/.config, which may be absent. An option
+/// that requires another one that neither the call nor the file has is left out.
+/// @throws WrongInput, support::InputError on every rank, with file, line and key
 Defaults take_defaults(Session& session, const CommandList& list, CommandList::Entry& entry);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// Between commas, and around the last equals sign.
+// Text is split at commas, and at the last equals sign.
 #include "run/command/group_half_widths.hpp"
 
 #include <algorithm>

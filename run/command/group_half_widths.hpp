@@ -1,4 +1,4 @@
-// `--group-alpha wind=20,snow=3`: half-widths of some uncertain loads.
+// `--group-alpha wind=20,snow=3`: half-widths of groups of uncertain loads.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace kusabi::run {
 
-/// Names, which may have any character but a comma, each with its half-width; none of no text.
+/// Names, which may contain any character except commas, with their half-widths; empty for an empty
+/// text.
 /// @throws WrongInput
 std::vector<std::pair<std::string, double>> group_half_widths(const std::string& text);
 

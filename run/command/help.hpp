@@ -1,4 +1,4 @@
-// What `kusabi help` prints, from the tables: within 80 columns.
+// Text of `kusabi help`, generated from the option tables, within 80 columns.
 #pragma once
 
 #include <string>
@@ -7,23 +7,22 @@
 
 namespace kusabi::run {
 
-/// All subcommands, by the question that each answers.
+/// All subcommands, by purpose.
 std::string overview(const CommandList& list);
 
-/// One subcommand: what it does, an example, its options.
+/// One subcommand: description, example, options.
 std::string help(const CommandList::Entry& entry);
 
-/// Those of one group.
+/// The subcommands of one group.
 std::string help(const CommandList& list, const CommandList::Group& group);
 
-/// What an option takes and what it is unless given, in sentences: "A number above 0. Unless given:
-/// 1e-12."
+/// Permitted values and default of an option, in sentences: "A number above 0. Default: 1e-12."
 std::string option_rules(const OptionRow& row);
 
-/// What follows the name of the subcommand: " file --mu NUMBER [options]".
+/// Synopsis after the name of the subcommand: " file --mu NUMBER [options]".
 std::string usage(const OptionTable& table);
 
-/// What an option takes, in a word: "NUMBER", "FILE", "WORD"; empty: nothing.
+/// Placeholder of the value of an option: "NUMBER", "FILE", "WORD"; empty: a switch.
 std::string value_name(const OptionRow& row);
 
 }  // namespace kusabi::run

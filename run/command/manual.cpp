@@ -45,7 +45,7 @@ Defaults of options: a table for each subcommand, whose keys are the options wit
 What the call has goes before it.
 )";
 
-// Text of a manual page: a hyphen is one that can be copied, and no line begins with a command.
+// Text of a manual page: hyphens are ASCII hyphens, and no line begins with a macro.
 std::string roff(std::string_view text) {
   std::string escaped;
   bool line_begins = true;
@@ -123,7 +123,7 @@ Each of the searches runs in one process, or on all ranks of an MPI job.
 )";
   for (const auto& row : list.own().rows()) text += paragraph(row);
   text +=
-      ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint what it can do; of a subcommand, its "
+      ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint all subcommands; after a subcommand, its "
       "options.\n";
   text += ".SH SUBCOMMANDS\n";
   for (const auto& chapter : list.chapters()) {

@@ -1,4 +1,4 @@
-// Manual pages from the tables, in the language of man(7).
+// Manual pages in the language of man(7), generated from the option tables.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace kusabi::run {
 
-/// kusabi.1: every option of every subcommand.
+/// kusabi.1: all options of all subcommands.
 std::string manual(const CommandList& list);
 
 /// The page of one subcommand: kusabi-patterns.1.

@@ -1,6 +1,6 @@
-// The options of a subcommand in one table: what each is called, takes and means, and what it is
-// unless given. Parsing, range checks, help, the manual page and the call that goes on from a
-// checkpoint all come from the table (run/command/command_line).
+// OptionTable: the options of a subcommand with names, values, descriptions and defaults. Parsing,
+// range checks, help, manual pages and the call that resumes a run are made from it
+// (run/command/command_line).
 #pragma once
 
 #include <concepts>
@@ -22,7 +22,7 @@
 
 namespace kusabi::run {
 
-/// The numbers that an option takes.
+/// Range of a number.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ struct Range {
   bool even = false;
 };
 
-/// All that are greater; all that are not smaller; those between two, with both.
+/// Numbers above, not below, or between bounds.
 constexpr Range above(double bound) {
   return {.least = bound, .least_is_out = true};
 }
@@ -41,50 +41,50 @@ constexpr Range between(double least, double most) {
   return {.least = least, .most = most};
 }
 
-/// What others than the subcommand need to know of an option.
+/// Role of an option outside its subcommand.
 enum class Role {
   plain,
   input,       ///< a file that is read
-  output,      ///< a file that is opened before the work begins, and written at its end
-  folder,      ///< a folder that is there before the work begins, and filled at its end
+  output,      ///< a file that is opened before the search and written at its end
+  folder,      ///< a folder that is created before the search and filled at its end
   evidence,    ///< files that are written while ranks search
   checkpoint,  ///< the file that keeps the state of a search
-  restart,     ///< the file that the search goes on from
-  state,       ///< the file that keeps what is finished of a question
+  restart,     ///< the file that a search resumes from
+  state,       ///< the file that keeps everything finished of an analysis
 };
 
-/// One option, or the file that a subcommand is called with.
+/// One option, or the file argument of a subcommand.
 struct OptionRow {
-  std::string name;        ///< "--mu"; "file" if it has no name in the call
-  std::string letter{};    ///< its short form, "-o"; empty: it has none
-  std::string value{};     ///< what it takes: "NUMBER", "FILE", "a|b|c"; empty: nothing, a switch
-  std::string range{};     ///< which of these, as help shows it: "> 0"
-  std::string expected{};  ///< the same as errors say it: "a number above 0"
-  std::vector<std::string> words{};  ///< the choices, if it takes one of some words
-  std::string unit{};                ///< of a number
-  std::string usual{};               ///< what it is unless given; empty: nothing
+  std::string name;                  ///< "--mu"; "file" for a positional argument
+  std::string letter{};              ///< the short form, "-o"; empty: none
+  std::string value{};               ///< "NUMBER", "FILE", "a|b|c"; empty: a switch
+  std::string range{};               ///< range, as help shows it: "> 0"
+  std::string expected{};            ///< range, as errors show it: "a number above 0"
+  std::vector<std::string> words{};  ///< the choices, if there are any
+  std::string unit{};                ///< unit of a number
+  std::string usual{};               ///< default; empty: none
   std::string help{};
   bool required = false;
-  std::string needs{};  ///< an option without which it means nothing
+  std::string needs{};  ///< an option that this one requires
   Role role = Role::plain;
-  std::vector<std::string> endings{""};  ///< of its files' names
-  /// How a search ends that it stops: who goes on from there does not want to stop there again.
+  std::vector<std::string> endings{""};  ///< permitted endings of file names
+  /// Status of a search that this option stops; a resumed call leaves the option out.
   std::optional<engine::Status> stops{};
-  /// Whether runs that go on with each other must have it alike: what is computed depends on it.
-  /// Unless said, this holds for plain options and for evidence.
+  /// True if runs that resume each other must agree on it, because results depend on it. By default
+  /// true for plain options and for evidence.
   std::optional<bool> matters{};
-  /// Takes what the call has. @return what is wrong with it, empty if nothing is
+  /// Stores the value of the call. @return an error message; empty: none
   std::function<std::string(const std::string& text)> take{};
-  std::optional<std::string> given{};  ///< what the call has
+  std::optional<std::string> given{};  ///< value in the call
 
   [[nodiscard]] bool named() const { return name.starts_with('-'); }
-  /// As a call may have it: {"-o", "--output"}.
+  /// All spellings in a call: {"-o", "--output"}.
   [[nodiscard]] std::vector<std::string> names() const {
     return letter.empty() ? std::vector{name} : std::vector{letter, name};
   }
 };
 
-/// A row that is being described.
+/// Builder of a row.
 class RowBuilder {
  public:
   explicit RowBuilder(OptionRow& row) : row_(row) {}
@@ -93,13 +93,13 @@ class RowBuilder {
   RowBuilder& needs(std::string option) { return row_.needs = std::move(option), *this; }
   RowBuilder& unit(std::string unit) { return row_.unit = std::move(unit), *this; }
   RowBuilder& stops(engine::Status how) { return row_.stops = how, *this; }
-  /// A run that goes on with another need not have it alike.
+  /// Runs that resume each other may differ in it.
   RowBuilder& varies() { return row_.matters = false, *this; }
-  /// Or must, though it is a file.
+  /// Runs that resume each other must agree on it, though it is a file.
   RowBuilder& matters() { return row_.matters = true, *this; }
-  /// Who asks for a range of it is told of `kusabi sweep`.
+  /// A range given as its value is answered with a hint at `kusabi sweep`.
   RowBuilder& swept();
-  /// The files' names are what the call has and one of these.
+  /// File names are the value in the call followed by one of these.
   RowBuilder& ends_in(std::vector<std::string> endings) {
     return row_.endings = std::move(endings), *this;
   }
@@ -108,23 +108,23 @@ class RowBuilder {
   OptionRow& row_;
 };
 
-/// A variable that takes a number. If it is empty, the greatest of its type or out of range before
-/// the call is read, it has no usual value.
+/// Variable of a number. If it is empty, the greatest value of its type or out of range before the
+/// call is read, the option has no default.
 using NumberOption = std::variant<double*, std::optional<double>*, int*, unsigned*, std::uint64_t*>;
 
-/// Where checkpoints are kept and found.
+/// Files that keep the state of a search, and that it resumes from.
 struct CheckpointChoice {
-  std::string file;       ///< keep the state here; empty: where `restart` is, if that is anywhere
-  double interval = 600;  ///< seconds between two
-  bool on_improvement = false;  ///< and one whenever a better solution is found
-  std::string restart;          ///< go on from here; empty: start anew
-  std::string state;            ///< of --resume: go on from here or begin; empty: neither
-  double patience = 30;         ///< seconds to wait for a state that another run has
+  std::string file;             ///< file of the state; empty: that of `restart`, if any
+  double interval = 600;        ///< seconds between two states
+  bool on_improvement = false;  ///< also when a better solution is found
+  std::string restart;          ///< file to resume from; empty: none
+  std::string state;            ///< file of --resume: resume or begin; empty: none
+  double patience = 30;         ///< seconds to wait for a file that another run uses
 
   [[nodiscard]] const std::string& kept_in() const { return file.empty() ? restart : file; }
 };
 
-/// A word of a call, as a shell has to have it.
+/// A word of a call, quoted for a shell.
 std::string quoted(const std::string& word);
 
 class OptionTable {
@@ -132,7 +132,7 @@ class OptionTable {
   /// A number. @param name with its dashes
   RowBuilder number(std::string name, NumberOption variable, Range range, std::string help);
 
-  /// One of some words, each of which stands for a value.
+  /// A choice among words, each of which stands for a value.
   template <std::copyable T>
   RowBuilder choice(const std::string& name, T& variable,
                     const std::vector<std::pair<std::string, T>>& words, const std::string& help) {
@@ -152,23 +152,23 @@ class OptionTable {
   /// A switch, which sets the variable to `on`.
   RowBuilder flag(std::string name, bool& variable, std::string help, bool on = true);
 
-  /// The name of a file, or of a folder.
+  /// The name of a file or a folder.
   RowBuilder file(std::string name, std::string& variable, Role role, std::string help);
 
-  /// Any text. @param value what help calls it
+  /// Any text. @param value placeholder in help
   RowBuilder text(std::string name, std::string& variable, const std::string& value,
                   std::string help);
 
-  // What several subcommands have alike.
-  void output(std::string help = "write the result to this JSON file");
+  // Options common to several subcommands.
+  void output(std::string help = "result file (JSON)");
   void further_output(std::string name, std::string help);
   void quiet(std::string help = "print errors only");
   void serial();
   void time_limit(engine::Limits& limits);
   void node_limit(engine::Limits& limits);
-  void checkpoints(CheckpointChoice& choice);  ///< with --resume
+  void checkpoints(CheckpointChoice& choice);  ///< including --resume
   void resume(CheckpointChoice& choice, const std::string& help = "");
-  void save_on(CheckpointChoice& choice);  ///< of searches for the best
+  void save_on(CheckpointChoice& choice);  ///< for searches for an optimum
   void config(ConfigChoice& choice);
 
   [[nodiscard]] const std::deque<OptionRow>& rows() const { return rows_; }
@@ -176,17 +176,16 @@ class OptionTable {
   /// The row of that name; null if there is none.
   [[nodiscard]] const OptionRow* find(std::string_view name) const;
 
-  /// What the options say of what is computed: those that matter, with what was given or is usual.
+  /// Options that results depend on, with their values or defaults.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;
 
-  /// What is to end with the job of the batch system; null if nothing is.
+  /// Limits that end with the batch job; null if there are none.
   [[nodiscard]] engine::Limits* ends_with_the_job() const { return ends_with_the_job_; }
 
-  /// What --time-limit is stored in; null if there is no such option.
+  /// Variable of --time-limit; null if there is no such option.
   [[nodiscard]] const engine::Limits* limits() const { return limits_; }
 
-  /// The options as they were given, ready for a shell; those for which `leave_out` holds are not
-  /// among them.
+  /// The options of the call, quoted for a shell, without those for which `leave_out` holds.
   [[nodiscard]] std::string call(const std::function<bool(const OptionRow&)>& leave_out) const;
 
  private:
@@ -194,8 +193,8 @@ class OptionTable {
   RowBuilder word(std::string name, std::vector<std::string> words, std::string usual,
                   std::function<void(std::size_t)> take, std::string help);
 
-  std::deque<OptionRow> rows_;  // which stay where they are
-  // What nobody asks for but by `OptionRow::given`.
+  std::deque<OptionRow> rows_;  // at fixed addresses
+  // for switches that are only read through `OptionRow::given`
   bool switched_ = false;
   std::string named_;
   engine::Limits* ends_with_the_job_ = nullptr;

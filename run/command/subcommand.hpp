@@ -1,5 +1,5 @@
-// A subcommand of `kusabi`: its options, and what it does at each stage of a run. CommandRun does
-// what lies between the stages, and main knows which subcommands there are (run/subcommands.cpp).
+// Subcommand: the options of a subcommand and its work at each stage of a run. CommandRun does the
+// common work between the stages; run/subcommands.cpp lists all subcommands.
 #pragma once
 
 #include <functional>
@@ -15,11 +15,11 @@ namespace kusabi::run {
 
 class CommandRun;
 
-/// A thing to do at the end of a run: a file to write, the answer to print.
+/// A step at the end of a run: a file to write, or the answer to print.
 using Step = std::function<void()>;
 
-/// The stages of a run, in their order. All ranks go through them, rank 0 alone through the last
-/// two.
+/// The stages of a run, in order. All ranks run all of them, except for the last two, which run on
+/// rank 0.
 class Subcommand {
  public:
   Subcommand() = default;
@@ -27,45 +27,43 @@ class Subcommand {
   Subcommand& operator=(const Subcommand&) = delete;
   virtual ~Subcommand() = default;
 
-  /// As it is called: one word, or a group and a word.
+  /// Name in a call: one word, or a group and a word.
   [[nodiscard]] virtual std::string_view name() const = 0;
-  /// What it does, in a line of the list of all: a few words.
+  /// Purpose in a few words, for the list of all subcommands.
   [[nodiscard]] virtual std::string_view purpose() const = 0;
-  /// The same at length, in sentences; empty: there is no more to say.
+  /// Description in sentences; empty: none besides the purpose.
   [[nodiscard]] virtual std::string_view description() const { return {}; }
-  /// A call that works from the top of the source tree, without `kusabi` and its name.
+  /// A call that works from the top of the source tree, without `kusabi` and the name.
   [[nodiscard]] virtual std::string_view example() const = 0;
-  /// What help says below the options; empty: nothing. As it is laid out here.
+  /// Text below the options in help; empty: none. Its line breaks are kept.
   [[nodiscard]] virtual std::string notes() const { return {}; }
-  /// Its options. What they are stored in lives as long as the subcommand.
+  /// Adds the options to the table; their variables live as long as the subcommand.
   virtual void describe(OptionTable& table) = 0;
 
-  /// Whether the options go together. @throws WrongInput
+  /// Checks combinations of options. @throws WrongInput
   virtual void check() const {}
 
-  /// Reads its files, on rank 0 for all. Then CommandRun opens the outputs.
-  /// @throws WrongInput on every rank alike
+  /// Reads the input files, on rank 0 for all. Outputs are opened next.
+  /// @throws WrongInput on every rank
   virtual void read(CommandRun& /*run*/) {}
 
-  /// From what was read to what is searched.
-  /// @throws WrongInput, support::InputError on every rank alike
+  /// Prepares the problem from its text. @throws WrongInput, support::InputError on every rank
   virtual void prepare(CommandRun& /*run*/) {}
 
-  /// What is going to be done, in a line; empty: nothing is said.
-  /// @param ranks "1 rank", "8 ranks"
+  /// Heading line printed before the search; empty: none. @param ranks "1 rank", "8 ranks"
   [[nodiscard]] virtual std::string announcement(const std::string& /*ranks*/) const { return {}; }
 
   virtual void search(CommandRun& run) = 0;
 
-  /// Files first, then the answer; each is done even if one before it has failed.
+  /// Files first, then the answer; each step runs even if an earlier one has failed.
   virtual std::vector<Step> results(CommandRun& run) = 0;
 
-  /// The answer, and what of it is open, once the search has ended. Its sentences, the exit code
-  /// and the key `verdict` of the result file are made of it.
+  /// The verdict after the search. Its sentences, the exit code and the key `verdict` of the result
+  /// file are made from it.
   [[nodiscard]] virtual Verdict verdict() const { return {}; }
 
-  /// Lines on standard error after everything is written: the call that goes on, outputs that were
-  /// shortened.
+  /// Lines on standard error after all files are written: the call that resumes the search, outputs
+  /// that were shortened.
   virtual std::vector<std::string> remarks(CommandRun& /*run*/) { return {}; }
 };
 

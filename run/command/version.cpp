@@ -1,4 +1,4 @@
-// MPI and GLPK are asked as they are linked, the others as they were compiled.
+// Versions of MPI and GLPK as linked, of other libraries as compiled.
 #include "run/command/version.hpp"
 
 #include <algorithm>
@@ -16,12 +16,11 @@
 namespace kusabi::run {
 namespace {
 
-// "Open MPI v4.1.4, package: ..." up to the comma; of MPICH, several lines of which the first
-// counts.
+// "Open MPI v4.1.4, package: ..." up to the comma; for MPICH, the first of several lines.
 std::string mpi_library() {
   std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
   int length = 0;
-  MPI_Get_library_version(text.data(), &length);  // which may be called before MPI_Init
+  MPI_Get_library_version(text.data(), &length);  // permitted before MPI_Init
   std::string line(std::string_view(text.data(), static_cast<std::size_t>(length)));
   line.resize(std::min(line.find_first_of(",\n"), line.size()));
   for (char& c : line) c = c == '\t' ? ' ' : c;

@@ -1,4 +1,4 @@
-// Looks among names first, then among the words that explain them.
+// Names are searched first, then the words of their descriptions.
 #include "run/command/wrong_words.hpp"
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 namespace kusabi::run {
 namespace {
 
-// A word that a name begins with, or one that is nearly a name; empty: none.
+// A word that is the beginning of a name, or nearly a name; empty: none.
 std::string_view meant_by(std::string_view word, const std::vector<std::string_view>& names) {
-  constexpr std::size_t telling = 3;
+  constexpr std::size_t fewest_letters = 3;
   const auto begins = [&](std::string_view name) { return name.starts_with(word); };
-  if (word.size() >= telling && std::ranges::count_if(names, begins) == 1)
+  if (word.size() >= fewest_letters && std::ranges::count_if(names, begins) == 1)
     return *std::ranges::find_if(names, begins);
   return support::nearest(word, names);
 }
@@ -32,21 +32,21 @@ std::string as_typed(std::string_view word) {
   return '\'' + text.substr(1, text.size() - 2) + '\'';
 }
 
-// The letters of a text, word by word.
+// The words of a text, letters only.
 std::vector<std::string_view> words_of(std::string_view text) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   std::vector<std::string_view> words;
   for (auto at = text.begin(); at != text.end();) {
     const auto begin = std::find_if(at, text.end(), is_letter);
     at = std::find_if_not(begin, text.end(), is_letter);
-    constexpr int explains = 5;  // what is shorter is "the", "from"
+    constexpr int explains = 5;  // shorter words, such as "the" or "from", explain nothing
     if (at - begin >= explains) words.emplace_back(&*begin, static_cast<std::size_t>(at - begin));
   }
   return words;
 }
 
-// The option that is explained by such a word, in the fewest words: the others mention it; null:
-// none.
+// The option whose description has such a word and is the shortest, since longer ones only mention
+// it; null: none.
 const OptionRow* explained_by(const OptionTable& table, std::string_view word) {
   const OptionRow* found = nullptr;
   for (const auto& row : table.rows()) {
@@ -64,7 +64,7 @@ std::vector<std::string_view> names_of(const OptionTable& table) {
   return names;
 }
 
-// Which subcommands have the option.
+// Subcommands that have the option.
 std::vector<std::string_view> owners(const CommandList& list, std::string_view option) {
   std::vector<std::string_view> names;
   for (const auto& entry : list.entries()) {
@@ -94,12 +94,12 @@ std::string no_such_subcommand(const CommandList& list, std::string_view group,
       return fmt::format("{}; did you mean {}?", what, name);
   }
   if (word.find_first_of("./") != std::string_view::npos)
-    return fmt::format("a subcommand goes before {}; expected one of {}", as_typed(word), choices);
+    return fmt::format("a subcommand must precede {}; expected one of {}", as_typed(word), choices);
   return fmt::format("{}; expected one of {}", what, choices);
 }
 
 std::string subcommand_missing(const CommandList& list, std::string_view group) {
-  return fmt::format("{} is without its subcommand; expected one of {}", called(group),
+  return fmt::format("{} has no subcommand; expected one of {}", called(group),
                      fmt::join(list.words_after(group), ", "));
 }
 
@@ -122,7 +122,7 @@ std::string no_option_of_all(const CommandList& list, std::string_view word) {
   const auto option = word.substr(0, word.find('='));
   const auto what = fmt::format("kusabi itself has no option {}", option);
   if (!owners(list, option).empty())
-    return what + "; options of a subcommand go after it: kusabi SUBCOMMAND " + std::string(word);
+    return what + "; options of a subcommand follow it: kusabi SUBCOMMAND " + std::string(word);
   if (const auto meant = meant_by(without_dashes(word), names_of(list.own())); !meant.empty())
     return fmt::format("{}; did you mean --{}?", what, meant);
   return what + " (try kusabi --help)";
@@ -134,9 +134,8 @@ std::string one_word_too_many(const CommandList::Entry& entry, std::string_view 
     if (!row.named()) files.push_back(row.name);
   }
   if (files.empty())
-    return fmt::format("{} is one word too many; {} takes options only", as_typed(word),
-                       entry.name());
-  return fmt::format("{} is one word too many; {} takes one {}", as_typed(word), entry.name(),
+    return fmt::format("{} is superfluous; {} takes options only", as_typed(word), entry.name());
+  return fmt::format("{} is superfluous; {} takes one {}", as_typed(word), entry.name(),
                      fmt::join(files, ", one "));
 }
 

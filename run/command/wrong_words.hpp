@@ -1,5 +1,5 @@
-// What is said of a word of a call that is no subcommand, no option, or too many: one line with the
-// name that was probably meant.
+// Messages for words of a call that are unknown or superfluous: one line with the name that was
+// probably intended.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace kusabi::run {
 
-/// @param group in which it was looked for; empty: `kusabi` itself
+/// @param group the group of the subcommand; empty: `kusabi` itself
 std::string no_such_subcommand(const CommandList& list, std::string_view group,
                                std::string_view word);
 
-/// A group without what should follow it.
+/// A group without a subcommand.
 std::string subcommand_missing(const CommandList& list, std::string_view group);
 
 /// @param word "--frction", "--frction=0.5"
 std::string no_such_option(const CommandList& list, const CommandList::Entry& entry,
                            std::string_view word);
 
-/// An option before the subcommand, which is no option of `kusabi` itself.
+/// An option before the subcommand that is not an option of `kusabi` itself.
 std::string no_option_of_all(const CommandList& list, std::string_view word);
 
-/// A word that is no option, after all files that the subcommand takes.
+/// A word that is not an option, after all files of the subcommand.
 std::string one_word_too_many(const CommandList::Entry& entry, std::string_view word);
 
 }  // namespace kusabi::run

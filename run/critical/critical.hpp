@@ -1,5 +1,5 @@
-// `kusabi critical FILE`: the smallest friction coefficient at which anything can wedge, with a
-// proved bracket: by one global search, or pattern by pattern (Algorithm 6.1 of the paper).
+// `kusabi critical FILE`: the smallest friction coefficient with a wedged configuration, in a
+// proved bracket, by one global search or pattern by pattern (Algorithm 6.1 of the wedged paper).
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@
 namespace kusabi::run {
 
 struct CriticalOptions {
-  std::string file;  ///< the problem
+  std::string file;  ///< problem file
   wedged::CriticalQuestion question;
-  std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< so many in the table
-  std::string certificate;  ///< evidence of both ends goes to NAME.lower and NAME.upper
-  engine::Limits limits;    ///< where to stop early
+  std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< maximum number of rows
+  std::string certificate;  ///< certificates of both bounds: NAME.lower and NAME.upper
+  engine::Limits limits;    ///< limits of the search
   CheckpointChoice checkpoint;
 };
 

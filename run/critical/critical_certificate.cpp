@@ -1,4 +1,4 @@
-// A certificate file an end; that of an end that has to move is dropped.
+// One certificate file per bound; a file is dropped when its bound moves.
 #include "run/critical/critical_certificate.hpp"
 
 #include <memory>
@@ -36,7 +36,7 @@ class EndCertificate final : public wedged::EndRecord {
       const bool one = claim == wedged::EndClaim::one_pattern;
       file_.put_in_place(certificate_header(problem_, friction_, bounds) +
                          (one ? one_pattern_line : ""));
-      if (!quiet_) tell_written({name_});
+      if (!quiet_) print_written({name_});
     } else {
       file_.drop();
     }

@@ -1,4 +1,4 @@
-// The certificates of both ends of a critical friction coefficient: NAME.lower and NAME.upper.
+// Certificates of both bounds of a critical friction coefficient: NAME.lower and NAME.upper.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 namespace kusabi::run {
 
 struct EndCertificates {
-  std::string name;    ///< without its ending; empty: nothing is recorded
-  std::string input;   ///< the problem file
-  bool quiet = false;  ///< whether not to say which files were written
+  std::string name;    ///< without its ending; empty: none is written
+  std::string input;   ///< problem file
+  bool quiet = false;  ///< file names are not printed
 };
 
-/// Session and problem must outlive what is returned.
+/// Recorder of both bounds. Session and problem must outlive it.
 wedged::EndRecorder end_recorder(Session& session, EndCertificates certificates,
                                  const problems::WedgedProblem& problem);
 

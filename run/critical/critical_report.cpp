@@ -1,4 +1,4 @@
-// The table and the JSON of `kusabi critical`.
+// Table and JSON of `kusabi critical`.
 #include "run/critical/critical_report.hpp"
 
 #include <iterator>
@@ -53,7 +53,7 @@ std::vector<std::uint64_t> columns_of(const wedged::CriticalTree::Tally& tally) 
   return {tally.branched, tally.dead, tally.leaves, tally.programs};
 }
 
-// What the search for the bracket has cost; empty if there was none.
+// Cost of the search for the bracket; empty if there was none.
 std::string ranks_text(const wedged::CriticalFindings& findings, const Page& page) {
   if (!findings.global_ranks.empty()) {
     RankTable table({"branched", "pruned", "leaves", "programs"});
@@ -89,14 +89,14 @@ const char* phase_name(wedged::CriticalPhase phase) {
     case wedged::CriticalPhase::coefficients:
       return "coefficients";
     case wedged::CriticalPhase::lower_end:
-      return "lower end";
+      return "lower bound";
     case wedged::CriticalPhase::upper_end:
       break;
   }
-  return "upper end";
+  return "upper bound";
 }
 
-// All searches, one a line, and their sum.
+// Searches, one per line, and their sum.
 std::string costs_text(const wedged::CriticalFindings& findings) {
   auto text =
       fmt::format("\n{:<12}  {:>12}  {:>9}  {:>9}\n", "search", "friction", "nodes", "programs");
@@ -149,7 +149,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   std::string text;
   auto out = std::back_inserter(text);
   if (!findings.patterns.empty()) {
-    fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "dead at", "alive at",
+    fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "absent at", "present at",
                    "in contact (U); others separated (R)");
   }
   std::size_t number = 0;

@@ -1,4 +1,4 @@
-// What `kusabi critical` says: the table for a person and the JSON for a program.
+// Results of `kusabi critical`: the table and the JSON.
 #pragma once
 
 #include <ostream>
@@ -14,8 +14,7 @@
 
 namespace kusabi::run {
 
-/// Patterns, bracket and costs as text.
-/// @param page that it is printed on
+/// Patterns, bracket and costs as text. @param page page of the output
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
                            const wedged::CriticalFindings& findings, const Page& page);
 
@@ -25,7 +24,7 @@ nlohmann::ordered_json critical_json(const CriticalOptions& options,
                                      const wedged::CriticalFindings& findings,
                                      const WholeStateJson& whole);
 
-/// A row a pattern, in the order of the result file.
+/// One row per pattern, in the order of the result file.
 void write_critical_csv(std::ostream& out, const problems::WedgedProblem& problem,
                         const wedged::CriticalFindings& findings);
 

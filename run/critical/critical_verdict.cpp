@@ -1,4 +1,4 @@
-// Bounds with their standing, and the pattern that sticks first.
+// Both bounds with their standing, and the pattern that sticks first.
 #include "run/critical/critical_verdict.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ Bound bound(double value, bool proved) {
   return {value, proved ? Standing::proved : Standing::computed};
 }
 
-// The pattern that sticks at the least coefficient, and who slips there.
+// The pattern that becomes feasible at the least coefficient, and its slipping candidates.
 std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first) {
   auto text = fmt::format("The first way is number 1 (in contact: {})",
                           contact_text(problem, first.pattern));
@@ -40,7 +40,7 @@ CriticalBracket critical_bracket(const CriticalOptions& options,
                         .factor = !problems::uniform_friction(problem),
                         .most = options.question.most.value_or(wedged::usual_most),
                         .width = wedged::grid_of(problem, options.question).width};
-  // That nothing sticks without friction says nothing of a search that has not come farther.
+  // A bound of zero means only that nothing sticks without friction: the search has not advanced.
   if (findings.lower > 0) found.bracket.lower = bound(findings.lower, findings.lower_proved);
   if (findings.upper) found.bracket.upper = bound(*findings.upper, findings.upper_proved);
   found.grounds = findings.exact ? Grounds::exact_arithmetic : Grounds::solver_bounds;

@@ -1,4 +1,4 @@
-// Reads the result, picks one answer or all, writes the image.
+// Reads the result, selects one answer or all, writes the image.
 #include "run/draw/draw.hpp"
 
 #include <cstdint>
@@ -99,10 +99,10 @@ class Draw final : public Subcommand {
   }
 
   std::string file_;
-  std::uint64_t pattern_ = 0;  // 0: all of them
+  std::uint64_t pattern_ = 0;  // 0: all
   std::string text_;
   ResultScenes drawn_;
-  std::optional<pictures::Chart> chart_;  // of a sweep
+  std::optional<pictures::Chart> chart_;  // for a sweep
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `kusabi draw RESULT`: the answers in a result file as an SVG image.
+// `kusabi draw RESULT`: answers of a result file as an SVG image.
 #pragma once
 
 #include <memory>

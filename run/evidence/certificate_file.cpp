@@ -1,4 +1,4 @@
-// Parts by plain writes, a whole line at a time; and how they are found again.
+// Parts of a certificate, written by write(2) in whole lines, and found again.
 #include "run/evidence/certificate_file.hpp"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ std::vector<Part> parts_of(const std::string& name) {
   return parts;
 }
 
-// The next line without its end. A line without an end, of a run that was killed, is none.
+// The next line without its line end. A line without a line end, from a killed run, is not counted.
 bool next_line(std::istream& file, std::string& line) {
   return static_cast<bool>(std::getline(file, line)) && !file.eof();
 }
@@ -74,7 +74,7 @@ std::string first_line(const std::string& name) {
 
 constexpr std::string_view of_checkpoint = " of the checkpoint ";
 
-// The checkpoint that a part can go on with, if it is still there.
+// The checkpoint that a part belongs to, if it still exists.
 std::string checkpoint_of(const std::string& part) {
   const auto line = first_line(part);
   const auto at = line.find(of_checkpoint);
@@ -91,7 +91,7 @@ bool is_being_written(const std::string& part) {
   return locked;
 }
 
-// Writes the text and takes it into the digest.
+// Writes the text and adds it to the digest.
 class Writer {
  public:
   explicit Writer(std::ostream& out) : out_(out) {}
@@ -108,7 +108,7 @@ class Writer {
   support::Sha1Stream digest_;
 };
 
-// All parts in one file.
+// Concatenates all parts into one file.
 void write_whole(OutputFile& whole, const std::string& header, const std::vector<Part>& parts) {
   Writer writer(whole.stream());
   writer.add(header);
@@ -117,7 +117,7 @@ void write_whole(OutputFile& whole, const std::string& header, const std::vector
   for (const auto& part : parts) {
     std::ifstream file(part.file, std::ios::binary);
     if (!file) throw std::runtime_error(part.file + ": cannot be read");
-    next_line(file, line);  // of which tree
+    next_line(file, line);  // fingerprint of its tree
     while (next_line(file, line)) {
       writer.add(line + '\n');
       ++count;
@@ -128,7 +128,7 @@ void write_whole(OutputFile& whole, const std::string& header, const std::vector
   whole.put_in_place();
 }
 
-// Whether a file is a certificate with this beginning, and has its end.
+// True if a file is a complete certificate with this beginning.
 bool is_whole(const std::string& name, const std::string& header) {
   std::ifstream file(name, std::ios::binary);
   std::string beginning(header.size(), '\0');
@@ -151,14 +151,14 @@ void remove(const std::vector<Part>& parts) {
   for (const auto& part : parts) fs::remove(part.file, nothing_to_be_done);
 }
 
-// How the first line of each part begins.
+// Beginning of the first line of each part.
 std::string of_tree(std::uint64_t tree) {
   return "part of the tree " + hexadecimal(tree);
 }
 
 void require_tree(const Part& part, const std::string& tree) {
   const auto line = first_line(part.file);
-  // A part without a whole line was killed before it had begun.
+  // A part without a whole line is from a run killed at its start.
   if (line.empty() || line.starts_with(tree)) return;
   throw std::runtime_error(
       fmt::format("{} belongs to another problem, friction or tolerance", part.file));
@@ -187,7 +187,7 @@ CertificateFile::~CertificateFile() {
   if (part_ >= 0) ::close(part_);
 }
 
-// @return a number for this run's parts that is still free
+// @return a free number for the parts of this run
 std::string CertificateFile::prepare(const std::string& input, bool goes_on,
                                      const std::string& own) {
   const auto refuse = [&](const std::string& why) {
@@ -206,7 +206,7 @@ std::string CertificateFile::prepare(const std::string& input, bool goes_on,
           fmt::format("{} is being written by another search; expected another name", part.file));
     }
     const auto checkpoint = goes_on ? std::string{} : checkpoint_of(part.file);
-    // Those of a run that was killed before it had anything to go on from are of no use.
+    // Parts of a run that was killed before its first checkpoint are useless.
     if (!checkpoint.empty() && checkpoint != own) {
       const bool is_state = first_line(checkpoint).starts_with("kusabi-state ");
       refuse(

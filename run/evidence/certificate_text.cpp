@@ -1,4 +1,4 @@
-// A certificate's lines, numbers with all their digits.
+// Lines of a certificate, with all digits of numbers.
 #include <string_view>
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace kusabi::run {
 namespace {
 
-// A name of one line, whatever it holds.
+// A name in one line, with other characters escaped.
 std::string one_line(const std::string& name) {
   std::string text;
   for (const char c : name) {

@@ -1,4 +1,4 @@
-// Writes the file, or says what is wrong with the size.
+// Writes a generated problem file, or reports an invalid size.
 #include "run/example/example.hpp"
 
 #include <ostream>
@@ -18,7 +18,7 @@
 namespace kusabi::run {
 namespace {
 
-// What all families have alike.
+// Options and stages common to all families.
 class Example : public Subcommand {
  public:
   void search(CommandRun& run) final {
@@ -36,7 +36,7 @@ class Example : public Subcommand {
   }
 
  protected:
-  /// @throws std::invalid_argument if the size is impossible
+  /// @throws std::invalid_argument if the size is invalid
   [[nodiscard]] virtual problems::Structure structure() const = 0;
 
   static void describe_output(OptionTable& table) {

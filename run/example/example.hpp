@@ -1,4 +1,4 @@
-// `kusabi example`: problem files of the families that the searches are measured on.
+// `kusabi example`: problem files of parametric families, used for measurements.
 #pragma once
 
 #include <memory>

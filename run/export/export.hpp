@@ -1,5 +1,4 @@
-// `kusabi export`: the programs and matrices that are solved here, as files that other programs
-// read (docs/export.md).
+// `kusabi export`: programs and matrices as files for other solvers (docs/export.md).
 #pragma once
 
 #include <memory>
@@ -8,11 +7,11 @@
 
 namespace kusabi::run {
 
-/// Linear and 0-1 programs of limit analysis.
+/// Linear and zero-one programs of limit analysis.
 std::unique_ptr<Subcommand> export_mps_subcommand();
-/// The cone program of a node of the tree of sign patterns.
+/// Cone program of a node of the tree of sign patterns.
 std::unique_ptr<Subcommand> export_cbf_subcommand();
-/// Stiffness or compliance of the contact candidates.
+/// Stiffness or compliance matrix of the contact candidates.
 std::unique_ptr<Subcommand> export_matrix_subcommand();
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// The cone program whose optimum is the margin t* of a node, in the scaled units of that margin.
+// Cone program with the margin t* of a node as its optimum, in the scaled units of t*.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -68,8 +68,7 @@ void ExportCbf::describe(OptionTable& table) {
   describe_output(table);
 }
 
-// Names may have commas and blanks in them: of those that the text begins with the longest is
-// meant.
+// Names may contain commas and blanks: the longest name that the text begins with is taken.
 support::IndexSet ExportCbf::set_of(std::string_view text, std::string_view option) const {
   const auto begins = [&](const std::string& name) {
     return text.starts_with(name) &&

@@ -1,4 +1,4 @@
-// The matrices of the wedged problem, in the units of the problem file.
+// Matrices of the wedged problem, in the units of the problem file.
 #include <memory>
 #include <string>
 #include <vector>

@@ -1,5 +1,4 @@
-// The programs of limit analysis, in the units of the problem file: so another solver's optimum is
-// the load factor itself.
+// Programs of limit analysis, in the units of the problem file: the optimum is the load factor.
 #include <memory>
 #include <optional>
 #include <string>
@@ -63,7 +62,7 @@ class ExportMps final : public ExportedFile {
   std::string group_alpha_;
   std::optional<double> asked_m_;
   std::optional<problems::LimitProblem> problem_;
-  Eigen::VectorXd big_m_;  // of the worst case: one an uncertain component
+  Eigen::VectorXd big_m_;  // of the worst case, one per uncertain component
 };
 
 void ExportMps::describe(OptionTable& table) {
@@ -118,7 +117,7 @@ void ExportMps::settle_half_widths() {
         fmt::format("{}: {}", group_alpha_.empty() ? "--alpha" : "--group-alpha", error.what()));
   }
   if (!alpha_) throw WrongInput("--program worst-case: of no uncertainty; expected --alpha");
-  // Loads that go nowhere are no part of the program.
+  // Loads on supported displacements are not part of the program.
   std::erase_if(one->uncertain,
                 [&](const auto& column) { return *alpha_ * column.half_width == 0; });
 }

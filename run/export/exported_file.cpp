@@ -1,4 +1,4 @@
-// Reading and writing.
+// Reads the problem file, writes the exported file.
 #include "run/export/exported_file.hpp"
 
 #include <ostream>

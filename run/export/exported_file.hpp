@@ -1,5 +1,5 @@
-// What all of `kusabi export` have alike: a problem file is read, and a file is written, to
-// standard output unless it is given a name.
+// ExportedFile: common part of `kusabi export`, which reads a problem file and writes a file, by
+// default to standard output.
 #pragma once
 
 #include <iosfwd>
@@ -14,19 +14,19 @@ namespace kusabi::run {
 class ExportedFile : public Subcommand {
  public:
   void read(CommandRun& run) final;
-  /// Most have nothing to search for.
+  /// Most exports need no search.
   void search(CommandRun& /*run*/) override {}
   std::vector<Step> results(CommandRun& run) final;
 
  protected:
-  /// The rows that all have: first the problem file, last the options of the run.
+  /// Rows common to all: the problem file first, options of the run last.
   void describe_input(OptionTable& table);
   static void describe_output(OptionTable& table);
 
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] const problems::ProblemText& text() const { return text_; }
 
-  /// On rank 0, when all is known.
+  /// Writes the file, on rank 0, after the search.
   virtual void write(std::ostream& out) const = 0;
 
  private:

@@ -1,10 +1,11 @@
-"""A wire between two network interfaces, whose packets take their time, overtake one another and get lost: what netem
-does, where the kernel has none.
+"""Connection of two network interfaces whose packets are delayed, reordered and lost, as by netem,
+for kernels without it.
 
     python3 slow_wire.py ONE OTHER DELAY JITTER LOSS
 
-Makes the two interfaces (TUN) and says "ready"; whoever called moves each into a namespace. DELAY and JITTER are in
-milliseconds, LOSS in packets of a hundred. Ends at SIGTERM, and says how many packets it carried and lost.
+Creates the two interfaces (TUN) and prints "ready"; the caller moves each into a namespace. DELAY
+and JITTER are in milliseconds, LOSS in percent of the packets. Ends at SIGTERM, and prints the
+numbers of packets delivered and lost.
 """
 import fcntl
 import heapq
@@ -29,7 +30,7 @@ def interface(name):
 
 
 class Ended(Exception):
-    """Somebody sent SIGTERM."""
+    """SIGTERM was received."""
 
 
 def end(*_):
@@ -39,13 +40,13 @@ def end(*_):
 def carry(ends, delay, jitter, loss, counts):
     other = {ends[0]: ends[1], ends[1]: ends[0]}
     choice = random.Random(1)
-    under_way = []  # when each arrives, which it is, where, and what is in it
+    under_way = []  # arrival time, number, socket and data of each packet
     while True:
         wait = max(0, under_way[0][0] - time.monotonic()) if under_way else None
         for source in select.select(ends, [], [], wait)[0]:
             try:
                 packet = os.read(source, LARGEST_PACKET)
-            except OSError:  # not up yet
+            except OSError:  # not listening yet
                 time.sleep(0.001)
                 continue
             if choice.random() < loss:

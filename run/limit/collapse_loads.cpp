@@ -1,4 +1,4 @@
-// Sums over members and loads, in the file's own axes and units.
+// Sums over members and loads, in the axes and units of the file.
 #include "run/limit/collapse_loads.hpp"
 
 #include <cstddef>
@@ -12,7 +12,7 @@ using problems::Structure;
 
 namespace {
 
-// The part of the loads that acts on supported displacements, at a factor.
+// Part of the loads on supported displacements, at a load factor.
 Eigen::MatrixXd loads_on_supports(const Structure& truss, double factor) {
   Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(truss.dimension, truss.coordinates.cols());
   for (const auto& load : truss.loads) {

@@ -1,4 +1,4 @@
-// What acts on a truss as it collapses, node by node: the loads, and what the supports must do.
+// Nodal forces on a truss at collapse: loads and support reactions.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,15 +9,16 @@
 
 namespace kusabi::run {
 
-/// f_D + lambda f_R at all nodes, d x nodes, force; what acts on supports directly included.
+/// f_D + lambda f_R at all nodes, d x nodes, force, including loads on supports.
 /// @param dead f_D over the free displacements, n^d
 Eigen::MatrixXd load_at_collapse(const problems::Structure& truss,
                                  const problems::LimitProblem& problem,
                                  const limit::LimitCollapse& collapse, const Eigen::VectorXd& dead);
 
-/// What the supports must do: whatever load and members leave along an axis that is fixed; zero
+/// Support reactions: the sum of load and member forces along fixed axes, with opposite sign; zero
 /// elsewhere. d x nodes, force.
-/// @param load as above  @param forces q of the members, positive in tension
+/// @param load as above
+/// @param forces q of the members, positive in tension
 Eigen::MatrixXd support_reactions(const problems::Structure& truss, const Eigen::MatrixXd& load,
                                   const Eigen::VectorXd& forces);
 

@@ -1,4 +1,4 @@
-// The load that --curve-load names: a file of loads, or the critical part of an earlier result.
+// Load of --curve-load: a file of loads, or the critical part of an earlier result.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace kusabi::run {
 
-/// g, n^d, force. What is on supports goes straight to the ground.
+/// g, n^d, force, without the part on supports.
 /// @param text a TOML file (problems/files/sections/node_forces.hpp) or a result of `kusabi limit
-/// --alpha`
-/// @param file how errors name it
-/// @throws support::InputError; also if nothing is left of the load on the free displacements
+///        --alpha`
+/// @param file its name, for messages
+/// @throws support::InputError; also if the load is zero on all free displacements
 Eigen::VectorXd curve_load(const std::string& text, const std::string& file,
                            const problems::LimitProblem& problem);
 

@@ -1,4 +1,4 @@
-// The curves of `kusabi limit` for a person, for a program, and for a plot.
+// Curves of `kusabi limit`: table, JSON and CSV.
 #pragma once
 
 #include <ostream>
@@ -18,11 +18,11 @@ struct CurveReport {
   const problems::LimitProblem& problem;
   const limit::LimitAnswer& answer;
 
-  /// What is asked for, breakpoint by breakpoint.
+  /// The requested curves, breakpoint by breakpoint.
   [[nodiscard]] std::string table() const;
   /// Adds the keys of the curves to `result` (docs/result-files.md).
   void add_to(nlohmann::ordered_json& result) const;
-  /// A line a breakpoint (docs/result-files.md).
+  /// One line per breakpoint (docs/result-files.md).
   void write_csv(std::ostream& out) const;
 };
 

@@ -1,5 +1,5 @@
-// `kusabi limit FILE`: the load factor at which a truss collapses (limit paper (5)), and with
-// `--alpha` the least one that an uncertain dead load can bring about ((13)).
+// `kusabi limit FILE`: collapse load factor of a truss ((5) of the limit paper), and with `--alpha`
+// its least value under uncertain dead loads ((13)).
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@ namespace kusabi::run {
 
 struct LimitOptions {
   std::string file;
-  std::string load_case;   ///< the one that is asked for; empty: all
-  std::string curve_load;  ///< the file of a load of one's own
+  std::string load_case;   ///< requested load case; empty: all
+  std::string curve_load;  ///< file of the load of a curve
   problems::AskedHalfWidths asked;
   limit::LimitQuestion question;  ///< its alpha follows from `asked` and the file
-  engine::Limits limits;          ///< where the search of a tree stops early
+  engine::Limits limits;          ///< limits of the tree search
   CheckpointChoice checkpoint;
 };
 

@@ -1,4 +1,4 @@
-// The load cases of a problem file, one after another, and which of them governs.
+// Load cases of a problem file, and the governing one.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@
 
 namespace kusabi::run {
 
-/// A load case and what has been found of it; of a file without cases the only one, without a name.
+/// A load case and its results; a file without cases has one without a name.
 struct LimitCase {
   std::string name;
   problems::Structure truss;
@@ -23,24 +23,23 @@ struct LimitCase {
   limit::LimitFindings found{};
 };
 
-/// The one with the least load factor, worst or nominal, of those that are known; of equals the
-/// first. @pre there is one
+/// The case with the least known load factor, worst or nominal; the first of equal ones.
+/// @pre there is one
 const LimitCase& governing(std::span<const LimitCase> cases);
 
-/// Whether all are answered.
+/// True if all cases are answered.
 bool all_whole(std::span<const LimitCase> cases);
 
-/// Whether there is a proved claim on each case, as a certificate wants it.
+/// True if each case has a proved claim, as a certificate requires.
 bool have_statements(std::span<const LimitCase> cases);
 
-/// The proved claims on all cases, for one certificate. @pre have_statements()
+/// The proved claims of all cases, for one certificate. @pre have_statements()
 std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> cases);
 
-/// The factors that are carried in all cases, under every admissible load.
-/// @pre a worst case was asked for
+/// Load factors carried in all cases, under every admissible load. @pre a worst case was requested
 limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases);
 
-/// A row a case, and which governs.
+/// One row per case, and the governing case.
 std::string cases_text(std::span<const LimitCase> cases);
 
 /// The key `cases` of a result.

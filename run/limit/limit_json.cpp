@@ -1,4 +1,4 @@
-// The answer for a program.
+// JSON of `kusabi limit`.
 #include <algorithm>
 #include <utility>
 
@@ -25,7 +25,7 @@ const std::string& node_name(const LimitProblem& problem, int node) {
   return problem.node_names[static_cast<std::size_t>(node)];
 }
 
-// What zeta is, parameter by parameter.
+// Meaning of zeta, parameter by parameter.
 ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd& zeta) {
   auto list = ordered_json::array();
   for (int j = 0; j < problem.uncertain_count(); ++j) {
@@ -36,7 +36,7 @@ ordered_json parameters_json(const LimitProblem& problem, const Eigen::VectorXd&
   return list;
 }
 
-// A load node by node, where it is not zero.
+// A load by nodes; zeros are left out.
 ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load) {
   auto list = ordered_json::array();
   for (int node = 0; node < static_cast<int>(problem.node_names.size()); ++node) {
@@ -78,7 +78,7 @@ ordered_json mode_json(const LimitProblem& problem, const limit::LimitCollapse& 
   return {{"sway", mode.sway}, {"moving", moving}, {"yielding", yielding}};
 }
 
-// Of the nodes that are held, by their names.
+// Reactions by names of the supported nodes.
 ordered_json support_reactions_json(const LimitReport& report, const limit::LimitCollapse& collapse,
                                     const Eigen::VectorXd& dead) {
   const auto load = load_at_collapse(report.truss, report.problem, collapse, dead);
@@ -109,7 +109,7 @@ const char* method_name(limit::LimitMethod method) {
   return "static";
 }
 
-// The factors at which the load is carried.
+// Load factors that are carried.
 ordered_json carried_between(const limit::LimitCollapse& collapse) {
   return {number_or_null(collapse.least), collapse.factor};
 }

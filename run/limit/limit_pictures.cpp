@@ -1,4 +1,4 @@
-// Loads, motion and axial forces of a collapse, on the grid of the truss.
+// Loads, collapse mode and axial forces on the grid of the truss.
 #include "run/limit/limit_pictures.hpp"
 
 #include <string>

@@ -1,5 +1,4 @@
-// What --vtu DIR of `kusabi limit` writes: the collapse under the nominal load, and in the worst
-// case.
+// VTU files of `kusabi limit --vtu DIR`: collapse under the nominal load, and in the worst case.
 #pragma once
 
 #include "run/limit/limit_report.hpp"
@@ -7,7 +6,7 @@
 
 namespace kusabi::run {
 
-/// Writes nominal.vtu and worst-case.vtu, those of them that there are, and limit.pvd.
+/// Writes nominal.vtu and worst-case.vtu, as far as they are known, and limit.pvd.
 void draw_collapses(OutputFolder& folder, const LimitReport& report);
 
 }  // namespace kusabi::run

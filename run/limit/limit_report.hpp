@@ -1,4 +1,4 @@
-// The table and the JSON of `kusabi limit`.
+// Results of `kusabi limit`: table and JSON.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@
 
 namespace kusabi::run {
 
-/// Both views of the answer, in the load case that governs. @pre the references outlive it
+/// Both views of the answer in the governing load case. @pre the references outlive it
 struct LimitReport {
   LimitReport(const LimitOptions& of, std::span<const LimitCase> all, const LimitCase& governs,
               int on_ranks)
@@ -29,14 +29,14 @@ struct LimitReport {
         ranks(on_ranks) {}
 
   const LimitOptions& options;
-  std::span<const LimitCase> cases;  ///< all, at least one
+  std::span<const LimitCase> cases;  ///< all cases, at least one
   const problems::Structure& truss;
   const problems::LimitProblem& problem;
   const limit::LimitAnswer& answer;
   const std::string& load_case;  ///< empty: the file has none
   int ranks;
 
-  /// @param page that it is printed on
+  /// @param page page of the output
   [[nodiscard]] std::string table(const Page& page) const;
   [[nodiscard]] nlohmann::ordered_json json() const;
 };

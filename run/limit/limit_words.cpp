@@ -1,4 +1,4 @@
-// Sentences and lists of names, with their sizes.
+// Sentences about members and loads, and lists of names with values.
 #include "run/limit/limit_words.hpp"
 
 #include <algorithm>
@@ -27,11 +27,11 @@ using limit::LimitAnswer;
 using limit::LimitCollapse;
 using problems::LimitProblem;
 
-/// Shown as 100.0 %.
+/// Displayed as 100.0 %.
 constexpr double in_full = 0.9995;
-/// So many members are said to be the next.
+/// Maximum number of members listed after those that yield.
 constexpr std::size_t most_named = 5;
-/// In a sentence; the lines above name all.
+/// Maximum number of names in a sentence; the lines above list all.
 constexpr std::size_t most_in_sentence = 8;
 
 std::string size_text(double size, const std::string& unit) {
@@ -73,7 +73,7 @@ std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& c
   }
   if (others.empty()) return {};
   std::ranges::stable_sort(others, std::greater(), [&](int i) { return used(i); });
-  std::string text = "  utilisation of the others:";
+  std::string text = "  utilisation of other members:";
   const auto full = static_cast<std::size_t>(
       std::ranges::count_if(others, [&](int i) { return used(i) >= in_full; }));
   if (full > 0) text += fmt::format(" {} at 100 %,", full);
@@ -90,7 +90,7 @@ std::string critical_load_text(const LimitProblem& problem, const Eigen::VectorX
   if (zeta.size() != problem.uncertain_count()) return {};
   const auto& unit = problem.units.force;
   std::string text = "  critical part of the dead load:\n";
-  // Axis, then + before -, then the size as it is shown.
+  // Key: axis, + before -, value as displayed.
   std::map<std::tuple<int, bool, std::string>, std::vector<std::string>> places;
   for (int j = 0; j < problem.uncertain_count(); ++j) {
     const auto& column = problem.uncertain[static_cast<std::size_t>(j)];
@@ -130,7 +130,7 @@ Bracket bracket(const limit::FactorBracket& found) {
   return {bound(found.lower, found.lower_proved), bound(found.upper, found.upper_proved)};
 }
 
-// Of the dead load as it is given.
+// For a dead load exactly as given.
 LoadInterval nominal_interval(const LimitAnswer& answer) {
   LoadInterval interval;
   if (answer.nominal) {
@@ -144,7 +144,7 @@ LoadInterval nominal_interval(const LimitAnswer& answer) {
   return interval;
 }
 
-// Of all admissible loads in all cases.
+// For all admissible loads in all cases.
 LoadInterval guaranteed(const LimitOptions& options, std::span<const LimitCase> cases) {
   const auto found = interval_of_all(cases);
   LoadInterval interval{.uncertain = LoadRange{}, .cases = cases.size()};

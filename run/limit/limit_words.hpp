@@ -1,4 +1,4 @@
-// What the table of `kusabi limit` says of members and loads, and the answer in a sentence.
+// Sentences of `kusabi limit` about members and loads, and the verdict.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,18 @@
 
 namespace kusabi::run {
 
-/// Nothing where alpha is a number: of times the uncertain loads.
+/// Unit of alpha; nothing where alpha multiplies the uncertain loads.
 std::optional<std::string_view> unit_of_alpha(const problems::LimitProblem& problem);
 
-/// The members that use most of their strength besides those that yield, the highest first.
+/// Members with the highest utilisation besides those that yield, in descending order.
 std::string utilisation_text(const problems::LimitProblem& problem,
                              const limit::LimitCollapse& collapse);
 
-/// Direction by direction and size by size where the uncertain loads act; empty if zeta is.
-/// @param zeta m, in multiples of them
+/// The uncertain loads by direction and value; empty if zeta is.
+/// @param zeta m, in multiples of the uncertain loads
 std::string critical_load_text(const problems::LimitProblem& problem, const Eigen::VectorXd& zeta);
 
-/// The factors that are carried, and which members yield where they end.
+/// Load factors that are carried, and the members that yield at their ends.
 Verdict limit_verdict(const LimitOptions& options, std::span<const LimitCase> cases);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// Columns by the names that the result file has.
+// Columns named as in the result file.
 #include "run/limit/members_csv.hpp"
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace kusabi::run {
 namespace {
 
-/// One collapse member by member: all empty if there is none.
+/// One collapse by members; all cells are empty if there is none.
 class Collapse {
  public:
   Collapse(const problems::LimitProblem& problem,
@@ -37,7 +37,7 @@ class Collapse {
  private:
   Eigen::VectorXd forces_;
   Eigen::VectorXd utilisation_;
-  Eigen::VectorXd elongation_;  // 0: it does not yield
+  Eigen::VectorXd elongation_;  // 0: elastic
 };
 
 }  // namespace

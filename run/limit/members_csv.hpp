@@ -1,4 +1,4 @@
-// The members of a truss at its collapse, as a table.
+// Members of a truss at collapse, as CSV.
 #pragma once
 
 #include <ostream>
@@ -7,7 +7,7 @@
 
 namespace kusabi::run {
 
-/// A row a member, in the order of the problem; what was not asked for or not found is empty.
+/// One row per member, in the order of the problem; values not requested or not found are empty.
 void write_members_csv(std::ostream& out, const LimitReport& report);
 
 }  // namespace kusabi::run

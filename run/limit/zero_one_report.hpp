@@ -1,4 +1,4 @@
-// What `kusabi limit` says of the 0-1 program (29): in the table, and in JSON.
+// Results of the zero-one program (29) in table and JSON of `kusabi limit`.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace kusabi::run {
 
-/// The lines on ends that are those of (29) itself.
+/// Lines on the bounds of (29).
 std::string printed_ends_text(const limit::LimitWorstCase& worst);
 
-/// The lines on what (29) came to and took. @pre worst.zero_one
+/// Lines on the result and the cost of (29). @pre worst.zero_one
 std::string zero_one_text(const limit::LimitWorstCase& worst);
 
-/// Without what depends on the number of ranks.
+/// JSON without values that depend on the number of ranks.
 nlohmann::ordered_json zero_one_json(const limit::LimitZeroOne& zero_one);
 
-/// Whether exact arithmetic has shown (29) to be wrong: its M is too small.
+/// True if exact arithmetic refutes (29): its M is too small.
 bool is_refuted(const limit::LimitWorstCase& worst);
 
 }  // namespace kusabi::run

@@ -1,5 +1,5 @@
-// `kusabi mip FILE`: the optimum of a mixed zero-one linear program, with the bound that shows it
-// (Algorithms 4.2 and 5.1 of the limit paper).
+// `kusabi mip FILE`: optimum of a mixed zero-one linear program and its proved bound (Algorithms
+// 4.2 and 5.1 of the limit paper).
 #pragma once
 
 #include <memory>
@@ -14,13 +14,13 @@ namespace kusabi::run {
 
 struct MipOptions {
   std::string file;                                          ///< the program, MPS or CPLEX LP
-  zero_one::ZeroOneCuts cuts = zero_one::ZeroOneCuts::none;  ///< at the root
+  zero_one::ZeroOneCuts cuts = zero_one::ZeroOneCuts::none;  ///< cuts at the root
   zero_one::ZeroOneBranching branching = zero_one::ZeroOneBranching::paper;
-  bool tighten = true;                               ///< big Ms, by optimisation
-  bool dive = true;                                  ///< for points, at the root
-  engine::Order order = engine::Order::depth_first;  ///< which node is next
-  engine::Limits limits;                             ///< where to stop early
-  CheckpointChoice checkpoint;                       ///< where the state is kept
+  bool tighten = true;  ///< coefficients M are tightened by optimisation
+  bool dive = true;     ///< search for a first point at the root
+  engine::Order order = engine::Order::depth_first;  ///< order of open nodes
+  engine::Limits limits;                             ///< limits of the search
+  CheckpointChoice checkpoint;                       ///< files of its state
 };
 
 std::unique_ptr<Subcommand> mip_subcommand();

@@ -1,4 +1,4 @@
-// The table and the JSON of `kusabi mip`.
+// Table and JSON of `kusabi mip`.
 #include "run/mip/mip_report.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 using nlohmann::ordered_json;
 using zero_one::MixedStatus;
 
-// A value that is worth less, or is itself less, is a zero that was rounded.
+// Values whose term, or which themselves, are smaller are zeros with rounding errors.
 bool is_zero(double value, double cost) {
   constexpr double nothing = 1e-9;
   return std::abs(value) * std::max(1.0, std::abs(cost)) <= nothing;
@@ -109,7 +109,7 @@ std::string MipReport::table(const Page& page) const {
   const auto& counts = found.tree.prepared().counts;
   fmt::format_to(out,
                  "{} nodes; {} linear programs, {} of them at the root; {} cuts in {} rounds; {} "
-                 "coefficients made smaller\n",
+                 "coefficients reduced\n",
                  found.outcome.opened(), tally.programs + counts.programs, counts.programs,
                  counts.cuts, counts.cut_rounds, counts.tightened);
   RankTable ranks({"branched", "infeasible", "above", "leaves", "programs", "iterations"});

@@ -1,4 +1,4 @@
-// What `kusabi mip` says: the table for a person and the JSON for a program.
+// Results of `kusabi mip`: table and JSON.
 #pragma once
 
 #include <cstdint>
@@ -21,27 +21,26 @@ struct MipReport {
   std::uint64_t fingerprint;
   const zero_one::MixedAnswer& found;
 
-  /// No point has a better objective, as the file's sense has it.
+  /// Proved bound: no point has a better objective, in the sense of the file.
   [[nodiscard]] double bound() const;
   [[nodiscard]] double objective() const;
-  /// |objective - bound| / |objective|; the difference itself if the objective is zero.
+  /// |objective - bound| / |objective|; the absolute difference if the objective is zero.
   [[nodiscard]] double gap() const;
 
   [[nodiscard]] Verdict verdict() const;
 
-  /// The point, the ranks' shares and the times, as text.
+  /// The point, rank statistics and times, as text.
   [[nodiscard]] std::string table(const Page& page) const;
 
   /// The result file; its schema is in docs/result-files.md.
   [[nodiscard]] nlohmann::ordered_json json() const;
 
-  /// A row a column of the program that is not zero at the point found; the header alone if the
-  /// result file has no point.
+  /// One row per nonzero column at the point found; the header alone without a point.
   void write_csv(std::ostream& out) const;
 
  private:
   [[nodiscard]] double in_the_files_sense(double objective) const;
-  [[nodiscard]] bool has_point() const;  // that is told
+  [[nodiscard]] bool has_point() const;  // the result file has a point
 };
 
 }  // namespace kusabi::run

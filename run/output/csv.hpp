@@ -1,5 +1,5 @@
-// Tables as CSV files (RFC 4180, but lines end in a line feed): the header first, numbers that give
-// back the same bits when they are read, nothing where there is none.
+// Tables as CSV files (RFC 4180, with line feeds as line ends): header first, numbers that read
+// back to the same bits, empty cells for absent values.
 #pragma once
 
 #include <cmath>
@@ -14,23 +14,23 @@
 
 namespace kusabi::run {
 
-/// A text as a cell: in quotes, since names may hold commas and quotes.
+/// A text as a cell, in quotes where commas or quotes require it.
 inline std::string csv_cell(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + '"';
 }
 
-/// A table cell by cell, row by row.
+/// Writer of a table, cell by cell and row by row.
 class CsvWriter {
  public:
   explicit CsvWriter(std::ostream& out) : out_(out) {}
 
-  /// A name of the program's own: a column, a state.
+  /// An identifier of the program: a column, a state.
   CsvWriter& word(std::string_view word) { return add(word); }
   /// Any text.
   CsvWriter& text(std::string_view text) { return add(csv_cell(text)); }
-  /// Names, with a blank between two.
+  /// Names, separated by blanks.
   template <class Names>
   CsvWriter& names(const Names& names) {
     return text(fmt::format("{}", fmt::join(names, " ")));
@@ -56,7 +56,7 @@ class CsvWriter {
   }
 
   std::ostream& out_;
-  bool begins_ = true;  // whether a row is to begin
+  bool begins_ = true;  // the next cell begins a row
 };
 
 }  // namespace kusabi::run

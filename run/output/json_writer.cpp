@@ -1,4 +1,4 @@
-// Where lines begin.
+// Line breaks and indentation.
 #include "run/output/json_writer.hpp"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ void JsonWriter::end_object() {
   end('}');
 }
 
-// The library's own layout gives every number a line of its own.
+// nlohmann::json would put each number of a list on its own line.
 void JsonWriter::value(const ordered_json& value) {
   if (!holds_objects(value)) {
     before_value();

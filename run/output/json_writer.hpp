@@ -1,5 +1,5 @@
-// JSON written piece by piece, for results that are too long to be held, in the layout of all
-// results: one line for a list of numbers or names and for a matrix, one line a member elsewhere.
+// JsonWriter: JSON written piece by piece, for results too long for memory. Layout of all results:
+// lists of numbers or names and matrices on one line, objects with one line per member.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace kusabi::run {
 
-/// Writes one value: either `value`, or what lies between a `begin_…` and its `end_…`.
+/// Writer of one value: either `value`, or a `begin_…`, its members and its `end_…`.
 ///
 ///   JsonWriter json(out);
 ///   json.begin_object();
@@ -26,8 +26,8 @@ namespace kusabi::run {
 ///   json.end_object();
 class JsonWriter {
  public:
-  /// @param last makes an object when the rest is written: members that the root, if it is one,
-  /// ends with
+  /// @param last makes an object at the end of the writing, whose members are appended to the root
+  ///        object
   explicit JsonWriter(std::ostream& out, std::function<nlohmann::ordered_json()> last = {})
       : out_(out), last_(std::move(last)) {}
 
@@ -36,11 +36,11 @@ class JsonWriter {
   void begin_list() { begin('['); }
   void end_list() { end(']'); }
 
-  /// The name of the next value. @pre an object is open
+  /// Name of the next value. @pre an object is open
   void key(std::string_view name);
 
-  /// The root, the value of the last key, or the next element of the list that is open. Bytes of a
-  /// text that are not UTF-8 (a file name's, say) become U+FFFD.
+  /// The root, the value of the last key, or the next element of the open list. Bytes that are not
+  /// UTF-8 (in file names) become U+FFFD.
   void value(const nlohmann::ordered_json& value);
 
   void member(std::string_view name, const nlohmann::ordered_json& its_value) {
@@ -56,7 +56,7 @@ class JsonWriter {
 
   std::ostream& out_;
   std::function<nlohmann::ordered_json()> last_;
-  std::vector<bool> open_;  // for each object or list that is open: whether it has anything in it
+  std::vector<bool> open_;  // for each open object or list: it is not empty
   bool after_key_ = false;
 };
 

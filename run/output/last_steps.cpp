@@ -1,4 +1,4 @@
-// The first error waits for its turn.
+// The first error is thrown after all steps.
 #include "run/output/last_steps.hpp"
 
 #include <exception>
@@ -14,7 +14,7 @@ void do_all(const std::vector<std::function<void()>>& steps) {
       step();
     } catch (const std::exception& error) {
       if (first) {
-        tell("kusabi: {}\n", error.what());
+        print_message("kusabi: {}\n", error.what());
       } else {
         first = std::current_exception();
       }

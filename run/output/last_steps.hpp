@@ -1,5 +1,5 @@
-// The end of a command: each file in its place, then the answer printed. A step that fails (the
-// disk is full, nobody reads) must not keep the others from saving what they can.
+// Last steps of a command: files first, then the answer. A step that fails (disk full, closed pipe)
+// does not keep the others from running.
 #pragma once
 
 #include <functional>
@@ -7,9 +7,9 @@
 
 namespace kusabi::run {
 
-/// Does all of `steps` in their order, also after one has failed, and then throws what the first
-/// that failed has thrown; what the others say goes to standard error.
-/// @throws std::runtime_error, say
+/// Runs all `steps` in order, even after an error, and then rethrows the first error; messages of
+/// further errors go to standard error.
+/// @throws the first error
 void do_all(const std::vector<std::function<void()>>& steps);
 
 }  // namespace kusabi::run

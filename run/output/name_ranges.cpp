@@ -1,4 +1,4 @@
-// A run of names is found from its first two.
+// A range of names is determined by its first two.
 #include "run/output/name_ranges.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// A name cut at one of its numbers.
+// A name split at one of its numbers.
 struct Numbered {
   std::string_view before;
   long number = 0;
@@ -29,8 +29,8 @@ struct Numbered {
   }
 };
 
-// The cut by which `next` counts up from `name`, if there is one. Numbers with zeros in front of
-// them are not counted.
+// The split at which `next` counts up from `name`, if there is one. Numbers with leading zeros are
+// not counted.
 std::optional<Numbered> counted_up(std::string_view name, std::string_view next) {
   for (std::size_t at = 0; at < name.size();) {
     if (!is_digit(name[at])) {

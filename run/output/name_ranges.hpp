@@ -1,4 +1,4 @@
-// Names that count up, said as a range: the 60 nodes of a face in one word.
+// Lists of names with ranges: the 60 nodes of a face in one word.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace kusabi::run {
 
-/// Names in their order, apart by a space, "-" if there are none. From three on, names one after
-/// another that differ in one number, which counts up by one, are one range: "b.1,0 b.2,0 b.3,0" is
+/// Names in order, separated by blanks; "-" if there are none. Three or more consecutive names that
+/// differ in one number, which increases by one, are written as a range: "b.1,0 b.2,0 b.3,0" is
 /// "b.1…3,0".
 std::string with_ranges(const std::vector<std::string>& names);
 
-/// How many characters a terminal shows of UTF-8 text.
+/// Number of characters that a terminal shows for UTF-8 text.
 std::size_t shown_width(const std::string& text);
 
 }  // namespace kusabi::run

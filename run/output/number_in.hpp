@@ -1,4 +1,4 @@
-// The number that a piece of an option's value is, where the value is a list of several.
+// Number in a part of an option value, where the value is a list.
 #pragma once
 
 #include <charconv>
@@ -9,7 +9,7 @@
 
 namespace kusabi::run {
 
-/// A finite number, and nothing else; nothing if the text is none.
+/// A finite number; nothing if the text is anything else.
 inline std::optional<double> number_in(const std::string& text) {
   double value = 0;
   const auto* const end = text.data() + text.size();

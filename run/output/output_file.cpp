@@ -1,4 +1,4 @@
-// Which place, what to open there, and what others have left there.
+// Destination, temporary file beside it, and temporary files left by killed processes.
 #include "run/output/output_file.hpp"
 
 #include <array>
@@ -39,7 +39,7 @@ std::string host_name() {
   return text;
 }
 
-// The process of a name PLACE.HOST.PROCESS.tmp or PLACE.HOST.PROCESS.NUMBER.tmp, of this host.
+// Process number of a name PLACE.HOST.PROCESS.tmp or PLACE.HOST.PROCESS.NUMBER.tmp of this host.
 std::optional<pid_t> process_of(std::string_view file, const std::string& place) {
   const auto prefix = fmt::format("{}.{}.", place, host_name());
   if (!file.starts_with(prefix) || !file.ends_with(suffix)) return std::nullopt;
@@ -50,9 +50,8 @@ std::optional<pid_t> process_of(std::string_view file, const std::string& place)
   return process;
 }
 
-// A process of this host that is gone, and a lock that nobody holds: only both together say that
-// the file is nobody's, since a host's name may be shared by several machines, and locks need not
-// reach beyond one.
+// True if the process is of this host and gone, and nobody holds the lock. Both are required, since
+// several machines may share a host name, and locks may not reach other machines.
 void remove_if_left(const fs::path& file, pid_t process) {
   if (kill(process, 0) == 0 || errno != ESRCH) return;
   const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW);
@@ -90,7 +89,7 @@ OutputFile::OutputFile(const std::string& option, const std::string& name,
     if (fs::equivalent(place_, input, error)) refuse("is the problem file itself");
     if (const auto why = open_beside(); !why.empty()) refuse("cannot be written: " + why);
   } else {
-    // A device or a pipe, whose real name nobody can open.
+    // A device or a pipe is opened directly.
     file_.open(place_, std::ios::binary | std::ios::trunc);
     if (!file_) refuse(fmt::format("cannot be written: {}", std::strerror(errno)));
   }
@@ -100,7 +99,8 @@ std::string OutputFile::open_beside() {
   remove_what_the_dead_left(place_);
   const auto stem = fmt::format("{}.{}.{}", place_.string(), host_name(), getpid());
   constexpr mode_t for_all = 0666;
-  // A process of the same number, of a machine or container of the same name, may have one there.
+  // The name may be used by a process with the same number on a machine or container with the same
+  // host name.
   for (int number = 0; lock_ < 0; ++number) {
     auto name = number == 0 ? fmt::format("{}{}", stem, suffix)
                             : fmt::format("{}.{}{}", stem, number, suffix);
@@ -110,7 +110,7 @@ std::string OutputFile::open_beside() {
     lock_ = made;
     beside_ = std::move(name);
   }
-  flock(lock_, LOCK_EX | LOCK_NB);  // where there are no locks, nobody removes what is left
+  flock(lock_, LOCK_EX | LOCK_NB);  // without locks, abandoned files are not removed
   file_.open(beside_, std::ios::binary | std::ios::in | std::ios::out);
   if (!file_) return std::strerror(errno);
   return {};
@@ -124,7 +124,7 @@ OutputFile::~OutputFile() {
   if (lock_ >= 0) close(lock_);
 }
 
-// As what is printed, through stdio: the one comes after the other.
+// Through stdio, as all printed text, so that the order is kept.
 std::ostream& OutputFile::stream() {
   return is_standard_output() ? std::cout : file_;
 }
@@ -142,7 +142,7 @@ void OutputFile::put_in_place() {
   file_.close();
   if (!file_) fail("could not be written in full; is the disk full?");
   if (beside_.empty()) return;
-  // Some file systems report only here that there is no room; others have nothing to sync.
+  // Some file systems report a full disk only here; others do not support fsync.
   if (fsync(lock_) != 0 && errno != EINVAL && errno != ENOTSUP) {
     fail(fmt::format("could not be written in full: {}", std::strerror(errno)));
   }

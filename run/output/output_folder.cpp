@@ -1,4 +1,4 @@
-// The folder itself; its files are OutputFiles.
+// The folder; its files are OutputFiles.
 #include "run/output/output_folder.hpp"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Comparing names and what they lead to, then trying each.
+// Names and the files that they lead to are compared; then each is opened.
 #include "run/output/outputs.hpp"
 
 #include <filesystem>
@@ -33,11 +33,11 @@ bool same(const std::string& one, const std::string& other) {
   if (first && second) {
     if (is_null_device(*first)) return false;
     if (S_ISCHR(first->st_mode) && S_ISCHR(second->st_mode) && first->st_rdev == second->st_rdev)
-      return true;  // two nodes of one device
+      return true;  // two names of one device
     return first->st_dev == second->st_dev && first->st_ino == second->st_ino;
   }
   if (first || second) return false;
-  // Neither is there yet: the same if they lead to one name in one folder.
+  // Neither exists yet: they are the same if they lead to one name in one folder.
   std::error_code error;
   const auto place = fs::weakly_canonical(fs::absolute(one), error);
   if (error) return false;
@@ -65,7 +65,7 @@ void check_outputs(const std::string& input, const std::vector<NamedFile>& outpu
                                    file->option, file->name, before->option));
     }
   }
-  // Opened and left again. A pipe must not be: who reads it would see its end.
+  // Opened and closed again, except for pipes, whose readers would see the end.
   for (const auto& [option, name] : outputs) {
     if (name == standard_output_file) continue;
     const auto kind = status_of(name);

@@ -1,5 +1,5 @@
-// The files that one call writes, looked at together before the work begins: two of them in one
-// place, or one in the place of what is read, would lose what a night has computed.
+// Output files of a call, checked together before the search: two outputs with the same
+// destination, or one that would overwrite the input, are errors.
 #pragma once
 
 #include <string>
@@ -7,21 +7,20 @@
 
 namespace kusabi::run {
 
-/// A file of the call and the option that names it.
+/// A file of the call and its option.
 struct NamedFile {
   std::string option;  ///< "--output"; for messages
   std::string name;    ///< empty: the option was not given
 };
 
-/// Refuses, in one line, outputs of which two are the same file or one is the file that is read,
-/// and outputs that cannot be written. The same are names of one place, links followed, and two
-/// names of one file (hard links), and one pipe or device; of /dev/null there is enough for all.
-///
-/// A checkpoint is checked by its own rules (run/session/restart.hpp); name it in `others`.
-/// @param input the file that is read
-/// @param outputs what will be opened as OutputFile; the files of a certificate that is written in
-///        parts are PLACE and those that begin with PLACE.part.
-/// @param others files that are written, too, but not tried here
+/// Throws if two outputs are the same file, if one is the input, or if one cannot be written. Same
+/// are: names of one destination, links followed; two names of one file (hard links); one pipe or
+/// device. /dev/null may be used several times. Checkpoints are checked in run/session/restart.hpp;
+/// name them in `others`.
+/// @param input the input file
+/// @param outputs files to be opened as OutputFile; a certificate written in parts uses PLACE and
+///        all names that begin with PLACE.part.
+/// @param others further files that are written but not opened here
 /// @throws WrongInput
 void check_outputs(const std::string& input, const std::vector<NamedFile>& outputs,
                    const std::vector<NamedFile>& others = {});

@@ -1,4 +1,4 @@
-// Asking the terminal, and breaking lines.
+// Properties of the terminal, and line breaking.
 #include "run/output/page.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace kusabi::run {
 namespace {
 
-/// A column that is narrower than this is no place for a list.
+/// Minimum width of a column in which lists are broken.
 constexpr std::size_t narrowest_column = 16;
 constexpr std::size_t usual_width = 80;
 
@@ -37,7 +37,7 @@ std::size_t terminal_columns(int descriptor) {
   return size.ws_col;
 }
 
-// What a terminal shows of it: UTF-8, without colours (ESC [ … m).
+// Width on a terminal: UTF-8, without colours (ESC [ … m).
 std::size_t visible(std::string_view text) {
   std::size_t count = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -50,7 +50,7 @@ std::size_t visible(std::string_view text) {
   return count;
 }
 
-// Where a line that is too long goes on.
+// Indentation of the continuation of a long line.
 std::size_t hanging_indent(std::string_view line, std::size_t width) {
   const auto indent = std::min(line.find_first_not_of(' '), line.size());
   const auto room = width > narrowest_column ? width - narrowest_column : 0;
@@ -86,7 +86,7 @@ void fold_line(std::string& text, std::string_view line, std::size_t width) {
   }
 }
 
-// The end of the last line stays plain.
+// The end of the last line is not padded.
 std::string styled(bool colours, int style, std::string_view text) {
   if (!colours || text.empty()) return std::string(text);
   const auto end = text.find_last_not_of('\n') + 1;
@@ -99,7 +99,7 @@ std::string Page::strong(std::string_view text) const {
   return styled(colours, 1, text);
 }
 
-std::string Page::doubtful(std::string_view text) const {
+std::string Page::warning(std::string_view text) const {
   constexpr int yellow = 33;
   return styled(colours, yellow, text);
 }

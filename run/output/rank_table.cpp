@@ -1,4 +1,4 @@
-// All columns are numbers until they are printed, so that sums and means are one loop.
+// All columns are numbers until they are printed, so sums and means are one loop.
 #include "run/output/rank_table.hpp"
 
 #include <algorithm>
@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t most_lines = 16;
 
-// The engine's columns: two before those of the subcommand, the rest after them. Shares and idle
-// times are kept as nodes and seconds, which can be added, and divided when they are printed.
+// Columns of the engine: two before those of the subcommand, the others after them. Shares and idle
+// times are kept as nodes and seconds, which can be added, and divided when printed.
 constexpr std::size_t opened_column = 0;
 constexpr std::size_t share_column = 1;
 constexpr std::string_view after_own[] = {"requests", "gifts", "messages", "idle", "seconds"};
 
-// The first column in front of as many others as fit, these below each other.
+// The first column, and as many others as fit; further columns below, with the first repeated.
 std::string side_by_side(const std::vector<std::vector<std::string>>& lines, std::size_t width) {
   std::vector<std::size_t> widths(lines.front().size(), 0);
   for (const auto& line : lines) {
@@ -97,7 +97,7 @@ std::string RankTable::text(std::size_t width) const {
 
   std::vector<std::vector<std::string>> lines{{"rank"}};
   std::copy(columns_.begin(), columns_.end(), std::back_inserter(lines.front()));
-  // Idle time is set against `seconds` of rank time, which is not what the sum's last column says.
+  // Idle time is relative to `seconds` of rank time, not to the last column.
   const auto add_line = [&](const std::string& name, const Row& row, double rank_seconds) {
     auto& cells = lines.emplace_back(1, name);
     for (std::size_t column = 0; column < row.size(); ++column) {

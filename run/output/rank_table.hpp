@@ -1,5 +1,5 @@
-// The summary at the end of a search: what each rank did, as a table and as JSON. The columns of
-// the engine are here; a subcommand adds those of its own tree.
+// RankTable: statistics of each rank at the end of a search, as table and JSON. Columns of the
+// engine are here; a subcommand adds those of its tree.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +17,23 @@ namespace kusabi::run {
 
 class RankTable {
  public:
-  /// @param columns the subcommand's own, between a rank's share and its messages
+  /// @param columns columns of the subcommand, between a rank's share and its messages
   explicit RankTable(std::vector<std::string> columns);
 
-  /// One rank of this run, in their order. @param own as many values as columns
+  /// Adds a rank of this run, in order of ranks. @param own one value per column
   void add(const engine::RankStatistics& statistics, const std::vector<std::uint64_t>& own);
 
-  /// One rank of an earlier run that this one went on from.
+  /// Adds a rank of an earlier run that this one resumes.
   void add_earlier(const engine::RankStatistics& statistics, const std::vector<std::uint64_t>& own);
 
-  /// A line a rank and their sum; with more than 16 ranks the least, the mean and the greatest of
-  /// each column instead, over the ranks of this run. Shares are of all nodes opened, idle time is
-  /// in percent of the time of the run, and the sum's seconds are those of this run.
-  /// @param width columns that do not fit go below, with the ranks in front of them again
+  /// One line per rank and their sum; with more than 16 ranks the minimum, mean and maximum of each
+  /// column over the ranks of this run instead. Shares are relative to all opened nodes, idle time
+  /// is in percent of the run time, and seconds in the sum are those of this run.
+  /// @param width columns that do not fit are printed below, with the rank column repeated
   [[nodiscard]] std::string text(std::size_t width = Page::endless) const;
 
  private:
-  // One rank's values in the order of the columns. Averages need not be whole.
+  // Values of one rank in the order of the columns. Averages may be fractions.
   using Row = std::vector<double>;
 
   [[nodiscard]] Row row(const engine::RankStatistics& statistics,
@@ -45,10 +45,10 @@ class RankTable {
   std::vector<Row> earlier_;
 };
 
-/// The engine's statistics of one rank, added to an object of the result file.
+/// Adds the engine's statistics of one rank to an object of the result file.
 void add_statistics(nlohmann::ordered_json& rank, const engine::RankStatistics& statistics);
 
-/// Of each rank of a run, in their order: what `own` makes of its tally, and its statistics.
+/// For each rank in order: the values that `own` computes from its tally, and its statistics.
 template <class Reports, class Own>
 nlohmann::ordered_json rank_reports(const Reports& reports, Own own) {
   auto list = nlohmann::ordered_json::array();

@@ -24,8 +24,8 @@ namespace {
 }  // namespace
 
 void secure_standard_streams() {
-  // Each is opened the wrong way round for its use, but for standard error: whoever closed standard
-  // output and still asks for a table is told so. open() takes the least free descriptor.
+  // Each stream is opened in the wrong mode, except for standard error, so that output to a closed
+  // standard output is an error. open() takes the least free descriptor.
   struct Stream {
     int descriptor;
     int mode;
@@ -41,7 +41,7 @@ void secure_standard_streams() {
 }
 
 void print_answer(std::string_view text) {
-  // What fills the buffer is written before the flush, and stdio forgets it when that fails.
+  // Text that fills the buffer is written before the flush, and stdio forgets an error then.
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
   flush_standard_output();
 }
@@ -55,21 +55,21 @@ void flush_standard_output() {
   if (std::fflush(stdout) != 0) fail();
 }
 
-void tell_text(std::string_view text) noexcept {
+void print_text(std::string_view text) noexcept {
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
-void tell_doubt(std::string_view line) noexcept {
+void print_warning(std::string_view line) noexcept {
   try {
-    tell_text(page_of(STDERR_FILENO).doubtful(line) + '\n');
+    print_text(page_of(STDERR_FILENO).warning(line) + '\n');
   } catch (const std::bad_alloc&) {
-    tell_text(line);
+    print_text(line);
   }
 }
 
-void tell_written(std::initializer_list<std::string> files) {
+void print_written(std::initializer_list<std::string> files) {
   for (const auto& file : files) {
-    if (!file.empty()) tell("wrote {}\n", file);
+    if (!file.empty()) print_message("wrote {}\n", file);
   }
 }
 

@@ -1,9 +1,6 @@
-// What the command prints: its answer and the heading above it on standard output, everything else
-// on standard error.
-//
-// Nothing computed may be lost because nobody reads what is printed: a closed pipe is an error that
-// is told, not a signal that kills; a message that cannot be shown is dropped; and the answer is
-// printed when all files are in their places.
+// Printing: the answer and its heading on standard output, everything else on standard error. No
+// result is lost because output cannot be printed: a closed pipe is an error, not a signal;
+// messages that cannot be printed are dropped; the answer is printed after all files are written.
 #pragma once
 
 #include <initializer_list>
@@ -15,36 +12,36 @@
 
 namespace kusabi::run {
 
-/// To be called first of all. From then on a closed pipe (SIGPIPE) and a file that has reached its
-/// permitted size (SIGXFSZ) are errors of the call that writes; and the descriptors 0, 1 and 2 are
-/// open, so that no file that is opened later becomes standard output by mistake. What is written
-/// to a standard output that was closed fails, as it should; standard error takes anything.
+/// Prepares the standard streams; to be called first in main. Afterwards a closed pipe (SIGPIPE)
+/// and a file at its size limit (SIGXFSZ) are errors of the write, and descriptors 0, 1 and 2 are
+/// open, so that no file opened later becomes standard output. Writes to a standard output that was
+/// closed fail; standard error accepts everything.
 void secure_standard_streams();
 
-/// Prints the answer and flushes it. Call it when all files are in their places.
-/// @throws std::runtime_error if not all of it has got through: the disk is full, nobody reads
+/// Prints the answer and flushes it, after all files are written.
+/// @throws std::runtime_error if it was not written completely: disk full, pipe closed
 void print_answer(std::string_view text);
 
-/// Prints what stands above the answer, before the work begins: that nobody reads it is told when
-/// the answer is printed, and keeps no work from being done.
+/// Prints the heading of the answer before the search. An error is reported with the answer, not
+/// here.
 void show_heading(std::string_view text) noexcept;
 
-/// @throws std::runtime_error if not all that was printed has got through
+/// @throws std::runtime_error if earlier output was not written completely
 void flush_standard_output();
 
-/// Writes to standard error; never throws. A message that cannot be written is lost.
-void tell_text(std::string_view text) noexcept;
+/// Writes to standard error; never throws. Messages that cannot be written are dropped.
+void print_text(std::string_view text) noexcept;
 
-/// The same of a format and its arguments, like fmt::print(stderr, …), which throws.
+/// Formats and writes to standard error; unlike fmt::print(stderr, …), never throws.
 template <class... Arguments>
-void tell(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  tell_text(fmt::format(format, std::forward<Arguments>(arguments)...));
+void print_message(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  print_text(fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
-/// A line that warns, or says what is left open: marked as such on a terminal.
-void tell_doubt(std::string_view line) noexcept;
+/// A warning or a line about open parts, highlighted on a terminal.
+void print_warning(std::string_view line) noexcept;
 
-/// One line for each of `files`, but those without a name, on standard error.
-void tell_written(std::initializer_list<std::string> files);
+/// One line on standard error for each of `files` with a name.
+void print_written(std::initializer_list<std::string> files);
 
 }  // namespace kusabi::run

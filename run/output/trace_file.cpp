@@ -1,5 +1,5 @@
-// One line an event: "X" a slice, "i" an instant, "s" and "f" the two ends of an arrow, "C" a point
-// of a curve, "M" a name. A rank is a "process" with two "threads".
+// One line per event: "X" a slice, "i" an instant, "s" and "f" the ends of an arrow, "C" a point of
+// a curve, "M" a name. A rank is a "process" with two "threads".
 #include "run/output/trace_file.hpp"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ class Writer {
   }
 
  private:
-  // With events dropped nobody knows what the rank did after the last one kept.
+  // With dropped events, the activity after the last recorded one is unknown.
   static double end_of(const RankTrace& trace) {
     return trace.dropped == 0 || trace.events.empty() ? trace.ended : trace.events.back().time;
   }
@@ -144,8 +144,8 @@ class Writer {
     put(line);
   }
 
-  // The n-th transfer that leaves for a rank is the n-th that arrives there: messages of one kind
-  // between two ranks do not overtake one another. So both ends come to the same number.
+  // The n-th transfer sent to a rank is the n-th that arrives: messages of one kind between two
+  // ranks keep their order. Both ends therefore compute the same number.
   void arrow(const char* end, const std::string& kind, const TraceEvent& event, int from, int to) {
     const auto number = ++transfers_[{kind, from, to, *end}];
     const auto id = arrows_.try_emplace({kind, from, to, number}, arrows_.size() + 1).first->second;
@@ -172,7 +172,7 @@ class Writer {
 
   static long long nanoseconds(double seconds) { return std::llround(seconds * 1e9); }
 
-  // The unit of the format.
+  // Unit of the format.
   static double microseconds(long long nanoseconds) {
     return static_cast<double>(nanoseconds) / 1e3;
   }

@@ -1,6 +1,5 @@
-// The timeline of a search in the Trace Event Format, which ui.perfetto.dev and chrome://tracing
-// show: for each rank a track of what it does, one of the reductions, and its open nodes as a
-// curve.
+// Timeline of a search in the Trace Event Format (ui.perfetto.dev, chrome://tracing): for each rank
+// a track of its activities, one of the reductions, and a curve of its open nodes.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +10,12 @@
 
 namespace kusabi::run {
 
-/// Events that a rank may keep: a million, but no more than four million on all ranks together,
-/// which take half a gigabyte as JSON and all that a browser can show.
+/// Maximum number of events per rank: a million, and four million over all ranks, which are half a
+/// gigabyte of JSON and near the limit of browsers.
 std::size_t trace_events_a_rank(int ranks);
 
 /// Writes one JSON object, event by event.
-/// @param traces one a rank, on one time axis (Outcome::traces)
+/// @param traces one per rank, on one time axis (Outcome::traces)
 void write_trace(std::ostream& out, const std::vector<engine::RankTrace>& traces);
 
 }  // namespace kusabi::run

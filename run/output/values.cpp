@@ -1,4 +1,4 @@
-// The few words that all results share.
+// Names of states.
 #include "run/output/values.hpp"
 
 #include <cmath>

@@ -1,5 +1,4 @@
-// How values look wherever they are shown: the names of states, numbers in JSON, counted things in
-// sentences.
+// Text of values: names of states, numbers in JSON, counts in sentences.
 #pragma once
 
 #include <cstddef>
@@ -17,31 +16,31 @@
 
 namespace kusabi::run {
 
-/// As the result file calls it: "solved", "time-limit", ...
+/// Name in the result file: "solved", "time-limit", ...
 const char* status_name(engine::Status status);
 
-/// JSON has no infinity: null, as if there were no number.
+/// null for an infinite or absent number, since JSON has no infinity.
 nlohmann::ordered_json number_or_null(std::optional<double> value);
 
-/// A fingerprint, in 16 digits.
+/// A fingerprint in 16 hexadecimal digits.
 std::string hexadecimal(std::uint64_t fingerprint);
 
 /// "1 rank", "2 ranks".
 std::string counted(std::uint64_t count, std::string_view thing);
 std::string counted(const support::ExactCount& count, std::string_view thing);
 
-/// A number where every reader has it exactly, else its decimal digits as a string; then KEY_log10
-/// has its size.
+/// A number if every JSON reader has it exactly, otherwise a string of decimal digits, with its
+/// logarithm in KEY_log10.
 void add_count(nlohmann::ordered_json& json, const std::string& key,
                const support::ExactCount& count);
 
-/// The numbers of a vector, in its order.
+/// Elements of a vector, in order.
 template <class Vector>
 std::vector<double> numbers(const Vector& vector) {
   return {vector.begin(), vector.end()};
 }
 
-/// The counts of a tally (engine::Counts) by their names; of other things than counts nothing.
+/// Counts of a tally (engine::Counts) by name; nothing for other tallies.
 template <class Tally>
 nlohmann::ordered_json counts_json(const Tally& tally) {
   auto json = nlohmann::ordered_json::object();

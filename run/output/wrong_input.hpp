@@ -1,11 +1,11 @@
-// The error that ends the command with exit code 2.
+// WrongInput: the error that ends the command with exit code 2.
 #pragma once
 
 #include <stdexcept>
 
 namespace kusabi::run {
 
-/// Something that rank 0 found wrong with the input or the call; thrown on every rank.
+/// Error in the input or the call found on rank 0; thrown on every rank.
 class WrongInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

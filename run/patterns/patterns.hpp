@@ -1,4 +1,5 @@
-// `kusabi patterns FILE --mu MU`: all sign patterns of wedged configurations (Algorithms 5.1, 5.8).
+// `kusabi patterns FILE --mu MU`: all sign patterns of wedged configurations (Algorithms 5.1, 5.8
+// of the wedged paper).
 #pragma once
 
 #include <cstdint>
@@ -13,37 +14,37 @@
 
 namespace kusabi::run {
 
-/// How the table is ordered. A pattern keeps its number, by which result files and pictures know
-/// it.
+/// Order of the table. A pattern keeps its number, which result files and pictures use.
 enum class PatternSort {
-  number,    ///< as the tree has them
-  margin,    ///< the largest first
-  contact,   ///< the fewest candidates in contact first
-  critical,  ///< those that begin to live at the least friction first
+  number,    ///< order of the tree
+  margin,    ///< largest margin first
+  contact,   ///< fewest candidates in contact first
+  critical,  ///< smallest critical friction coefficient first
 };
 
 struct PatternsOptions {
-  std::string file;                                               ///< the problem
-  double friction = 0;                                            ///< mu
-  double tolerance = conic::Tolerances{}.sign;                    ///< |t*| up to this is marginal
-  wedged::Tightening tightening = wedged::Tightening::automatic;  ///< whether there are cuts
-  wedged::Branching branching = wedged::Branching::automatic;     ///< how nodes are split
-  int probes = 0;           ///< of how many candidates children are tried before a node is split
-  bool polyhedral = false;  ///< Algorithm 5.8, otherwise 5.1
-  int facets = 16;          ///< of the polyhedral friction cones of Algorithm 5.8
-  bool list_candidates = false;  ///< of Algorithm 5.8, in the table
+  std::string file;                             ///< problem file
+  double friction = 0;                          ///< friction coefficient mu
+  double tolerance = conic::Tolerances{}.sign;  ///< margins |t*| up to this are degenerate
+  wedged::Tightening tightening = wedged::Tightening::automatic;  ///< use of cuts
+  wedged::Branching branching = wedged::Branching::automatic;     ///< choice of the branching
+                                                                  ///< candidate
+  int probes = 0;                ///< number of candidates for strong branching at each node
+  bool polyhedral = false;       ///< Algorithm 5.8; otherwise Algorithm 5.1
+  int facets = 16;               ///< facets of the polyhedral friction cones of Algorithm 5.8
+  bool list_candidates = false;  ///< lists the candidates of Algorithm 5.8 in the table
   PatternSort sort = PatternSort::number;
-  /// Patterns that differ in so many candidates are one line; 0: no groups; negative: the table
-  /// of a terminal has some if it would be long.
+  /// Maximum number of candidates in which patterns of a group differ; 0: no groups; negative:
+  /// groups on a terminal if the table would be long.
   int group = -1;
-  std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< so many of them in the table
+  std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< maximum number of rows
   engine::Order order = engine::Order::depth_first;
-  engine::Limits limits;        ///< where to stop early
-  CheckpointChoice checkpoint;  ///< where the state is kept
-  std::string certificate;      ///< the evidence goes here; empty: nowhere
-  bool prove = false;           ///< whether every node is put to the exact test
+  engine::Limits limits;        ///< limits of the search
+  CheckpointChoice checkpoint;  ///< files of its state
+  std::string certificate;      ///< certificate file; empty: none
+  bool prove = false;           ///< exact test of every node
 
-  /// Of polyhedral cones; 0: the cones themselves.
+  /// Facets of polyhedral cones; 0: second-order cones.
   [[nodiscard]] int facets_in_use() const { return polyhedral ? facets : 0; }
 };
 

@@ -1,4 +1,4 @@
-// What is said below the table, and the JSON, of `kusabi patterns`.
+// Text below the table, and JSON, of `kusabi patterns`.
 #include "run/patterns/patterns_report.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string patterns(const support::ExactCount& count) {
   return counted(count, "sign pattern");
 }
 
-// If all open leaves were patterns, which no other contains.
+// Number of patterns if all open leaves are patterns and none is contained in another.
 support::ExactCount most_patterns(const wedged::PatternFindings& findings) {
   std::vector<std::uint64_t> of_blocks;
   for (const auto& block : findings.blocks) of_blocks.push_back(block.cones + block.open);
@@ -79,7 +79,8 @@ ordered_json PatternsReport::candidates_json() const {
 }
 
 Verdict PatternsReport::verdict() const {
-  // Ties are found by cut-offs, and so is what unconstrained bodies do, but for the exact test.
+  // Degenerate nodes and nodes of unconstrained bodies are classified by cut-offs unless the exact
+  // test has decided them.
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
                                  : findings_.flat == 0 && problem_.loose_bodies.empty();
@@ -94,29 +95,28 @@ Verdict PatternsReport::verdict() const {
                          .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
                          .degenerate = exact.ties,
                          .doubt = doubt_of(exact)}};
-  if (auto text = firmest(); !text.empty()) verdict.details.push_back(std::move(text));
+  if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
   if (!options_.certificate.empty() && findings_.whole() && exact.ties > 0 && !exact.asked) {
     verdict.missing.push_back(
-        fmt::format("The certificate proves the list but for {}, with a margin of zero: nothing "
-                    "is claimed of {}.",
-                    counted(exact.ties, "degenerate node"), exact.ties == 1 ? "it" : "these"));
+        fmt::format("The certificate proves the list but for {}, with a margin of zero: no "
+                    "claim is made about {}.",
+                    counted(exact.ties, "degenerate node"), exact.ties == 1 ? "it" : "them"));
   }
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
-        "The coefficients from which on the patterns stick (--sort critical) were not all "
-        "computed; "
-        "the table is as found.");
+        "Not all coefficients of --sort critical were computed; the table is in the order of the "
+        "search.");
   }
   return verdict;
 }
 
-// The pattern with the largest margin, and what would be the first to go wrong there.
-std::string PatternsReport::firmest() const {
+// The pattern with the largest margin, and its nearest inequality.
+std::string PatternsReport::largest_margin() const {
   const auto& leaves = findings_.leaves;
   if (leaves.empty()) return {};
   const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
   if (best->state == wedged::LeafState::flat)
-    return "None has a margin: in each, some inequality is an equality.";
+    return "All are degenerate (t* = 0): in each, some inequality is an equality.";
   if (best->state != wedged::LeafState::alive) return {};
   const auto nearest = nearest_failure(problem_, options_.friction, best->block, best->pattern,
                                        best->reaction, best->displacement);
@@ -128,36 +128,36 @@ std::string PatternsReport::firmest() const {
 std::string PatternsReport::details() const {
   std::string text;
   auto out = std::back_inserter(text);
-  fmt::format_to(out,
-                 "\n{} of wedged configurations at friction coefficient {}{}; {} marginal "
-                 "(|t*| <= {})\n",
-                 patterns(findings_.count()), options_.friction,
-                 problems::uniform_friction(problem_) ? "" : " times that of each candidate",
-                 findings_.marginal, options_.tolerance);
+  fmt::format_to(
+      out,
+      "\n{} of wedged configurations at friction coefficient {}{}; {} degenerate (|t*| <= {})\n",
+      patterns(findings_.count()), options_.friction,
+      problems::uniform_friction(problem_) ? "" : " times that of each candidate",
+      findings_.marginal, options_.tolerance);
   if (findings_.flat != 0) {
     fmt::format_to(out,
-                   "{} of the list flat (t* = 0): in all configurations of one the candidates at "
-                   "rest have neither a reaction nor a gap, or those in contact slip\n",
+                   "{} of the list degenerate (t* = 0): in all their configurations some "
+                   "candidates are inactive (no reaction, no gap) or slip\n",
                    findings_.flat);
   }
   if (findings_.blocks.size() > 1) {
-    fmt::format_to(out,
-                   "the structure comes apart into {} blocks, which wedge or rest each by "
-                   "itself:\n",
-                   findings_.blocks.size());
+    fmt::format_to(
+        out,
+        "the problem decouples into {} blocks, each of which wedges or is inactive by itself:\n",
+        findings_.blocks.size());
     for (const auto& block : findings_.blocks) {
       fmt::format_to(out, "  {}: {}\n", with_ranges(candidate_names(problem_, block.candidates)),
-                     block.rests() ? "at rest always" : patterns(block.cones));
+                     block.rests() ? "always inactive" : patterns(block.cones));
     }
     const auto wedging = std::count_if(findings_.blocks.begin(), findings_.blocks.end(),
                                        [](const auto& b) { return b.cones != 0; });
     if (wedging > 1) {
       text +=
-          "any pattern of one goes with any of another: their product is the number of patterns "
-          "of the whole, and the list has those of each block\n";
+          "patterns of different blocks combine freely: the number of patterns is the product over "
+          "the blocks, and the list has the patterns of each block\n";
     }
     if (findings_.whole() && findings_.open() > 0) {
-      fmt::format_to(out, "with those that are undecided there are at most {} of the whole\n",
+      fmt::format_to(out, "including undecided patterns there are at most {}\n",
                      patterns(most_patterns(findings_)));
     }
   }
@@ -166,8 +166,7 @@ std::string PatternsReport::details() const {
                    findings_.outcome.tally().candidates, options_.facets);
   }
   if (findings_.undecided != 0) {
-    fmt::format_to(out, "{} undecided: the bracket of t* could not be made narrow enough\n",
-                   findings_.undecided);
+    fmt::format_to(out, "{} undecided: the bracket of t* contains zero\n", findings_.undecided);
   }
   return text;
 }
@@ -230,7 +229,7 @@ ordered_json PatternsReport::groups_json() const {
     auto members = ordered_json::array();
     for (const auto member : group.members) members.push_back(member + 1);
     list.push_back({{"patterns", std::move(members)},
-                    {"firmest", group.firmest + 1},
+                    {"firmest", group.largest_margin + 1},
                     {"contact", candidate_names(problem_, group.contact)},
                     {"varying", candidate_names(problem_, group.varying)}});
   }

@@ -1,4 +1,4 @@
-// What `kusabi patterns` says: the table for a person and the JSON for a program.
+// Results of `kusabi patterns`: table, JSON and CSV.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +18,10 @@
 
 namespace kusabi::run {
 
-/// Everything that the command has to tell.
+/// All views of the findings.
 class PatternsReport {
  public:
-  /// All references must outlive it. @param brackets one a leaf, or none
+  /// All references must outlive it. @param brackets one per leaf, or none
   PatternsReport(const PatternsOptions& options, const problems::WedgedProblem& problem,
                  const wedged::PatternFindings& findings,
                  const std::vector<wedged::PatternBracket>& brackets, const Page& page)
@@ -33,28 +33,28 @@ class PatternsReport {
 
   [[nodiscard]] Verdict verdict() const;
 
-  /// The patterns, the ranks' shares and the times, as text.
+  /// Patterns, rank statistics and times as text.
   [[nodiscard]] std::string table() const;
 
   /// The result file; its schema is in docs/result-files.md. @param whole of the same structure
   [[nodiscard]] nlohmann::ordered_json json(const WholeStateJson& whole) const;
 
-  /// A row a pattern, in the order of the result file.
+  /// One row per pattern, in the order of the result file.
   void write_csv(std::ostream& out) const;
 
  private:
-  /// The leaves as they are listed.
+  /// Order of the leaves in the table.
   [[nodiscard]] std::vector<std::size_t> order() const;
-  /// The table: a line a pattern, or a line a group of them.
+  /// The table: one line per pattern, or per group of patterns.
   [[nodiscard]] std::string list() const;
   [[nodiscard]] std::string groups() const;
-  /// What a terminal shows of a long list.
+  /// True if a terminal shows an overview instead of a long list.
   [[nodiscard]] bool is_overview() const;
   [[nodiscard]] std::string overview() const;
   [[nodiscard]] std::string row(std::size_t number) const;
   [[nodiscard]] std::string names(const support::IndexSet& candidates) const;
-  [[nodiscard]] std::string firmest() const;
-  /// What the sentence rests on.
+  [[nodiscard]] std::string largest_margin() const;
+  /// Sentences below the headline.
   [[nodiscard]] std::string details() const;
   [[nodiscard]] nlohmann::ordered_json patterns_json(const WholeStateJson& whole) const;
   [[nodiscard]] nlohmann::ordered_json groups_json() const;
@@ -68,7 +68,7 @@ class PatternsReport {
   Page page_;
 };
 
-/// As the table and the result file call it.
+/// Name in the table and the result file.
 const char* state_name(wedged::LeafState state);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// The table of `kusabi patterns`: a line a pattern, or a line a group of them.
+// Table of `kusabi patterns`: one line per pattern, or per group of patterns.
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -17,7 +17,8 @@
 namespace kusabi::run {
 namespace {
 
-/// More lines than these are looked at together, not one by one; then in so many groups.
+/// Maximum number of lines before the table becomes an overview, and maximum number of groups in
+/// it.
 constexpr std::size_t many_lines = 40;
 constexpr std::size_t many_groups = 20;
 
@@ -82,8 +83,8 @@ std::string PatternsReport::list() const {
   if (!brackets_.empty()) text += begins_explained;
   if (shown.size() > many_lines) {
     text +=
-        "       (--sort margin --top 10 lists the firmest; --group 1 those together that differ in "
-        "one candidate)\n";
+        "       (--sort margin --top 10 lists those with the largest margins; --group 1 groups "
+        "those that differ in one candidate)\n";
   }
   return text;
 }
@@ -98,19 +99,18 @@ std::string PatternsReport::groups() const {
   std::size_t number = 0;
   for (const auto& group : groups) {
     text += fmt::format("{:>5}  {:>8}  {:>10}  {:>7}  {} | {}\n", ++number, group.members.size(),
-                        margin_text(findings_.leaves[group.firmest]), group.firmest + 1,
-                        names(group.contact), names(group.varying));
+                        margin_text(findings_.leaves[group.largest_margin]),
+                        group.largest_margin + 1, names(group.contact), names(group.varying));
   }
   if (all > groups.size()) text += fmt::format("{:>5}  {} more\n", "…", all - groups.size());
   text += fmt::format(
-      "       {} of patterns that differ in at most {} from one to the next; margin and number are "
-      "of the firmest of each\n",
+      "       {} of patterns with steps of at most {}; margin and number are those of the member "
+      "with the largest margin\n",
       counted(all, "group"), counted(static_cast<std::uint64_t>(options_.group), "candidate"));
   return text;
 }
 
-// Whoever has said how the list should be gets it so, and what reads a file counts on a line a
-// pattern.
+// An explicit --sort, --top or --group is obeyed, and files and pipes have one line per pattern.
 bool PatternsReport::is_overview() const {
   return page_.width != Page::endless && options_.group < 0 &&
          options_.sort == PatternSort::number && options_.top > findings_.leaves.size() &&
@@ -121,23 +121,25 @@ std::string PatternsReport::overview() const {
   const auto& leaves = findings_.leaves;
   const auto most_groups = std::max(many_groups, findings_.blocks.size());
   int apart = 1;
-  auto groups = groups_around_firmest(leaves, apart, most_groups);
-  while (!groups) groups = groups_around_firmest(leaves, ++apart, most_groups);
+  auto groups = groups_around_largest_margin(leaves, apart, most_groups);
+  while (!groups) groups = groups_around_largest_margin(leaves, ++apart, most_groups);
   auto text = fmt::format("\n{:>8}  {:>10}  {:>7}  {}\n", "patterns", "margin t*", "number",
-                          "the firmest of them is in contact at");
+                          "that with the largest margin is in contact at");
   for (const auto& group : *groups) {
-    const auto& firmest = leaves[group.firmest];
-    text += fmt::format("{:>8}  {:>10}  {:>7}  {}\n", group.members.size(), margin_text(firmest),
-                        group.firmest + 1, contact_text(problem_, firmest.pattern));
+    const auto& largest_margin = leaves[group.largest_margin];
+    text +=
+        fmt::format("{:>8}  {:>10}  {:>7}  {}\n", group.members.size(), margin_text(largest_margin),
+                    group.largest_margin + 1, contact_text(problem_, largest_margin.pattern));
   }
-  return text + fmt::format(
-                    "{} in {}: in each all differ from the firmest in at most {}. --group 0 lists "
-                    "every one, --sort margin --top 10 the firmest; files have all\n",
-                    counted(leaves.size(), "pattern"), counted(groups->size(), "group"),
-                    counted(static_cast<std::uint64_t>(apart), "candidate"));
+  return text +
+         fmt::format(
+             "{} in {}: members differ from that with the largest margin in at most {}. --group 0 "
+             "lists all, --sort margin --top 10 the largest margins; files contain all\n",
+             counted(leaves.size(), "pattern"), counted(groups->size(), "group"),
+             counted(static_cast<std::uint64_t>(apart), "candidate"));
 }
 
-// Of Algorithm 5.8: Y_1, ..., Y_k, and what (23) says of each.
+// Candidates of Algorithm 5.8: Y_1, ..., Y_k, with the result of (23) for each.
 std::string PatternsReport::candidates() const {
   std::string text;
   if (!options_.list_candidates) return text;

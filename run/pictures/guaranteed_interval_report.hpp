@@ -1,4 +1,4 @@
-// The load factors that are carried under every admissible load: in the table, and in JSON.
+// Load factors carried under every admissible load: text and JSON.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace kusabi::run {
 
-/// "-2.634577 ... 1.882777, proved": what is known of it, without a line end.
+/// "-2.634577 ... 1.882777, proved": the known bounds, without a line end.
 std::string interval_text(const limit::GuaranteedInterval& interval);
 
 /// The key `guaranteed_interval` of a result (docs/result-files.md).

@@ -1,4 +1,4 @@
-// The key `problem`.
+// The key `problem` of limit analysis.
 #include "run/pictures/limit_problem_json.hpp"
 
 #include <utility>
@@ -13,7 +13,7 @@ namespace {
 using nlohmann::ordered_json;
 using problems::LimitProblem;
 
-// T, column by column: what each uncertain load puts where when its zeta is one unit of force.
+// T by columns: nodal forces of each uncertain load for a zeta of one unit of force.
 ordered_json uncertain_loads_json(const LimitProblem& problem) {
   auto list = ordered_json::array();
   for (int j = 0; j < problem.uncertain_count(); ++j) {

@@ -1,4 +1,4 @@
-// What a result file says of a truss whose limit load was asked for, whichever command asked.
+// Truss of limit analysis in a result file, for all subcommands.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 namespace kusabi::run {
 
 /// Sizes, units, uncertain loads and structure (docs/result-files.md).
-/// @param truss of which `problem` is  @param file as the call has it
+/// @param truss structure of `problem`
+/// @param file its name in the call
 nlohmann::ordered_json limit_problem_json(const problems::LimitProblem& problem,
                                           const problems::Structure& truss,
                                           const std::string& file);

@@ -1,4 +1,4 @@
-// Part by part. Lists of numbers are a line each in the file, so nodes are numbers here, not names.
+// Structure by parts. Lists of numbers take one line each, so nodes are referred to by index.
 #include "run/pictures/structure_json.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ ordered_json members_json(const Structure& structure) {
   return list;
 }
 
-// "a-b" of each, as the collapse modes of curves call them.
+// "a-b" for each member, as in the collapse modes of curves.
 ordered_json member_names_json(const Structure& structure) {
   const auto name = [&](int node) { return structure.node_names[static_cast<std::size_t>(node)]; };
   auto list = ordered_json::array();
@@ -45,7 +45,7 @@ ordered_json member_names_json(const Structure& structure) {
   return list;
 }
 
-// EA of each member, if it is given of all.
+// EA of each member, if given for all.
 ordered_json axial_stiffnesses_json(const Structure& structure) {
   auto list = ordered_json::array();
   for (const auto& member : structure.members) {
@@ -55,7 +55,7 @@ ordered_json axial_stiffnesses_json(const Structure& structure) {
   return list;
 }
 
-// Shape by shape; within one in the order of the structure.
+// Elements by shape, in each shape in the order of the structure.
 ordered_json elements_json(const std::vector<problems::Element>& all) {
   std::map<problems::ElementShape, std::vector<std::vector<int>>> by_shape;
   for (const auto& element : all) by_shape[element.shape].push_back(element.nodes);
@@ -65,7 +65,7 @@ ordered_json elements_json(const std::vector<problems::Element>& all) {
   return list;
 }
 
-// Which nodes are fixed along x, along y, along z.
+// Nodes fixed along x, along y, along z.
 ordered_json fixed_json(const Structure& structure) {
   auto axes = ordered_json::object();
   for (int axis = 0; axis < structure.dimension; ++axis) {
@@ -111,7 +111,7 @@ ordered_json candidates_json(const Structure& structure) {
   return list;
 }
 
-// Of each candidate the nodes of the other body with their weights; nothing if there is none.
+// Nodes of the other body with weights, for each candidate; nothing if there is none.
 ordered_json against_json(const Structure& structure) {
   auto list = ordered_json::array();
   bool any = false;
@@ -131,7 +131,7 @@ ordered_json loads_json(const Structure& structure, problems::Load::Kind kind) {
   return list;
 }
 
-// q^t and q^c of each member, if they are given of all.
+// q^t and q^c of each member, if given for all.
 ordered_json yield_forces_json(const Structure& structure) {
   auto list = ordered_json::array();
   for (const auto& member : structure.members) {

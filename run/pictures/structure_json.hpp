@@ -1,4 +1,4 @@
-// The structure in a result file, so that whoever draws an answer needs no problem file.
+// Structure in a result file, so that pictures need no problem file.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,11 @@
 
 namespace kusabi::run {
 
-/// Names and positions of the nodes, members, elements, supports, candidates and loads
-/// (docs/result-files.md). Nodes are told by their numbers, from 0; what there is nothing of is
-/// left out.
+/// Names and positions of nodes, members, elements, supports, candidates and loads
+/// (docs/result-files.md). Nodes are referred to by index, from 0; empty parts are left out.
 nlohmann::ordered_json structure_json(const problems::Structure& structure);
 
-/// The elements as they are listed there, shape by shape: of each its place in the structure.
+/// Elements in the order of the result file, shape by shape: their indices in the structure.
 std::vector<std::size_t> listed_elements(const problems::Structure& structure);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// File after file, and their list last, so that it never speaks of what is not there.
+// Files first, then their list, so that it names only existing files.
 #include "run/pictures/vtu_series.hpp"
 
 #include <ostream>

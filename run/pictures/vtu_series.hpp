@@ -1,5 +1,4 @@
-// What --vtu DIR writes: a VTU file for each answer, and a PVD file by which ParaView opens them
-// all.
+// Files of --vtu DIR: one VTU file per answer, and a PVD file for ParaView that lists them.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +10,17 @@
 
 namespace kusabi::run {
 
-/// More files than that nobody looks at: --vtu writes the first of them.
+/// Maximum number of files; --vtu writes the first ones.
 inline constexpr std::size_t longest_series = 1000;
 
 class VtuSeries {
  public:
   explicit VtuSeries(OutputFolder& folder) : folder_(folder) {}
 
-  /// Writes the next one. @throws as OutputFolder
+  /// Writes the next file. @throws as OutputFolder
   void add(const std::string& file, const pictures::UnstructuredGrid& grid);
 
-  /// Writes the PVD file, which lists them all: time 1, 2, …
+  /// Writes the PVD file, with times 1, 2, …
   void finish(const std::string& file, const std::string& remark);
 
  private:
@@ -29,11 +28,10 @@ class VtuSeries {
   std::vector<pictures::SeriesEntry> entries_;
 };
 
-/// "pattern-07.vtu", in a series that has `count` of them.
+/// "pattern-07.vtu", in a series of `count` files.
 std::string numbered_vtu(const std::string& stem, std::size_t number, std::size_t count);
 
-/// What is said if there are more than the longest series has; else empty.
-/// @param things "rays"
+/// A remark if there are more answers than files; else empty. @param things "rays"
 std::string series_remark(std::size_t count, const std::string& things);
 
 }  // namespace kusabi::run

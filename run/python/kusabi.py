@@ -1,14 +1,14 @@
-"""Kusabi from Python: runs the command `kusabi` and reads what it answers.
+"""Kusabi from Python: runs the command `kusabi` and reads its results.
 
-One file on the standard library (Python 3.9 or later); pandas is used if it is there. The command is what the
-environment variable KUSABI names, else `kusabi` of the PATH.
+One file that requires the standard library only (Python 3.9 or later), and uses pandas if
+installed. The command is that of the environment variable KUSABI, otherwise `kusabi` in the PATH.
 
     import kusabi
 
     result = kusabi.run("patterns", "examples/space-truss.toml", mu=0.65, ranks=2)
     result["result"]["count"]               # the result file, see docs/result-files.md
     result.partial                          # stopped early, or something is open
-    result.to_dataframe()                   # a row a pattern; a list of dicts without pandas
+    result.to_dataframe()                   # one row per pattern; a list of dicts without pandas
 
     try:
         kusabi.run("patterns", "wrong.toml", mu=0.65)
@@ -29,10 +29,10 @@ _SOLVED, _WRONG_INPUT, _STOPPED_EARLY = 0, 2, 3  # exit codes; 1 and all others:
 
 
 class Error(Exception):
-    """What went wrong, in the line that the command says it in.
+    """An error, with the message of the command.
 
-    returncode: of the command, None if it was not run; stderr: all that it said;
-    result: what it has written nevertheless (a Result), or None.
+    returncode: exit code of the command, None if it was not run; stderr: all of its messages;
+    result: the result file if it was written nevertheless (a Result), or None.
     """
 
     def __init__(self, message, returncode=None, stderr="", result=None):
@@ -43,23 +43,24 @@ class Error(Exception):
 
 
 class WrongInput(Error):
-    """The problem file or the call is wrong (exit code 2), or a file is no result."""
+    """The problem file or the call is invalid (exit code 2), or a file is not a result."""
 
 
 class Failed(Error):
-    """The run failed: exit code 1, a signal, or what the launcher says."""
+    """The run failed: exit code 1, a signal, or an error of the launcher."""
 
 
 class NotFound(Error):
-    """There is no command `kusabi`, or no launcher."""
+    """The command `kusabi`, or the launcher, does not exist."""
 
 
 class Result(dict):
-    """A result file: a dict with its keys, and a few ways to look at it.
+    """A result file: a dict with its keys, and methods for its parts.
 
-    remarks: what the command said besides, a line each: warnings, what is left open, how to go on.
-    sentence, reservations, warnings: the answer, its limitations and the warnings of the input, as the table and the
-      report have them; empty of files that version 0.1 has written.
+    remarks: further messages of the command, one line each: warnings, open parts, the call that
+    resumes.
+    sentence, reservations, warnings: the answer, its limitations and the warnings about the input,
+    as in the table and the report; empty for files of version 0.1.
     """
 
     def __init__(self, content, partial=None, remarks=()):
@@ -81,25 +82,26 @@ class Result(dict):
 
     @property
     def answer(self):
-        """The key `result`: what was asked for."""
+        """The key `result`: the answer."""
         return self["result"]
 
     @property
     def structure(self):
-        """Nodes, members, elements, supports and loads (not of `mip`)."""
+        """Nodes, members, elements, supports and loads (not for `mip`)."""
         return self["problem"]["structure"]
 
     @property
     def candidates(self):
-        """The names of the contact candidates, in the order of all reactions."""
+        """Names of the contact candidates, in the order of all reactions."""
         return [each["node"] for each in self["problem"]["contact"]]
 
     def rows(self, of=None):
-        """The table of the answer as a list of dicts with the names of the result file: a row a pattern (`patterns`,
-        `critical`, `sweep` of friction), a ray, a member (`limit`), a point (`sweep` of loads), or a column of the program
-        that is not zero (`mip`).
+        """Table of the answer as a list of dicts with the names of the result file: one row per
+        pattern (`patterns`, `critical`, `sweep` of friction), ray, member (`limit`), point (`sweep`
+        of loads), or nonzero column of the program (`mip`).
 
-        of: another list of the answer by its name, such as "staircase" of `sweep`, "groups" of `patterns`.
+        of: name of another list of the answer, such as "staircase" of `sweep`, "groups" of
+        `patterns`.
         """
         if of is not None:
             return _list(self.answer, of)
@@ -121,13 +123,15 @@ class Result(dict):
 def run(command, file, *, ranks=None, input=None, **options):
     """Runs `kusabi COMMAND FILE` and returns its Result.
 
-    command: "patterns", "rays", "critical", "sweep", "limit", "mip", or any other that has --output
-    file: the problem; "-" for the text `input`
-    ranks: on so many ranks, by mpirun (or what the environment variable KUSABI_MPIRUN says); None: in one process
-    options: those of the command, with _ for -: mu=0.65, time_limit=60; True switches one on, None and False leave it
-      out. output="FILE" keeps the result file.
+    command: "patterns", "rays", "critical", "sweep", "limit", "mip", or any other with --output
+    file: the problem file; "-" for the text `input`
+    ranks: number of ranks under mpirun (or the launcher of the environment variable KUSABI_MPIRUN);
+    None: one process
+    options: options of the command, with _ for -: mu=0.65, time_limit=60; True switches one on,
+    None and False leave it out. output="FILE" keeps the result file.
 
-    A run that was stopped, or leaves something open (exit code 3), is no error: `partial` of its Result is true.
+    A run that was stopped, or is partly open (exit code 3), is not an error: `partial` of its
+    Result is true.
     Raises WrongInput, Failed, NotFound.
     """
     with tempfile.TemporaryDirectory() as folder:
@@ -144,9 +148,10 @@ def run(command, file, *, ranks=None, input=None, **options):
 
 
 def call(command, *files, ranks=None, input=None, **options):
-    """Runs any command, such as kusabi.call("verify", "a.cert", problem="a.toml"), and returns what it prints.
+    """Runs any command, such as kusabi.call("verify", "a.cert", problem="a.toml"), and returns its
+    output.
 
-    Raises WrongInput, Failed (of `verify` also: refused), NotFound.
+    Raises WrongInput, Failed (also if `verify` refuses), NotFound.
     """
     ended = _execute(command, files, ranks, input, options)
     if ended.returncode not in (_SOLVED, _STOPPED_EARLY):
@@ -155,7 +160,7 @@ def call(command, *files, ranks=None, input=None, **options):
 
 
 def load(path):
-    """Reads a result file. Raises WrongInput if it is none, OSError if it cannot be read."""
+    """Reads a result file. Raises WrongInput if it is not one, OSError if it cannot be read."""
     return Result(_read(path))
 
 
@@ -208,7 +213,7 @@ def _execute(command, files, ranks, input, options):
 
 def _file_word(file):
     word = os.fspath(file)
-    return f"./{word}" if word.startswith("-") and word != "-" else word  # no option
+    return f"./{word}" if word.startswith("-") and word != "-" else word  # not an option
 
 
 def _executable():
@@ -229,7 +234,7 @@ def _launcher():
 
 
 def _said(text):
-    """The lines of the command; what mpirun adds about a rank that ended with an error begins with a line of dashes."""
+    """Message lines of the command; what mpirun adds about a failed rank begins with a line of dashes."""
     lines = []
     for line in text.splitlines():
         if line.startswith("----------"):
@@ -240,7 +245,8 @@ def _said(text):
 
 
 def _error(ended, result=None):
-    # Warnings come before the error. Refused proofs are an answer, which is printed; else the launcher has spoken.
+    # Warnings precede the error. A refused certificate is an answer, which is printed; otherwise
+    # the message is the launcher's.
     of_launcher = [line.strip() for line in ended.stderr.splitlines() if line.strip(" -")]
     said = _said(ended.stderr)[-1:] or _said(ended.stdout)[:1] or of_launcher[:1]
     message = said[0] if said else f"kusabi ended with exit code {ended.returncode} and said nothing"
@@ -249,7 +255,7 @@ def _error(ended, result=None):
 
 
 def _stamp(path):
-    """Changes when a file is written anew: it is renamed into its place."""
+    """State of a file, which changes when it is replaced."""
     try:
         status = os.stat(path)
     except OSError:
@@ -258,16 +264,16 @@ def _stamp(path):
 
 
 def _is_partial(content):
-    """What exit code 3 says, from the file alone."""
+    """True for exit code 3, determined from the file alone."""
     if "verdict" in content:
         return not content["verdict"]["answered"]
-    answer = content["result"]  # of version 0.1
+    answer = content["result"]  # version 0.1
     if content["status"] not in ("solved", "not-carried"):
         return True
     if content["command"] == "patterns":
         return answer["marginal"] + answer["undecided"] > 0
     if content["command"] == "critical":
-        return bool(answer.get("open", answer.get("doubtful")))  # the latter of 0.1
+        return bool(answer.get("open", answer.get("doubtful")))  # "doubtful" in version 0.1
     if content["command"] == "sweep":
         return bool(answer.get("open")) or any(each.get("count", 0) is None for each in answer["points"])
     if content["command"] == "mip":

@@ -1,5 +1,5 @@
 // `kusabi rays FILE --mu MU`: all extremal rays and maximal cones of wedged configurations in the
-// plane (Algorithms 4.1 to 4.3 of the paper).
+// plane (Algorithms 4.1 to 4.3 of the wedged paper).
 #pragma once
 
 #include <memory>
@@ -12,12 +12,12 @@
 namespace kusabi::run {
 
 struct RaysOptions {
-  std::string file;     ///< the problem
-  double friction = 0;  ///< mu
+  std::string file;     ///< problem file
+  double friction = 0;  ///< friction coefficient mu
   wedged::RayMethod method = wedged::RayMethod::automatic;
-  bool whole = false;     ///< with all displacements and support reactions in the result file
-  bool prove = false;     ///< whether the cones are held against a proved list of patterns
-  engine::Limits limits;  ///< where to stop early; wedged::RayMethod::tree only
+  bool whole = false;     ///< all displacements and support reactions in the result file
+  bool prove = false;     ///< comparison of the cones with a proved list of patterns
+  engine::Limits limits;  ///< limits of the search; wedged::RayMethod::tree only
   CheckpointChoice checkpoint;
 };
 

@@ -1,4 +1,4 @@
-// One pass over the rays, from which table, JSON and CSV are written together.
+// One pass over the rays that writes table, JSON and CSV together.
 #include "run/rays/rays_report.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 using nlohmann::ordered_json;
 using wedged::RayMethod;
 
-/// A table of more rays or cones is for programs: --output and --csv have them all.
+/// Maximum number of rays or cones in the table; --output and --csv contain all.
 constexpr std::size_t longest_table = 60;
 
 struct State {
@@ -52,7 +52,7 @@ ordered_json tree_json(const wedged::RayTreeReport& report) {
   return tree;
 }
 
-// What the run cost.
+// Costs of the run.
 ordered_json statistics_json(const wedged::RayFindings& found) {
   if (found.tree) {
     return {{"ranks", rank_reports(found.tree->ranks, [](const auto& tally) {
@@ -158,8 +158,8 @@ std::string RaysReport::summary() const {
       problems::uniform_friction(problem_) ? "" : " times that of each candidate",
       found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
   fmt::format_to(out,
-                 "relative displacements taken for zero up to {:.1e}, for more from {:.1e} on "
-                 "(tolerance {})\n",
+                 "relative displacements up to {:.1e} are regarded as zero; the smallest other is "
+                 "{:.1e} (tolerance {})\n",
                  found_.health.largest_zero, found_.health.smallest_nonzero, rays::zero_tolerance);
   return text;
 }
@@ -180,7 +180,7 @@ void RaysReport::begin(JsonWriter& json) const {
   json.begin_list();
 }
 
-// The health is that of the numbers, too, which are made while the rays are written.
+// The numerical health includes the numbers of the rays, which are computed while they are written.
 void RaysReport::end_rays_and_all(JsonWriter& json) {
   json.end_list();
   if (!problem_.loose_bodies.empty()) {
@@ -258,7 +258,7 @@ void RaysReport::add(CsvWriter& csv, std::size_t number, const rays::Ray& ray) c
 
 void RaysReport::draw(std::ostream& out) const {
   if (!can_be_drawn()) {
-    out << fmt::format("graph rays {{\n  label=\"{} rays: more than a graph shows\";\n}}\n",
+    out << fmt::format("graph rays {{\n  label=\"{} rays exceed the limit of a graph\";\n}}\n",
                        found_.rays.size());
     return;
   }

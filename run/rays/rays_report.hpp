@@ -1,7 +1,5 @@
-// What `kusabi rays` says: the table for a person, the JSON and the CSV for programs, the graph.
-//
-// There may be millions of rays. They are kept as zero sets, 24 bytes each; their numbers are made
-// one ray at a time, as it is written.
+// Results of `kusabi rays`: table, JSON, CSV and graph. There may be millions of rays: they are
+// kept as zero sets of 24 bytes, and the numbers of each are computed when it is written.
 #pragma once
 
 #include <ostream>
@@ -26,7 +24,7 @@ namespace kusabi::run {
 /// "double-description" or "tree".
 std::string method_name(wedged::RayMethod method);
 
-/// A graph of more is a black square.
+/// Maximum number of rays in the graph.
 inline constexpr std::size_t most_drawn_rays = 200;
 
 class RaysReport {
@@ -42,12 +40,12 @@ class RaysReport {
         page_(page),
         whole_(states) {}
 
-  /// Makes the numbers of all rays, and writes to those of `table`, `csv` and `json` that are
-  /// there. The health of the numbers is then part of `found`.
+  /// Computes the numbers of all rays, and writes them to those of `table`, `csv` and `json` that
+  /// are not null. `found` includes the numerical health of the numbers afterwards.
   void write(std::ostream* table, std::ostream* csv, JsonWriter* json);
 
-  /// Cones and their rays, an edge for each that belongs to one, in the language of Graphviz; of
-  /// too many rays how many there are, and nothing else.
+  /// Graph of cones and their rays in the language of Graphviz; with too many rays only their
+  /// number.
   void draw(std::ostream& out) const;
 
   [[nodiscard]] bool can_be_drawn() const { return found_.rays.size() <= most_drawn_rays; }
@@ -57,15 +55,15 @@ class RaysReport {
     return {found_.rays[number], cone_.all()};
   }
   [[nodiscard]] std::string states(std::size_t number) const;
-  /// The last lines of the table: cones, counts, health, and the answer.
+  /// Last lines of the table: cones, counts, numerical health, and the answer.
   [[nodiscard]] std::string summary() const;
-  void begin(JsonWriter& json) const;       // up to the list of rays, which is open then
-  void end_rays_and_all(JsonWriter& json);  // the rest
+  void begin(JsonWriter& json) const;       // up to the list of rays, which stays open
+  void end_rays_and_all(JsonWriter& json);  // from the end of the list of rays
   [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;
   [[nodiscard]] nlohmann::ordered_json motion_json(std::size_t number);
   [[nodiscard]] nlohmann::ordered_json cone_json(const rays::Cone& cone) const;
   [[nodiscard]] std::string ray_lines(std::size_t number, const rays::Ray& ray) const;
-  void begin(CsvWriter& csv) const;  // its header
+  void begin(CsvWriter& csv) const;  // the header
   void add(CsvWriter& csv, std::size_t number, const rays::Ray& ray) const;
 
   const RaysOptions& options_;

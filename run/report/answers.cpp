@@ -1,4 +1,4 @@
-// What patterns, rays and critical list has a contact set, and mostly a reaction.
+// Patterns, rays and critical patterns have a contact set and, mostly, a reaction.
 #include "run/report/answers.hpp"
 
 #include <string_view>
@@ -6,7 +6,7 @@
 namespace kusabi::run {
 namespace {
 
-// Rays tell the state of each candidate instead of sets of names.
+// Rays have a state for each candidate instead of sets of names.
 void read_states(const ResultReader& reader, const ResultJson& ray, Answer& answer) {
   const auto& candidates = reader.list(reader.at(reader.all(), "problem"), "contact");
   const auto states = reader.names(ray, "state");

@@ -1,4 +1,4 @@
-// The patterns or rays of a result file, as a page lists them.
+// Answer: a pattern or ray of a result file, for the list of a page.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,17 @@ struct Answer {
   std::vector<std::string> contact;
   std::vector<std::string> separated;
   std::vector<std::string> at_rest;
-  std::string state;  ///< empty: the file tells none
-  /// What is told of it, by its name: margin, or the ends of a bracket. Null: not known.
+  std::string state;  ///< empty: not in the file
+  /// Named numbers: margin, or lower and upper bound. Null: unknown.
   std::vector<std::pair<std::string, const ResultJson*>> numbers;
-  std::optional<double> order;             ///< margin or upper end, to sort by
-  const ResultJson* reaction = nullptr;    ///< a row a candidate; null: none is told
-  const pictures::Scene* scene = nullptr;  ///< null: there is none
+  std::optional<double> order;             ///< margin or upper bound, for sorting
+  const ResultJson* reaction = nullptr;    ///< one row per candidate; null: not in the file
+  const pictures::Scene* scene = nullptr;  ///< null: none
 };
 
-/// Empty if the file is not of patterns, rays or critical. They point into the reader and the
-/// scenes. @throws WrongInput
+/// Empty if the file is not of patterns, rays or critical. Answers point into the reader and the
+/// scenes.
+/// @throws WrongInput
 std::vector<Answer> answers(const ResultReader& reader, const ResultScenes& scenes);
 
 }  // namespace kusabi::run

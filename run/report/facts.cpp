@@ -1,4 +1,4 @@
-// Whatever keys there are: the file may be of another version.
+// All keys of an object are shown, since the file may be of another version.
 #include "run/report/facts.hpp"
 
 #include <fmt/format.h>

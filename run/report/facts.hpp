@@ -1,4 +1,4 @@
-// Parts of a page that all results have: numbers, names and tables of what is told by a key.
+// Parts of a page common to all results: numbers, names, and tables of keys and values.
 #pragma once
 
 #include <string>
@@ -10,37 +10,35 @@
 
 namespace kusabi::run {
 
-/// Digits that are shown: of a number among many, and of one that is an answer.
+/// Digits of a number in a table, and of an answer.
 inline constexpr int few_digits = 6;
 inline constexpr int many_digits = 10;
 
-/// A data element that shows so many digits and has the number of the file as its value; "–" if
-/// null.
+/// A data element with so many digits as text and the number of the file as its value; "–" if null.
 void add_number(pictures::Markup& page, const ResultJson* value, int digits = few_digits);
 
-/// The same of a count, which may be decimal digits.
+/// The same for a count, which may be a string of decimal digits.
 void add_count(pictures::Markup& page, const ResultJson* value);
 
 /// Names as text; "–" if there are none.
 std::string joined(const std::vector<std::string>& names);
 
-/// Opens a table in a box that scrolls where it is too wide for the screen, also by the arrow keys;
-/// both are to be closed.
+/// Opens a table in a box that scrolls horizontally, also by arrow keys; the caller closes both.
 void open_table(pictures::Markup& page, std::string_view caption);
 
-/// The same with a row of titles; its rows come next.
+/// The same with a heading row; the caller adds further rows.
 void begin_table(pictures::Markup& page, std::string_view caption,
                  const std::vector<std::string>& columns);
 void end_table(pictures::Markup& page);
 
-/// A table of the keys and values of an object; what is an object within is told as "key, key".
-/// Lists of more than that a person reads are counted.
+/// A table of keys and values of an object; nested objects become rows "key, key". Only the length
+/// of long lists is shown.
 void add_facts(pictures::Markup& page, std::string_view caption, const ResultJson& object);
 
 /// Name, file, sizes, units, fingerprint. @throws WrongInput
 void add_problem(pictures::Markup& page, const ResultReader& reader);
 
-/// How it was called, the search tree, all fingerprints. @throws WrongInput
+/// Call, search tree, fingerprints. @throws WrongInput
 void add_origin(pictures::Markup& page, const ResultReader& reader);
 
 }  // namespace kusabi::run

@@ -1,4 +1,5 @@
-// Each answer carries what the script sorts and filters by as data; without a script it is a list.
+// Each answer has data attributes for the script to sort and filter by; without a script it is a
+// plain list.
 #include "run/report/gallery.hpp"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ std::string meaning(std::string_view key) {
   return "sticks at μ";
 }
 
-// The ends of a bracket may be that near to each other.
+// Largest distance of lower and upper bound that are displayed as one number.
 int digits_of(std::string_view key) {
   return key == "lower" || key == "upper" ? many_digits : few_digits;
 }
@@ -77,7 +78,7 @@ class Gallery {
     }
   }
 
-  // Hidden until a script shows them: without one they would do nothing.
+  // Hidden until the script shows them.
   void controls() {
     const bool has_order = std::ranges::any_of(
         answers_, [](const Answer& answer) { return answer.order.has_value(); });
@@ -105,7 +106,7 @@ class Gallery {
     page_.close();
   }
 
-  // What the script reads.
+  // Data attributes for the script.
   void open_answer(std::string_view tag, std::string_view kind, const Answer& answer) {
     page_.open(tag, {{"class", std::string(kind)},
                      {"id", fmt::format("answer-{}", answer.number)},

@@ -1,4 +1,4 @@
-// The answers of a page: pictures with their numbers, to be filtered and sorted.
+// Answers of a page: pictures with numbers, to be filtered and sorted.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace kusabi::run {
 
-/// The first have a picture, as many as that and as long as these come to no more than so many
-/// bytes: a page has to open on a phone.
+/// Maximum number of pictures, and maximum size of all of them in bytes, so that a phone can open
+/// the page.
 inline constexpr std::size_t most_pictures = 300;
 inline constexpr std::size_t most_picture_bytes = 24'000'000;
 
-/// A list of those with a picture, and a table of the others.
-/// @param things what they are, in the plural: "patterns"
+/// A list of answers with pictures, and a table of the others.
+/// @param things plural noun for answers: "patterns"
 void add_gallery(pictures::Markup& page, const ResultReader& reader, const std::string& things,
                  const std::vector<Answer>& answers);
 

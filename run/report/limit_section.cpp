@@ -1,4 +1,4 @@
-// Nominal and worst case side by side, where there are both.
+// Nominal and worst case side by side, if both exist.
 #include "run/report/limit_section.hpp"
 
 #include <string>

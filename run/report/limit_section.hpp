@@ -1,4 +1,4 @@
-// The limit loads of a page: the interval, the collapse modes, how much the members are used.
+// Limit loads on a page: interval, collapse modes, utilisation of members.
 #pragma once
 
 #include "pictures/html/markup.hpp"

@@ -1,4 +1,4 @@
-// From the verdict down to how it was come by.
+// Sections of a page, from the verdict to the origin of the result.
 #include "run/report/page.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 
 using pictures::Markup;
 
-// Whoever opens the page asks nobody else for anything, whatever is in the file.
+// Content security policy: the page loads nothing, whatever the file contains.
 constexpr const char* nothing_from_elsewhere =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; base-uri 'none'; "
     "form-action 'none'";
@@ -62,7 +62,7 @@ void add_verdict(Markup& page, const Verdict& verdict) {
   add_list(page, "warnings", sentences);
 }
 
-// Facts on one side, the structure and what the marks mean on the other.
+// Facts on one side, structure and legend on the other.
 void add_problem_section(Markup& page, const ResultReader& reader, const ResultScenes& scenes) {
   page.open("section", {{"id", "problem"}}).element("h2", "Problem");
   page.verbatim(
@@ -81,7 +81,7 @@ void add_problem_section(Markup& page, const ResultReader& reader, const ResultS
   page.close();
 }
 
-// Both bounds and their standing.
+// Both bounds with their standing.
 void add_bracket(Markup& page, const CriticalBracket& found) {
   page.open("section", {{"id", "bracket"}}).element("h2", "Critical friction coefficient");
   auto facts = ResultJson::object();

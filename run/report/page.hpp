@@ -1,4 +1,4 @@
-// A result as a page of HTML that needs nothing else.
+// A result as one self-contained HTML page.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace kusabi::run {
 
-/// @throws WrongInput in one line, if it is no result that can be drawn
+/// @throws WrongInput in one line if it is not a result that can be drawn
 std::string report_page(const ResultReader& reader);
 
 }  // namespace kusabi::run

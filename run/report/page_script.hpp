@@ -1,4 +1,4 @@
-// What filters and sorts the answers. The page is whole without it.
+// Script that filters and sorts the answers. The page is complete without it.
 #pragma once
 
 #include <string_view>
@@ -22,7 +22,7 @@ inline constexpr std::string_view page_script = R"(
     contact: JSON.parse(element.dataset.contact),
   }));
   const names = new Set([...document.querySelectorAll("#candidates option")].map(each => each.value));
-  // What has no margin or coefficient comes last, whichever way.
+  // Answers without a margin or coefficient come last in both orders.
   const byValue = way => (a, b) =>
     (a.value === null) - (b.value === null) || way * (a.value - b.value) || a.number - b.number;
   const orders = {
@@ -31,17 +31,17 @@ inline constexpr std::string_view page_script = R"(
     friction: byValue(1),
     size: (a, b) => a.size - b.size || a.number - b.number,
   };
-  // A whole name means that candidate, anything else a part of names.
+  // A complete name matches that candidate, any other text a part of names.
   const matches = (answer, wanted) => wanted === "" ||
     (names.has(wanted) ? answer.contact.includes(wanted) : answer.contact.some(name => name.includes(wanted)));
-  const tell = count => { shown.textContent = count + " of " + answers.length + " shown"; };
+  const showCount = count => { shown.textContent = count + " of " + answers.length + " shown"; };
   const show = () => {
     let count = 0;
     for (const answer of answers) {
       answer.element.hidden = !matches(answer, filter.value.trim());
       if (!answer.element.hidden) ++count;
     }
-    tell(count);
+    showCount(count);
   };
   const sort = () => {
     answers.sort(orders[order.value]);

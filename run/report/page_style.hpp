@@ -1,4 +1,4 @@
-// How the page looks: on light and dark screens, on phones, on paper. Pictures have their own style
+// Style of the page: light and dark screens, phones, paper. Pictures have a style of their own
 // (pictures/svg/style.hpp).
 #pragma once
 

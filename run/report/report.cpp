@@ -1,4 +1,4 @@
-// Reads the result, writes the page.
+// `kusabi report`: reads the result, writes the page.
 #include "run/report/report.hpp"
 
 #include <ostream>

@@ -1,4 +1,4 @@
-// `kusabi report RESULT`: a result file as a page for whoever gets it by mail.
+// `kusabi report RESULT`: a result file as a self-contained HTML page.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Friction has a staircase and the patterns that make it; loads have a line that breaks.
+// Friction: a staircase and its patterns. Loads: a piecewise linear curve.
 #include "run/report/sweep_section.hpp"
 
 #include <string>
@@ -46,7 +46,7 @@ class SweepSection {
     add_number(page_, ResultReader::find(object, key), many_digits);
     page_.close();
   }
-  /// The ends of a bracket; nothing if there is none.
+  /// Lower and upper bound; nothing if there is none.
   void bracket(const ResultJson* ends) {
     page_.open("td");
     if (ends != nullptr) {
@@ -64,7 +64,7 @@ class SweepSection {
     return value.is_boolean() && value.get<bool>();
   }
 
-  // The count, or what is known of it.
+  // The count, or its known part.
   void counts(const ResultJson& counted) {
     for (const char* const key : {"count", "known", "open"}) {
       page_.open("td");

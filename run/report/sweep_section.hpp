@@ -1,4 +1,4 @@
-// What a page says of a sweep: the curve, the points that were asked for, and where it changes.
+// Sweep on a page: the curve, the requested points, and its breakpoints.
 #pragma once
 
 #include "pictures/html/markup.hpp"

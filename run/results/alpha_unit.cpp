@@ -1,4 +1,4 @@
-// One component a load, of weight one.
+// True if there is one component of weight one per load.
 #include "run/results/alpha_unit.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What the alpha of a result of limit analysis is counted in.
+// Unit of alpha in a result of limit analysis.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace kusabi::run {
 
-/// The file's unit of force, if every uncertain load is one component that is there up to alpha;
-/// nothing where alpha is a number of times loads with weights or shapes of their own.
-/// @throws WrongInput if the file is none of limit analysis
+/// The file's unit of force if every uncertain load is one component of weight one; nothing where
+/// alpha multiplies loads with weights or shapes.
+/// @throws WrongInput if the file is not of limit analysis
 std::optional<std::string> unit_of_alpha(const ResultReader& reader);
 
 }  // namespace kusabi::run

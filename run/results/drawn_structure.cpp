@@ -1,4 +1,4 @@
-// Of bodies the faces that two elements share are inside, and nobody sees them.
+// Structure from its JSON. Faces shared by two elements are inside and not drawn.
 #include "run/results/drawn_structure.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using Nodes = std::vector<int>;
 
-// Corners and the nodes between them in the order of the outline.
+// Vertices and midside nodes in the order of the outline.
 Nodes around(const Nodes& corners_first, std::size_t corners) {
   Nodes outline;
   for (std::size_t i = 0; i < corners; ++i) {
@@ -36,7 +36,7 @@ std::optional<problems::ElementShape> shape_named(const std::string& name) {
   return {};
 }
 
-// Faces by their corners; one that comes again is inside.
+// Faces by their vertices; one that occurs twice is inside.
 class Surface {
  public:
   void add(problems::ElementShape shape, const Nodes& nodes) {
@@ -69,7 +69,7 @@ class Surface {
   std::map<Nodes, Nodes> faces_;
 };
 
-// How far from 1 the length of a normal may be: it is drawn, not computed with.
+// Tolerance of the length of a normal, which is drawn only.
 constexpr double unit_length = 0.01;
 
 class StructureReader {
@@ -165,7 +165,7 @@ class StructureReader {
     }
   }
 
-  // A list of the structure; an empty one if it has none.
+  // A list of the structure; empty if there is none.
   [[nodiscard]] const ResultJson& all(const char* key) const {
     static const auto none = ResultJson::array();
     return ResultReader::find(structure_, key) == nullptr ? none : reader_.list(structure_, key);

@@ -1,4 +1,4 @@
-// The structure of a result file, ready to be drawn: what all its answers have in common.
+// Structure of a result file, prepared for pictures: the common part of all answers.
 #pragma once
 
 #include <map>
@@ -10,8 +10,8 @@
 namespace kusabi::run {
 
 struct DrawnStructure {
-  pictures::Scene scene;             ///< at rest, candidates without a state
-  std::map<std::string, int> nodes;  ///< by their names
+  pictures::Scene scene;             ///< undeformed, candidates without a state
+  std::map<std::string, int> nodes;  ///< indices by name
   std::map<std::string, std::size_t> candidates;
   std::vector<Eigen::Matrix3d> frames;  ///< of the candidates: columns n, t1, t2
 };

@@ -1,4 +1,4 @@
-// From the keys that all versions write.
+// Verdict from the keys that all versions have.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -62,7 +62,8 @@ class OlderVerdict {
     });
   }
 
-  // From the blocks: before 0.2 the count of the file was a product that could wrap.
+  // Product over the blocks: before 0.2 the count in the file was a 64-bit product that could
+  // overflow.
   [[nodiscard]] support::ExactCount count_of_ways() const {
     if (!has(result_, "blocks")) return reader_.count(result_, "count");
     constexpr double safe_digits = 19;  // of a product in 64 bits
@@ -100,7 +101,7 @@ class OlderVerdict {
     constexpr double usual_most = 1000;
     found.most = has(options, "mu_max") ? reader_.number(options, "mu_max") : usual_most;
     found.width = has(options, "width") ? reader_.number(options, "width") : 0;
-    // A multiple of the width has a neighbour on either side.
+    // A bracket of more than twice the requested width, with rounding.
     constexpr double wide = 2.5;
     const auto& upper = found.bracket.upper;
     found.wide = upper && upper->value - (lower ? lower->value : 0) > wide * found.width;

@@ -1,4 +1,4 @@
-// Event by event.
+// SAX parser: one call per event.
 #include "run/results/result_parser.hpp"
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class Builder final : public nlohmann::json_sax<ResultJson> {
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t& /*text*/) override { return add(value); }
   bool string(string_t& value) override { return add(std::move(value)); }
-  bool binary(binary_t& /*value*/) override { return false; }  // no text has any
+  bool binary(binary_t& /*value*/) override { return false; }  // does not occur in JSON text
   bool start_object(std::size_t /*size*/) override { return open(ResultJson::object()); }
   bool start_array(std::size_t /*size*/) override { return open(ResultJson::array()); }
   bool end_object() override { return close(); }
@@ -33,7 +33,7 @@ class Builder final : public nlohmann::json_sax<ResultJson> {
   ParsedResult result;
 
  private:
-  // What is open is not moved: only the innermost grows.
+  // Open values are not moved: only the innermost grows.
   ResultJson& place(ResultJson value) {
     if (open_.empty()) return result.json = std::move(value);
     auto& parent = *open_.back();
@@ -57,7 +57,7 @@ class Builder final : public nlohmann::json_sax<ResultJson> {
   }
 
   std::vector<ResultJson*> open_;  // from the root to the innermost
-  std::string name_;               // of the value that comes next, in an object
+  std::string name_;               // name of the next value in an object
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// JSON of whoever wrote it, made a tree in time that grows as the text does.
+// JSON text to tree in linear time, safe for files of unknown origin.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@ namespace kusabi::run {
 
 using ResultJson = nlohmann::ordered_json;
 
-/// Result files go eight deep; whoever walks through a tree goes down as far as it does.
+/// Maximum depth; result files need eight. Recursive readers of the tree go as deep.
 inline constexpr int deepest_result = 32;
 
 struct ParsedResult {
-  ResultJson json;  ///< discarded if the text is no JSON, or is too deep
+  ResultJson json;  ///< discarded if the text is no JSON or too deep
   bool too_deep = false;
 };
 
-/// Of a key that comes again in one object the first counts: to look for it among all others would
-/// take a minute where all nodes of a body are listed.
+/// The first of equal keys counts: a search for each key would take a minute for the nodes of a
+/// large body.
 ParsedResult parse_result(const std::string& text);
 
 }  // namespace kusabi::run

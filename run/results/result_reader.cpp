@@ -1,4 +1,4 @@
-// Every access is checked: the file may be anybody's.
+// Every access is checked, since the file may be invalid.
 #include "run/results/result_reader.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace kusabi::run {
 namespace {
 
-/// Nothing that is solved here has larger numbers; up to there squares and their sums are finite.
+/// Larger numbers do not occur in results; squares and their sums stay finite up to here.
 constexpr double largest_number = 1e100;
 
 bool is_drawable(const ResultJson& value) {

@@ -1,5 +1,5 @@
-// A result file, looked into with the question whether it is one: what is missing, of another type
-// or out of range is an error that says so.
+// ResultReader: checked access to a result file. Missing members, wrong types and numbers out of
+// range are errors with a message.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@
 
 namespace kusabi::run {
 
-/// Largest result file that is read, in bytes: ten thousand patterns of a hundred nodes have 70 MB.
+/// Maximum size of a result file in bytes: ten thousand patterns of a hundred nodes take 70 MB.
 inline constexpr std::uintmax_t largest_result = std::uintmax_t{1} << 30U;
 
 class ResultReader {
  public:
   /// @throws WrongInput if the text is no JSON
   ResultReader(const std::string& text, std::string file);
-  /// Of what is not in a file yet.
+  /// Reader of a result that is not in a file yet.
   ResultReader(ResultJson json, std::string file)
       : file_(std::move(file)), json_(std::move(json)) {}
 
@@ -35,15 +35,15 @@ class ResultReader {
 
   [[nodiscard]] std::string text(const ResultJson& object, const char* key) const;
   [[nodiscard]] double number(const ResultJson& object, const char* key) const;
-  /// A count of any size: a number, or its decimal digits.
+  /// A count of any size: a number, or a string of decimal digits.
   [[nodiscard]] support::ExactCount count(const ResultJson& object, const char* key) const;
-  /// 0 <= the number < count.
+  /// An index with 0 <= index < count.
   [[nodiscard]] int index(const ResultJson& value, std::size_t count) const;
   [[nodiscard]] const ResultJson& list(const ResultJson& object, const char* key) const;
-  /// The same with a length.
+  /// A list of a given length.
   [[nodiscard]] const ResultJson& list(const ResultJson& object, const char* key,
                                        std::size_t length) const;
-  /// The d numbers of a list, and zeros up to three.
+  /// A vector of d numbers, with zeros for the others of three.
   [[nodiscard]] Eigen::Vector3d vector(const ResultJson& value, int dimension) const;
   [[nodiscard]] std::vector<std::string> names(const ResultJson& object, const char* key) const;
 

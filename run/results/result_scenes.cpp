@@ -1,4 +1,4 @@
-// Command by command.
+// Scenes of each subcommand.
 #include "run/results/result_scenes.hpp"
 
 #include <array>
@@ -17,10 +17,10 @@ namespace {
 using pictures::ContactState;
 using pictures::Scene;
 
-/// A line of names is cut when it is so long.
+/// Longer lines of names are cut.
 constexpr std::size_t longest_line = 110;
 
-// "in contact: a b c", cut when it is too long for the paper; empty if there are none.
+// "in contact: a b c", cut to the width of the picture; empty if there are none.
 std::string listed_names(const std::string& what, const std::vector<std::string>& names) {
   if (names.empty()) return {};
   auto line = what + ':';
@@ -64,20 +64,20 @@ class SceneReader {
       read_critical(all);
     } else if (command == "limit") {
       read_collapses(all);
-    } else if (command != "sweep") {  // whose answer is a chart
+    } else if (command != "sweep") {  // a sweep is a chart
       reader_.refuse(fmt::format("is of kusabi {}", command));
     }
     return all;
   }
 
  private:
-  // Counts a scene. @return whether it is to be made
+  // Counts a scene. @return true if it is to be made
   [[nodiscard]] bool is_chosen(ResultScenes& all) const {
     const std::size_t number = all.count++;
     return number >= choice_.first && number - choice_.first < choice_.most;
   }
 
-  // The structure with friction at a coefficient.
+  // The structure with a friction coefficient.
   [[nodiscard]] Scene at_friction(double coefficient) const {
     auto scene = structure_.scene;
     for (auto& candidate : scene.candidates) candidate.friction *= coefficient;
@@ -229,7 +229,7 @@ class SceneReader {
     return found->second;
   }
 
-  // Where a pattern touches, separates and rests.
+  // States of the candidates of a pattern.
   void add_signs(Scene& scene, const ResultJson& pattern) const {
     const auto set = [&](const char* key, const char* what, ContactState state) {
       if (ResultReader::find(pattern, key) == nullptr) return;
@@ -247,7 +247,8 @@ class SceneReader {
     set("at_rest", "at rest", ContactState::at_rest);
   }
 
-  // Reactions from the frames of the candidates to global axes; what nodes and supports do.
+  // Reactions, from the frames of the candidates to global axes; displacements of nodes, support
+  // reactions.
   void add_configuration(Scene& scene, const ResultJson& configuration) const {
     const auto& reactions = reader_.list(configuration, "reaction", scene.candidates.size());
     for (std::size_t i = 0; i < scene.candidates.size(); ++i) {
@@ -258,7 +259,7 @@ class SceneReader {
     scene.support_reactions = by_node(configuration, "support_reactions");
   }
 
-  // No columns if there is no such key.
+  // No columns if the key does not exist.
   [[nodiscard]] Eigen::Matrix3Xd by_node(const ResultJson& configuration, const char* key) const {
     Eigen::Matrix3Xd vectors(3, 0);
     const auto* const values = ResultReader::find(configuration, key);

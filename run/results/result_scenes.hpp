@@ -1,4 +1,4 @@
-// What a result file has to draw.
+// Scenes (pictures) of a result file.
 #pragma once
 
 #include <string>
@@ -10,27 +10,28 @@
 
 namespace kusabi::run {
 
-/// Which scenes are made: each has the positions of all nodes, and there may be many thousands.
+/// Range of scenes to make: each contains the positions of all nodes, and there may be thousands.
 struct SceneChoice {
-  std::size_t first = 0;  ///< from 0
-  std::size_t most;       ///< so many from there on
+  std::size_t first = 0;  ///< index, from 0
+  std::size_t most;       ///< maximum number of scenes
 };
 
 struct ResultScenes {
   pictures::Picture picture;
   std::vector<pictures::Scene> scenes;  ///< those chosen, in the order of the answer
-  std::vector<std::size_t> entries;     ///< of patterns and rays: which of the list each shows
-  std::size_t count = 0;                ///< how many there are, chosen or not
-  pictures::Scene structure;            ///< at rest, without an answer
+  std::vector<std::size_t> entries;     ///< of patterns and rays: index in the list
+  std::size_t count = 0;                ///< number of all scenes
+  pictures::Scene structure;            ///< undeformed, without an answer
   std::string things;                   ///< "patterns", "rays", "collapses"
 };
 
-/// There may be none. @throws WrongInput in one line, if it is no result that can be drawn
+/// The list of scenes may be empty.
+/// @throws WrongInput in one line if it is not a result that can be drawn
 ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice);
 
-/// There is at least one to choose from.
+/// At least one scene.
 /// @param file its name, for messages
-/// @throws WrongInput in one line, if it is no such file or has nothing to draw
+/// @throws WrongInput in one line if it is not a result file or contains nothing to draw
 ResultScenes result_scenes(const ResultReader& reader, const std::string& file, SceneChoice choice);
 
 }  // namespace kusabi::run

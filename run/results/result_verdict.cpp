@@ -1,4 +1,4 @@
-// The key `verdict`, kind by kind, as run/verdict/verdict_json.cpp writes it.
+// The key `verdict` of each kind of answer, as written by run/verdict/verdict_json.cpp.
 #include "run/results/result_verdict.hpp"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ class WrittenVerdict {
     if (!value.is_boolean()) reader_.refuse(fmt::format("'{}' is neither true nor false", key));
     return value.get<bool>();
   }
-  /// Digits of a count of any size.
+  /// A count of any size.
   [[nodiscard]] support::ExactCount digits(const ResultJson& object, const char* key) const {
     auto count = support::ExactCount::read(reader_.text(object, key));
     if (!count) reader_.refuse(fmt::format("'{}' is no count", key));

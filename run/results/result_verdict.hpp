@@ -1,4 +1,4 @@
-// The verdict that a result file holds; of files of older versions, made from the facts in them.
+// Verdict of a result file; for files of older versions, derived from other keys.
 #pragma once
 
 #include "run/results/result_reader.hpp"
@@ -6,14 +6,16 @@
 
 namespace kusabi::run {
 
-/// Its sentences are those of run/verdict/words.hpp: the same as those of the run, if its version
-/// was this one. @throws WrongInput
+/// Sentences are made by run/verdict/words.hpp: they equal those of the run if it was of the same
+/// version.
+/// @throws WrongInput
 Verdict result_verdict(const ResultReader& reader);
 
-/// Of a file without the key `verdict`, which version 0.1 does not write. @throws WrongInput
+/// Verdict of a file without the key `verdict`, which version 0.1 does not write.
+/// @throws WrongInput
 Verdict older_verdict(const ResultReader& reader);
 
-/// What `status` says of the end of the search. @throws WrongInput
+/// End of the search by the key `status`. @throws WrongInput
 engine::Status ended_as(const ResultReader& reader, const std::string& status);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// Friction, then loads: the words and the curve of each.
+// Text and curve of sweeps of friction and of loads.
 #include "run/results/sweep_result.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 using pictures::Chart;
 using pictures::ChartSeries;
 
-/// Finds what both have.
+/// Parts common to both.
 class Swept {
  public:
   Swept(const ResultReader& reader, std::string sentence)
@@ -32,7 +32,7 @@ class Swept {
 
  protected:
   [[nodiscard]] std::string problem_name() const { return reader_.text(problem_, "name"); }
-  // Before what alpha is counted in, if that is a unit.
+  // Text before the unit of alpha, if there is one.
   [[nodiscard]] std::string alpha_in(const char* before) const {
     const auto unit = unit_of_alpha(reader_);
     return unit ? before + *unit : std::string();
@@ -57,7 +57,7 @@ class SweptFriction : public Swept {
 
   [[nodiscard]] std::optional<Chart> chart() const {
     if (list("staircase").empty()) return {};
-    // So many digits an axis has room for.
+    // Maximum number of digits that fit at an axis.
     constexpr double most_digits = 8;
     const bool many = std::ranges::any_of(list("staircase"), [&](const ResultJson& step) {
       return known_between(step).log10() > most_digits;
@@ -101,7 +101,7 @@ class SweptFriction : public Swept {
     return asked;
   }
 
-  // How many the blocks have of the patterns that are asked for, multiplied.
+  // Product over the blocks of the numbers of requested patterns.
   [[nodiscard]] support::ExactCount product_of(
       const std::function<bool(const ResultJson&)>& asked) const {
     std::map<std::string, std::uint64_t> of_block;
@@ -115,7 +115,7 @@ class SweptFriction : public Swept {
     for (const auto& [block, count] : of_block) factors.push_back(count);
     return factors.empty() ? support::ExactCount() : support::ExactCount::product(factors);
   }
-  /// As the file has it, unless that may be a product of 64 bits (0.1) that has wrapped.
+  /// The count of the file, except for a 64-bit product (0.1) that has overflowed.
   [[nodiscard]] support::ExactCount known(const ResultJson& counted, double friction) const {
     if (could_not_wrap_) return reader_.count(counted, "known");
     return product_of([&](const ResultJson& pattern) {

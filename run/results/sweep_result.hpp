@@ -1,4 +1,4 @@
-// The chart of a result of `kusabi sweep`.
+// Chart of a result of `kusabi sweep`.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,15 @@
 
 namespace kusabi::run {
 
-/// False of what is no result, too.
+/// False also if it is not a result.
 bool is_sweep(const ResultReader& reader);
 
-/// Of a sweep: whether the uncertainty of loads was swept, or else friction. @throws WrongInput
+/// True if the uncertainty of loads was swept, false if friction was. @throws WrongInput
 bool sweeps_loads(const ResultReader& reader);
 
-/// The staircase of counts over friction, or the load factor over alpha; nothing if none is known.
-/// @param sentence the headline, which it has below its title @throws WrongInput
+/// Staircase of counts over friction, or load factor over alpha; nothing if none is known.
+/// @param sentence headline, below the title
+/// @throws WrongInput
 std::optional<pictures::Chart> sweep_chart(const ResultReader& reader, const std::string& sentence);
 
 }  // namespace kusabi::run

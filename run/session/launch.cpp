@@ -1,4 +1,4 @@
-// Which variables count, and in which order.
+// Environment variables of launchers, in order of precedence.
 #include "run/session/launch.hpp"
 
 #include <charconv>
@@ -29,8 +29,8 @@ std::optional<Launch> by_mpirun(const Environment& environment, const char* size
 }
 
 std::optional<Launch> by_srun(const Environment& environment) {
-  // The interactive step, the batch script's and others that srun has not made are numbered down
-  // from here (Slurm's slurm.h: SLURM_MAX_NORMAL_STEP_ID).
+  // Identifiers of special steps (interactive step, batch script, others not made by srun) are
+  // numbered downwards from this value (slurm.h: SLURM_MAX_NORMAL_STEP_ID).
   constexpr std::uint64_t first_special_step = 0xfffffff0U;
   const auto step = number_in<std::uint64_t>(environment, "SLURM_STEP_ID");
   const auto number = number_in<unsigned>(environment, "SLURM_PROCID");
@@ -45,7 +45,7 @@ std::optional<Launch> by_srun(const Environment& environment) {
 
 }  // namespace
 
-std::optional<Launch> launch_told_by(const Environment& environment) {
+std::optional<Launch> launch_from(const Environment& environment) {
   if (auto launch = by_mpirun(environment, "OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK")) {
     return launch;
   }

@@ -1,6 +1,5 @@
-// What a launcher (mpirun, srun) says of itself in the environment: how many processes of the
-// command it has started. If they do not find each other, each would do the whole work and write
-// the same files.
+// Launch: number of processes that a launcher (mpirun, srun) has started, from the environment.
+// Processes that are not joined by MPI would each do the whole work and write the same files.
 #pragma once
 
 #include <functional>
@@ -9,29 +8,28 @@
 
 namespace kusabi::run {
 
-/// The value of an environment variable; null if it is not set. std::getenv, but for tests.
+/// Value of an environment variable; null if it is not set. std::getenv, except in tests.
 using Environment = std::function<const char*(const char* name)>;
 
 struct Launch {
-  std::string by;                ///< the variable that says how many
-  unsigned processes = 1;        ///< that were started together, this one among them
-  unsigned number = 0;           ///< of this one, from 0
-  bool step_of_a_batch = false;  ///< by srun, which also starts programs that are no MPI job
+  std::string by;                ///< name of the variable
+  unsigned processes = 1;        ///< processes started together, including this one
+  unsigned number = 0;           ///< index of this process, from 0
+  bool step_of_a_batch = false;  ///< started by srun, which also starts programs without MPI
 };
 
-/// How this process was started.
-///
-/// Open MPI's mpirun says so by OMPI_COMM_WORLD_SIZE, those of MPICH's family by PMI_SIZE; only
-/// without these srun counts, since mpirun may use it to start its daemons. An allocation (salloc,
-/// a batch script) has SLURM_NTASKS, too, but only a process that srun has started has
-/// SLURM_STEP_ID with SLURM_PROCID, and the interactive step of salloc has a number of its own.
-/// @return nothing if no launcher tells
-std::optional<Launch> launch_told_by(const Environment& environment);
+/// Launch of this process. Open MPI sets OMPI_COMM_WORLD_SIZE, launchers of the MPICH family set
+/// PMI_SIZE. srun is considered only without these, since mpirun may use it to start its daemons.
+/// An allocation (salloc, a batch script) also has SLURM_NTASKS, but only processes started by srun
+/// have both SLURM_STEP_ID and SLURM_PROCID, and the interactive step of salloc has a special
+/// number.
+/// @return nothing without a launcher
+std::optional<Launch> launch_from(const Environment& environment);
 
-/// What is wrong if a process that was started so finds itself among `ranks`.
-/// @param serial whether --serial is in the call: a step of a batch system may then run several
-///        searches that have nothing to do with each other; mpirun may not
-/// @return nothing if all is well
+/// Error message if the launch and the number of MPI ranks disagree.
+/// @param serial true if the call has --serial: steps of a batch system may then run independent
+///        searches; mpirun may not
+/// @return nothing if they agree
 std::optional<std::string> fault_of_launch(const std::optional<Launch>& launch, unsigned ranks,
                                            bool serial);
 

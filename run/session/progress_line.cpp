@@ -1,4 +1,4 @@
-// When a line is due, and where it goes.
+// Times at which a progress line is due, and its destination.
 #include "run/session/progress_line.hpp"
 
 #include <cstdio>
@@ -12,12 +12,13 @@
 namespace kusabi::run {
 namespace {
 
-// In seconds. Reductions come in bursts when ranks are idle; a guess wants some distance in time.
+// Seconds. Reductions come in bursts when ranks are idle; an estimate needs some distance in time.
 constexpr double sample_interval = 0.1;
 constexpr double bar_interval = 0.2;
 constexpr unsigned long rows_a_page = 30;
 
-// Asked each time: windows change. The last column stays free, or some terminals begin a new line.
+// Queried each time, since windows change. The last column stays free: some terminals begin a new
+// line otherwise.
 std::size_t terminal_width() {
   constexpr std::size_t usual = 80;
   winsize size{};
@@ -35,7 +36,7 @@ ProgressLine::ProgressLine(engine::Goal goal, const ShownObjective& shown)
 }
 
 ProgressLine::~ProgressLine() {
-  if (bar_shown_) tell("\r\033[K");  // the result follows; the bar has done its work
+  if (bar_shown_) print_message("\r\033[K");  // the result follows
 }
 
 void ProgressLine::show(const engine::Progress& progress) {
@@ -43,7 +44,7 @@ void ProgressLine::show(const engine::Progress& progress) {
   if (progress.seconds >= next_sample_) {
     next_sample_ = progress.seconds + sample_interval;
     remaining_.observe(progress.seconds, progress.closed);
-    if (shown_opened_ < 0) {  // a search that goes on has opened nodes before
+    if (shown_opened_ < 0) {  // a resumed search has opened nodes before
       shown_opened_ = opened;
       shown_seconds_ = progress.seconds;
     }
@@ -62,14 +63,14 @@ void ProgressLine::show(const engine::Progress& progress) {
 
 void ProgressLine::show_bar() {
   bar_shown_ = true;
-  tell("\r\033[K{}", progress_bar(state_, terminal_width()));
+  print_message("\r\033[K{}", progress_bar(state_, terminal_width()));
 }
 
 void ProgressLine::show_row() {
   if (rows_++ % rows_a_page == 0) {
-    tell("{}\n", progress_header(state_.minimising));
+    print_message("{}\n", progress_header(state_.minimising));
   }
-  tell("{}\n", progress_row(state_));
+  print_message("{}\n", progress_row(state_));
 }
 
 }  // namespace kusabi::run

@@ -1,5 +1,5 @@
-// What a person sees while a search runs, on standard error: a bar that moves on a terminal, one
-// line an interval elsewhere, nothing if the search ends at once.
+// Progress of a search on standard error: a bar on a terminal, otherwise one line per interval;
+// nothing for short searches.
 #pragma once
 
 #include "engine/options.hpp"
@@ -27,7 +27,7 @@ class ProgressLine {
   double next_sample_ = 0;
   double next_line_;
   double shown_seconds_ = 0;
-  double shown_opened_ = -1;  // -1: nothing seen yet
+  double shown_opened_ = -1;  // -1: none yet
   unsigned long rows_ = 0;
   bool bar_shown_ = false;
 };

@@ -1,5 +1,5 @@
-// How the state of a running search is written: the rows of the log table and the bar. Functions of
-// their arguments alone; run/session/progress_line.hpp decides when and where.
+// Text of progress: rows of the log and the bar, as functions of their arguments; times and
+// destination are chosen by run/session/progress_line.hpp.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@ namespace kusabi::run {
 
 using engine::ShownObjective;
 
-/// What one line says.
+/// Contents of one line.
 struct ProgressState {
   engine::Progress progress;
-  double nodes_per_second = 0;      ///< lately
-  std::optional<double> remaining;  ///< seconds; unknown if empty
+  double nodes_per_second = 0;      ///< recent rate
+  std::optional<double> remaining;  ///< seconds; empty: unknown
   bool minimising = false;          ///< objective, bound and gap instead of solutions found
-  ShownObjective shown = {};        ///< how those two are shown
+  ShownObjective shown = {};        ///< format of objective and bound
 };
 
 /// Seconds as "0:07", "12:34", "3:07:09", "2 d 03 h", or "> 99 d"; "?" if unknown.
@@ -31,20 +31,20 @@ std::string count(double value);
 /// (objective - bound) / |objective| in percent; "-" while one of the two is unknown.
 std::string gap(double objective, double bound);
 
-/// The names of the columns of `progress_row`, for the same kind of search.
+/// Column headings of `progress_row` for the same kind of search.
 std::string progress_header(bool minimising);
 
-/// One line of the log, without an end of line.
+/// One line of the log, without a line end.
 std::string progress_row(const ProgressState& state);
 
-/// What a row says, column by column, below one for an example: for help and the manual page.
+/// An example row with an explanation of each column, for help and the manual page.
 std::string progress_explained(bool minimising);
 
-/// The bar and as many figures as fit into `width` columns, the most wanted first.
+/// The bar and as many figures as fit into `width` columns, the most important first.
 std::string progress_bar(const ProgressState& state, std::size_t width);
 
-/// Seconds from one row to the next, after so many seconds: 2 s at first, 10 s after 20 s, 1 min
-/// after 2 min, 10 min after 2 h. A night costs less than two hundred lines.
+/// Seconds between two rows, as a function of elapsed seconds: 2 s at first, 10 s after 20 s, 1 min
+/// after 2 min, 10 min after 2 h. Twelve hours give less than two hundred lines.
 double row_interval(double seconds);
 
 }  // namespace kusabi::run

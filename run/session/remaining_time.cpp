@@ -1,4 +1,4 @@
-// Exponential smoothing over unequal intervals, freed from the bias of its start.
+// Exponential smoothing over unequal intervals, with correction of the initial bias.
 #include "run/session/remaining_time.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace kusabi::run {
 namespace {
 
 constexpr double shortest_memory = 10;  // seconds
-constexpr double memory_share = 0.25;   // of the run so far
+constexpr double memory_share = 0.25;   // of the elapsed time
 constexpr double least_seconds = 1;
 constexpr double least_closed = 0.005;
 constexpr int least_advances = 10;

@@ -1,21 +1,22 @@
-// How much longer a search will take, guessed from how fast the closed share of its tree grows.
+// RemainingTime: estimate of the remaining time of a search from the rate at which the closed share
+// of its tree grows.
 #pragma once
 
 #include <optional>
 
 namespace kusabi::run {
 
-/// Shares of a tree say little about work: a large branch may be pruned at once, and a tiny one
-/// last for hours. So the rate is that of the recent past, exponentially smoothed; the past reaches
-/// back over a quarter of the run (10 s at least), since a longer run changes its ways more slowly.
+/// Shares of a tree predict work poorly: a large branch may be pruned at once, a tiny one may last
+/// for hours. The rate is therefore exponentially smoothed over a quarter of the elapsed time (10 s
+/// at least).
 class RemainingTime {
  public:
-  /// Takes note of the closed share, 0 to 1, at a time since the start. The first call sets the
-  /// beginning: what was closed then (before a restart) was not closed at this run's speed.
+  /// Records the closed share, 0 to 1, at a time since the start. The first call sets the origin:
+  /// shares closed before a restart do not count towards the rate of this run.
   void observe(double seconds, double closed);
 
-  /// Seconds still to go; nothing as long as too little has been seen for a guess: less than a
-  /// second, half a percent of the tree, or ten times at which something had been closed.
+  /// Remaining seconds; nothing before there is enough data: one second, half a percent of the
+  /// tree, and ten growths of the closed share.
   [[nodiscard]] std::optional<double> seconds() const;
 
  private:
@@ -24,8 +25,8 @@ class RemainingTime {
   double first_closed_ = 0;
   double last_seconds_ = 0;
   double last_closed_ = 0;
-  double rate_ = 0;    // smoothed, of the weights so far
-  double weight_ = 0;  // their sum; 1 in the end
+  double rate_ = 0;    // weighted sum of rates
+  double weight_ = 0;  // sum of weights; tends to 1
   int advances_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Checkpoints found and refused.
+// Checkpoints and states: found, opened, or refused.
 #include "run/session/restart.hpp"
 
 #include <cerrno>
@@ -24,19 +24,19 @@ std::unique_ptr<engine::Journal> journal_when_free(const std::string& state,
                                                    const engine::Facts& facts, double patience) {
   using Clock = std::chrono::steady_clock;
   const auto begun = Clock::now();
-  for (bool told = false;; told = true) {
+  for (bool announced = false;; announced = true) {
     try {
       return std::make_unique<engine::Journal>(state, facts);
     } catch (const engine::JournalInUse&) {
       if (std::chrono::duration<double>(Clock::now() - begun).count() >= patience) throw;
     }
-    if (!told)
-      warn(fmt::format("{}: is in use by another run; waiting {} s for its end", state, patience));
+    if (!announced)
+      warn(fmt::format("{}: in use by another run; waiting up to {} s", state, patience));
     std::this_thread::sleep_for(between_two_looks);
   }
 }
 
-// A wrong name should cost a second and not the night.
+// Checked before the search, so that a wrong name is reported at once.
 void require_writable_folder(const std::string& checkpoint) {
   const auto folder = std::filesystem::absolute(checkpoint).parent_path();
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
@@ -48,7 +48,7 @@ void require_writable_folder(const std::string& checkpoint) {
 }  // namespace
 
 void warn(const std::string& line) {
-  tell_doubt("kusabi: warning: " + line);
+  print_warning("kusabi: warning: " + line);
 }
 
 void warn_all(Session& session, const std::vector<std::string>& lines) {
@@ -63,11 +63,12 @@ std::string restart_from(Session& session, const std::string& checkpoint,
                          const std::string& restart, std::optional<std::uint64_t> tree) {
   return session.from_first_rank([&]() -> std::string {
     if (!checkpoint.empty()) require_writable_folder(checkpoint);
-    // The engine refuses to overwrite one as well; here the call can be said that goes on.
+    // The engine refuses to overwrite a checkpoint, too; this message contains the call that
+    // resumes.
     if (!checkpoint.empty() && restart != checkpoint && engine::checkpoint_exists(checkpoint)) {
       throw WrongInput(
-          fmt::format("--checkpoint {}: exists already; expected --restart {} to go on from it, "
-                      "that it is removed, or a new name",
+          fmt::format("--checkpoint {}: exists already; expected --restart {} to resume from it, "
+                      "its removal, or another name",
                       checkpoint, checkpoint));
     }
     if (restart.empty()) return {};

@@ -1,4 +1,4 @@
-// The choice between MPI and a single process, and what is wrong, told to all ranks.
+// Choice between MPI and a single process; errors broadcast to all ranks.
 #include "run/session/session.hpp"
 
 #include <algorithm>
@@ -25,10 +25,10 @@ bool serial_wanted(int argc, char** argv) {
   });
 }
 
-// What rank 0 has to say.
-struct Told {
+// Message of rank 0.
+struct Prepared {
   engine::Bytes bytes;
-  std::string wrong;  // what is wrong with the call or its input; empty: nothing
+  std::string wrong;  // error in the call or its input; empty: none
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
@@ -60,15 +60,15 @@ engine::Transport& Session::transport() {
 }
 
 std::optional<std::string> Session::fault_of_launch(bool serial) {
-  const auto launch = launch_told_by([](const char* name) { return std::getenv(name); });
+  const auto launch = launch_from([](const char* name) { return std::getenv(name); });
   auto fault = run::fault_of_launch(launch, static_cast<unsigned>(ranks()), serial);
   if (fault && launch->number != 0) fault->clear();
   return fault;
 }
 
-engine::Bytes Session::told(const std::function<engine::Bytes()>& prepare) {
-  auto told = engine::from_first_rank(transport(), [&] {
-    Told own;
+engine::Bytes Session::broadcast(const std::function<engine::Bytes()>& prepare) {
+  auto prepared = engine::from_first_rank(transport(), [&] {
+    Prepared own;
     try {
       own.bytes = prepare();
     } catch (const WrongInput& error) {
@@ -78,8 +78,8 @@ engine::Bytes Session::told(const std::function<engine::Bytes()>& prepare) {
     }
     return own;
   });
-  if (!told.wrong.empty()) throw WrongInput(told.wrong);
-  return std::move(told.bytes);
+  if (!prepared.wrong.empty()) throw WrongInput(prepared.wrong);
+  return std::move(prepared.bytes);
 }
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// A progress line a search, a line of text for what is between them.
+// One progress line per search, one line of text for each stage between searches.
 #include "run/session/supervision.hpp"
 
 #include <memory>
@@ -20,7 +20,7 @@ engine::Supervision supervision(const engine::Limits& limits, bool quiet) {
     const auto line = std::make_shared<ProgressLine>(goal, shown);
     return [line](const engine::Progress& progress) { line->show(progress); };
   };
-  result.say = [](const std::string& text) { tell("{}\n", text); };
+  result.say = [](const std::string& text) { print_message("{}\n", text); };
   return result;
 }
 

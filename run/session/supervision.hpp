@@ -1,12 +1,12 @@
-// How the command takes part in a question (engine/analysis/analysis.hpp): the limits of the call,
-// stopped by signals, and its progress shown on rank 0.
+// Supervision of an analysis (engine/analysis/analysis.hpp) by the command: limits of the call,
+// signals, and progress shown on rank 0.
 #pragma once
 
 #include "engine/analysis/analysis.hpp"
 
 namespace kusabi::run {
 
-/// Signals are heeded from here on. @param quiet whether to show nothing
+/// Catches signals from here on. @param quiet no progress is shown
 engine::Supervision supervision(const engine::Limits& limits, bool quiet);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// Durations read unit by unit, and squeue asked where the environment says nothing.
+// Durations parsed unit by unit; squeue is called where the environment has no end time.
 #include "run/session/time_limit.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr double minute = 60;
 constexpr double hour = 60 * minute;
 constexpr double day = 24 * hour;
 
-// The number that a text begins with, which is cut off.
+// The number at the beginning of a text, which is removed from it.
 std::optional<double> take_number(std::string_view& text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -46,7 +46,7 @@ std::optional<double> unit_of(char letter) {
   }
 }
 
-// As squeue writes the time that is left: "MM:SS", "HH:MM:SS", "D-HH:MM:SS".
+// Remaining time in the format of squeue: "MM:SS", "HH:MM:SS", "D-HH:MM:SS".
 std::optional<double> seconds_of_squeue(std::string_view text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
   double days = 0;
@@ -114,8 +114,8 @@ double seconds_of_slurm_job(const Environment& environment, const Shell& shell, 
   const auto* const job = environment("SLURM_JOB_ID");
   if (job == nullptr) {
     throw WrongInput(
-        "--time-limit slurm: this is no job of Slurm (SLURM_JOB_ID is not set); expected a "
-        "duration, as 1h30m");
+        "--time-limit slurm: not in a Slurm job (SLURM_JOB_ID is not set); expected a duration "
+        "such as 1h30m");
   }
   const auto less_margin = [](double left) {
     return std::max(0.0, left - margin_before_the_end(left));
@@ -125,14 +125,14 @@ double seconds_of_slurm_job(const Environment& environment, const Shell& shell, 
     if (const auto at = take_number(text); at && text.empty()) return less_margin(*at - now);
   }
   std::string_view digits(job);
-  const auto number = take_number(digits);  // what goes to the shell is a number
+  const auto number = take_number(digits);  // only a number goes to the shell
   const auto left = number && digits.empty()
                         ? shell(fmt::format("squeue -h -j {} -o %L 2>/dev/null", job))
                         : std::string();
   if (const auto seconds = seconds_of_squeue(left)) return less_margin(*seconds);
   throw WrongInput(
-      fmt::format("--time-limit slurm: it cannot be told when job {} ends (SLURM_JOB_END_TIME is "
-                  "not set, and squeue says '{}'); expected a duration, as 1h30m",
+      fmt::format("--time-limit slurm: the end of job {} is unknown (SLURM_JOB_END_TIME is not "
+                  "set, and squeue prints '{}'); expected a duration such as 1h30m",
                   job, left.substr(0, left.find('\n'))));
 }
 

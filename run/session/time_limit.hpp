@@ -1,4 +1,4 @@
-// How long a run may take, as people say it (90s, 1h30m, 5400) or as the batch system has it.
+// Time limit of a run: a duration (90s, 1h30m, 5400), or the end of the batch job.
 #pragma once
 
 #include <functional>
@@ -10,24 +10,25 @@
 
 namespace kusabi::run {
 
-/// Seconds that a text like "5400", "90s", "1h30m" or "2d" means; nothing if it is none of these or
-/// not above zero.
+/// Seconds of a text like "5400", "90s", "1h30m" or "2d"; nothing if it is none of these or not
+/// positive.
 std::optional<double> seconds_in(std::string_view text);
 
-/// What is kept back of a job's time, to write what was found: a tenth of what is left of it, two
-/// minutes at most. @param left seconds
+/// Time reserved for writing the results: a tenth of the remaining time of the job, two minutes at
+/// most.
+/// @param left seconds
 double margin_before_the_end(double left);
 
-/// Prints what a command of the shell prints; empty if it fails. popen, but for tests.
+/// Output of a shell command; empty if it fails. popen, except in tests.
 using Shell = std::function<std::string(const std::string& command)>;
 
-/// Seconds until Slurm ends the job that this process is of, less the margin: by
-/// SLURM_JOB_END_TIME, or by what squeue says.
+/// Seconds until Slurm ends the job of this process, less the margin: by SLURM_JOB_END_TIME, or by
+/// squeue.
 /// @param now seconds since 1970
-/// @throws WrongInput if this is no job of Slurm, or it cannot be told when it ends
+/// @throws WrongInput if this is no job of Slurm, or its end is unknown
 double seconds_of_slurm_job(const Environment& environment, const Shell& shell, double now);
 
-/// The same of this process.
+/// The same for this process.
 double seconds_of_slurm_job();
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// The file read and checked, its sizes told, its picture written.
+// `kusabi show`: reads and checks a file, prints its sizes, draws it.
 #include "run/show/show.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-// `kusabi show FILE`: what a problem file describes, before anything is solved.
+// `kusabi show FILE`: contents of a problem file, without solving it.
 #pragma once
 
 #include <memory>

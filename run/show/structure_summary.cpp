@@ -1,4 +1,4 @@
-// Counting, and the sentences for it.
+// Counts and their sentences.
 #include "run/show/structure_summary.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::string bodies(const Structure& structure) {
   return joined(parts);
 }
 
-// Each connected body, and what holds it.
+// Connected bodies with their supports.
 std::string connected(const Structure& structure) {
   constexpr std::size_t most = 12;
   const auto all = problems::connected_bodies(structure);
@@ -83,7 +83,7 @@ std::string extent(const Structure& structure) {
   return fmt::format("{}, in {}", joined(parts), structure.units.length);
 }
 
-// How many nodes are held along which axes.
+// Numbers of supported nodes by axes.
 std::string supports(const Structure& structure) {
   std::map<std::string, std::size_t> held;
   for (const auto& axes : structure.fixed) {

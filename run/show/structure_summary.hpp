@@ -1,4 +1,4 @@
-// What a structure has of what, in a few lines.
+// Summary of a structure in a few lines.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace kusabi::run {
 
-/// Sizes, supports, candidates and loads; a line each, the last one ended too.
+/// Sizes, supports, candidates and loads, one line each, with a final line end.
 std::string structure_summary(const problems::Structure& structure);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// From the range of friction to the staircase of counts.
+// Sweep of friction: staircase of counts over a range of coefficients.
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -66,7 +66,7 @@ class FrictionSweep final : public Swept {
   [[nodiscard]] Verdict verdict() const override;
 
  private:
-  /// At the points that were asked for; none if the tree was not done.
+  /// Counts at the requested points; none if the tree was not finished.
   [[nodiscard]] std::vector<wedged::ConeCount> counts() const;
   [[nodiscard]] std::string points_text() const;
   [[nodiscard]] std::string cones_text() const;

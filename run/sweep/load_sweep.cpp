@@ -1,4 +1,4 @@
-// From the range of uncertainty to the worst-case limit load factors.
+// Sweep of loads: worst-case limit load factors over a range of uncertainty.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -33,7 +33,7 @@ const char* state_of(const limit::LimitWorstCase& worst) {
   return worst.status == RootStatus::not_carried ? "not-carried" : "solved";
 }
 
-// Which factors below the worst case are carried under every admissible load.
+// Load factors below the worst case that are carried under every admissible load.
 std::string lower_end_text(const limit::GuaranteedInterval& interval) {
   const char* const standing = interval.decided() ? "" : ", not proved";
   if (interval.is_empty()) return fmt::format("; no factor for all loads{}", standing);
@@ -75,7 +75,7 @@ class LoadSweep final : public Swept {
   [[nodiscard]] Verdict verdict() const override;
 
  private:
-  /// lambda_min over multiples of the largest alpha; null if it is not known.
+  /// lambda_min over multiples of the largest alpha; null if unknown.
   [[nodiscard]] const limit::LoadCurve* curve() const {
     const auto& curve = found_.last.worst_curve;
     return curve && !curve->pieces.empty() ? &*curve : nullptr;
@@ -152,7 +152,7 @@ ordered_json LoadSweep::json() const {
           {"statistics", {{"ranks", ranks_}}}};
 }
 
-// A number as it is, or nothing where there is none.
+// The number, or nothing if it is absent.
 std::string finite(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "";
 }

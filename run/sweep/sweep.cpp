@@ -1,4 +1,4 @@
-// The options, and which of the two is swept.
+// `kusabi sweep`: options, and the choice between friction and loads.
 #include "run/sweep/sweep.hpp"
 
 #include <optional>
@@ -123,7 +123,7 @@ void Sweep::check() const {
 }
 
 void Sweep::prepare(CommandRun& run) {
-  // Every rank works the problem out by itself: the same text gives the same bits everywhere.
+  // Every rank prepares the problem by itself: the same text gives the same bits everywhere.
   auto [structure, facets] = problems::read_structure_and_facets(text_, options_.file);
   warn_all(run.session(), structure.warnings);
   if (options_.alpha.empty()) {
@@ -142,7 +142,7 @@ void Sweep::prepare(CommandRun& run) {
 }
 
 std::vector<Step> Sweep::results(CommandRun& run) {
-  // Words and chart are of the result file, as those of whoever reads it later.
+  // Text and chart are made from the result file, as by later readers of it.
   const ResultReader result(swept_->json(), "the result");
   std::vector<Step> steps{run.result([json = result.all()] { return json; }),
                           run.file("--csv", [this](std::ostream& out) { swept_->write_csv(out); })};

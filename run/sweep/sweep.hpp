@@ -1,6 +1,5 @@
-// `kusabi sweep FILE --mu …`: how the number of sign patterns grows with friction, exact between
-// the points; `kusabi sweep FILE --alpha …`: how the worst-case limit load falls as the loads
-// become less certain, likewise.
+// `kusabi sweep FILE --mu …`: number of sign patterns over the friction coefficient, exact between
+// points; `kusabi sweep FILE --alpha …`: worst-case limit load over the uncertainty of loads.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Numbers between colons or commas.
+// Numbers separated by colons or commas.
 #include "run/sweep/sweep_points.hpp"
 
 #include <algorithm>

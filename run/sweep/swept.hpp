@@ -1,5 +1,5 @@
-// What can be swept: friction coefficients of a wedged problem, or the uncertainty of a truss's
-// loads. Each has the stages of a subcommand that hang on which it is.
+// Swept: quantity of a sweep, friction coefficients of a wedged problem or uncertainty of the loads
+// of a truss, with the stages of a subcommand that depend on it.
 #pragma once
 
 #include <memory>
@@ -16,16 +16,16 @@
 
 namespace kusabi::run {
 
-/// As the call has them.
+/// Options as in the call.
 struct SweepOptions {
   std::string file;
   std::string mu;                ///< points of the friction coefficient; empty: none
   std::optional<double> mu_max;  ///< the largest coefficient
   double width = 1e-8;           ///< of the brackets of friction coefficients
   std::string alpha;             ///< points of the uncertainty; empty: friction is swept
-  std::string load_case;         ///< of a truss; empty: the file has one
-  std::string group_alpha;       ///< of a truss: half-widths of some groups, which are not swept
-  bool prove = false;            ///< whether the counts are held against proved lists of patterns
+  std::string load_case;         ///< load case of a truss; empty: the file has one
+  std::string group_alpha;       ///< half-widths of groups of loads of a truss, which are not swept
+  bool prove = false;            ///< comparison of the counts with proved lists of patterns
   engine::Limits limits;
   CheckpointChoice checkpoint;
 };
@@ -41,7 +41,7 @@ class Swept {
   [[nodiscard]] virtual std::string announcement(const std::string& ranks) const = 0;
   virtual void search(CommandRun& run) = 0;
 
-  // Of the answer, on rank 0.
+  // JSON of the answer, on rank 0.
   [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
   virtual void write_csv(std::ostream& out) const = 0;
   [[nodiscard]] virtual std::string table() const = 0;

@@ -1,4 +1,4 @@
-// The sentences of each kind of answer.
+// Sentences for each kind of answer.
 #pragma once
 
 #include <string>
@@ -28,10 +28,10 @@ void reserve(const LoadSteps& found, std::vector<Reservation>& all);
 void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const CertificateCheck& found, std::vector<Reservation>& all);
 
-/// What is appended to a clause: nothing of what is proved, else " (computed, not proved)".
+/// Suffix of a clause: empty if proved, otherwise " (computed, not proved)".
 const char* unless_proved(Standing standing);
 
-/// "± 0.45 kN", of an uncertain load.
+/// "± 0.45 kN": half-width of an uncertain load.
 std::string half_width_text(double half_width, const std::optional<std::string>& force);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// A line each.
+// One line for each part of the verdict.
 #include "run/verdict/conclusion_text.hpp"
 
 #include "run/verdict/words.hpp"
@@ -13,8 +13,8 @@ std::string conclusion_text(const Verdict& verdict, const Page& page) {
     for (const auto& each : verdict.details) text += ' ' + each;
     text += '\n';
   }
-  for (const auto& each : reservations(verdict)) text += page.doubtful(each.sentence) + '\n';
-  for (const auto& each : verdict.warnings) text += page.doubtful("Warning: " + each) + '\n';
+  for (const auto& each : reservations(verdict)) text += page.warning(each.sentence) + '\n';
+  for (const auto& each : verdict.warnings) text += page.warning("Warning: " + each) + '\n';
   return text;
 }
 

@@ -1,4 +1,4 @@
-// The verdict beneath a table: headline, reservations, warnings of the input.
+// Text of a verdict beneath a table: headline, reservations, warnings about the input.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace kusabi::run {
 
-/// Lines that end a table; empty without a question and without warnings.
+/// Last lines of a table; empty if there is neither a question nor a warning.
 std::string conclusion_text(const Verdict& verdict, const Page& page);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// An open reservation is a partial answer; a refusal is a failure.
+// An open reservation makes the answer partial; a refused certificate is a failure.
 #include "run/verdict/ending.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The end of a run: its exit code, its status in result files.
+// End of a run: its exit code, and its status in result files.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace kusabi::run {
 
-/// Nothing that was asked for is open.
+/// True if nothing that was requested is open.
 bool is_answered(const Verdict& verdict);
 
 ExitCode exit_code(const Verdict& verdict);
 
-/// The key `status`: "solved", the limit that ended the search, or of loads also "not-carried" and
+/// The key `status`: "solved", the limit that ended the search, or, for loads, "not-carried" or
 /// "open".
 std::string status_text(const Verdict& verdict);
 

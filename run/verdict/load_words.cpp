@@ -1,4 +1,4 @@
-// Sentences of load factors.
+// Sentences about load factors.
 #include <fmt/format.h>
 
 #include "run/verdict/answer_words.hpp"
@@ -35,7 +35,7 @@ std::string nominal(const LoadInterval& found) {
                      unless_proved(standing));
 }
 
-// The interval is empty: this end lies above the other.
+// The interval is empty: its lower end lies above its upper end.
 std::optional<Standing> empty(const LoadInterval& found) {
   const auto& above = found.least.lower;
   const auto& below = found.most.upper;
@@ -45,7 +45,7 @@ std::optional<Standing> empty(const LoadInterval& found) {
   return proved ? Standing::proved : Standing::computed;
 }
 
-// The ends touch: not empty, and no factor is known to be carried.
+// The ends meet: the interval is not empty, but no factor in it is known to be carried.
 bool is_undecided(const LoadInterval& found) {
   const auto& from = found.least.upper;
   const auto& to = found.most.lower;

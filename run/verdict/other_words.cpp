@@ -1,4 +1,4 @@
-// Sentences of zero-one programs and of certificates.
+// Sentences about zero-one programs and certificates.
 #include <fmt/format.h>
 
 #include "run/output/values.hpp"

@@ -1,4 +1,4 @@
-// Decimal places first, then the side.
+// Decimal places are chosen first, then each bound is rounded outwards.
 #include "run/verdict/shown_bracket.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ int places_of(double number, int digits) {
   return digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number))));
 }
 
-// Zeros at the end say nothing.
+// Trailing zeros are removed.
 std::string trimmed(std::string number) {
   if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
   number.erase(number.find_last_not_of('0') + 1);
@@ -28,7 +28,7 @@ std::string trimmed(std::string number) {
   return number;
 }
 
-// @param way -1 down, 1 up
+// @param way -1: down, 1: up
 std::string rounded(double number, int places, int way) {
   if (!std::isfinite(number) || places < 0 || places > most_places)
     return fmt::format("{}", number);

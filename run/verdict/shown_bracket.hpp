@@ -1,13 +1,13 @@
-// Bounds as decimal numbers that are bounds, too: lower ones rounded down, upper ones up.
+// Bounds as decimal numbers that remain bounds: lower ones rounded down, upper ones up.
 #pragma once
 
 #include <string>
 
 namespace kusabi::run {
 
-/// Five significant digits of a sentence.
+/// Significant digits in a sentence.
 inline constexpr int digits_of_sentence = 5;
-/// At least so many of a table.
+/// Minimum number of significant digits in a table.
 inline constexpr int digits_of_table = 12;
 
 std::string rounded_down(double number, int digits = digits_of_sentence);
@@ -17,10 +17,11 @@ struct ShownBracket {
   std::string lower, upper;
 };
 
-/// Both to the same decimal place, that of the finer one: "0.99999" and "1.00001".
+/// Both to the decimal place of the finer one: "0.99999" and "1.00001".
 ShownBracket in_sentence(double lower, double upper);
 
-/// To so many digits that what is shown is at most twice as wide as the bracket; 12 at least.
+/// To as many digits as make the displayed bracket at most twice as wide as the exact one; 12 at
+/// least.
 ShownBracket in_table(double lower, double upper);
 
 }  // namespace kusabi::run

@@ -1,6 +1,6 @@
-// The answer of a run as one value: bounds and counts with their standing. Headlines, reservations,
-// statuses and exit codes are functions of it (words.hpp, ending.hpp, verdict_json.hpp), and
-// nothing else makes them.
+// Verdict: the answer of a run as one value, bounds and counts with their standing. Headlines,
+// reservations, statuses and exit codes are made from it alone (words.hpp, ending.hpp,
+// verdict_json.hpp).
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@
 
 namespace kusabi::run {
 
-/// Of a bound or a list that is there; one that is absent is open.
+/// Standing of a bound or a list. An absent one is open.
 enum class Standing {
-  proved,    ///< holds in spite of rounding
+  proved,    ///< holds including rounding errors
   computed,  ///< in floating point, without a proof
 };
 
@@ -39,35 +39,35 @@ struct Bracket {
   std::optional<Bound> lower{}, upper{};
 };
 
-/// The remainder of an exact test of a list of patterns (`--prove`, or scales that are far apart).
+/// Remainder of an exact test of a list of patterns (`--prove`, or scales that are far apart).
 struct ExactDoubt {
-  double scale_ratio = 1;   ///< of the structure
-  std::string why{};        ///< the list may be another one, a clause; empty: all but `nodes` holds
-  std::uint64_t nodes = 0;  ///< closed ones of which the test says nothing
+  double scale_ratio = 1;  ///< of the structure
+  std::string why{};  ///< clause: the list may be incomplete; empty: it is exact except for `nodes`
+  std::uint64_t nodes = 0;  ///< closed nodes that the test does not cover
 };
 
 /// Wedged configurations at one friction coefficient: `patterns`, `rays`.
 struct Sticking {
-  std::string thing = "way";  ///< counted, in the singular
+  std::string thing = "way";  ///< noun for the count, in the singular
   double friction = 0;
-  bool factor = false;                       ///< `friction` multiplies that of each candidate
-  support::ExactCount count{};               ///< it may exceed any integer type
-  std::uint64_t undecided = 0;               ///< sign patterns that are not counted
+  bool factor = false;          ///< `friction` multiplies the coefficient of each candidate
+  support::ExactCount count{};  ///< may exceed any integer type
+  std::uint64_t undecided = 0;  ///< sign patterns not counted
   Standing standing = Standing::proved;      ///< of the list
-  Grounds grounds = Grounds::solver_bounds;  ///< of a proved one
-  std::uint64_t degenerate = 0;  ///< closed nodes with a margin of zero of which nothing is proved
-  bool ambiguous = false;        ///< numbers too near to zero to be told from it
-  std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was called for, or it leaves none
+  Grounds grounds = Grounds::solver_bounds;  ///< of a proved list
+  std::uint64_t degenerate = 0;  ///< closed nodes with margin zero about which nothing is proved
+  bool ambiguous = false;        ///< numbers that cannot be distinguished from zero
+  std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was requested, or nothing remains
 };
 
 /// The critical friction coefficient: `critical`.
 struct CriticalBracket {
-  Bracket bracket{};    ///< it cannot stick at `lower` or below, and sticks at `upper`
+  Bracket bracket{};    ///< the structure cannot stick at `lower` or below, and sticks at `upper`
   bool factor = false;  ///< coefficients multiply that of each candidate
   double most = 0;      ///< upper limit of the search
-  double width = 0;     ///< of the bracket, as asked for
+  double width = 0;     ///< requested width of the bracket
   bool wide = false;    ///< the bracket is wider
-  /// The patterns that stick at `upper` were asked for, and are not known.
+  /// The patterns that stick at `upper` were requested, and are not known.
   bool patterns_open = false;
   Grounds grounds = Grounds::exact_arithmetic;  ///< of proved ends
 };
@@ -76,45 +76,46 @@ struct CriticalBracket {
 struct FrictionSteps {
   double most = 0;      ///< upper limit of the sweep
   bool factor = false;  ///< coefficients multiply that of each candidate
-  /// It cannot stick up to here; absent: the patterns at `most` were not all found.
+  /// It cannot stick up to here; absent: not all patterns at `most` were found.
   std::optional<Bound> infeasible{};
   support::ExactCount count{};         ///< of patterns at `most`
-  std::uint64_t open_at_most = 0;      ///< patterns that may be added to it
-  std::uint64_t open_patterns = 0;     ///< without a coefficient from which on they stick
-  std::uint64_t undecided_points = 0;  ///< of those asked for
+  std::uint64_t open_at_most = 0;      ///< patterns that may be added to the count
+  std::uint64_t open_patterns = 0;     ///< patterns without a coefficient at which they become
+                                       ///< feasible
+  std::uint64_t undecided_points = 0;  ///< of the requested points
   std::optional<ExactDoubt> doubt{};   ///< of the counts
 };
 
 /// Bounds of an uncertain dead load.
 struct LoadRange {
   std::optional<double> half_width{};  ///< absent: each load has its own
-  std::optional<std::string> force{};  ///< unit of it; absent: it is a number of times the loads
+  std::optional<std::string> force{};  ///< unit of half_width; absent: a multiple of the loads
 };
 
-/// Load factors that are carried: `limit`. Of an uncertain dead load those that are carried under
-/// every admissible one, from the greatest of the least factors to the least of the largest.
+/// Load factors that are carried: `limit`. For an uncertain dead load, factors carried under every
+/// admissible load: from the greatest of the least factors to the least of the largest.
 struct LoadInterval {
-  std::optional<LoadRange> uncertain{};  ///< absent: the dead load is as given
+  std::optional<LoadRange> uncertain{};  ///< absent: the dead load is fixed
   Bracket least{}, most{};               ///< the ends of the interval
   /// A dead load is carried at no factor of either sign.
   std::optional<Standing> carried_at_none{};
-  /// `most` rests on the M of (29): its bounds hold if that is large enough.
+  /// `most` rests on the M of (29): its bounds hold if M is large enough.
   bool if_big_m = false;
-  /// Not all that was asked for was computed, such as a curve.
+  /// Part of the request, such as a curve, was not computed.
   bool incomplete = false;
-  std::uint64_t cases = 1;  ///< load cases, in all of which the factors are carried
+  std::uint64_t cases = 1;  ///< load cases; the factors are carried in all of them
 };
 
 /// Load factors over the uncertainty of the dead load: `sweep --alpha`.
 struct LoadSteps {
   std::optional<Bound> nominal{};              ///< without uncertainty
-  std::optional<Standing> nominal_at_none{};   ///< the nominal load is carried at no factor
+  std::optional<Standing> nominal_at_none{};   ///< the nominal load is not carried at any factor
   std::optional<double> half_width{};          ///< of the last point computed
   std::optional<std::string> force{};          ///< its unit, as in LoadRange
-  Bracket worst{};                             ///< the least of the largest factors there
-  Bracket least{};                             ///< the greatest of the least factors there
-  std::optional<Standing> worst_at_none{};     ///< there a load is carried at no factor
-  std::uint64_t points = 0, points_asked = 0;  ///< computed, and of how many
+  Bracket worst{};                             ///< the minimum of the largest factors there
+  Bracket least{};                             ///< the maximum of the least factors there
+  std::optional<Standing> worst_at_none{};     ///< some load is not carried at any factor
+  std::uint64_t points = 0, points_asked = 0;  ///< points computed, points requested
   bool open = false;                           ///< a point or a piece of the curve is not proved
 };
 
@@ -123,23 +124,23 @@ struct MixedOptimum {
   enum class State { optimal, feasible, infeasible, unbounded, unknown };
   State state = State::unknown;
   bool maximise = false;
-  std::optional<double> objective{};  ///< of the best point
+  std::optional<double> objective{};  ///< value of the best point
   std::optional<Bound> bound{};       ///< no point has a better objective
-  double gap = 0;                     ///< between the two, relative
+  double gap = 0;                     ///< relative
   std::uint64_t unproved = 0;         ///< nodes closed without a proof
 };
 
-/// The states as result files have them, in their order.
+/// States in result files, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 5> mixed_states{"optimal", "feasible", "infeasible",
                                                               "unbounded", "unknown"};
 
-/// A certificate put to the proof: `verify`.
+/// Result of the verification of a certificate: `verify`.
 struct CertificateCheck {
   /// A list of patterns.
   struct List {
     std::uint64_t patterns = 0;
-    std::uint64_t nodes = 0;      ///< of which something is proved
-    std::uint64_t undecided = 0;  ///< nodes of which nothing is claimed
+    std::uint64_t nodes = 0;      ///< nodes with a proved claim
+    std::uint64_t undecided = 0;  ///< nodes without a claim
     /// Nodes whose proof leaves out displacements over `far_motion` times the strains.
     std::uint64_t but_far_motions = 0;
     double far_motion = 0;
@@ -148,12 +149,12 @@ struct CertificateCheck {
   struct Factor {
     LoadRange loads{};
     std::uint64_t cases = 1;
-    bool at_none = false;         ///< some load is carried at no factor: no more is known
+    bool at_none = false;         ///< some load is not carried at any factor; nothing else is known
     double lower = 0, upper = 0;  ///< bounds of the least of the largest factors
-    /// Bounds of the greatest of the least factors; absent: nothing is proved of it.
+    /// Bounds of the greatest of the least factors; absent: none is proved.
     std::optional<std::pair<double, double>> least{};
   };
-  /// Patterns that stick, of which each is an example; nothing is said of others.
+  /// Patterns that stick, one example each; others are not covered.
   struct Example {
     std::uint64_t patterns = 0;
   };
@@ -161,7 +162,7 @@ struct CertificateCheck {
   std::variant<std::monostate, List, Example, Factor> claim{};
 };
 
-/// A measurement, and whether it found what it was compared with: `bench`.
+/// A measurement, and its agreement with the reference: `bench`.
 struct Measurement {
   bool agrees = true;
 };
@@ -173,12 +174,11 @@ using AnyAnswer =
 
 struct Verdict {
   engine::Status ended = engine::Status::solved;  ///< of the searches
-  std::uint64_t nodes_left = 0;                   ///< open ones, if it ended early
+  std::uint64_t nodes_left = 0;                   ///< open nodes, if the search ended early
   AnyAnswer answer{};
-  std::vector<std::string> details{};  ///< sentences that belong to the headline
-  std::vector<std::string>
-      missing{};  ///< asked for besides the answer, and not made: a sentence each
-  std::vector<std::string> warnings{};  ///< of the input
+  std::vector<std::string> details{};   ///< sentences that belong to the headline
+  std::vector<std::string> missing{};   ///< requested outputs that were not made: one sentence each
+  std::vector<std::string> warnings{};  ///< about the input
 };
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// Keys of each kind of answer.
+// JSON keys of each kind of answer.
 #include "run/verdict/verdict_json.hpp"
 
 #include "run/output/values.hpp"

@@ -1,4 +1,4 @@
-// A verdict in a result file: the key `verdict`.
+// Verdict in a result file: the key `verdict`.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,8 +7,7 @@
 
 namespace kusabi::run {
 
-/// Sentence, details, reservations, exit code, and the answer's counts and bounds, each bound with
-/// its standing.
+/// Sentence, details, reservations, exit code, and counts and bounds, each bound with its standing.
 nlohmann::ordered_json verdict_json(const Verdict& verdict);
 
 /// "proved" or "computed".

@@ -1,4 +1,4 @@
-// Sentences of friction: lists at one coefficient, the critical one, steps over it.
+// Sentences about friction: lists at one coefficient, the critical coefficient, steps over it.
 #include <algorithm>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What all kinds of answer share: an early end, and what was not made.
+// Sentences common to all kinds of answer: an early end, and outputs that were not made.
 #include "run/verdict/words.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The sentences of a verdict, the same on standard output, on standard error, in result files and
-// in reports. A bound that is computed and not proved is said to be so wherever it is named.
+// Sentences of a verdict: the same on standard output, on standard error, in result files and in
+// reports. A bound that is computed and not proved is marked as such wherever it is named.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace kusabi::run {
 
-/// The answer in a sentence: "It can stick: 27 ways at friction coefficient 0.65." Empty: there is
+/// The answer as a sentence: "It can stick: 27 ways at friction coefficient 0.65." Empty: there is
 /// no question.
 std::string headline(const Verdict& verdict);
 
 /// A limitation of the headline.
 struct Reservation {
   std::string sentence;
-  bool open = false;  ///< the question is not answered in full
+  bool open = false;  ///< the question is not answered completely
 };
 
-/// All that is open, then all that is only computed.
+/// Everything that is open, then everything that is only computed.
 std::vector<Reservation> reservations(const Verdict& verdict);
 
 /// A critical friction coefficient for a table: both bounds and their standing.

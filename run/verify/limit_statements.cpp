@@ -1,4 +1,4 @@
-// Which truss a statement is of; its upper bound on every rank, its nodes shared.
+// Truss of each statement, its upper bound on every rank, its nodes shared among the ranks.
 #include "run/verify/limit_statements.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using verify::LimitStatement;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// What became of the claim of one node.
+// Result for the claim of one node.
 struct NodeVerdict {
   double lower = -infinity;  // rounded down
   std::string refusal;       // empty: proved
@@ -37,15 +37,15 @@ struct NodeVerdict {
   }
 };
 
-// A truss that a statement is proved of.
+// A truss that statements refer to.
 struct AgreedTruss {
   verify::LimitTruss truss;
   std::string load_case;
   std::uint64_t fingerprint = 0;
-  std::vector<std::string> names;  // of its uncertain loads; empty: they have none
+  std::vector<std::string> names;  // of its uncertain loads; empty: unnamed
 };
 
-// The load cases that a statement may be of.
+// The load cases that a statement may refer to.
 std::vector<std::string> cases_for(const LimitStatement& statement,
                                    const problems::Structure& structure) {
   auto names = problems::load_cases(structure);
@@ -57,8 +57,8 @@ std::vector<std::string> cases_for(const LimitStatement& statement,
   return names;
 }
 
-// The first load case that the statement speaks of; or why there is none.
-// @throws InputError if it is no truss
+// The first load case that the statement refers to, or the reason why there is none. @throws
+// InputError if it is no truss
 std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
                                                 const problems::Structure& structure) {
   std::vector<std::string> whys;
@@ -87,7 +87,7 @@ struct Checking {
   verify::LimitProof proof;
 };
 
-// Its own truss, or that of the structure; nothing if they do not agree.
+// Truss of the certificate, or that of the structure; nothing if they disagree.
 std::optional<Checking> checking(const LimitStatement& statement,
                                  const std::optional<problems::Structure>& structure,
                                  const std::string& file, CheckedStatement& checked) {
@@ -111,7 +111,7 @@ std::optional<Checking> checking(const LimitStatement& statement,
   return Checking{statement, verify::LimitProof(statement.evidence, std::move(truss))};
 }
 
-// All but the nodes.
+// Checks everything except the nodes.
 void check_load(const Checking& at, CheckedStatement& checked) {
   auto& refusals = checked.refusals;
   if (at.statement.claim == LimitClaim::none) {
@@ -133,7 +133,7 @@ void check_load(const Checking& at, CheckedStatement& checked) {
   checked.lower = infinity;
 }
 
-// Of a least factor the bounds are those of its opposite so far.
+// Bounds of a least factor are so far those of its opposite.
 void conclude(CheckedStatement& checked) {
   checked.lower = std::min(checked.lower, checked.upper);
   if (checked.claim != LimitClaim::least) return;
@@ -148,7 +148,7 @@ struct NodePlace {
   std::size_t node;
 };
 
-// Proves nodes on all ranks.
+// Proof of nodes as a tree for the engine.
 engine::Status prove_nodes(CommandRun& run, const VerifyOptions& options,
                            const std::vector<std::optional<Checking>>& proofs,
                            std::span<const NodePlace> places, std::vector<CheckedStatement>& all) {
@@ -166,7 +166,7 @@ engine::Status prove_nodes(CommandRun& run, const VerifyOptions& options,
     }
     return found;
   });
-  // Stopped by signals only if it can be gone on with.
+  // Signals stop it only if it can be resumed.
   engine::Supervision kept;
   if (!options.checkpoint.state.empty()) kept = run.supervision({});
   engine::Analysis analysis(run.session().transport(), std::move(kept));

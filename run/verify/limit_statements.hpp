@@ -1,4 +1,4 @@
-// The statements of a certificate of limit loads put to the proof, one by one.
+// Verification of the statements of a certificate of limit loads, one by one.
 #pragma once
 
 #include <cstdint>
@@ -16,26 +16,26 @@
 
 namespace kusabi::run {
 
-/// What has come of a statement.
+/// Result for a statement.
 struct CheckedStatement {
   verify::LimitClaim claim = verify::LimitClaim::largest;
-  std::string load_case{};        ///< of the problem file, or of the certificate without one
-  std::uint64_t fingerprint = 0;  ///< of the problem, if there is a problem file
-  /// Name, if there is any, and half-width of each uncertain load.
+  std::string load_case{};        ///< of the problem file, or of the certificate
+  std::uint64_t fingerprint = 0;  ///< of the problem file, if there is one
+  /// Name (or nothing) and half-width of each uncertain load.
   std::vector<std::pair<std::string, double>> half_widths{};
-  double lower = 0, upper = 0;  ///< bounds of the factor of the claim, rounded outwards
+  double lower = 0, upper = 0;  ///< bounds of the load factor in the claim, rounded outwards
   std::size_t cuts = 0, nodes = 0;
-  std::vector<std::string> refusals{};  ///< none: it is proved
+  std::vector<std::string> refusals{};  ///< empty: it is proved
 };
 
 struct CheckedStatements {
   std::vector<CheckedStatement> statements;
-  engine::Status status = engine::Status::solved;  ///< otherwise not all were looked at
+  engine::Status status = engine::Status::solved;  ///< not solved: some were not checked
 };
 
-/// Proves all on all ranks, a node a piece of work.
-/// @param structure of the problem file that they are to be proved of, if any
-/// @throws support::InputError if the structure is none that limit analysis is for
+/// Proves all statements on all ranks, in pieces of one node.
+/// @param structure of the problem file to prove them for, if any
+/// @throws support::InputError if limit analysis does not apply to the structure
 CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options,
                                    const std::optional<problems::Structure>& structure,
                                    std::span<const verify::LimitStatement> statements);

@@ -1,4 +1,4 @@
-// One range of records.
+// Proof of one range of records.
 #include "run/verify/verification.hpp"
 
 #include <utility>

@@ -1,5 +1,5 @@
-// The proofs of a certificate as a tree for the engine to share among the ranks: a node is a range
-// of records, halved until it is small, and the solutions are the records that are refused.
+// Verification: proofs of a certificate as a tree whose nodes the engine shares among ranks. A node
+// is a range of records, bisected until it is small; solutions are refused records.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace kusabi::run {
 
-/// The problem type that engine::search searches.
+/// Problem type of engine::search.
 class Verification {
  public:
   using Node = engine::IndexRange;  ///< of records
 
-  /// A record that does not prove what it claims.
+  /// A record whose claim is refused.
   struct Solution {
     std::uint64_t record = 0;
     std::string reason;
@@ -30,14 +30,14 @@ class Verification {
     }
   };
 
-  /// How many nodes were proved to be what they claim to be.
+  /// Numbers of nodes by proved claim.
   struct Tally : engine::Counts<Tally> {
     std::uint64_t dead = 0;  ///< with cuts or without
     std::uint64_t alive = 0;
-    std::uint64_t marginal = 0;  ///< nothing is claimed of them
-    /// Of the dead ones: proved of what does not move far.
+    std::uint64_t marginal = 0;  ///< without a claim
+    /// Infeasible nodes, proved except for displacements over `far_motion` times the strains.
     std::uint64_t but_for_far_motion = 0;
-    /// Of the marginal ones: proved to have what others have.
+    /// Undecided nodes with a proof that some candidate in contact stays unloaded.
     std::uint64_t unloaded = 0;
 
     [[nodiscard]] std::uint64_t open() const { return marginal - unloaded; }

@@ -1,4 +1,4 @@
-// From the file to the verdict, on all ranks.
+// `kusabi verify`: from the file to the verdict, on all ranks.
 #include "run/verify/verify.hpp"
 
 #include <cstdint>
@@ -112,7 +112,7 @@ void Verify::prepare(CommandRun& run) {
   run.keep_state(options_.checkpoint, std::move(facts));
 }
 
-// The first line says what it is a certificate of.
+// The first line identifies the kind of certificate.
 void Verify::search(CommandRun& run) {
   findings_ = text_.starts_with(verify::limit_first_words)
                   ? verify_limit(run, options_, structure_, text_)
@@ -121,7 +121,7 @@ void Verify::search(CommandRun& run) {
 
 std::vector<Step> Verify::results(CommandRun& run) {
   const auto page = CommandRun::page();
-  auto text = page.doubtful(findings_.refusals);
+  auto text = page.warning(findings_.refusals);
   if (!run.quiet()) text += findings_.summary;
   return {CommandRun::print(folded(text, page.width)), run.answer([] { return std::string(); })};
 }

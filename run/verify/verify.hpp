@@ -1,4 +1,5 @@
-// `kusabi verify CERTIFICATE`: proves the list of patterns from the evidence, exactly.
+// `kusabi verify CERTIFICATE`: proof of a list of patterns or a limit load from a certificate, in
+// exact arithmetic.
 #pragma once
 
 #include <memory>
@@ -9,17 +10,17 @@
 namespace kusabi::run {
 
 struct VerifyOptions {
-  std::string certificate;  ///< the file
-  std::string problem;      ///< the problem file it is to be proved of; empty: of its own K
+  std::string certificate;  ///< certificate file
+  std::string problem;      ///< problem file to prove it for; empty: the K of the certificate
   CheckpointChoice checkpoint;
 };
 
-/// What has come of it. The texts are on rank 0.
+/// Findings. Texts are on rank 0.
 struct VerifyFindings {
   CertificateCheck check{};
-  engine::Status status = engine::Status::solved;  ///< otherwise nothing is said
-  std::string refusals = {};                       ///< a line each
-  std::string summary = {};                        ///< of what, and how
+  engine::Status status = engine::Status::solved;  ///< not solved: nothing is proved
+  std::string refusals = {};                       ///< one line each
+  std::string summary = {};                        ///< claims that are proved, and the method
 };
 
 std::unique_ptr<Subcommand> verify_subcommand();

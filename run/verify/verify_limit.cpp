@@ -1,4 +1,4 @@
-// The sentences of statements on limit loads that were put to the proof.
+// Sentences about statements of limit loads.
 #include "run/verify/verify_limit.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<verify::LimitStatement> statements_in(const std::string& text,
   }
 }
 
-// The half-width of all uncertain loads; nothing: they differ.
+// Half-width of all uncertain loads; nothing if they differ.
 std::optional<double> common_half_width(const CheckedStatement& statement) {
   const auto& all = statement.half_widths;
   if (all.empty()) return 0;
@@ -76,7 +76,7 @@ std::string summary_of(const CheckedStatement& statement) {
   return {};
 }
 
-// Of each case its name, and once how far its loads may go, where that is not one number.
+// Names of the cases, and once the half-widths, if they are not one number.
 std::string summary_of(const std::vector<CheckedStatement>& statements) {
   std::string text;
   const CheckedStatement* before = nullptr;
@@ -92,12 +92,12 @@ std::string summary_of(const std::vector<CheckedStatement>& statements) {
   return text;
 }
 
-/// Bounds of both ends of the factors that are carried in all cases under every load.
+/// Bounds of both ends of the factors carried in all cases under every load.
 struct ProvedFactors {
   double least_lower = -std::numeric_limits<double>::infinity(), least_upper = least_lower;
   double largest_lower = std::numeric_limits<double>::infinity(), largest_upper = largest_lower;
   bool at_none = false;
-  bool of_least = true;  // of all cases something is known of the least factors
+  bool of_least = true;  // some bound of the least factors is known
 };
 
 ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
@@ -121,7 +121,7 @@ ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
   return all;
 }
 
-// What is proved of all cases together.
+// Sentence about all cases together.
 CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statements) {
   const auto all = factors_of(statements);
   std::set<std::string> cases;
@@ -140,7 +140,7 @@ CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statemen
   return factor;
 }
 
-// The load cases of the file that no statement is of.
+// Load cases of the file without a statement.
 std::string cases_left_text(const std::vector<CheckedStatement>& statements,
                             const problems::Structure& structure) {
   std::vector<std::string> left;

@@ -1,4 +1,4 @@
-// `kusabi verify` of a certificate of a worst-case limit load.
+// `kusabi verify` for certificates of worst-case limit loads.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace kusabi::run {
 
-/// Proves both ends on all ranks, a node a piece of work.
-/// @param structure of the problem file that it is to be proved of, if any
+/// Proves both bounds on all ranks, in pieces of one node.
+/// @param structure of the problem file to prove it for, if any
 /// @param text of the file, the same on all ranks
-/// @throws WrongInput on every rank alike; support::InputError if the structure is none that limit
-///         analysis is for
+/// @throws WrongInput on every rank; support::InputError if limit analysis does not apply to the
+/// structure
 VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
                             const std::optional<problems::Structure>& structure,
                             const std::string& text);

@@ -1,4 +1,4 @@
-// The proofs of verify/proof, shared among the ranks, and what is said of them.
+// Proofs of verify/wedged, shared among the ranks, and sentences about them.
 #include "run/verify/verify_patterns.hpp"
 
 #include <algorithm>
@@ -48,8 +48,8 @@ void write_refusal(std::string& text, const VerifyOptions& options,
                  refusal.reason);
 }
 
-// Takes up the bounds that are proved, in their order: each rank for itself, since each rests on
-// those before it, and all judgements rest on them.
+// Adds proved bounds in their order, on each rank: each bound may use those before it, and all
+// proofs of nodes use them.
 std::vector<std::string> refusals_of_bounds(verify::Proof& proof, const VerifyOptions& options,
                                             const verify::Certificate& certificate) {
   std::vector<std::string> refusals;
@@ -65,7 +65,7 @@ std::vector<std::string> refusals_of_bounds(verify::Proof& proof, const VerifyOp
   return refusals;
 }
 
-// What is proved, and of what.
+// Claims that are proved, and their problem.
 void write_subject(std::string& text, const VerifyOptions& options,
                    const verify::Certificate& certificate,
                    const std::optional<problems::Structure>& structure,
@@ -90,7 +90,7 @@ void write_subject(std::string& text, const VerifyOptions& options,
                  agreement->stiffness.radius.nearest());
 }
 
-// What was proved, in the order in which the proof needs it.
+// Proved claims, in the order of the proof.
 void write_summary(std::string& text, const verify::Certificate& certificate,
                    const verify::Proof& proof, bool covered, std::size_t bounds,
                    const Verification::Tally& proved) {
@@ -130,7 +130,7 @@ VerifyFindings refusal_of_all(const VerifyOptions& options, const std::string& w
           .refusals = fmt::format("{}: refused: {}\n", options.certificate, why)};
 }
 
-// Stopped by signals only if it can be gone on with.
+// Signals stop it only if it can be resumed.
 engine::Outcome<Verification> verified(CommandRun& run, Verification& verification,
                                        const VerifyOptions& options,
                                        const engine::Options& search_options) {
@@ -145,7 +145,7 @@ engine::Outcome<Verification> verified(CommandRun& run, Verification& verificati
 VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
                                const std::optional<problems::Structure>& structure,
                                const std::string& text) {
-  // Every rank reads it, and proves for itself what the proof of each node rests on.
+  // Every rank reads the certificate and proves the parts that all nodes depend on.
   const auto certificate = certificate_in(text, options.certificate);
   std::optional<verify::Agreement> agreement;
   if (structure) {
@@ -194,7 +194,7 @@ VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
                                .but_far_motions = proved.but_for_far_motion,
                                .far_motion = verify::farthest_motion};
   }
-  if (!run.session().speaks()) return findings;  // what was refused is known to rank 0 alone
+  if (!run.session().speaks()) return findings;  // refusals are on rank 0
   for (const auto& refusal : bounds_refused) findings.refusals += refusal;
   for (const auto& found : outcome.solutions) {
     write_refusal(findings.refusals, options, certificate, found.solution);

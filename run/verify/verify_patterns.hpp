@@ -1,4 +1,4 @@
-// `kusabi verify` of a list of patterns: each node is proved in exact arithmetic, by all ranks.
+// `kusabi verify` for lists of patterns: each node is proved in exact arithmetic, on all ranks.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace kusabi::run {
 
-/// @param structure that it is to be proved of; nothing: of the certificate's own stiffness
+/// @param structure to prove it for; nothing: the stiffness of the certificate
 /// @param text of the certificate
-/// @throws WrongInput on every rank alike if it is none
+/// @throws WrongInput on every rank if it is not a certificate
 VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
                                const std::optional<problems::Structure>& structure,
                                const std::string& text);

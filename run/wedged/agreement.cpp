@@ -1,4 +1,4 @@
-// A hash of what was read and of what was computed.
+// Hash of the input and of the computed problem.
 #include "run/wedged/agreement.hpp"
 
 #include "engine/together.hpp"

@@ -1,6 +1,6 @@
-// All ranks work a problem out by themselves from the same text; before they search it together
-// they compare what they have got, bit by bit: a machine of another kind, or another build on one
-// of them, may round differently, and then its part of the tree is that of another problem.
+// Comparison of the problem on all ranks. Each rank prepares the problem from the same text; before
+// the search they compare the results bit by bit, since another machine or build may round
+// differently, and its part of the tree would belong to another problem.
 #pragma once
 
 #include "problems/wedged/wedged_problem.hpp"
@@ -8,9 +8,8 @@
 
 namespace kusabi::run {
 
-/// @throws engine::Disagreement on every rank unless stiffness, compliance and all else of the
-/// problem are
-///   the same on all of them
+/// @throws engine::Disagreement on every rank unless stiffness, compliance and all other parts of
+/// the problem are the same on all of them
 void agree(Session& session, const problems::WedgedProblem& problem);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// Component by component, so that those of one kind are beside each other.
+// Columns by components, so that components of one kind are adjacent.
 #include "run/wedged/configuration_csv.hpp"
 
 #include <cstddef>

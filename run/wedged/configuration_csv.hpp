@@ -1,4 +1,4 @@
-// Configurations in tables: the columns that patterns, rays and critical have in common.
+// Configurations in CSV: columns common to patterns, rays and critical.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ namespace kusabi::run {
 
 /// block, contact, separated, at_rest.
 void add_pattern_columns(CsvWriter& csv);
-/// @param idle candidates of blocks that cannot wedge, which are at rest, too
+/// @param idle candidates of blocks that cannot wedge, which are inactive, too
 void add_pattern(CsvWriter& csv, const problems::WedgedProblem& problem, std::uint32_t block,
                  const wedged::SignPattern& pattern, const support::IndexSet& idle = {});
 
-/// "r_n a" of all candidates, then "r_t a" (in space "r_t1 a", "r_t2 a"), then the same of u.
+/// "r_n a" of all candidates, then "r_t a" (in space "r_t1 a", "r_t2 a"), then the same for u.
 void add_configuration_columns(CsvWriter& csv, const problems::WedgedProblem& problem);
-/// @param reactions dm, in the frames of all candidates; force. Empty: so are the cells
+/// @param reactions dm, in the frames of all candidates; force. Empty: empty cells
 /// @param displacements likewise; length
 void add_configuration(CsvWriter& csv, const problems::WedgedProblem& problem,
                        std::span<const double> reactions, std::span<const double> displacements);

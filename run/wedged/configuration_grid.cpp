@@ -1,4 +1,4 @@
-// Field by field.
+// VTK fields of a configuration.
 #include "run/wedged/configuration_grid.hpp"
 
 #include <cstddef>
@@ -15,8 +15,8 @@ using pictures::ContactState;
 
 namespace {
 
-// Of bars their forces and, where a yield force is known, how much of it they take; of elements
-// the stress at their centre.
+// Forces of bars, with their utilisation where a yield force is known; stress of elements at their
+// centre.
 void add_internal_forces(pictures::UnstructuredGrid& grid, const problems::Structure& structure,
                          const problems::WholeState& state) {
   if (!structure.members.empty()) {

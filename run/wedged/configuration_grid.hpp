@@ -1,5 +1,5 @@
-// A wedged configuration as a grid of VTK: the whole structure with what moves, what presses and
-// who touches.
+// Wedged configuration as a VTK grid: the whole structure with displacements, reactions and contact
+// states.
 #pragma once
 
 #include <span>
@@ -18,19 +18,19 @@ class ConfigurationGrids {
   explicit ConfigurationGrids(const WholeStates& states)
       : states_(states), structure_(pictures::structure_grid(states.structure())) {}
 
-  /// The structure with, at its points, `displacement`, `contact_reaction` (of the obstacle; of two
-  /// bodies on each), `support_reaction`, all in global axes, and `state`; at its members
-  /// `axial_force` and, if a yield force is known of any, `utilisation`; at its elements `stress`
-  /// (xx, yy, zz, xy, yz, xz) and `von_mises`.
-  /// @param remark what it is, for the head of the file
+  /// The structure with point data `displacement`, `contact_reaction` (of the obstacle; for two
+  /// bodies on both), `support_reaction`, all in global axes, and `state`; cell data of members
+  /// `axial_force` and, if a yield force is known for any, `utilisation`; of elements `stress` (xx,
+  /// yy, zz, xy, yz, xz) and `von_mises`.
+  /// @param remark text in the head of the file
   /// @param reactions of all candidates, dm, in their frames
   /// @param displacements likewise
-  /// @param contact one a candidate
+  /// @param contact one per candidate
   [[nodiscard]] pictures::UnstructuredGrid grid(
       const std::string& remark, std::span<const double> reactions,
       std::span<const double> displacements, std::span<const pictures::ContactState> contact) const;
 
-  /// Of one block: its candidates as the pattern has them, and those that are idle.
+  /// Configuration of one block; candidates of other blocks are inactive.
   [[nodiscard]] pictures::UnstructuredGrid grid(const std::string& remark, std::uint32_t block,
                                                 const wedged::SignPattern& pattern,
                                                 const support::IndexSet& idle,

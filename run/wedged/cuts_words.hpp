@@ -1,4 +1,4 @@
-// What the option --cuts takes, and results say of it.
+// Values of the option --cuts, and their names in results.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Of a result file and of a verdict.
+// Exact test in a result file, and in a verdict.
 #include "run/wedged/exact_json.hpp"
 
 namespace kusabi::run {

@@ -1,4 +1,4 @@
-// The exact test of a list of patterns in a result file, and as a verdict has it.
+// Exact test of a list of patterns: JSON, and its part of a verdict.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace kusabi::run {
 
 nlohmann::ordered_json exact_json(const wedged::ExactTest& test);
 
-/// Nothing if the test was not called for, or leaves no doubt.
+/// Nothing if the test was not called or has decided everything.
 std::optional<ExactDoubt> doubt_of(const wedged::ExactTest& test);
 
 }  // namespace kusabi::run

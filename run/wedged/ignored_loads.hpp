@@ -1,5 +1,4 @@
-// What is said of loads in the file of a question that has none: a wedged configuration holds
-// without any load.
+// Warning about loads that a subcommand ignores: wedged configurations exist without load.
 #pragma once
 
 #include <string>
@@ -10,7 +9,7 @@
 
 namespace kusabi::run {
 
-/// A line, or none if the file has no loads and no uncertain ones.
+/// One line, or none if the file has no loads.
 std::vector<std::string> ignored_loads(const problems::Structure& structure,
                                        std::string_view command);
 

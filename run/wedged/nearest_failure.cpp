@@ -1,4 +1,4 @@
-// Candidate by candidate, in the frames of the candidates.
+// Inequalities candidate by candidate, in the frames of the candidates.
 #include "run/wedged/nearest_failure.hpp"
 
 #include <cmath>
@@ -13,11 +13,11 @@
 namespace kusabi::run {
 namespace {
 
-// The program that finds a margin makes several inequalities equally near; of these the one that
-// has used up most of its friction says most. And those that slip together.
+// Relative tolerance: the cone program makes several inequalities equally near; the one with the
+// highest friction utilisation is reported, and those that slip with it.
 constexpr double alike = 1.01;
 
-// What one candidate does.
+// State of one candidate.
 struct Local {
   double normal_reaction;
   double tangential_reaction;
@@ -39,7 +39,7 @@ void take_if_nearer(std::optional<Slack>& least, const Slack& other) {
   if (nearer || as_near) least = other;
 }
 
-// The file's units, of which a program that makes its problem may have said nothing.
+// Units of the file; problems made by programs may have none.
 std::string amount_in(double amount, const std::string& unit, const char* what) {
   return unit.empty() ? fmt::format("{:.3g} (in the file's unit of {})", amount, what)
                       : fmt::format("{:.3g} {}", amount, unit);

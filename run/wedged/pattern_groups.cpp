@@ -1,4 +1,4 @@
-// Sets that are joined two by two, those of similar size only.
+// Disjoint sets, joined in pairs; only contact sets of similar size are compared.
 #include "run/wedged/pattern_groups.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ int difference(const support::IndexSet& a, const support::IndexSet& b) {
   return (a - b).size() + (b - a).size();
 }
 
-/// Disjoint sets of the numbers below a count, each known by its least member.
+/// Disjoint sets of indices, each represented by its least index.
 class Joined {
  public:
   explicit Joined(std::size_t count) : above_(count) {
@@ -41,7 +41,7 @@ class Joined {
 
 std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration>& patterns,
                                          int most_apart) {
-  // Contact sets that differ by no more differ by no more in size.
+  // Contact sets that differ in n candidates differ in size by n at most.
   std::map<std::pair<std::uint32_t, int>, std::vector<std::size_t>> by_size;
   Joined joined(patterns.size());
   for (std::size_t i = 0; i < patterns.size(); ++i) {
@@ -62,14 +62,14 @@ std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration
     const auto& contact = patterns[i].pattern.contact;
     auto& group = groups[joined.set_of(i)];
     if (group.members.empty()) {
-      group.firmest = i;
+      group.largest_margin = i;
       group.contact = contact;
-      group.varying = contact;  // the union, until all are there
+      group.varying = contact;  // the union, until all members are added
     }
     group.members.push_back(i);
     group.contact &= contact;
     group.varying |= contact;
-    if (patterns[i].lower > patterns[group.firmest].lower) group.firmest = i;
+    if (patterns[i].lower > patterns[group.largest_margin].lower) group.largest_margin = i;
   }
   std::vector<PatternGroup> list;
   for (auto& [first, group] : groups) {
@@ -77,11 +77,11 @@ std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration
     list.push_back(std::move(group));
   }
   std::ranges::stable_sort(list, std::greater(),
-                           [&](const auto& group) { return patterns[group.firmest].lower; });
+                           [&](const auto& group) { return patterns[group.largest_margin].lower; });
   return list;
 }
 
-std::optional<std::vector<PatternGroup>> groups_around_firmest(
+std::optional<std::vector<PatternGroup>> groups_around_largest_margin(
     const std::vector<wedged::Configuration>& patterns, int most_apart, std::size_t most_groups) {
   std::vector<std::size_t> order(patterns.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -90,18 +90,18 @@ std::optional<std::vector<PatternGroup>> groups_around_firmest(
   for (const auto i : order) {
     const auto& contact = patterns[i].pattern.contact;
     const auto near = std::ranges::find_if(groups, [&](const PatternGroup& group) {
-      const auto& firmest = patterns[group.firmest];
-      return firmest.block == patterns[i].block &&
-             difference(firmest.pattern.contact, contact) <= most_apart;
+      const auto& first = patterns[group.largest_margin];
+      return first.block == patterns[i].block &&
+             difference(first.pattern.contact, contact) <= most_apart;
     });
     if (near != groups.end()) {
       near->members.push_back(i);
       near->contact &= contact;
-      near->varying |= contact;  // the union, until all are there
+      near->varying |= contact;  // the union, until all members are added
       continue;
     }
     if (groups.size() == most_groups) return {};
-    groups.push_back({.members = {i}, .firmest = i, .contact = contact, .varying = contact});
+    groups.push_back({.members = {i}, .largest_margin = i, .contact = contact, .varying = contact});
   }
   for (auto& group : groups) {
     std::ranges::sort(group.members);

@@ -1,5 +1,5 @@
-// Patterns that differ in few candidates, said together: hundreds of patterns are often a handful
-// of ways to stick, each with some candidates that may touch or not.
+// PatternGroup: patterns that differ in few candidates. Hundreds of patterns are often a few ways
+// to stick, each with some candidates that may or may not touch.
 #pragma once
 
 #include <cstddef>
@@ -11,25 +11,26 @@
 namespace kusabi::run {
 
 struct PatternGroup {
-  std::vector<std::size_t> members;  ///< places in the list, from 0, in its order
-  std::size_t firmest = 0;           ///< of these the one with the largest margin
-  support::IndexSet contact;         ///< in contact in all of them
-  support::IndexSet varying;         ///< in contact in some, but not in all
+  std::vector<std::size_t> members;  ///< indices in the list, in its order
+  std::size_t largest_margin = 0;    ///< index of the member with the largest margin
+  support::IndexSet contact;         ///< candidates in contact in all members
+  support::IndexSet varying;         ///< candidates in contact in some members, but not in all
 };
 
-/// Groups by single linkage: two patterns of a block whose contact sets differ in at most so many
-/// candidates are in one group, and so are those that a chain of such steps joins. So the groups
-/// depend on no order. The firmest groups come first.
-/// @param most_apart candidates by which neighbours may differ
+/// Groups by single linkage: patterns of a block whose contact sets differ in at most `most_apart`
+/// candidates are in one group, as are those connected by a chain of such pairs. Groups therefore
+/// do not depend on the order. The group with the largest margin comes first.
+/// @param most_apart number of candidates
 std::vector<PatternGroup> pattern_groups(const std::vector<wedged::Configuration>& patterns,
                                          int most_apart);
 
-/// Groups around their firmest: the firmest pattern of all takes those of its block whose contact
-/// sets differ from its own in at most so many candidates, then the firmest of the rest takes its
-/// own, and so on. Of equally firm ones the first in the list.
-/// @param most_groups where it gives up
+/// Groups around patterns of largest margin: the pattern with the largest margin takes the patterns
+/// of its block whose contact sets differ from its own in at most `most_apart` candidates, then the
+/// pattern with the largest margin of the rest, and so on. Of equal margins the first in the list
+/// comes first.
+/// @param most_groups maximum number of groups
 /// @return nothing if there would be more
-std::optional<std::vector<PatternGroup>> groups_around_firmest(
+std::optional<std::vector<PatternGroup>> groups_around_largest_margin(
     const std::vector<wedged::Configuration>& patterns, int most_apart, std::size_t most_groups);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// The definition of where a pattern begins, beneath each table that has the coefficient.
+// Definition of the coefficient at which a pattern becomes feasible, printed beneath tables.
 #pragma once
 
 namespace kusabi::run {

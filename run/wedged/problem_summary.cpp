@@ -1,4 +1,4 @@
-// The problem as a line and as JSON.
+// Problem as a line and as JSON.
 #include "run/wedged/problem_summary.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ ordered_json contact_frames(const problems::WedgedProblem& problem) {
   return list;
 }
 
-// Of each loose body its first node, how many nodes it has, and what is said of its motions.
+// Unconstrained bodies: first node, number of nodes, and a sentence about their rigid-body modes.
 ordered_json rigid_motions_json(const problems::WedgedProblem& problem) {
   auto list = ordered_json::array();
   for (const auto& [node, nodes, motions] : problem.loose_bodies)
@@ -114,7 +114,7 @@ std::string contact_text(const problems::WedgedProblem& problem,
   const auto& [contact, separated, at_rest] = pattern;
   auto text = names(contact);
   if (!at_rest.empty()) return text + "  at rest: " + names(at_rest);
-  if (problem.blocks.size() > 1) return text;  // the others of its block
+  if (problem.blocks.size() > 1) return text;  // the other candidates of its block
   const auto rest = separated.empty() ? std::string("all") : "all but " + names(separated);
   return shown_width(rest) < shown_width(text) ? rest : text;
 }

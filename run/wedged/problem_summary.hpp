@@ -1,4 +1,4 @@
-// What patterns, rays and critical say about the problem they were given and about its tree.
+// Summary of the problem and its tree in patterns, rays and critical.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,22 @@ nlohmann::ordered_json problem_json(const problems::Structure& structure,
                                     const problems::WedgedProblem& problem,
                                     const std::string& file);
 
-/// The friction of each candidate at a coefficient of the search.
-/// @throws WrongInput if one is neither 0 nor in the range that is computed with
+/// Friction of each candidate at a coefficient of the search.
+/// @throws WrongInput if one is neither 0 nor in the range of the arithmetic
 std::vector<double> friction_at(const problems::WedgedProblem& problem, double coefficient,
                                 const std::string& file);
 
-/// The node names of a set of contact candidates, in their order.
+/// Node names of a set of contact candidates, in their order.
 std::vector<std::string> candidate_names(const problems::WedgedProblem& problem,
                                          const support::IndexSet& candidates);
 
-/// Who touches in a pattern, as one cell of a table: their names, or "all but" those who do not if
-/// that is shorter, and who is at rest. In one of several blocks their names.
+/// Candidates in contact in a pattern, as one cell of a table: their names, or "all but" the others
+/// if that is shorter, and inactive candidates. With several blocks always their names.
 std::string contact_text(const problems::WedgedProblem& problem,
                          const wedged::SignPattern& pattern);
 
-/// Where a pattern touches, separates and, if anywhere, stays at rest; the number of its block,
-/// from 1, if there are several. Blocks that cannot wedge at all are at rest as well, see `idle`.
+/// Candidates in contact, separated and inactive; the number of the block, from 1, if there are
+/// several. Candidates of blocks that cannot wedge are inactive as well, see `idle`.
 /// @param idle candidates of such blocks
 nlohmann::ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t block,
                                     const wedged::SignPattern& pattern,
@@ -48,11 +48,11 @@ std::string listed(const std::vector<std::string>& words);
 /// A dm-vector as m rows of d, in the frame (n, t1[, t2]) of each candidate.
 nlohmann::ordered_json candidate_rows(std::span<const double> values, int dimension);
 
-/// Reactions or displacements of one block's candidates among those of all, which are zero.
+/// Reactions or displacements of all candidates, from those of one block; zero elsewhere.
 std::vector<double> of_all_candidates(const problems::WedgedProblem& problem, std::uint32_t block,
                                       std::span<const double> values);
 
-/// The same of reactions or displacements of one block's candidates: those of all others are zero.
+/// The same as JSON rows.
 nlohmann::ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
                                   std::span<const double> values);
 

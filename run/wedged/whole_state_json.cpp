@@ -1,4 +1,4 @@
-// Node by node, and the members in their order.
+// State of the structure by nodes, and by members in their order.
 #include "run/wedged/whole_state_json.hpp"
 
 #include <cstddef>
@@ -16,14 +16,14 @@ using nlohmann::ordered_json;
 
 namespace {
 
-// Without a look whether the name is there: nodes have names of their own, and to look for each
-// among all others would take longer than everything else.
+// Inserted without a search for the name: names of nodes are unique, and a search would dominate
+// the run time.
 void append(ordered_json& object, const std::string& name, const std::vector<double>& values) {
   ordered_json::object_t::Container& members = object.get_ref<ordered_json::object_t&>();
   members.emplace_back(name, values);
 }
 
-// Six components an element.
+// Six components per element.
 ordered_json stresses_json(const problems::Stresses& stresses,
                            const std::vector<std::size_t>& places) {
   auto list = ordered_json::array();
@@ -32,7 +32,7 @@ ordered_json stresses_json(const problems::Stresses& stresses,
   return list;
 }
 
-// What is seen of the elements and, where a yield force is known, of the members.
+// Stress measures of the elements and, where a yield force is known, utilisation of the members.
 void add_internal_forces(ordered_json& configuration, const problems::Structure& structure,
                          const problems::WholeState& state) {
   if (state.axial_forces.size() > 0) configuration["axial_forces"] = numbers(state.axial_forces);

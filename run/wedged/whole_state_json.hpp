@@ -1,4 +1,4 @@
-// What a configuration does to the whole structure, in the result file: (4) and (5) of the wedged
+// State of the whole structure in a configuration, for the result file: (4) and (5) of the wedged
 // paper.
 #pragma once
 
@@ -18,7 +18,7 @@ class WholeStateJson {
   [[nodiscard]] const problems::Structure& structure() const { return states_.structure(); }
 
   /// Adds `all_displacements` and `support_reactions`, by node in global axes, `axial_forces` if
-  /// there are members, `utilisation` if a yield force is known of any, `stresses` and `von_mises`
+  /// there are members, `utilisation` if a yield force is known for any, `stresses` and `von_mises`
   /// if there are elements, and `imbalance`.
   /// @param reactions of all candidates, dm
   /// @param displacements likewise

@@ -1,5 +1,5 @@
-// The whole structure of a problem for all that is written of it, computed when the first asks: of
-// a large body it takes seconds.
+// WholeStates: whole-structure solver common to all outputs, built at first use, since it takes
+// seconds for a large body.
 #pragma once
 
 #include <optional>

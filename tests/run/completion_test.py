@@ -1,5 +1,5 @@
-"""That what `kusabi --completion` and `kusabi --manual` print works: bash completes calls with it, zsh and fish take
-it, and man has no complaints. Shells and man that are not installed are left out.
+"""Output of `kusabi --completion` and `kusabi --manual`: bash completes calls with it, zsh and fish
+accept it, and man reports no errors. Shells and man that are not installed are skipped.
 
     python3 completion_test.py KUSABI SOURCES
 """
@@ -24,7 +24,7 @@ class Completion(KusabiCase):
         cls.script = printed("--completion", "bash")
 
     def completed(self, line, folder="."):
-        """What bash offers for the last word of the line."""
+        """Completions of bash for the last word of the line."""
         words = line.split(" ")
         call = (f"{self.script}\ncompopt() {{ :; }}\nCOMP_WORDS=({' '.join(map(shlex.quote, words))})\n"
                 f"COMP_CWORD={len(words) - 1}\n_kusabi\nprintf '%s\\n' \"${{COMPREPLY[@]}}\"")

@@ -1,4 +1,4 @@
-// Defaults from a file: where it is looked for, what it may hold, and what is said of it.
+// Defaults from a file: its place, its permitted contents, and messages about it.
 #include <fstream>
 #include <string>
 #include <vector>
@@ -15,14 +15,14 @@ using testing::Not;
 
 class Config : public Command {
  protected:
-  // A file of defaults in the folder. @return its name
+  // Writes a file of defaults into the folder. @return its name
   std::string config(const std::string& text, const std::string& name = "config.toml") {
     fs::create_directories(fs::path(in_folder(name)).parent_path());
     std::ofstream(in_folder(name)) << text;
     return in_folder(name);
   }
 
-  // A call in whose environment there are no defaults but these.
+  // A call whose environment has no other defaults.
   [[nodiscard]] std::string call(const std::string& rest) const {
     return "env -u KUSABI_CONFIG XDG_CONFIG_HOME=" + argument("xdg") + " " + command + " " + rest;
   }
@@ -41,11 +41,11 @@ TEST_F(Config, StandsInForOptionsThatTheCallHasNot) {
   EXPECT_EQ(json["config"]["file"], file);
   EXPECT_EQ(json["config"]["options"],
             (nlohmann::json{{"mu", "0.65"}, {"sort", "margin"}, {"top", "2"}}));
-  // The call goes before the file.
+  // The call overrides the file.
   const auto own = shell(call(rest + " --mu 0.55 --config " + quoted(file)));
   EXPECT_THAT(own.output, HasSubstr("friction coefficient 0.55"));
   EXPECT_THAT(own.output, HasSubstr(": --sort margin --top 2\n"));
-  // Without a file the result says nothing of one.
+  // Without a file the result mentions none.
   const auto none = shell(call(rest + " --mu 0.65"));
   EXPECT_FALSE(nlohmann::json::parse(content(result)).contains("config"));
   EXPECT_THAT(none.output, Not(HasSubstr("defaults of")));
@@ -128,7 +128,7 @@ TEST_F(Config, IsTheSameOnAllRanks) {
   EXPECT_EQ(run.exit_code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("defaults of " + file));
   EXPECT_THAT(run.output, HasSubstr("27 sign patterns"));
-  // What goes on from a checkpoint has the same options, whatever becomes of the file.
+  // A resumed search has the same options, even if the file changes.
   const auto stopped =
       shell(ranks(2) + rest + quoted(file) + " --node-limit 20 --checkpoint " + argument("state"));
   EXPECT_EQ(stopped.exit_code, 3) << stopped.output;

@@ -1,4 +1,4 @@
-"""Counts beyond any machine word: N decoupled parts of four sign patterns have 4^N.
+"""Counts beyond machine integers: N decoupled subproblems of four sign patterns have 4^N.
 
     python3 counts_test.py KUSABI SOURCES
 """
@@ -26,7 +26,7 @@ NORMALS = {4: (0.6823311979975341, 0.7310431835666414), 3: (0.8256741340126176, 
 
 
 def parts(count):
-    """Trusses of five nodes beside each other. One has four sign patterns at 2 (80 digits)."""
+    """Adjacent trusses of five nodes. One has four sign patterns at 2 (80 digits)."""
     text = 'name = "parts"\ndimension = 2\nunits = { length = "m", force = "kN" }\n\n[nodes]\n'
     for part in range(count):
         text += "".join(f"p{part}n{i} = [{x + 5 * part!r}, {y!r}]\n" for i, (x, y) in enumerate(PLACES))
@@ -75,7 +75,7 @@ class Counts(KusabiCase):
         page = self.folder / "page.html"
         for wrapped in (False, True):
             content = json.loads(self.result.read_text())
-            if wrapped:  # as 0.1 has written it
+            if wrapped:  # as written by version 0.1
                 del content["result"]["count_log10"]
                 content["result"]["count"] = 0
                 self.result.write_text(json.dumps(content))

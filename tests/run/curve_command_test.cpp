@@ -1,4 +1,4 @@
-// The curves of `kusabi limit`: against a run at each place, and as files that others read.
+// Curves of `kusabi limit`: compared with one run per point, and read as files by other programs.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -37,7 +37,7 @@ class CurveCommand : public Command {
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(in_folder(name)) << text;
   }
-  /// What a call with the load file `text` is refused with.
+  /// Message for a call with the load file `text`.
   std::string refusal(const std::string& text, const std::string& more = "") const {
     write("load", text);
     const auto run =
@@ -60,7 +60,7 @@ double value_of(const Json& pieces, double beta) {
   return -std::numeric_limits<double>::infinity();
 }
 
-// The tree of signs decides some of these.
+// Some of these are decided by the tree of signs.
 TEST_F(CurveCommand, TheWorstCaseIsThatOfARunAtEachPlace) {
   const auto curves = result_of(gap + " --alpha 0.45 --curve --curve-to 1.5");
   const auto& pieces = curves["worst_curve"];
@@ -103,7 +103,7 @@ TEST_F(CurveCommand, ALoadOfOnesOwnIsThatOfARunAtEachPlace) {
   }
 }
 
-// (A) to (D) of the limit paper's Figure 5: the critical load for 20 kN, doubled.
+// (A) to (D) of Figure 5 of the limit paper: the critical load for 20 kN, doubled.
 TEST_F(CurveCommand, FollowsTheCriticalLoadOfAnEarlierResult) {
   shell(command + " limit " + three + " --alpha 20 --output " + argument("twenty.json"));
   const auto followed =
@@ -116,7 +116,7 @@ TEST_F(CurveCommand, FollowsTheCriticalLoadOfAnEarlierResult) {
   EXPECT_NEAR(value_of(followed, 2), value_of(same, 2), 1e-9);
 }
 
-// Figure 10: no random load is worse than the worst case, and some are near to nominal.
+// Figure 10: no random load is worse than the worst case, and some are near the nominal one.
 TEST_F(CurveCommand, RandomLoadsLieAboveTheWorstCase) {
   const auto found =
       result_of(quoted(path_of_example("paper/limit-4x4.toml")) + " --alpha 40 --samples 300");

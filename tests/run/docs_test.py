@@ -1,4 +1,4 @@
-"""That the calls of the pages do what the pages say, and that run/docs finds a page that is wrong, and mends it.
+"""Calls of the pages, compared with their output on the pages; run/docs finds a wrong page, and corrects it.
 
     python3 docs_test.py RUN_DOCS BUILD MPIRUN
 """
@@ -76,13 +76,13 @@ class Docs(unittest.TestCase):
         return self.call("--check", self.page)
 
     def made(self):
-        """A page, and its picture, as they come out."""
+        """A correct page, and its picture."""
         self.page.write_text(PAGE)
         self.assertEqual(self.call(self.page), [])
         self.assertEqual(self.page.read_text(), PAGE)
 
     def found(self, old, new):
-        """The one fault of a page in which something is not as it was."""
+        """The one fault of a changed page."""
         self.assertEqual(PAGE.count(old), 1)
         faults = self.faults(PAGE.replace(old, new))
         self.assertEqual(len(faults), 1, faults)

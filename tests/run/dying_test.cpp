@@ -1,5 +1,5 @@
-// The ways to die: a pipe that nobody reads, a disk that is full, descriptors that are closed, and
-// signals at any moment. Whatever happens, a file is whole or it is not there.
+// Errors of the environment: a closed pipe, a full disk, closed descriptors, and signals at any
+// time. A file is complete or absent in all cases.
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -32,7 +32,7 @@ using testing::UnorderedElementsAreArray;
 
 using Words = std::vector<std::string>;
 
-// Starts the command, without a shell, when `prepare` has been called in its process.
+// Starts the command without a shell, after `prepare` in its process.
 pid_t start(const Words& words, const std::function<void()>& prepare) {
   const pid_t child = fork();
   if (child != 0) return child;
@@ -61,7 +61,7 @@ void open_as(int descriptor, const std::string& file) {
   close(opened);
 }
 
-// A pipe whose reader is gone becomes standard output.
+// Standard output is a pipe without a reader.
 void let_nobody_read() {
   int ends[2];
   if (pipe(ends) != 0) _exit(126);
@@ -76,7 +76,7 @@ const std::string coins = std::string(KUSABI_SOURCE_DIR) + "/tests/programs/coin
 
 class Dying : public Command {
  protected:
-  // Each command with all that it can write.
+  // Each subcommand with all its outputs.
   struct Call {
     Words words;
     Words files;
@@ -97,7 +97,7 @@ class Dying : public Command {
             {{"mip", coins, "--output", in_folder("m.json")}, {"m.json"}}};
   }
 
-  // All files of the call are there, and whole; nothing else is. They are gone afterwards.
+  // All files of the call exist and are complete; there are no others. Removes them.
   void expect_whole(const Call& call) {
     auto found = files();
     found.erase(std::remove(found.begin(), found.end(), "said"), found.end());
@@ -108,7 +108,7 @@ class Dying : public Command {
     }
   }
 
-  // By the end of the file: nothing of any of these may be missing there.
+  // The end of the file, where an incomplete file differs.
   [[nodiscard]] bool whole(const std::string& file) const {
     const auto text = content(in_folder(file));
     if (file.ends_with(".json") || file.ends_with(".trace")) return nlohmann::json::accept(text);
@@ -135,7 +135,7 @@ TEST_F(Dying, OfAClosedPipeLosesNoFile) {
 }
 
 TEST_F(Dying, OfAFullStandardOutputLosesNoFile) {
-  // A file may have a mebibyte, and the one that is standard output has it already.
+  // Files may have one mebibyte, and the file at standard output has that size already.
   constexpr rlim_t most = 1U << 20U;
   for (const auto& call : calls()) {
     const auto child = start(call.words, [&] {
@@ -158,7 +158,7 @@ TEST_F(Dying, OfClosedDescriptorsMixesNothing) {
     const auto child = start(words, [] {
       for (const int descriptor : {0, 1, 2}) close(descriptor);
     });
-    EXPECT_EQ(end_of(child), 1) << call.words.front();  // the table has not got through
+    EXPECT_EQ(end_of(child), 1) << call.words.front();  // the table was not printed completely
     expect_whole(call);
     words.emplace_back("--quiet");
     const auto quiet = start(words, [] {
@@ -184,7 +184,7 @@ TEST_F(Dying, OfMessagesThatNobodyReadsDoesNotHappen) {
 }
 
 TEST_F(Dying, OfAFullDiskSavesWhatItCan) {
-  // Room for the CSV file and the graph, but not for the JSON file.
+  // Space for the CSV file and the graph, but not for the JSON file.
   const auto call = calls().front();
   const auto child = start(call.words, [&] {
     open_as(STDERR_FILENO, in_folder("said"));
@@ -219,14 +219,14 @@ TEST_F(Dying, OfASignalWhileItSearchesLeavesAPartialAnswer) {
           open_as(STDOUT_FILENO, in_folder("table"));
           open_as(STDERR_FILENO, in_folder("said"));
         });
-    // It searches, and heeds signals, when there is a checkpoint.
+    // A checkpoint shows that the search runs and handles signals.
     while (!fs::exists(in_folder("state")) && kill(child, 0) == 0) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     const auto asked = std::chrono::steady_clock::now();
     kill(child, signal);
     EXPECT_EQ(end_of(child), 3) << strsignal(signal) << ": " << said();
-    // A tenth of a second on a machine that has time for it.
+    // A tenth of a second on an idle machine.
     EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(3));
     EXPECT_TRUE(whole("p.json") && whole("p.trace"));
     EXPECT_EQ(nlohmann::json::parse(content(in_folder("p.json")))["status"], "interrupted");
@@ -239,11 +239,11 @@ TEST_F(Dying, OfASignalWhileItSearchesLeavesAPartialAnswer) {
 
 TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
   const auto problem = long_search(in_folder("truss.toml"));
-  // Twenty moments, spread over start, search and end by the golden ratio; five at a time, since
-  // mpirun takes two seconds to end what it has started.
+  // Twenty times, spread over start, search and end by the golden ratio; five runs at once, since
+  // mpirun takes two seconds to end.
   constexpr int moments = 20;
   constexpr int at_a_time = 5;
-  // Half of them count from the first checkpoint on, however slow the machine is.
+  // Half of them count from the first checkpoint, on machines of any speed.
   const std::string await_search = "while [ ! -e state ] && kill -0 $p; do sleep 0.02; done;";
   double place = 0;
   std::string script;
@@ -252,7 +252,7 @@ TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
     fs::create_directory(folder);
     place += 0.6180339887498949;
     place -= std::floor(place);
-    // The shell is replaced by mpirun, so that it gets the signal.
+    // mpirun replaces the shell, so that it receives the signal.
     script += fmt::format(
         "(cd {}; exec {} {} patterns {} --mu 1 --output p.json --trace p.trace --certificate "
         "p.cert --checkpoint state --checkpoint-interval 0.05 > said 2>&1) & p=$!;"
@@ -262,7 +262,7 @@ TEST_F(Dying, OfMpirunAtAnyMomentLeavesNoHalfFile) {
         moment % 2 == 0 ? "TERM" : "INT");
     if (moment % at_a_time == at_a_time - 1) script += "wait\n";
   }
-  shell("bash -m -c " + test::quoted(script));  // -m: what runs in the background heeds SIGINT, too
+  shell("bash -m -c " + test::quoted(script));  // -m: background processes handle SIGINT, too
   for (int moment = 0; moment < moments; ++moment) {
     SCOPED_TRACE(moment);
     const auto folder = std::to_string(moment);

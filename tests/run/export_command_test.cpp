@@ -1,5 +1,5 @@
-// `kusabi export` as a user calls it, and what other programs make of its files: glpsol of Debian's
-// glpk-utils, python3-cvxopt and python3-scipy where they are installed.
+// `kusabi export` as a user calls it, with its files read by other programs: glpsol (Debian
+// glpk-utils), python3-cvxopt and python3-scipy if installed.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -41,7 +41,7 @@ class ExportCommand : public kusabi::test::Command {
     return quoted(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
   }
 
-  // The place of the file that is written. @param call after `kusabi export`
+  // Path of the exported file. @param call after `kusabi export`
   [[nodiscard]] std::string exported(const std::string& call, const std::string& name) const {
     const auto run =
         shell(command + " export " + call + " --output " + argument(name) + " --serial");
@@ -55,7 +55,7 @@ class ExportCommand : public kusabi::test::Command {
     return json::parse(content(in_folder("result.json")))["result"];
   }
 
-  // What glpsol says is the optimum.
+  // Optimum by glpsol.
   [[nodiscard]] double by_glpsol(const std::string& file) const {
     const auto solved =
         shell("glpsol --freemps " + quoted(file) + " --tmlim 60 -w " + argument("glpsol.txt"));
@@ -72,7 +72,7 @@ int row_called(const LinearProgram& program, const std::string& name) {
   return static_cast<int>(at - program.rows.begin());
 }
 
-// The least load factor over all corners of the uncertain loads: each a linear program (5).
+// Least load factor over all vertices of the uncertain loads: a linear program (5) for each.
 double least_of_all_corners(const LinearProgram& statics, const std::vector<std::string>& uncertain,
                             double alpha) {
   kusabi::linear::Simplex simplex(statics);
@@ -115,7 +115,7 @@ TEST_F(ExportCommand, TheOptimumOfTheZeroOneProgramIsTheWorstCorner) {
   EXPECT_NEAR(by_glpsol(worst), least, 1e-6);
 }
 
-// The paper's truss and figure.
+// Truss and figure of the paper.
 TEST_F(ExportCommand, TheProgramOfThePaperHasThePapersOptimum) {
   const auto truss = example("paper/limit-3x3.toml");
   const auto worst = exported("mps " + truss + " --alpha 40", "worst.mps");
@@ -170,7 +170,7 @@ TEST_F(ExportCbf, AnotherSolverFindsTheMarginsOfThePatterns) {
                    "leaf.cbf");
       EXPECT_NEAR(by_cvxopt(file), patterns[k]["margin"], 1e-7) << content(file).substr(0, 300);
     }
-    // Nothing that is found below the root has a larger margin than the root.
+    // The margin of every pattern is at most the margin of the root.
     const double root = by_cvxopt(exported("cbf " + of, "root.cbf"));
     for (const auto& pattern : patterns) EXPECT_GE(root, pattern["margin"].get<double>() - 1e-7);
   }
@@ -194,7 +194,7 @@ class ExportMatrix : public ExportCommand {
  protected:
   using Rows = std::vector<std::vector<long double>>;
 
-  // Of `array real symmetric`.
+  // For `array real symmetric`.
   [[nodiscard]] static Rows read(const std::string& name) {
     std::ifstream file(name);
     std::string line;
@@ -239,7 +239,7 @@ TEST_F(ExportMatrix, StiffnessAndComplianceAreInverse) {
           sum += stiffness[i][k] * compliance[k][j];
           size += std::abs(stiffness[i][k] * compliance[k][j]);
         }
-        // Both are right to their last digit; the sum is as exact as its terms.
+        // Both are accurate to the last digit; the error of the sum is that of its terms.
         EXPECT_LE(std::abs(sum - (i == j ? 1 : 0)), 4e-16L * std::max(size, 1.0L)) << name;
       }
     }
@@ -273,7 +273,7 @@ TEST_F(ExportCommand, RefusesWhatDoesNotGoTogether) {
   EXPECT_THAT(refusal(""), HasSubstr("expected --alpha"));
   EXPECT_THAT(refusal(" --program static --alpha 1"), HasSubstr("expected --program worst-case"));
   EXPECT_THAT(refusal(" --big-m 5"), HasSubstr("--alpha"));
-  // There no load factor is the least: the load is carried at none.
+  // There is no least load factor: the load is not carried at any factor.
   EXPECT_THAT(refusal(" --alpha 1"), HasSubstr("or --big-m"));
 }
 

@@ -1,4 +1,4 @@
-"""That the images of the pages are what kusabi draw makes, and that run/figures finds one that is not.
+"""Images of the pages, compared with those of kusabi draw; run/figures finds a wrong one.
 
     python3 figures_test.py RUN_FIGURES BUILD
 """

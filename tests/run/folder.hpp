@@ -1,5 +1,4 @@
-// A folder of its own for each test, gone afterwards; with a space in its name, as people have
-// them.
+// A temporary folder for each test, with a space in its name.
 #pragma once
 
 #include <algorithm>

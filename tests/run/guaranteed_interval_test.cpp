@@ -1,5 +1,5 @@
-// The load factors that `kusabi limit` says are carried under every admissible load, and their
-// certificates: trusses whose interval is known by hand or from another program.
+// Load factors carried under every admissible load, by `kusabi limit` and its certificates: trusses
+// with intervals known by hand or from another program.
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -25,7 +25,8 @@ class GuaranteedInterval : public LimitCalls {
   Json result_of(const std::string& call, int exit_code = 0) const {
     return file_of(call, exit_code)["result"];
   }
-  // A call with and without a certificate, which must be accepted. @return what verify says
+  // Runs a call with and without a certificate, which must be accepted. @return the output of
+  // verify
   std::string proved(const std::string& file, const std::string& call) const {
     const auto without = shell(command + " limit " + file + call);
     const auto with =
@@ -40,7 +41,7 @@ class GuaranteedInterval : public LimitCalls {
   }
 };
 
-// A certificate whose digest fits.
+// A certificate with a correct digest.
 std::string sealed(const std::string& text) {
   const auto body = text.substr(0, text.rfind("digest "));
   return body + "digest " + support::hexadecimal(support::sha1(body)) + "\n";
@@ -59,7 +60,7 @@ void expect_interval(const Json& interval, double lower, double upper, double ne
   EXPECT_EQ(interval["empty"], lower > upper);
 }
 
-// By hand: the hanger takes -1 <= lambda - w <= 3, so [w - 1, w + 3] for an uplift of w.
+// By hand: the hanger carries -1 <= lambda - w <= 3, so [w - 1, w + 3] for an uplift of w.
 TEST_F(GuaranteedInterval, OfAHangerUnderUplift) {
   const auto file = case_file("uplift.toml");
   const auto json = result_of(file + " --alpha 1.5");
@@ -75,7 +76,7 @@ TEST_F(GuaranteedInterval, OfAHangerUnderUplift) {
               HasSubstr("no load factor is carried under every admissible load"));
 }
 
-// Where both ends are 1 no digits tell whether the interval is empty.
+// If both ends are 1, no number of digits shows that the interval is not empty.
 TEST_F(GuaranteedInterval, IsOpenWhereItIsOnePoint) {
   const auto json = result_of(case_file("uplift.toml") + " --alpha 2", 3);
   const auto& interval = json["guaranteed_interval"];
@@ -92,7 +93,7 @@ TEST_F(GuaranteedInterval, OfACableThatGoesSlack) {
   proved(file, " --alpha 1");
 }
 
-// Of all eight corners, by another program (HiGHS, by SciPy).
+// All eight vertices, by another program (HiGHS in SciPy).
 TEST_F(GuaranteedInterval, OfABridge) {
   const auto file = example("truss-bridge.toml");
   for (const auto& [alpha, lower, upper] : {std::tuple("1", -2.6345770236779, 1.8827765994967),
@@ -106,7 +107,7 @@ TEST_F(GuaranteedInterval, OfABridge) {
                     HasSubstr("every load factor from -2.63457")));
 }
 
-// Printed (29) with an M that is too small: 1.4317, where 1.11629 is true.
+// (29) as printed, with an M that is too small: 1.4317; the true value is 1.11629.
 TEST_F(GuaranteedInterval, IsNotClaimedOfTheProgramAsPrinted) {
   const auto call = case_file("bigm_sentence.toml") + " --alpha 0.317 --cuts none --big-m 1e-6";
   const auto run = shell(command + " limit " + call);
@@ -120,7 +121,8 @@ TEST_F(GuaranteedInterval, IsNotClaimedOfTheProgramAsPrinted) {
               1.11629, 1e-5);
 }
 
-// By hand: wind w and snow s on two bars at right angles; the one that is known worse counts.
+// By hand: wind w and snow s on two bars at right angles; the case with the lower known bound
+// governs.
 TEST_F(GuaranteedInterval, SaysWhichGroupGoesHowFar) {
   const auto file = case_file("groups.toml");
   const auto wind = proved(file, " --group-alpha wind=5,snow=1");
@@ -154,7 +156,7 @@ TEST_F(GuaranteedInterval, OfGroupsInSweepsAndExports) {
   }
 }
 
-// HiGHS, by SciPy, on both corners; a derived M is nobody's to blame.
+// HiGHS in SciPy at both vertices; a derived M cannot be too small.
 TEST_F(GuaranteedInterval, DisjunctiveCutsFindAPointOfADerivedM) {
   const auto json = result_of(case_file("disjunctive_no_point.toml") +
                               " --group-alpha g0=19.4 --cuts disjunctive");
@@ -173,8 +175,8 @@ TEST_F(GuaranteedInterval, OfNoUncertaintyIsThatOfTheNominalLoad) {
                   -(10 * std::sqrt(2.0) - 5), 10 * std::sqrt(2.0) - 5);
 }
 
-// Two bars under loads of two cases. By hand: [-2 + 0.5, 3 - 0.5] where the tip is pulled, and
-// [-2 - 2 + 0.25, 3 - 2 - 0.25] where it is pushed.
+// Two bars, two load cases. By hand: [-2 + 0.5, 3 - 0.5] with the tip pulled, and [-2 - 2 + 0.25, 3
+// - 2 - 0.25] with the tip pushed.
 class CasesOfLoads : public GuaranteedInterval {
  protected:
   void write(const std::string& push) const {
@@ -218,7 +220,7 @@ TEST_F(CasesOfLoads, AreProvedWhereOneIsCarriedAtNoFactor) {
   EXPECT_THAT(proved(file(), ""), HasSubstr("carried at no load factor"));
 }
 
-// A load that is carried at no factor: the nominal one, and one of those that may be.
+// A load that is not carried at any factor: the nominal one, and an admissible one.
 TEST_F(GuaranteedInterval, IsEmptyWhereALoadIsCarriedAtNoFactor) {
   const auto gap = example("static-gap.toml");
   const auto json = result_of(gap + " --alpha 3");
@@ -231,7 +233,7 @@ TEST_F(GuaranteedInterval, IsEmptyWhereALoadIsCarriedAtNoFactor) {
   EXPECT_THAT(proved(argument("heavy.toml"), " --alpha 1"), HasSubstr("carried at no load factor"));
 }
 
-// Every number of a certificate replaced by others, one at a time: nothing false may be proved.
+// Every number of a certificate is replaced, one at a time: nothing false may be proved.
 TEST_F(GuaranteedInterval, OfAForgedCertificateIsRefused) {
   const auto file = case_file("uplift.toml");
   proved(file, " --alpha 1.5");

@@ -1,4 +1,4 @@
-"""That docs/problem-files.md has every key that the reader knows, and no other.
+"""Keys in docs/problem-files.md, compared with those of the reader.
 
     python3 keys_test.py KUSABI SOURCES
 """
@@ -12,7 +12,8 @@ from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main  # noqa: E402: besid
 
 PAGE = SOURCES / "docs" / "problem-files.md"
 WITH_NODES = {"except", "every"}  # a table of their own, for all lists of nodes
-# The sections of the page, in its order, and what makes one an empty one of its kind. [nodes] has names of nodes as keys.
+# Sections of the page, in its order, and an empty value of each. Keys of [nodes] are names of
+# nodes.
 SECTIONS = [
     ("members", ""), ("elements", ""), ("mesh", ""), ("mesh", 'name = "b"\nfile = "doorstop.msh"'), ("material", 'groups = ["stop.rubber"]'),
     ("supports", ""), ("ties", ""), ("springs", ""), ("stiffness", ""), ("contact", ""), ("loads", ""), ("uncertainty", ""),
@@ -34,7 +35,7 @@ def page_sections():
 
 class Keys(KusabiCase):
     def known(self, addition):
-        """The keys that the reader says it knows, of a section that has one that it does not."""
+        """Known keys, as listed by the reader for a section with an unknown key."""
         problem = self.folder / "problem.toml"
         problem.write_text((EXAMPLES / "doorstop.toml").read_text() + addition)
         shutil.copy(EXAMPLES / "doorstop.msh", self.folder)

@@ -1,4 +1,4 @@
-// Calls of `kusabi limit`: the files they read, and the result of one.
+// Calls of `kusabi limit`: input files, and the result of one call.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ inline std::string example(const std::string& name) {
 
 class LimitCalls : public Command {
  protected:
-  /// The result file of a call, which must exit with `exit_code`.
+  /// Result file of a call, which must exit with `exit_code`.
   nlohmann::json file_of(const std::string& call, int exit_code = 0) const {
     const auto run = shell(command + " limit " + call + " --output " + argument("out.json"));
     EXPECT_EQ(run.exit_code, exit_code) << run.output;

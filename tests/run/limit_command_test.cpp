@@ -1,4 +1,4 @@
-// `kusabi limit` on trusses that once came out wrong, with the truth; and stopped half-way.
+// `kusabi limit` on trusses that earlier versions got wrong, with the correct values; early stops.
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -33,13 +33,13 @@ void expect_proved(const Json& json, double factor, double near) {
   EXPECT_LE(ends["lower"].get<double>(), ends["upper"].get<double>());
 }
 
-// Equilibrium leaves the force of a hanging cable no choice: no proof may ask for room there. By
+// Equilibrium determines the force of a hanging cable: a proof must not require slack there. By
 // hand: both bars yield, sqrt(2) - alpha.
 TEST_F(LimitCommand, ProvesATrussWithAnIdleCable) {
   expect_proved(result_of(case_file("tie.toml") + " --alpha 0.1"), std::sqrt(2.0) - 0.1, 1e-8);
 }
 
-// By hand: the post n0-n2 is all that holds n2 upright, and n1-n5 yields first: 0.6 of its 0.0307.
+// By hand: only the post n0-n2 supports n2 vertically, and n1-n5 yields first: 0.6 of its 0.0307.
 TEST_F(LimitCommand, ProvesATrussWithAChainOfIdleBars) {
   const auto json = result_of(case_file("idle_chain.toml") + " --alpha 0.1");
   expect_proved(json, 0.6 * 0.0307, 1e-8);
@@ -72,8 +72,8 @@ TEST_F(LimitCommand, NamesTheUncertainLoadsOfTheWorstCase) {
   }
 }
 
-// One yield force of 8e12 stands for "never": the others do not change their answer for it, which
-// is that of the paper's truss (tests/reference/limit.json).
+// A yield force of 8e12 stands for "unlimited": the result equals that of the paper's truss
+// (tests/reference/limit.json).
 TEST_F(LimitCommand, ProvesATrussWithMembersThatNeverYield) {
   const auto never = result_of(case_file("rigid_8e12.toml") + " --alpha 40");
   const auto usual = result_of(example("paper/limit-3x3.toml") + " --alpha 40");
@@ -81,7 +81,7 @@ TEST_F(LimitCommand, ProvesATrussWithMembersThatNeverYield) {
   expect_proved(never, 37.0120, 1e-4);
 }
 
-// By hand: with s = sin 45, the bars carry up to 2 s of vertical force, so that 3 - 2 s <= lambda
+// By hand: with s = sin 45°, the bars carry up to 2 s of vertical force, so that 3 - 2 s <= lambda
 // <= 3 + 2 s.
 TEST_F(LimitCommand, SaysWhichFactorsAreCarriedIfZeroIsNot) {
   const auto run = shell(command + " limit " + case_file("lambda_zero_not_carried.toml"));
@@ -95,7 +95,7 @@ TEST_F(LimitCommand, SaysWhichFactorsAreCarriedIfZeroIsNot) {
   EXPECT_NEAR(interval[1].get<double>(), 3 + std::sqrt(2.0), 1e-9);
 }
 
-// The interval is not mentioned where zero is in it.
+// The interval is not printed if it contains zero.
 TEST_F(LimitCommand, SaysNothingOfZeroWhereItIsCarried) {
   const auto run = shell(command + " limit " + example("paper/limit-3x3.toml") + " --alpha 40");
   EXPECT_THAT(run.output, Not(HasSubstr("alone")));
@@ -123,7 +123,7 @@ TEST_F(LimitCommand, RefusesWhatAWorstCaseHasWithoutOne) {
   }
 }
 
-// Two bars under loads of two cases.
+// Two bars, two load cases.
 class LoadCases : public LimitCommand {
  protected:
   void SetUp() override {
@@ -148,7 +148,7 @@ alpha = 0.25
   [[nodiscard]] std::string file() const { return argument("cases.toml"); }
 };
 
-// By hand: 3 - 0.5 where the tip is pulled down, for 5 + 1 is more, and 3 - 2 - 0.25.
+// By hand: 3 - 0.5 with the tip pulled down, since 5 + 1 is more, and 3 - 2 - 0.25.
 TEST_F(LoadCases, AreAnsweredOneAfterAnother) {
   const auto json = result_of(file());
   expect_proved(json, 0.75, 1e-8);
@@ -171,8 +171,7 @@ TEST_F(LoadCases, AreAnsweredOneAfterAnother) {
   EXPECT_EQ(alone, together);
 }
 
-// The least of (5) over all corners of the uncertain loads, as another program has it (HiGHS, by
-// SciPy).
+// Minimum of (5) over all vertices of the uncertain loads, by another program (HiGHS in SciPy).
 TEST_F(LimitCommand, AnswersBothCasesOfTheSteelMast) {
   const auto json = result_of(example("steel-mast.toml"));
   EXPECT_EQ(json["status"], "solved");
@@ -231,7 +230,7 @@ TEST_F(LimitCommand, HandsOverACertificateWithTheCutsOfThePaper) {
   EXPECT_THAT(proved.output, HasSubstr("PROVED: the least load factor for alpha = 40"));
 }
 
-// The paper's method by itself: no program of static cuts, no proof, and it says so.
+// Method of the paper alone: neither static cuts nor proofs, as the output states.
 TEST_F(LimitCommand, TakesNothingFromStaticCutsIfMIsGiven) {
   for (const std::string cuts : {"none", "disjunctive"}) {
     const auto call = example("static-gap.toml") + " --alpha 0.45 --big-m 20 --cuts " + cuts;
@@ -248,7 +247,7 @@ TEST_F(LimitCommand, TakesNothingFromStaticCutsIfMIsGiven) {
     for (const auto& [name, count] : result["programs"].items()) EXPECT_EQ(count, 0) << name;
     EXPECT_EQ(result["zero_one"]["cut_programs"] > 0, cuts == "disjunctive");
     EXPECT_GT(json["statistics"]["zero_one"]["nodes"], 0);
-    // All 2^7 corners say 2.007 (examples/static-gap.toml).
+    // All 2^7 vertices give 2.007 (examples/static-gap.toml).
     EXPECT_NEAR(result["worst_case"]["upper"].get<double>(), 2.007, 1e-3);
   }
 }
@@ -287,7 +286,7 @@ TEST_F(LimitCommand, RefutesAnMThatIsTooSmall) {
   EXPECT_THAT(run.output, HasSubstr("its M is too small"));
 }
 
-// (29) is finite with every M; one program (5) shows that the load of its optimum is not carried.
+// (29) is finite for every M; one program (5) shows that the load of its optimum is not carried.
 TEST_F(LimitCommand, SaysThatNoMIsLargeEnoughWhereALoadIsNotCarried) {
   const auto run =
       shell(command + " limit " + example("static-gap.toml") + " --alpha 3 --cuts none --big-m 20");
@@ -312,19 +311,19 @@ TEST_F(LimitCommand, StartsFromTheSameSampleOnTwoRanks) {
   }
 }
 
-// Its evidence needs more room than the first try leaves: it once ended at minus infinity.
+// The evidence needs more slack than the first attempt leaves: it once ended at minus infinity.
 TEST_F(LimitCommand, ProvesTheGridOfSixteenBays) {
   shell(command + " example grid --bays 16 --output " + argument("grid.toml"));
   expect_proved(result_of(argument("grid.toml") + " --alpha 40"), -10.2734733, 1e-6);
 }
 
-// The whole takes seconds at the root alone; what is known then must hold.
+// The complete analysis takes seconds at the root alone; partial results must be valid.
 TEST_F(LimitCommand, ATimeLimitReachesTheRoot) {
   shell(command + " example grid --bays 12 --output " + argument("grid.toml"));
   const auto whole = result_of(argument("grid.toml") + " --alpha 40");
   const auto json = result_of(argument("grid.toml") + " --alpha 40 --time-limit 0.3", 3);
   EXPECT_EQ(json["status"], "time-limit");
-  if (!json["result"].contains("worst_case")) return;  // not even the nominal factor was found
+  if (!json["result"].contains("worst_case")) return;  // no nominal factor was found
   const auto& truth = whole["result"]["worst_case"];
   const auto& ends = json["result"]["worst_case"];
   EXPECT_EQ(ends["proved"], false);
@@ -343,7 +342,7 @@ TEST_F(LimitCommand, RefusesAWidthThatIsNone) {
   }
 }
 
-// The nominal load knows nothing of alpha.
+// The nominal load does not depend on alpha.
 TEST_F(LimitCommand, TheNominalFactorDoesNotDependOnAlpha) {
   const auto nominal = [&](const std::string& alpha) {
     return result_of(case_file("tie.toml") + alpha)["result"]["nominal"].get<double>();

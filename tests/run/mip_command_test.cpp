@@ -1,5 +1,5 @@
-// `kusabi mip` as a user calls it: programs that once came out wrong, what is said of them, and
-// ends in time.
+// `kusabi mip` as a user calls it: programs that earlier versions got wrong, messages, and early
+// stops.
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -32,7 +32,7 @@ class MipCommand : public kusabi::test::Command {
     nlohmann::json result;
   };
 
-  // Of a file given by its path.
+  // A file given by its path.
   [[nodiscard]] Answer solve(const std::string& file, const std::string& options = "",
                              const std::string& launcher = "") const {
     const auto json = in_folder("answer.json");
@@ -70,7 +70,7 @@ TEST_F(MipCommand, IsRightWhereItOnceWasWrong) {
       ASSERT_EQ(answer.result["answer"], "optimal") << name << way;
       EXPECT_NEAR(answer.result["objective"], optimum, 1e-12) << name << way;
       EXPECT_NEAR(answer.result["bound"], optimum, 1e-6) << name << way;
-      // Only a point, found by diving, bounds the columns that have no bounds.
+      // Columns without bounds are bounded only by a point, which the dive finds.
       if (way.find("--no-dive") != std::string::npos) continue;
       EXPECT_EQ(answer.result["proved"], true) << name << way;
     }
@@ -81,9 +81,9 @@ TEST_F(MipCommand, IsRightWhereItOnceWasWrong) {
   EXPECT_THAT(none.said, Not(HasSubstr("not proved")));
 }
 
-// Rounds of bound tightening once took M from 1000 to 1e-117. By hand: y = z = 1 and w = 4/9 in
-// bigm_tiny; in bigm_open_a x14 is 4 by r2 if x6 = x9 = 1, and then r5 leaves x0 = 0: -28 - 3, with
-// x9 = 0 no more than -9 - 15.75.
+// Bound tightening once reduced M from 1000 to 1e-117. By hand: y = z = 1 and w = 4/9 in bigm_tiny;
+// in bigm_open_a x14 is 4 by r2 if x6 = x9 = 1, and then r5 gives x0 = 0: -28 - 3; with x9 = 0 at
+// best -9 - 15.75.
 TEST_F(MipCommand, KeepsTheScaleOfABigM) {
   for (const auto& way : ways) {
     const auto open = solve(source("cases/bigm_open_a.mps"), way);
@@ -99,13 +99,13 @@ TEST_F(MipCommand, KeepsTheScaleOfABigM) {
   }
 }
 
-// The truth of both is of rational arithmetic (bench/hostile/exact_program.py).
+// Both optima are from rational arithmetic (bench/hostile/exact_program.py).
 TEST_F(MipCommand, LooksAgainAtWhatTheSimplexMethodCallsInfeasible) {
   // x0 = 0, x3 = x4 = 1: r1 is tight to the last digit, and no basis in doubles has that point.
   const auto tight = solve(source("cases/tight_rows.lp"));
   EXPECT_EQ(tight.exit_code, 0) << tight.said;
   EXPECT_NEAR(tight.result["objective"], -301.3, 1e-9);
-  // By r2, x6 is 1.2e11 at most, and x7 hangs on it by r0: no direction lowers the objective.
+  // By r2, x6 is 1.2e11 at most, and r0 couples x7 to it: no direction decreases the objective.
   const auto bounded = solve(source("cases/bounded_by_a_binary.mps"));
   EXPECT_NE(bounded.result["answer"], "unbounded");
   EXPECT_NE(bounded.result["answer"], "infeasible");
@@ -158,7 +158,7 @@ TEST_F(MipCommand, WarnsOfANegativeUpperBound) {
   EXPECT_THAT(answer.said, HasSubstr("w.mps:9: column \"x\" has an upper bound of -2"));
 }
 
-// Knapsacks with equal ratios: no bound closes anything early.
+// Knapsacks with equal ratios: no bound closes a node early.
 std::string market_split(int rows, int columns) {
   std::mt19937 draw(3);
   std::string text = "OBJSENSE MAX\nNAME HARD\nROWS\n N c\n";

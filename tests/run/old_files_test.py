@@ -1,4 +1,4 @@
-"""That what older versions have written is still read: tests/old-files/.
+"""Files of older versions (tests/old-files/) are still read.
 
     python3 old_files_test.py KUSABI SOURCES
 """
@@ -50,7 +50,7 @@ class OldFiles(KusabiCase):
                 self.assertEqual(result["version"], "0.1.0")
                 if name in counts:
                     self.assertEqual(result.answer["count"], counts[name])
-        # The answers are those of today.
+        # The answers are those of the current version.
         new = self.solve("critical", "two-bars.toml")["result"]["critical_friction"]
         old = kusabi.load(OLD / "critical.json").answer["critical_friction"]
         self.assertLess(abs(old["lower"] - new["lower"]), 1e-7)
@@ -63,8 +63,8 @@ class OldFiles(KusabiCase):
     def test_a_checkpoint_is_refused_and_kept(self):
         for name in ("state", "state.1.0"):
             shutil.copy(OLD / name, self.folder)
-        told = self.refused("patterns", EXAMPLES / "plane-truss.toml", "--mu", 0.8, "--restart", self.folder / "state")
-        self.assertIn("checkpoint", told)
+        message = self.refused("patterns", EXAMPLES / "plane-truss.toml", "--mu", 0.8, "--restart", self.folder / "state")
+        self.assertIn("checkpoint", message)
         for name in ("state", "state.1.0"):
             self.assertEqual((self.folder / name).read_bytes(), (OLD / name).read_bytes())
 

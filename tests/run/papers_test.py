@@ -1,4 +1,4 @@
-"""That run/papers finds a figure of docs/papers.md that does not come out.
+"""run/papers finds a wrong figure in docs/papers.md.
 
     python3 papers_test.py RUN_PAPERS BUILD
 """

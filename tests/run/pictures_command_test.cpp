@@ -1,5 +1,5 @@
-// `kusabi show` and --vtu: which files a call leaves behind, and what it refuses before it begins.
-// What is in the files is tested by their readers (tests/pictures).
+// `kusabi show` and --vtu: files of a call, and errors before the search. Contents of the files are
+// tested in tests/pictures.
 #include <algorithm>
 #include <fstream>
 #include <string>
@@ -88,7 +88,7 @@ TEST_F(Pictures, AreOfResultFiles) {
   }
 }
 
-TEST_F(Pictures, ShowTellsWhatAFileDescribes) {
+TEST_F(Pictures, ShowSummarisesAFile) {
   const auto run = called("show " + example("gust.toml") + " --vtu " + argument("gust.vtu"));
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("\n  of          8 nodes, 15 members\n"));

@@ -1,4 +1,4 @@
-"""That what docs/python.md shows runs, and prints what is shown.
+"""Programs on docs/python.md run and print the output shown.
 
     python3 python_page_test.py KUSABI SOURCES
 
@@ -33,7 +33,7 @@ class Page(KusabiCase):
         for language, program, shown in blocks:
             imported = re.findall(r"^import (\w+)", program, re.MULTILINE)
             missing = [name for name in imported if name != "kusabi" and importlib.util.find_spec(name) is None]
-            # DataFrames are what kusabi.py makes where pandas is.
+            # DataFrames require pandas.
             if "to_dataframe" in program and importlib.util.find_spec("pandas") is None:
                 missing.append("pandas")
             if missing:

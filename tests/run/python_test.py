@@ -1,4 +1,4 @@
-"""That run/python/kusabi.py runs the command and reads what it writes, alone and on two ranks.
+"""run/python/kusabi.py runs the command and reads its files, alone and on two ranks.
 
     python3 python_test.py KUSABI SOURCES
 """
@@ -52,7 +52,7 @@ class Python(KusabiCase):
         self.assertEqual(result["options"], {"cuts": "disjunctive", "branching": "paper", "tighten": False,
                                              "dive": True})
         self.assertEqual(kusabi.load(kept), result)
-        mu = 0.1 + 0.2  # all digits are given
+        mu = 0.1 + 0.2  # with all digits
         self.assertEqual(kusabi.run("rays", EXAMPLES / "plane-truss.toml", mu=mu)["options"]["mu"], mu)
 
     def test_a_problem_may_be_a_text(self):
@@ -72,15 +72,15 @@ class Python(KusabiCase):
     def test_what_is_wrong_is_one_line(self):
         wrong = self.folder / "wrong.toml"
         wrong.write_text(TRUSS.read_text().replace("dimension", "dimensoin"))
-        told = self.refused("patterns", wrong, "--mu", 1).rstrip("\n")
+        message = self.refused("patterns", wrong, "--mu", 1).rstrip("\n")
         for ranks in (None, 2):
             with self.subTest(ranks=ranks), self.assertRaises(kusabi.WrongInput) as caught:
                 kusabi.run("patterns", wrong, mu=1, ranks=ranks)
-            self.assertEqual(str(caught.exception), told)
+            self.assertEqual(str(caught.exception), message)
             self.assertEqual(caught.exception.returncode, 2)
         with self.assertRaisesRegex(kusabi.WrongInput, "--fricton"):
             kusabi.run("patterns", TRUSS, mu=1, fricton=1)
-        # A warning comes before it, and is not it.
+        # A warning precedes the error, and is not part of it.
         with self.assertRaisesRegex(kusabi.WrongInput, "^--method polyhedral: "):
             kusabi.run("patterns", EXAMPLES / "paper" / "elastic-body.toml", mu=1, method="polyhedral")
 
@@ -143,8 +143,8 @@ class Python(KusabiCase):
                         if isinstance(value, float):
                             self.assertEqual(float(cells[key]), value)
                         else:
-                            told = "" if value is None else " ".join(value) if isinstance(value, list) else str(value)
-                            self.assertEqual(cells[key], told)
+                            expected = "" if value is None else " ".join(value) if isinstance(value, list) else str(value)
+                            self.assertEqual(cells[key], message)
                 if command == "limit":
                     self.assertEqual(list(rows[0]), list(table[0]))
 

@@ -1,10 +1,11 @@
-"""What --resume promises: however often a run is killed, and wherever, the same call comes to the result of a run that
-nobody touches; a state that is damaged is refused in a line or gone on with properly; one that is in use or of another
-call is refused.
+"""--resume: wherever and however often a run is killed, the same call reaches the result of an
+uninterrupted run; a damaged state is refused in one line or resumed correctly; a state in use or of
+another call is refused.
 
     python3 resume_test.py [Class.test] MPIEXEC MORTAL KUSABI SOURCES
 
-MPIEXEC is the launcher with its option for the number of ranks, in one word; MORTAL the library of resume/mortal.cpp.
+MPIEXEC is the launcher with its option for the number of ranks, in one word; MORTAL the library of
+resume/mortal.cpp.
 """
 import fcntl
 import json
@@ -23,10 +24,10 @@ from kusabi_case import EXAMPLES, KUSABI, SOURCES, KusabiCase, main  # noqa: E40
 MORTAL = sys.argv.pop()
 MPIEXEC = sys.argv.pop().split()
 KILLED = (-signal.SIGKILL, 128 + signal.SIGKILL, signal.SIGKILL)  # of a shell, Open MPI and MPICH
-# As often as the surveys of a search come.
+# Seconds between two reductions of a search.
 OFTEN = ("--checkpoint-interval", "1e-6")
 
-# Each takes less than a second: a way through each driver of searches.
+# Calls of less than a second: one for each driver of searches.
 CALLS = {
     "patterns": ("patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65, "--branching", "paper", "--sort", "critical"),
     "bounds": ("patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65, "--cuts", "always"),
@@ -44,7 +45,7 @@ CALLS = {
 }
 
 
-# mpirun takes a second by itself, so not all of them go through it.
+# mpirun takes a second by itself, so only some calls use it.
 ON_TWO_RANKS = ("patterns", "descent", "tree", "static cuts")
 
 
@@ -65,7 +66,7 @@ class Resumed(KusabiCase):
         return subprocess.run(line, capture_output=True, text=True, check=False, env=environment, timeout=250)
 
     def answer(self):
-        """All of the result that two runs have alike."""
+        """Part of the result that is the same for two runs."""
         result = json.loads(self.result.read_text())
         del result["statistics"]
         self.result.unlink()
@@ -85,30 +86,31 @@ class Resumed(KusabiCase):
         return run
 
     def begin(self, call, dies_at):
-        """Leaves a state of a run that was killed."""
+        """Leaves the state of a killed run."""
         run = self.resume(call, dies_at=dies_at)
         self.assertIn(run.returncode, KILLED, run.stderr)
 
 
 class Killed(Resumed):
-    """Ten times, each time a little later, and before and within what it does to its files by turns."""
+    """Ten kills, each a little later, alternating between before and during a system call."""
 
     def check(self, name, ranks=1, kills=10):
         call = CALLS[name]
         expected = self.unbroken(call)
         killed = 0
         for number in range(1, kills + 1):
-            # The last of several ranks writes only what it keeps of a search.
+            # The last of several ranks writes only the state of its search.
             run = self.resume(call, ranks=ranks, dies_at=number, rank=ranks - 1 if number == kills else 0)
             if self.result.exists():
-                self.assertEqual(self.answer(), expected[1])  # files are whole before a run is finished
+                self.assertEqual(self.answer(), expected[1])  # files are complete before a run is
+                                                              # finished
             if run.returncode in (0, 3):
                 break
             self.assertIn(run.returncode, KILLED, run.stderr)
             killed += 1
         self.assertGreaterEqual(killed, 2, f"{name} was too short to be killed")
         self.check_end(call, expected, ranks=ranks)
-        # Now it is finished, and gives the result again, also on another number of ranks.
+        # The analysis is finished, and repeats its result, also on another number of ranks.
         self.check_end(call, expected)
 
 
@@ -170,7 +172,7 @@ class State(Resumed):
         other = (self.CALL[0], EXAMPLES / "plane-truss.toml", *self.CALL[2:])
         self.assertIn("the problem", self.refused_state(other))
         self.assertIn("command", self.refused_state(("rays", EXAMPLES / "plane-truss.toml", "--mu", 0.65)))
-        # The same number, and what changes nothing.
+        # The same number, and options that do not change the result.
         expected = self.unbroken(self.CALL)
         call = [*self.CALL[:-1], "margin", "--top", "2", "--tolerance", "1.0e-12"]
         call[3] = "0.650"
@@ -193,7 +195,7 @@ class State(Resumed):
             fcntl.flock(file, fcntl.LOCK_EX)
             run = subprocess.Popen(line, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
             said = run.stderr.readline()
-        # The file is closed, and so the other run at its end.
+        # The other run closes the file when it ends.
         _, rest = run.communicate(timeout=250)
         self.assertIn(f"{self.state}: is in use by another run; waiting 200 s for its end", said)
         self.assertNotIn("in use", rest)
@@ -212,7 +214,7 @@ class State(Resumed):
         self.assertIn("expected one of the two", line)
 
     def check_damage(self, call, file, times, seed):
-        """Each damage of a file is refused in a line, or what comes of it is right."""
+        """Each damage of a file is refused in one line, or the result is correct."""
         expected = self.unbroken(call)
         keep = self.folder / "whole"
         shutil.rmtree(keep, ignore_errors=True)
@@ -263,7 +265,7 @@ class State(Resumed):
         expected = self.unbroken(call)
         whole = sorted(certificate.read_text().splitlines()[:-2])
         certificate.unlink()
-        # Wherever the state is written, and wherever the certificate is.
+        # Killed at any write of the state and of the certificate.
         for about in ("state", "certificate"):
             for number in range(1, 9):
                 self.resume(call, dies_at=number, about=about)
@@ -281,12 +283,12 @@ class State(Resumed):
 
 class Improved(Resumed):
     def test_is_kept(self):
-        """Without any interval, what is kept of a search is kept because something better was found."""
+        """With a long interval, states are kept because a better solution was found."""
         for name in ("program", "zero-one"):
             call = CALLS[name]
             saves = {}
             for word in ("interval", "improvement"):
-                # As many files as it writes: it is killed at the first that is about a search.
+                # Number of files written; the run is killed at the first one of a search.
                 run = self.run_it(call, "--resume", self.state, "--save-on", word, dies_at=1, about="state.search")
                 saves[word] = run.returncode in KILLED
                 if not saves[word]:
@@ -297,7 +299,7 @@ class Improved(Resumed):
 
 
 class Verified(Resumed):
-    """The words of a verification are its result."""
+    """The result of a verification is its text."""
 
     QUESTIONS = {"patterns": ("patterns", EXAMPLES / "space-truss.toml", "--mu", 0.65),
                  "limit": ("limit", EXAMPLES / "static-gap.toml", "--alpha", 0.35)}
@@ -323,7 +325,7 @@ class Verified(Resumed):
                 self.assertNotIn("PROVED", run.stdout)
                 killed += 1
             self.assertGreaterEqual(killed, 2, name)
-            for _ in range(2):  # it goes on, and then it is finished
+            for _ in range(2):  # resumed, then finished
                 run = self.verify(name, "--resume", self.state, *OFTEN)
                 self.assertEqual((run.returncode, run.stdout), (0, unbroken.stdout), run.stderr)
             self.assertIn("finished before", run.stderr)
@@ -349,7 +351,7 @@ class TimeLimit(KusabiCase):
         environment["SLURM_JOB_ID"] = "1"
         environment["SLURM_JOB_END_TIME"] = "4000000000"
         self.assertEqual(self.kusabi(*call, env=environment).returncode, 0)
-        environment["SLURM_JOB_END_TIME"] = "1000000000"  # over
+        environment["SLURM_JOB_END_TIME"] = "1000000000"  # in the past
         truss = self.folder / "truss.toml"
         subprocess.run([KUSABI, "example", "space-truss", "--rows", "12", "--output", truss], capture_output=True,
                        check=True)

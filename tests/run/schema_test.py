@@ -1,5 +1,5 @@
-"""That docs/result.schema.json accepts every result of every example, and nothing in which a key is missing, has
-another name, or holds something else.
+"""docs/result.schema.json accepts every result of every example, and refuses results with a
+missing, renamed or retyped key.
 
     python3 schema_test.py [Schema.test_NAME] KUSABI SOURCES
 
@@ -19,7 +19,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main  # noqa: E402: beside the folder of this file
 
 FEW = ("--pattern-limit", 2)
-# What is asked of each example: words of `patterns`, `rays`, `critical`; None: it cannot be asked.
+# Arguments of `patterns`, `rays` and `critical` for each example; None: not applicable.
 WEDGED = {
     "two-bars.toml": (("--mu", 2), ("--mu", 2, "--whole"), ()),
     "plane-truss.toml": (("--mu", 0.8), ("--mu", 0.6, "--whole"), ("--method", "newton", "--mu-max", 0.6)),
@@ -43,7 +43,7 @@ LIMIT = {
     "paper/limit-3x3.toml": ((), ("--alpha", 40, "--cuts", "none", "--big-m", 5, "--node-limit", 5)),
     "paper/limit-4x4.toml": ((),),
 }
-# What is asked of `sweep`: friction, then the uncertainty of loads.
+# Arguments of `sweep`: friction, then the uncertainty of loads.
 SWEPT = (("two-bars.toml", ("--mu", "1,2,3")), ("plane-truss.toml", ("--mu", "0.5:0.8:0.1")),
          ("space-truss.toml", ("--mu-max", 0.65, "--node-limit", 3)), ("wedge-in-groove.toml", ("--mu-max", 0.9)),
          ("elastic-body.toml", ("--mu-max", 1.5)), ("gust.toml", ("--alpha", "0:0.6:0.2")),
@@ -52,7 +52,7 @@ SWEPT = (("two-bars.toml", ("--mu", "1,2,3")), ("plane-truss.toml", ("--mu", "0.
          ("../tests/cases/lambda_zero_not_carried.toml", ("--alpha", "1")))
 PROGRAMS = (("assignment.mps", ()), ("knapsack.lp", ("--cuts", "disjunctive")), ("odd-cycle.lp", ()),
             ("generalised-assignment.mps", ("--node-limit", 2)), ("parity.lp", ("--branching", "look-ahead")))
-# What a result may be without, by docs/result-files.md: what there is nothing of, or was not asked for.
+# Optional keys by docs/result-files.md: empty parts, and parts not requested.
 OPTIONAL = {
     "structure": {"inclined_supports", "springs", "ties", "elements", "outlines", "axial_stiffnesses", "fixed", "against",
                   "dead_loads"},
@@ -65,18 +65,20 @@ OPTIONAL_OF = {
                  "candidates": {"block", "at_rest", "margin"}},
     "rays": {"result": {"tree", "motions"}, "cones": {"motions"}, "rays": {"axial_forces"}},
     "critical": {"patterns": {"block", "at_rest", "axial_forces"}, "pattern": {"block", "at_rest", "axial_forces"},
-                 "statistics": {"ranks"}, "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},  # by the method
+                 # depending on the method
+                 "statistics": {"ranks"}, "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},
     "limit": {"options": {"curve_load", "group_alpha", "case"}, "uncertain_loads": {"half_width"}, "cases": {"worst_case"}, "statistics": {"nodes", "tree_programs", "zero_one"},
               "lower": {"critical_parameters"}, "upper": {"critical_parameters"},
               "result": {"guaranteed_interval", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "sweep": {"result": {"curve_end"}, "points": {"guaranteed_interval"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},
     "mip": {},
 }
-NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_support_reactions", "columns"}  # their keys are names of the problem
+# keys are names of the problem
+NAMED = {"group_alpha", "all_displacements", "support_reactions", "nominal_support_reactions", "columns"}
 
 
 def places(value, way=(), name=""):
-    """The way to every key of an object, with the name of the object that has it; of lists the first entries."""
+    """Paths to all keys of an object, with the name of the object of each; first entries of lists only."""
     if isinstance(value, dict):
         for key, inner in value.items():
             if name not in NAMED:
@@ -162,8 +164,8 @@ class Schema(KusabiCase):
         for name, words in PROGRAMS:
             self.check("mip", f"../tests/programs/{name}", words)
 
-    def check_it_is_told(self, result):
-        """Each key in turn is missing, has another name, and holds something of another type."""
+    def check_is_documented(self, result):
+        """Each key in turn is removed, renamed, and given a value of another type."""
         result = short(result)
         self.assertTrue(self.schema.is_valid(result))
         own = OPTIONAL_OF[result["command"]]
@@ -186,19 +188,19 @@ class Schema(KusabiCase):
                     self.assertFalse(self.schema.is_valid(result))
             inner[key] = value
 
-    def test_wrong_patterns_are_told(self):
-        self.check_it_is_told(self.solve("patterns", "space-truss.toml", "--mu", 0.65, "--method", "polyhedral",
+    def test_wrong_patterns_are_found(self):
+        self.check_is_documented(self.solve("patterns", "space-truss.toml", "--mu", 0.65, "--method", "polyhedral",
                                          "--pattern-limit", 2))
-        self.check_it_is_told(self.solve("rays", "two-bars.toml", "--mu", 2, "--whole"))
-        self.check_it_is_told(self.solve("rays", "wedge-in-groove.toml", "--mu", 0.27))
+        self.check_is_documented(self.solve("rays", "two-bars.toml", "--mu", 2, "--whole"))
+        self.check_is_documented(self.solve("rays", "wedge-in-groove.toml", "--mu", 0.27))
 
-    def test_what_else_is_wrong_is_told(self):
-        self.check_it_is_told(self.solve("critical", "two-bars.toml"))
-        self.check_it_is_told(self.solve("critical", "elastic-body.toml", "--method", "global"))
-        self.check_it_is_told(self.solve("limit", "gust.toml", *LIMIT["gust.toml"][1]))
-        self.check_it_is_told(self.solve("sweep", "two-bars.toml", "--mu", "1,3"))
-        self.check_it_is_told(self.solve("sweep", "gust.toml", "--alpha", "0,0.3"))
-        self.check_it_is_told(self.solve("mip", "../tests/programs/knapsack.lp"))
+    def test_other_errors_are_found(self):
+        self.check_is_documented(self.solve("critical", "two-bars.toml"))
+        self.check_is_documented(self.solve("critical", "elastic-body.toml", "--method", "global"))
+        self.check_is_documented(self.solve("limit", "gust.toml", *LIMIT["gust.toml"][1]))
+        self.check_is_documented(self.solve("sweep", "two-bars.toml", "--mu", "1,3"))
+        self.check_is_documented(self.solve("sweep", "gust.toml", "--alpha", "0,0.3"))
+        self.check_is_documented(self.solve("mip", "../tests/programs/knapsack.lp"))
 
 
 if __name__ == "__main__":

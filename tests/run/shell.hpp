@@ -1,5 +1,4 @@
-// The command called as a user calls it: by the shell, alone or under mpirun, in a folder that is
-// gone afterwards.
+// The command called by the shell as by a user, alone or under mpirun, in a temporary folder.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 
 namespace kusabi::test {
 
-// One word for the shell, whatever it holds.
+// A word quoted for the shell.
 inline std::string quoted(const std::string& text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -42,7 +41,7 @@ inline Run shell(const std::string& line) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
 }
 
-// The settings of cmake/KusabiTest.cmake: root, more ranks than cores, no pinning.
+// Settings of cmake/KusabiTest.cmake: root, more ranks than cores, no pinning.
 inline const std::string any_machine =
     "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
     "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
@@ -55,8 +54,8 @@ inline std::string ranks(int count) {
   return fmt::format("{}{} {} ", any_machine, KUSABI_MPIEXEC, count);
 }
 
-// The line for a shell in which `kusabi` is installed, and mpirun that of its MPI: without its -np,
-// which is said already.
+// Call for a shell in which `kusabi` is installed, with the mpirun of its MPI; -np is added by the
+// caller.
 inline std::string as_typed(const std::string& line) {
   const auto folder = fs::path(KUSABI_COMMAND).parent_path().string();
   const std::string launcher = "mpirun() { shift; " KUSABI_MPIEXEC " \"$@\"; }; ";
@@ -64,7 +63,7 @@ inline std::string as_typed(const std::string& line) {
                      quoted(launcher + line));
 }
 
-// The call that goes on with a search, as a person copies it from what it printed when it stopped.
+// The call that resumes a search, copied from the output of the stopped run.
 inline std::string call_to_go_on(const std::string& output) {
   const std::string before = "go on with: ";
   const auto at = output.find(before);
@@ -84,7 +83,7 @@ inline std::string without_statistics(const std::string& file) {
 
 class Command : public InFolder {
  protected:
-  // A place in the folder, for the shell.
+  // A path in the folder, quoted for the shell.
   [[nodiscard]] std::string argument(const std::string& name) const {
     return quoted(in_folder(name));
   }

@@ -1,5 +1,5 @@
-"""That run/site makes a site of the pages whose links lead somewhere and which takes nothing from the net. Left out where
-there is no MkDocs.
+"""Site of run/site: its links have targets, and it loads nothing from the net. Skipped without
+MkDocs.
 
     python3 site_test.py RUN_SITE BUILD
 """
@@ -17,7 +17,7 @@ SITE = pathlib.Path(sys.argv.pop())
 
 
 class Page(html.parser.HTMLParser):
-    """What a page names and what it links to."""
+    """Anchors and links of a page."""
 
     def __init__(self, text):
         super().__init__()

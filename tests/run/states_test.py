@@ -1,5 +1,5 @@
-"""That all outputs of a run say one thing, in every state that an answer can be in: the table, standard error, the result
-file, the report, Python, the exit code. And that nothing is claimed which is not proved, unless it is said not to be.
+"""Outputs of a run agree in every state of an answer: table, standard error, result file, report,
+Python, exit code. Claims that are not proved are marked as such.
 
     python3 states_test.py KUSABI SOURCES
 """
@@ -19,7 +19,7 @@ import kusabi  # noqa: E402: of the sources
 CASES = SOURCES / "tests" / "cases"
 PROGRAMS = SOURCES / "tests" / "programs"
 QUALIFIED = "computed, not proved"
-# The normal is 45 degrees off the edge of the block, which is answered with a warning.
+# The normal is 45 degrees off the edge of the block, which gives a warning.
 OFF = """name = "block"
 dimension = 2
 units = { length = "m", force = "N" }
@@ -76,7 +76,7 @@ STATES = (
 
 
 class Header(html.parser.HTMLParser):
-    """The sentences at the head of a report, by the id of what they are in."""
+    """Sentences at the head of a report, by the id of their element."""
 
     def __init__(self, text):
         super().__init__()
@@ -101,7 +101,7 @@ class Header(html.parser.HTMLParser):
 
 
 def computed_bounds(answer):
-    """Bounds of an answer that are not proved, as far as a sentence names them."""
+    """Bounds of an answer that are not proved and named in a sentence."""
     kind = answer["kind"]
     named = {"critical": [("bracket", "lower"), ("bracket", "upper")], "friction-steps": [("infeasible",)],
              "mixed-optimum": [("bound",)], "load-steps": [("nominal",)]}.get(kind, [])
@@ -123,16 +123,16 @@ class States(KusabiCase):
         self.assertEqual(said["warnings"], ["Warning: " + each for each in result["warnings"]])
 
     def check_older(self, result):
-        """A file of an older version, which has the facts alone, comes to the same."""
+        """A file of an older version, which has no verdict, leads to the same one."""
         older = {key: value for key, value in result.items() if key not in ("verdict", "warnings")}
         self.result.write_text(json.dumps(older))
         said = Header(self.kusabi("report", self.result).stdout).found["verdict"]
-        if result["command"] != "limit":  # whose least factors older versions do not know
+        if result["command"] != "limit":  # older versions do not write least factors
             self.assertEqual(said, [result["verdict"]["sentence"]])
         self.assertEqual(kusabi.load(self.result).partial, result["verdict"]["exit_code"] == 3)
 
     def check_facts(self, result):
-        """What the result file has elsewhere does not contradict its verdict."""
+        """Other keys of the result file do not contradict its verdict."""
         verdict, answer, found = result["verdict"], result["verdict"]["answer"], result["result"]
         if verdict["ended"] != "solved":
             self.assertEqual(result["status"], verdict["ended"])
@@ -172,7 +172,7 @@ class States(KusabiCase):
                            **{words[i].lstrip("-").replace("-", "_"): words[i + 1] if i + 1 < len(words) and
                               not str(words[i + 1]).startswith("--") else True
                               for i in range(1, len(words)) if str(words[i]).startswith("--")})
-        result = json.loads(self.result.read_text())  # of this run: a limit may come elsewhere
+        result = json.loads(self.result.read_text())  # of this run: a limit may be reached elsewhere
         verdict = result["verdict"]
         self.assertEqual(quiet.partial, code == 3)
         self.assertEqual(quiet.sentence, verdict["sentence"])
@@ -202,7 +202,8 @@ class States(KusabiCase):
         self.assertIn("Warning: " + result["warnings"][0], shown)
 
     def test_where_a_pattern_begins(self):
-        """One coefficient in `patterns --sort critical`, in `sweep`, and by what `patterns` lists on either side of it."""
+        """The same coefficient in `patterns --sort critical`, in `sweep`, and by lists of
+        `patterns` on either side of it."""
         for name in (CASES / "self_holding_corner.toml", EXAMPLES / "plane-truss.toml"):
             with self.subTest(name):
                 most = 3 if "corner" in name.name else 0.8

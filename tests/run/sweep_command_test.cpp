@@ -1,5 +1,5 @@
-// `kusabi sweep`: against a call of `patterns` or `limit` at each point, on one rank and on two,
-// and as files that others read.
+// `kusabi sweep`: compared with a call of `patterns` or `limit` at each point, on one rank and on
+// two; its files read by other programs.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -84,7 +84,7 @@ TEST_F(SweepCommand, FindsTheSameWorstCasesOnTwoRanks) {
   expect_same_on_two_ranks("sweep " + file_of("static-gap.toml") + " --alpha 0.2,0.45");
 }
 
-// By hand: the bar holds 3, of which the wind may take a quarter of 1.
+// By hand: the bar carries 3, and the wind may take a quarter of 1.
 TEST_F(SweepCommand, RangesOverTheLoadsThatTheFileLeavesOpen) {
   const std::string wind = "[[uncertainty]]\nnodes = [\"tip\"]\naxes = [\"x\"]\nalpha = 0.25\n";
   const auto file = argument("open.toml");

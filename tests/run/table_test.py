@@ -1,4 +1,5 @@
-"""That the tables of --csv hold what the result file does, bit for bit, in the columns that docs/result-files.md names.
+"""Tables of --csv contain the numbers of the result file, bit for bit, in the columns of
+docs/result-files.md.
 
     python3 table_test.py KUSABI SOURCES
 """
@@ -122,8 +123,8 @@ class Table(KusabiCase):
 
     def test_one_file_for_two_is_refused(self):
         place = self.folder / "one"
-        told = self.refused("patterns", EXAMPLES / "two-bars.toml", "--mu", 2, "--csv", place, "--output", place)
-        self.assertIn("--output", told)
+        message = self.refused("patterns", EXAMPLES / "two-bars.toml", "--mu", 2, "--csv", place, "--output", place)
+        self.assertIn("--output", message)
         self.assertFalse(place.exists())
 
 

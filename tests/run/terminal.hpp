@@ -1,4 +1,4 @@
-// The command on a terminal: a pseudo-terminal of so many columns, and what it is shown there.
+// The command on a pseudo-terminal with a given number of columns.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace kusabi::test {
 
-/// Both streams, as the terminal gets them, with plain ends of lines.
+/// Both streams as the terminal receives them, with plain line ends.
 /// @param line for the shell, which may set variables in front of the command
 inline std::string on_terminal(const std::string& line, unsigned short columns) {
   winsize size{.ws_row = 50, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
@@ -30,7 +30,7 @@ inline std::string on_terminal(const std::string& line, unsigned short columns) 
   std::array<char, 4096> piece{};
   for (;;) {
     const auto count = read(master, piece.data(), piece.size());
-    if (count <= 0) break;  // EIO: nobody writes any more
+    if (count <= 0) break;  // EIO: no writer is left
     for (const char c : std::string(piece.data(), static_cast<std::size_t>(count)))
       if (c != '\r') shown += c;
   }

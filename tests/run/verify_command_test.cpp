@@ -1,4 +1,5 @@
-// `kusabi verify` as a user calls it: of the certificate alone, and of the structure in a file.
+// `kusabi verify` as a user calls it: for the certificate alone, and for the structure of a problem
+// file.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -42,7 +43,7 @@ class VerifyCommand : public kusabi::test::Command {
     return name;
   }
 
-  // An example with one thing changed.
+  // An example with one change.
   [[nodiscard]] std::string changed(const std::string& example, const std::string& what,
                                     const std::string& with) const {
     std::ifstream file(example_file(example));
@@ -84,7 +85,7 @@ TEST_F(VerifyCommand, GenuineCertificatesAreProvedOfTheProblemFile) {
                 AllOf(HasSubstr(patterns), HasSubstr("problem: "), HasSubstr("fingerprint "),
                       HasSubstr(fmt::format("friction coefficient: {}", mu)),
                       HasSubstr("K was computed anew from the structure, up to ")));
-    // Without the file it is said what is proved, and what is not.
+    // Without a problem file the output states that the stiffness is that of the certificate.
     const auto own = shell(command + " verify " + certificate);
     EXPECT_EQ(own.exit_code, 0);
     EXPECT_THAT(own.output, AllOf(HasSubstr(patterns), HasSubstr("the certificate's own")));
@@ -192,8 +193,8 @@ TEST_F(VerifyCommand, LimitLoadsAreProvedOfTheProblemFile) {
   EXPECT_THAT(wrong.output, HasSubstr("a [[members]] group has no yield; expected yield"));
 }
 
-// 80 nodes on the face of a meshed body: sets of candidates that take two words, in the nodes that
-// ranks send each other, in the certificate and in the proof.
+// 80 nodes on the face of a mesh: sets of candidates of two words, in messages between ranks, in
+// the certificate and in the proof.
 TEST_F(VerifyCommand, ProvesTheFaceOfABodyWithEightyNodes) {
   std::ofstream(path("body.toml")) << R"(name = "body"
 dimension = 2

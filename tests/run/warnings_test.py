@@ -1,4 +1,4 @@
-"""Inputs that look right and are not: what is said of them, and that nothing is said of those that are right.
+"""Plausible but wrong inputs cause warnings or errors; correct ones do not.
 
     python3 warnings_test.py KUSABI SOURCES
 """
@@ -40,10 +40,10 @@ class Problems(KusabiCase):
 
 class Warnings(Problems):
     def test_nodes_at_one_place_that_nothing_joins(self):
-        told = self.said("critical", CASES / "dup.toml").stderr
-        self.assertIn("kusabi: warning: ", told)
-        self.assertIn("5 nodes are where another node is and nothing joins them", told)
-        self.assertIn("the structure is of 2 bodies", told)
+        message = self.said("critical", CASES / "dup.toml").stderr
+        self.assertIn("kusabi: warning: ", message)
+        self.assertIn("5 nodes are where another node is and nothing joins them", message)
+        self.assertIn("the structure is of 2 bodies", message)
         shown = self.said("show", CASES / "dup.toml").stdout
         self.assertIn("2 that nothing joins", shown)
         self.assertEqual(shown.count("unconstrained, can move along x and y and turn"), 2)
@@ -51,14 +51,14 @@ class Warnings(Problems):
     def test_loads_that_have_no_part_in_it(self):
         file = self.groove('\n[[loads]]\nkind = "dead"\nnodes = ["w.20"]\nforce = [0, -100]\n')
         for words in (("critical",), ("patterns", "--mu", 0.1), ("sweep", "--mu", "0.1,0.2")):
-            told = self.said(words[0], file, *words[1:]).stderr
-            self.assertIn(f"1 load of the file has no part in kusabi {words[0]}", told)
-            self.assertIn("problem.toml:21:", told)
+            message = self.said(words[0], file, *words[1:]).stderr
+            self.assertIn(f"1 load of the file has no part in kusabi {words[0]}", message)
+            self.assertIn("problem.toml:21:", message)
 
     def test_candidates_that_are_not_on_the_cone(self):
-        told = self.said("critical", self.plug(CONE.format(6)), "--time-limit", 20).stderr
-        self.assertIn("candidates are not on one cone with this axis and half_angle", told)
-        self.assertIn("right for none", told)
+        message = self.said("critical", self.plug(CONE.format(6)), "--time-limit", 20).stderr
+        self.assertIn("candidates are not on one cone with this axis and half_angle", message)
+        self.assertIn("right for none", message)
         self.assertNotIn("candidates are not", self.said("show", self.plug(CONE.format(3))).stderr)
         self.assertNotIn("candidates are not", self.said("show", EXAMPLES / "morse-taper.toml").stderr)
 
@@ -69,54 +69,54 @@ class Warnings(Problems):
             self.assertEqual("not on one plane with this normal" in self.said("show", file).stderr, not is_right)
 
     def test_facets_that_differ_by_more_than_the_friction_angle(self):
-        told = self.said("critical", self.plug('"surface"')).stderr
-        self.assertIn('normal = "surface" is the mean of faces that differ by up to', told)
-        self.assertIn("the coefficient may be off by up to", told)
+        message = self.said("critical", self.plug('"surface"')).stderr
+        self.assertIn('normal = "surface" is the mean of faces that differ by up to', message)
+        self.assertIn("the coefficient may be off by up to", message)
         self.assertNotIn("faces that differ", self.said("critical", self.groove()).stderr)
         # At a coefficient of 5 they differ by less than the friction angle.
         self.assertNotIn("faces that differ", self.said("patterns", self.plug('"surface"'), "--mu", 5, "--node-limit", 1).stderr)
 
     def test_a_factor_that_was_meant_as_the_coefficient(self):
-        told = self.said("critical", self.groove("friction = 0.15\n")).stderr
-        self.assertIn("friction = 0.15 is no coefficient but a factor", told)
+        message = self.said("critical", self.groove("friction = 0.15\n")).stderr
+        self.assertIn("friction = 0.15 is no coefficient but a factor", message)
         self.assertEqual(self.said("critical", self.groove("friction_factor = 0.15\n")).stderr.count("factor"), 0)
         self.assertIn("expected one", self.refused("show", self.groove("friction = 1\nfriction_factor = 1\n")))
 
     def test_right_files_are_not_doubted(self):
         for file in (*EXAMPLES.glob("*.toml"), *(EXAMPLES / "paper").glob("*.toml"), *CASES.glob("*.toml")):
             if file.name not in ("dup.toml", "long_lever_critical.toml", "lever_1e12.toml"):
-                told = self.kusabi("show", file).stderr
+                message = self.kusabi("show", file).stderr
                 for doubt in ("nothing joins", "candidates are not on", "no coefficient but a factor"):
-                    self.assertNotIn(doubt, told, file.name)
+                    self.assertNotIn(doubt, message, file.name)
 
 
 class Messages(Problems):
-    """Each names the cause and the remedy, in one line."""
+    """Each message names the cause and the remedy, in one line."""
 
     def test_a_group_that_is_spelt_otherwise(self):
-        told = self.refused("show", self.groove(material='[[material]]\ngroups = ["w.Steel"]\n' + STEEL))
-        self.assertIn('problem.toml:9:11: no mesh has a group "w.Steel"', told)
-        self.assertIn('did you mean "w.steel"?', told)
+        message = self.refused("show", self.groove(material='[[material]]\ngroups = ["w.Steel"]\n' + STEEL))
+        self.assertIn('problem.toml:9:11: no mesh has a group "w.Steel"', message)
+        self.assertIn('did you mean "w.steel"?', message)
 
     def test_meshes_that_gmsh_saves_without_what_is_meant(self):
         for mesh, *words in (("nosurf.msh", "no elements of dimension 2", "Physical Surface", "Mesh.SaveAll = 1"),
                              ("nophys.msh", '"w.left wall" does not exist', "its mesh has no groups", "Physical Curve"),
                              ("q9.msh", "a quadrilateral of 9 nodes", "Mesh.SecondOrderIncomplete = 1")):
-            told = self.refused("show", self.problem(HEAD.format(name="w", dimension=2, mesh=mesh) + STEEL + WALLS, mesh))
+            message = self.refused("show", self.problem(HEAD.format(name="w", dimension=2, mesh=mesh) + STEEL + WALLS, mesh))
             for word in words:
-                self.assertIn(word, told)
+                self.assertIn(word, message)
 
     def test_a_body_that_is_almost_incompressible(self):
-        told = self.refused("critical", self.groove(material='[[material]]\ngroups = ["w.steel"]\n' + STEEL.replace("0.3", "0.4999999")))
-        self.assertIn("nu is 0.4999999", told)
-        self.assertNotIn("axial", told)
+        message = self.refused("critical", self.groove(material='[[material]]\ngroups = ["w.steel"]\n' + STEEL.replace("0.3", "0.4999999")))
+        self.assertIn("nu is 0.4999999", message)
+        self.assertNotIn("axial", message)
 
     def test_abaqus_files_in_parts_and_with_contact(self):
         for mesh, keyword, remedy in (("parts.inp", "*PART", "Do not use parts and assemblies"),
                                       ("contact.inp", "*SURFACE INTERACTION", "leave this keyword and its data out")):
-            told = self.refused("show", self.problem(HEAD.format(name="w", dimension=2, mesh=mesh) + WALLS, mesh))
+            message = self.refused("show", self.problem(HEAD.format(name="w", dimension=2, mesh=mesh) + WALLS, mesh))
             for word in (f'keyword "{keyword}" is not understood: flat decks', remedy):
-                self.assertIn(word, told)
+                self.assertIn(word, message)
 
     def test_no_help_ends_with_two_stops(self):
         for command in ("patterns", "rays", "critical", "limit", "sweep", "mip", "verify", "show", "draw", "report"):

@@ -1,9 +1,9 @@
-"""That a result file needs no problem file: what it names is in it, and its numbers follow from what it says of the
-structure.
+"""Result files without their problem files: all names are in the file, and its numbers follow from
+its structure.
 
     python3 whole_result_test.py KUSABI SOURCES
 
-With jsonschema (Debian: python3-jsonschema) the results are held against the schema as well.
+With jsonschema (Debian: python3-jsonschema) the results are validated as well.
 """
 import json
 import math
@@ -18,7 +18,8 @@ except ImportError:
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 from kusabi_case import SOURCES, KusabiCase, main  # noqa: E402: beside the folder of this file
 
-# Two parts that wedge each by itself; of the first a node is tied to the tip and held by a spring and a slope.
+# Two parts that wedge independently; a node of the first is constrained to the tip and held by a
+# spring and a slope.
 PROBLEM = """
 name = "of everything a little"
 dimension = 2
@@ -69,7 +70,7 @@ class WholeResult(KusabiCase):
             self.assertEqual(name, "-".join(structure["node_names"][node] for node in ends))
 
     def elongations(self, structure, displacements):
-        """Of each member: (u_2 - u_1) . e, and its length."""
+        """For each member: (u_2 - u_1) . e, and its length."""
         for first, second in structure["members"]:
             edge = [b - a for a, b in zip(structure["positions"][first], structure["positions"][second])]
             names = structure["node_names"]
@@ -119,9 +120,9 @@ class WholeResult(KusabiCase):
             for each in load["components"]:
                 place = (each["node"], "xyz".index(each["axis"]))
                 made[place] = made.get(place, 0) + parameter["value"] * each["weight"]
-        told = {(each["node"], axis): force for each in answer["critical_part"] for axis, force in enumerate(each["force"])}
-        for place in made.keys() | told.keys():
-            self.assertAlmostEqual(made.get(place, 0), told.get(place, 0), delta=1e-12)
+        stated = {(each["node"], axis): force for each in answer["critical_part"] for axis, force in enumerate(each["force"])}
+        for place in made.keys() | stated.keys():
+            self.assertAlmostEqual(made.get(place, 0), stated.get(place, 0), delta=1e-12)
 
         structure = problem["structure"]
         self.check_members(structure)

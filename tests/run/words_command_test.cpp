@@ -1,4 +1,4 @@
-// What the tables say in the end, in which words, and on how wide a page.
+// Text of tables: words, and widths of pages.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -41,7 +41,7 @@ std::string without_colours(const std::string& text) {
   return plain;
 }
 
-// What is shown: UTF-8 characters.
+// Displayed text: UTF-8 characters.
 std::size_t width(const std::string& line) {
   return static_cast<std::size_t>(std::ranges::count_if(
       line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
@@ -59,7 +59,7 @@ std::string in_one_line(const std::string& text) {
   return line;
 }
 
-// Of the lines that could be folded: a file's name could not.
+// Lines that can be folded; file names cannot.
 std::size_t longest_line(const std::string& text) {
   std::istringstream lines(text);
   std::size_t most = 0;
@@ -71,7 +71,7 @@ std::size_t longest_line(const std::string& text) {
 
 class Words : public Command {
  protected:
-  // What is printed on standard output alone; the result is in r.json.
+  // Standard output only; the result is in r.json.
   std::string answer(const std::string& call, int code = 0) const {
     const auto run =
         shell("(" + command + " " + call + " --output " + argument("r.json") + " 2>/dev/null)");
@@ -106,8 +106,8 @@ TEST_F(Words, TheHeadingIsAboveTheTable) {
   EXPECT_THAT(answer("patterns " + truss + " --mu 0.65"), HasSubstr("space truss: in space, "));
 }
 
-// From the reactions in the file: of who is in contact the least mu r_n - |r_t|, of the others the
-// least gap; and where the largest |r_t| / r_n is.
+// From the reactions in the file: the least mu r_n - |r_t| of candidates in contact, the least gap
+// of the others, and the candidate with the largest |r_t| / r_n.
 TEST_F(Words, TheMarginIsOfTheInequalityNearestToFailing) {
   const auto said = last_line(answer("patterns " + truss + " --mu 0.65"));
   const auto all = result()["result"]["patterns"];
@@ -192,16 +192,17 @@ TEST_F(Words, GroupsPatternsThatDifferInFewCandidates) {
   std::size_t members = 0;
   for (const auto& group : all["groups"]) {
     members += group["patterns"].size();
-    const auto firmest = all["patterns"][group["firmest"].get<std::size_t>() - 1];
+    const auto largest_margin = all["patterns"][group["firmest"].get<std::size_t>() - 1];
     for (const auto& number : group["patterns"]) {
       const auto& pattern = all["patterns"][number.get<std::size_t>() - 1];
-      EXPECT_LE(pattern["margin"], firmest["margin"]);
+      EXPECT_LE(pattern["margin"], largest_margin["margin"]);
       for (const auto& name : group["contact"])
         EXPECT_NE(std::ranges::find(pattern["contact"], name), pattern["contact"].end());
     }
-    EXPECT_THAT(table, HasSubstr(fmt::format("  {:>8}  {:>10}  {:>7}  ", group["patterns"].size(),
-                                             fmt::format("{:.3e}", firmest["margin"].get<double>()),
-                                             group["firmest"].get<int>())));
+    EXPECT_THAT(table,
+                HasSubstr(fmt::format("  {:>8}  {:>10}  {:>7}  ", group["patterns"].size(),
+                                      fmt::format("{:.3e}", largest_margin["margin"].get<double>()),
+                                      group["firmest"].get<int>())));
   }
   EXPECT_EQ(members, all["patterns"].size());
   EXPECT_EQ(result()["options"]["group"], 1);
@@ -219,7 +220,7 @@ TEST_F(Words, ALongListIsShownInGroupsOnATerminal) {
   EXPECT_THAT(in_one_line(shown), HasSubstr(head));
   EXPECT_THAT(in_one_line(shown), HasSubstr(fmt::format("{} patterns in ", patterns.size())));
   EXPECT_THAT(in_one_line(shown), HasSubstr("--group 0 lists every one"));
-  // The sizes of all groups are that of the list; the firmest of all comes first.
+  // The sizes of all groups add up to the list; the group with the largest margin comes first.
   std::istringstream lines(shown.substr(shown.find(head)));
   std::string line;
   std::getline(lines, line);
@@ -237,7 +238,7 @@ TEST_F(Words, ALongListIsShownInGroupsOnATerminal) {
   EXPECT_EQ(members, patterns.size());
   EXPECT_THAT(shown, HasSubstr(fmt::format("in {} groups", groups)));
   EXPECT_LE(groups, 20U);
-  // Whoever says how it should be gets it so; a file has a line a pattern.
+  // Explicit options are obeyed; a file has one line per pattern.
   for (const auto* const how : {" --group 0", " --group 1", " --top 5", " --sort margin"})
     EXPECT_THAT(on_terminal(long_call + how + " 2>/dev/null", 200), Not(HasSubstr(head))) << how;
   EXPECT_THAT(shell(long_call).output, Not(HasSubstr(head)));
@@ -276,7 +277,7 @@ TEST_F(Words, FoldsListsAndSentencesForTheTerminal) {
         "patterns " + example("morse-taper.toml") + " --mu 0.1 --top 5"}) {
     const auto unfolded = answer(call);
     for (const unsigned short columns : {std::uint16_t{80}, std::uint16_t{40}}) {
-      // Its progress, which a slow machine would show, goes over one line again and again.
+      // Progress, which a slow machine would show, overwrites one line.
       const auto shown =
           without_colours(on_terminal(command + " " + call + " 2>/dev/null", columns));
       EXPECT_LE(longest_line(shown), columns) << call << "\n" << shown;
@@ -303,7 +304,7 @@ TEST_F(Words, ColoursAreForTerminalsAlone) {
   EXPECT_THAT(on_terminal(call + " > " + argument("table") + " 2>&1", 80), Not(HasSubstr("\033")));
   EXPECT_THAT(content(in_folder("table")), Not(HasSubstr("\033")));
   EXPECT_THAT(shell("TERM=xterm " + call).output, Not(HasSubstr("\033")));
-  // A launcher gives each rank a terminal, whatever becomes of what it collects.
+  // A launcher gives each rank a terminal, independently of the terminal of the output.
   EXPECT_THAT(shell("TERM=xterm " + ranks(2) + call).output, Not(HasSubstr("\033")));
 }
 
@@ -314,7 +315,7 @@ TEST_F(Words, WhatIsOpenIsYellow) {
   EXPECT_THAT(shown, HasSubstr("are known"));
 }
 
-// A line of the log is explained below the head that it has in the log.
+// A line of the log is explained below its heading.
 TEST_F(Words, HelpExplainsALineOfTheLog) {
   const std::string found = "     time   nodes   per s    open   found      idle    done      left";
   const std::string best =

@@ -1,5 +1,4 @@
-// Help, manual pages and completion, which are made from the tables of options; and what is said of
-// calls that are wrong.
+// Help, manual pages and completion, generated from the option tables; messages for wrong calls.
 #include "run/command/help.hpp"
 
 #include <algorithm>
@@ -54,7 +53,7 @@ TEST(Help, HasAllOptionsAndTheirChoices) {
       const auto letter = row.letter.empty() ? row.letter : row.letter + ", ";
       EXPECT_THAT(text, HasSubstr("\n  " + letter + row.name));
     }
-    // Choices may be on several lines.
+    // Choices may take several lines.
     std::ranges::replace(text, '\n', ' ');
     const auto both_spaces = [](char a, char b) { return a == ' ' && b == ' '; };
     text.erase(std::unique(text.begin(), text.end(), both_spaces), text.end());

@@ -1,4 +1,4 @@
-// What the options of a subcommand take, and the call that is made of them again.
+// Permitted values of options, and the call that the table makes from them.
 #include "run/command/option_table.hpp"
 
 #include <cstdint>

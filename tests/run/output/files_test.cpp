@@ -1,5 +1,5 @@
-// What the command writes, piece by piece: places, leftovers of the dead, JSON that is streamed,
-// the last steps, and what launchers say.
+// Output files in all parts: destinations, files left by killed processes, streamed JSON, last
+// steps, launchers.
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -70,7 +70,7 @@ TEST_F(Files, OfTwoProcessesAtOnceDoNotMix) {
   EXPECT_EQ(content("result"), "other");
 }
 
-// A process that opens a file, says so by its end, and is killed by SIGKILL.
+// Process that opens a file, exits to report it, and is killed by SIGKILL.
 pid_t killed_while_it_writes(const std::string& name) {
   const pid_t child = fork();
   if (child == 0) {
@@ -85,7 +85,7 @@ pid_t killed_while_it_writes(const std::string& name) {
 
 TEST_F(Files, LeftByAKilledProcessGoWithTheNext) {
   killed_while_it_writes(in_folder("result"));
-  ASSERT_EQ(files().size(), 1U);  // or this test shows nothing
+  ASSERT_EQ(files().size(), 1U);  // otherwise the test shows nothing
   {
     OutputFile file("--output", in_folder("result"), "");
     EXPECT_EQ(files().size(), 1U);
@@ -97,7 +97,7 @@ TEST_F(Files, LeftByAKilledProcessGoWithTheNext) {
 TEST_F(Files, ThatALivingProcessOrAUserHasAreLeftAlone) {
   const pid_t child = killed_while_it_writes(in_folder("result"));
   const auto beside = files().front();
-  // Of a process of another machine that has the same name and number: it is locked, and lives.
+  // A process of another machine with the same name and number: its file is locked.
   std::ofstream locked(in_folder(beside));
   const int descriptor = open(in_folder(beside).c_str(), O_WRONLY);
   ASSERT_EQ(flock(descriptor, LOCK_EX), 0);
@@ -115,7 +115,7 @@ TEST_F(Files, OfTheSameNumberDoNotStandInTheWay) {
     OutputFile file("--output", in_folder("result"), "");
     beside = files().front();
   }
-  make(beside);  // of this very process number, as in a container that was started anew
+  make(beside);  // same process number, as in a restarted container
   OutputFile file("--output", in_folder("result"), "");
   file.put_in_place();
   EXPECT_THAT(files(), UnorderedElementsAre(beside, "result"));
@@ -158,7 +158,7 @@ TEST_F(Files, OfOneCallAreAllDifferent) {
 }
 
 TEST(JsonWriter, WritesWhatItIsGivenWhateverItHolds) {
-  // Names and texts of every kind of character, among them the marks of earlier versions.
+  // Names and texts of all kinds of characters, including marks of earlier versions.
   const ordered_json document = {{"name", "the rays"},
                                  {"the cones", {"the rays", "\"quoted\" \\ \n \t", "\x01", "節点"}},
                                  {"empty", ordered_json::object()},
@@ -212,7 +212,7 @@ TEST(JsonWriter, LaysOutOneMemberALineAndPlainListsOnOne) {
 })");
 }
 
-TEST(LastSteps, AreAllDoneAndTheFirstThatFailsIsTold) {
+TEST(LastSteps, AllAreDoneAndTheFirstErrorIsReported) {
   std::string done;
   EXPECT_THAT(
       [&] {
@@ -237,7 +237,7 @@ class LaunchOf {
   explicit LaunchOf(Variables variables) : variables_(std::move(variables)) {}
 
   [[nodiscard]] bool refused(unsigned ranks, bool serial = false) const {
-    const auto launch = launch_told_by([this](const char* name) {
+    const auto launch = launch_from([this](const char* name) {
       const auto found = variables_.find(name);
       return found == variables_.end() ? nullptr : found->second.c_str();
     });
@@ -249,7 +249,7 @@ class LaunchOf {
 };
 
 TEST(Launch, OfSeveralProcessesThatDoNotFindEachOtherIsRefused) {
-  // srun without PMIx; MPICH's mpirun and a command of Open MPI's; Open MPI's and one of MPICH's.
+  // srun without PMIx; mpirun of MPICH with a command of Open MPI, and the reverse.
   const LaunchOf srun({{"SLURM_NTASKS", "4"},
                        {"SLURM_STEP_NUM_TASKS", "4"},
                        {"SLURM_STEP_ID", "0"},
@@ -261,7 +261,7 @@ TEST(Launch, OfSeveralProcessesThatDoNotFindEachOtherIsRefused) {
     EXPECT_TRUE(launch->refused(1));
     EXPECT_FALSE(launch->refused(4));
   }
-  // Tasks of a batch system may each be a search of its own; those of mpirun are one.
+  // Tasks of a batch system may be independent searches; processes of mpirun may not.
   EXPECT_FALSE(srun.refused(1, true));
   EXPECT_TRUE(mpich.refused(1, true));
   EXPECT_TRUE(open_mpi.refused(1, true));
@@ -270,7 +270,7 @@ TEST(Launch, OfSeveralProcessesThatDoNotFindEachOtherIsRefused) {
 TEST(Launch, OfOneProcessIsNot) {
   EXPECT_FALSE(LaunchOf(LaunchOf::Variables()).refused(1));
   EXPECT_FALSE(LaunchOf(LaunchOf::Variables()).refused(1, true));
-  // A shell that salloc has opened, with and without an interactive step, and a batch script.
+  // A shell of salloc, with and without an interactive step, and a batch script.
   EXPECT_FALSE(
       LaunchOf(LaunchOf::Variables{{"SLURM_NTASKS", "4"}, {"SLURM_JOB_ID", "7"}}).refused(1));
   EXPECT_FALSE(
@@ -280,7 +280,7 @@ TEST(Launch, OfOneProcessIsNot) {
                          {"SLURM_STEP_ID", "4294967290"},
                          {"SLURM_PROCID", "0"}})
                    .refused(1));
-  // One process of mpirun in an allocation for four, whose daemon srun has started.
+  // One process of mpirun in an allocation for four, with a daemon started by srun.
   EXPECT_FALSE(LaunchOf({{"OMPI_COMM_WORLD_SIZE", "1"},
                          {"SLURM_STEP_NUM_TASKS", "4"},
                          {"SLURM_STEP_ID", "0"},

@@ -1,4 +1,4 @@
-// Names that count up.
+// Ranges of names.
 #include "run/output/name_ranges.hpp"
 
 #include <gtest/gtest.h>

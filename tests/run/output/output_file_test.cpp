@@ -1,5 +1,5 @@
-// What an output file is opened at, what it refuses, and what it says when the disk is full.
-// files_test.cpp has what becomes of the files of several processes.
+// OutputFile: destinations, errors at the start, and a full disk. Several processes are in
+// files_test.cpp.
 #include "run/output/output_file.hpp"
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Lines folded for a narrow page, and marked on one that shows colours.
+// Lines folded for a narrow page, and colours.
 #include "run/output/page.hpp"
 
 #include <sstream>
@@ -63,11 +63,11 @@ TEST(Page, LosesNoWordAndBreaksNone) {
 TEST(Page, MarksOnlyWhereThereAreColours) {
   const Page plain;
   EXPECT_EQ(plain.strong("yes"), "yes");
-  EXPECT_EQ(plain.doubtful("no\n"), "no\n");
+  EXPECT_EQ(plain.warning("no\n"), "no\n");
   const Page terminal{.width = 80, .colours = true};
   EXPECT_EQ(terminal.strong("yes"), "\033[1myes\033[0m");
-  EXPECT_EQ(terminal.doubtful("no\n"), "\033[33mno\033[0m\n");
-  EXPECT_EQ(terminal.doubtful(""), "");
+  EXPECT_EQ(terminal.warning("no\n"), "\033[33mno\033[0m\n");
+  EXPECT_EQ(terminal.warning(""), "");
 }
 
 TEST(Page, MarksTakeNoRoom) {

@@ -1,4 +1,4 @@
-// The summary of the ranks, from figures made up.
+// Statistics of ranks, with artificial values.
 #include "run/output/rank_table.hpp"
 
 #include <sstream>
@@ -37,7 +37,7 @@ engine::RankStatistics some(std::uint64_t opened, double idle) {
   return statistics;
 }
 
-TEST(RankTable, TellsSharesMessagesAndIdleTime) {
+TEST(RankTable, ShowsSharesMessagesAndIdleTime) {
   RankTable table({"leaves"});
   table.add(some(300, 1), {7});
   table.add(some(100, 3), {5});
@@ -57,7 +57,7 @@ TEST(RankTable, PutsColumnsBelowEachOtherOnANarrowPage) {
   const auto text = table.text(40);
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) EXPECT_LE(line.size(), 40U) << line;
-  // Side by side again, they are those of a wide page.
+  // Joined again, the columns are those of a wide page.
   auto wide = words(table.text());
   auto narrow = words(text);
   std::vector<std::vector<std::string>> joined(wide.size());

@@ -1,4 +1,4 @@
-// The timeline as a file: valid JSON that a viewer can draw.
+// Timeline file: valid JSON that a viewer can draw.
 #include "run/output/trace_file.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using engine::RankTrace;
 using Kind = engine::TraceEvent::Kind;
 using nlohmann::json;
 
-// Rank 0 works all the time and gives rank 1, which is idle at first, three nodes.
+// Rank 0 always works and sends three nodes to rank 1, which is idle at first.
 std::vector<RankTrace> two_ranks() {
   RankTrace giver{
       .ended = 9e-3,

@@ -1,10 +1,10 @@
-// Kills its process at a moment that a test chooses: a library to be preloaded.
+// Preloaded library that kills its process at a system call chosen by a test.
 //
-// What a program that survives its own end must not lose goes to the disk by a few calls of the
-// system. KUSABI_MORTAL=N has the process killed at the Nth of them that is about a file whose name
-// contains KUSABI_MORTAL_FILE: before the call if N is odd, otherwise in its midst, with half of
-// the bytes written, or right behind it. KUSABI_MORTAL_RANK says on which rank of an MPI job; 0
-// unless given. No clock is asked, so it does not matter how fast the machine is.
+// State that must survive a killed program goes to disk by a few system calls. KUSABI_MORTAL=N
+// kills the process at the Nth of these calls on a file whose name contains KUSABI_MORTAL_FILE:
+// before the call if N is odd, otherwise during it (half of the bytes are written) or right after
+// it. KUSABI_MORTAL_RANK is the rank of an MPI job, 0 by default. Clocks are not used, so the speed
+// of the machine does not matter.
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -26,7 +26,7 @@ std::string rank() {
   return variable("OMPI_COMM_WORLD_RANK", variable("PMI_RANK", "0").c_str());
 }
 
-// Of the calls that count, 0: this process lives.
+// Number of the system calls counted; 0: the process is not killed.
 long chosen_call() {
   static const bool is_mortal = variable("KUSABI_MORTAL_RANK", "0") == rank();
   static const long number = is_mortal ? std::atol(variable("KUSABI_MORTAL", "0").c_str()) : 0;
@@ -62,7 +62,7 @@ Function real(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-// The call as it is, or what the process does in its stead.
+// Executes the call, or kills the process.
 template <class Subject, class Call, class Part>
 auto lived_through(Subject subject, Call call, Part part) {
   const auto own = fate(subject);
@@ -73,7 +73,7 @@ auto lived_through(Subject subject, Call call, Part part) {
 
 }  // namespace
 
-// As the C library declares them, but for names of parameters.
+// Declared as in the C library, except for names of parameters.
 // NOLINTBEGIN(readability-inconsistent-declaration-parameter-name)
 extern "C" {
 

@@ -1,5 +1,4 @@
-// What is said while a search runs: the guess of the remaining time, and how the figures are
-// written.
+// Progress of a search: the estimated remaining time, and the format of numbers.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -20,12 +19,12 @@ using testing::StartsWith;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// ---- the remaining time
-// ---------------------------------------------------------------------------
+// ---- remaining time
+// -------------------------------------------------------------------------------
 
 TEST(RemainingTime, OfASteadySearchIsExact) {
   RemainingTime time;
-  for (int i = 0; i <= 300; ++i) time.observe(0.1 * i, 0.001 * i);  // 1 % a second
+  for (int i = 0; i <= 300; ++i) time.observe(0.1 * i, 0.001 * i);  // 1 % per second
   ASSERT_TRUE(time.seconds());
   EXPECT_NEAR(*time.seconds(), 70, 1e-6);  // rounding only
 }
@@ -34,17 +33,17 @@ TEST(RemainingTime, IsUnknownUntilItMeansSomething) {
   RemainingTime nothing;
   EXPECT_FALSE(nothing.seconds());
 
-  RemainingTime early;  // fast, but no second has passed
+  RemainingTime early;  // fast, but less than a second
   for (int i = 0; i <= 19; ++i) early.observe(0.05 * i, 0.01 * i);
   EXPECT_FALSE(early.seconds());
   early.observe(1.01, 0.2);
   EXPECT_TRUE(early.seconds());
 
-  RemainingTime little;  // no half percent is closed
+  RemainingTime little;  // less than half a percent closed
   for (int i = 0; i <= 100; ++i) little.observe(i, 0.00004 * i);
   EXPECT_FALSE(little.seconds());
 
-  RemainingTime rare;  // a half of the tree went in one piece
+  RemainingTime rare;  // half of the tree closed at once
   for (int i = 0; i <= 100; ++i) rare.observe(i, i < 50 ? 0 : 0.5);
   EXPECT_FALSE(rare.seconds());
 }
@@ -58,9 +57,9 @@ TEST(RemainingTime, AfterARestartCountsThisRunOnly) {
 
 TEST(RemainingTime, FollowsAChangeOfPace) {
   RemainingTime time;
-  for (int i = 0; i <= 1000; ++i) time.observe(0.1 * i, 0.0002 * i);  // 100 s at 0.2 % a second
+  for (int i = 0; i <= 1000; ++i) time.observe(0.1 * i, 0.0002 * i);  // 100 s at 0.2 % per second
   for (int i = 1; i <= 600; ++i) time.observe(100 + 0.1 * i, 0.2 + 0.001 * i);  // then 60 s at 1 %
-  // The mean pace of the whole run would say 32 s, the latest 20 s.
+  // The mean rate of the whole run would give 32 s, the recent rate 20 s.
   ASSERT_TRUE(time.seconds());
   EXPECT_GT(*time.seconds(), 20);
   EXPECT_LT(*time.seconds(), 24);
@@ -82,7 +81,7 @@ TEST(RemainingTime, IsNeverNegativeWhenSharesDoNotAddUpToOne) {
   EXPECT_EQ(*time.seconds(), 0);
 }
 
-// ---- figures
+// ---- numbers
 // --------------------------------------------------------------------------------------
 
 TEST(ProgressText, WritesDurations) {
@@ -147,7 +146,7 @@ TEST(ProgressText, ARowHasAColumnUnderEachName) {
   }
 }
 
-TEST(ProgressText, ARowTellsWhatIsKnown) {
+TEST(ProgressText, ARowShowsKnownValues) {
   auto state = some_state();
   for (const char* part :
        {"12:34", " 1.23M", " 1637", " 890", " 27", " 3/8", " 45.6 %", " 15:00"}) {
@@ -157,7 +156,7 @@ TEST(ProgressText, ARowTellsWhatIsKnown) {
   state.progress.objective = 10;
   state.progress.bound = 9;
   EXPECT_THAT(progress_row(state), HasSubstr("10            9    10 %"));
-  state.progress.bound = infinity;  // no node waits: the objective is its own bound
+  state.progress.bound = infinity;  // no open node: the objective is its own bound
   EXPECT_THAT(progress_row(state), HasSubstr("10           10     0 %"));
 }
 
@@ -165,7 +164,8 @@ TEST(ProgressText, NamesWhatIsDoneOnceTheProofIsOver) {
   auto state = some_state();
   state.progress.objective = 10;
   state.progress.bound = 10;
-  EXPECT_THAT(progress_row(state), HasSubstr(" 15:00"));  // no bound closes a search for all
+  EXPECT_THAT(progress_row(state), HasSubstr(" 15:00"));  // searches for all solutions are not
+                                                          // closed by a bound
   state.minimising = true;
   EXPECT_THAT(progress_row(state), EndsWith("  closing"));
   EXPECT_THAT(progress_bar(state, 199), HasSubstr("closing: the proof is complete"));

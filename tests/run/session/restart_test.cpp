@@ -1,4 +1,4 @@
-// Where a search goes on from, and what is refused.
+// Checkpoints to resume from, and errors.
 #include "run/session/restart.hpp"
 
 #include <cstdint>
@@ -57,7 +57,7 @@ class Restart : public testing::Test {
     return [=, this] { static_cast<void>(from(checkpoint, restart)); };
   }
 
-  // What is said on standard error.
+  // Text on standard error.
   template <class Speaker>
   [[nodiscard]] static std::string said(Speaker speak) {
     testing::internal::CaptureStderr();

@@ -1,5 +1,5 @@
-// A session of one process: no MPI, rank 0 speaks, and what is wrong with the input stays the same
-// error. mpi_tests has sessions of several.
+// Session of one process: no MPI, rank 0 prints, and input errors keep their type. Several
+// processes are in mpi_tests.
 #include "run/session/session.hpp"
 
 #include <stdexcept>
@@ -16,7 +16,7 @@ namespace {
 
 using testing::ThrowsMessage;
 
-// The call `kusabi patterns x.toml --serial`, which is alone whoever has started this test.
+// The call `kusabi patterns x.toml --serial`, independent of the launcher of this test.
 class SessionOfOne : public testing::Test {
  private:
   std::vector<std::string> words_{"kusabi", "patterns", "x.toml", "--serial"};
@@ -37,17 +37,17 @@ TEST_F(SessionOfOne, IsRankZeroAndSpeaks) {
   EXPECT_EQ(session_.ranks(), 1);
   EXPECT_EQ(session_.transport().rank(), 0);
   EXPECT_TRUE(session_.speaks());
-  EXPECT_EQ(count(), 4);  // --serial is for the command to read as well
+  EXPECT_EQ(count(), 4);  // --serial is read by the command as well
 }
 
-TEST_F(SessionOfOne, TellsItselfWhatItPrepares) {
+TEST_F(SessionOfOne, ReceivesItsOwnResult) {
   int calls = 0;
   EXPECT_EQ(session_.from_first_rank([&] { return ++calls; }), 1);
   session_.from_first_rank([&] { ++calls; });
   EXPECT_EQ(calls, 2);
 }
 
-// A value that can be moved only once reaches the caller as it is.
+// A move-only value reaches the caller.
 TEST_F(SessionOfOne, DoesNotCopyWhatItPrepares) {
   const std::string text(100, 'x');
   std::string own = text;

@@ -57,7 +57,7 @@ void add_sticking(std::vector<AnyAnswer>& all) {
 void add_critical(std::vector<AnyAnswer>& all) {
   for (const double lower : {0.47027123, 1000.0}) {
     for (const auto& bracket : brackets(lower, 0.47027124)) {
-      if (lower > 1 && bracket.upper) continue;  // it would lie below the lower bound
+      if (lower > 1 && bracket.upper) continue;  // would lie below the lower bound
       for (const bool wide : {false, true}) {
         for (const bool open : {false, true}) {
           if ((wide || open) && !bracket.upper) continue;

@@ -1,5 +1,5 @@
-// Every state a verdict can be in: each kind of answer, each bound proved, computed or absent, each
-// way a search ends.
+// All states of a verdict: each kind of answer, each bound proved, computed or absent, each end of
+// a search.
 #pragma once
 
 #include <vector>

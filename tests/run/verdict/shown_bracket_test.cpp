@@ -1,4 +1,4 @@
-// Decimal bounds are bounds, and tell lower from upper.
+// Decimal bounds remain bounds, and lower and upper ones differ.
 #include "run/verdict/shown_bracket.hpp"
 
 #include <cmath>

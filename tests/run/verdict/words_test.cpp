@@ -1,4 +1,4 @@
-// Properties that the sentences of every verdict have, and some of them in full.
+// Properties of the sentences of every verdict, and some sentences in full.
 #include "run/verdict/words.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ bool is_refuted(const std::optional<ExactDoubt>& doubt) {
   return doubt && !doubt->why.empty();
 }
 
-/// Whether a bound that the headline speaks of is not proved.
+/// True if a bound in the headline is not proved.
 bool names_what_is_not_proved(const Verdict& verdict) {
   if (const auto* const found = std::get_if<CriticalBracket>(&verdict.answer))
     return is_computed(found->bracket.lower) || is_computed(found->bracket.upper);

@@ -1,4 +1,4 @@
-// Groups beside the reachability of a graph, of random patterns.
+// Groups of random patterns, compared with reachability in a graph.
 #include "run/wedged/pattern_groups.hpp"
 
 #include <random>
@@ -65,7 +65,7 @@ TEST(PatternGroups, AreWhatStepsOfFewCandidatesJoin) {
         EXPECT_EQ(within, joined[group.members.front()][i]) << seed;
         if (within) {
           EXPECT_TRUE(seen.insert(i).second);
-          EXPECT_LE(list[i].lower, list[group.firmest].lower);
+          EXPECT_LE(list[i].lower, list[group.largest_margin].lower);
         }
       }
       for (int c = 0; c < 9; ++c) {
@@ -74,8 +74,8 @@ TEST(PatternGroups, AreWhatStepsOfFewCandidatesJoin) {
         EXPECT_EQ(group.contact.contains(c), holds == std::ssize(group.members));
         EXPECT_EQ(group.varying.contains(c), holds > 0 && holds < std::ssize(group.members));
       }
-      EXPECT_LE(list[group.firmest].lower, before) << "the firmest first";
-      before = list[group.firmest].lower;
+      EXPECT_LE(list[group.largest_margin].lower, before) << "the largest margin first";
+      before = list[group.largest_margin].lower;
     }
     EXPECT_EQ(seen.size(), list.size());
   }
@@ -88,24 +88,24 @@ int apart(const Configuration& a, const Configuration& b) {
   return count;
 }
 
-TEST(PatternGroups, AroundTheFirmestAreAsFirmAndAsNearAsTheyCanBe) {
+TEST(PatternGroups, AroundLargestMarginsMembersAreNearAndNotLarger) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const auto list = random_patterns(seed, 60);
     const int most_apart = 1 + static_cast<int>(seed % 3);
-    const auto groups = groups_around_firmest(list, most_apart, list.size());
+    const auto groups = groups_around_largest_margin(list, most_apart, list.size());
     ASSERT_TRUE(groups);
     std::set<std::size_t> seen;
     for (std::size_t g = 0; g < groups->size(); ++g) {
       const auto& group = (*groups)[g];
-      const auto& firmest = list[group.firmest];
-      IndexSet all = firmest.pattern.contact, some;
+      const auto& first = list[group.largest_margin];
+      IndexSet all = first.pattern.contact, some;
       for (const auto i : group.members) {
         EXPECT_TRUE(seen.insert(i).second);
-        EXPECT_EQ(list[i].block, firmest.block);
-        EXPECT_LE(list[i].lower, firmest.lower);
-        EXPECT_LE(apart(list[i], firmest), most_apart);
-        for (std::size_t before = 0; before < g; ++before) {  // none of these would have it
-          const auto& other = list[(*groups)[before].firmest];
+        EXPECT_EQ(list[i].block, first.block);
+        EXPECT_LE(list[i].lower, first.lower);
+        EXPECT_LE(apart(list[i], first), most_apart);
+        for (std::size_t before = 0; before < g; ++before) {  // no earlier group could contain it
+          const auto& other = list[(*groups)[before].largest_margin];
           EXPECT_TRUE(other.block != list[i].block || apart(list[i], other) > most_apart);
         }
         all &= list[i].pattern.contact;
@@ -113,18 +113,19 @@ TEST(PatternGroups, AroundTheFirmestAreAsFirmAndAsNearAsTheyCanBe) {
       }
       EXPECT_EQ(group.contact, all);
       EXPECT_EQ(group.varying, some - all);
-      const auto before = g > 0 ? list[(*groups)[g - 1].firmest].lower : firmest.lower;
-      EXPECT_LE(firmest.lower, before) << "the firmest first";
+      const auto before = g > 0 ? list[(*groups)[g - 1].largest_margin].lower : first.lower;
+      EXPECT_LE(first.lower, before) << "the largest margin first";
     }
     EXPECT_EQ(seen.size(), list.size());
-    EXPECT_EQ(groups_around_firmest(list, most_apart, groups->size())->size(), groups->size());
-    EXPECT_FALSE(groups_around_firmest(list, most_apart, groups->size() - 1));
+    EXPECT_EQ(groups_around_largest_margin(list, most_apart, groups->size())->size(),
+              groups->size());
+    EXPECT_FALSE(groups_around_largest_margin(list, most_apart, groups->size() - 1));
   }
 }
 
 TEST(PatternGroups, OfNothingAreNone) {
   EXPECT_TRUE(pattern_groups({}, 1).empty());
-  EXPECT_TRUE(groups_around_firmest({}, 1, 1)->empty());
+  EXPECT_TRUE(groups_around_largest_margin({}, 1, 1)->empty());
 }
 
 }  // namespace
