@@ -51,15 +51,6 @@ std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Analysis& analy
   return std::get<verify::EnclosedProblem>(*std::move(enclosed));
 }
 
-/// The same without a need; nothing if it is too large, or there is no time.
-std::optional<verify::EnclosedProblem> enclosed_if_small(engine::Analysis& analysis,
-                                                         const PatternQuestion& question) {
-  if (question.structure == nullptr) return {};
-  auto enclosed = enclosed_within(analysis, *question.structure, enclosed_stiffness);
-  if (!enclosed || std::holds_alternative<std::string>(*enclosed)) return {};
-  return std::get<verify::EnclosedProblem>(*std::move(enclosed));
-}
-
 }  // namespace
 
 PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
@@ -97,20 +88,6 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
       findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
     if (check->is_able() || problem.motions.cols() > 0)
       tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
-  }
-  std::optional<verify::EnclosedProblem> of_loose;
-  if (!enclosed && question.witness && problem.motions.cols() > 0) {
-    // A certificate claims nothing of degenerate nodes; of some loose bodies show by themselves
-    // that all they hold is in others.
-    of_loose = enclosed_if_small(analysis, question);
-    if (of_loose) {
-      check.emplace(problem, *of_loose, friction, findings.bounds);
-      tree.judge_by(
-          [&check](const auto& evidence) {
-            return evidence.kind != Evidence::Kind::marginal || check->holds(evidence);
-          },
-          false);
-    }
   }
   findings.outcome = analysis.search(tree, search);
   if (enough) findings.outcome.status = engine::Status::solution_limit;

@@ -134,9 +134,10 @@ int CommandRun::stopped_before_the_search() {
   if (session_.speaks()) {
     const auto why =
         engine::end_asked_by_signal() ? engine::Status::interrupted : engine::Status::time_limit;
-    print_warning(fmt::format(
-        "stopped early ({}) during the preparation of the problem: no results, no files",
-        status_name(why)));
+    print_warning(
+        fmt::format("stopped early ({}) while the problem was prepared: nothing is known yet, no "
+                    "file is written",
+                    status_name(why)));
   }
   return stopped_early;
 }
@@ -260,10 +261,10 @@ std::vector<std::string> CommandRun::how_to_go_on(const CheckpointChoice& choice
   const auto& checkpoint = choice.kept_in();
   if (checkpoint.empty()) return {};
   if (!saved && !engine::checkpoint_exists(checkpoint)) {
-    return {"nothing is saved: no checkpoint was written"};
+    return {"nothing is saved: no checkpoint could be written"};
   }
   std::vector<std::string> lines;
-  if (!saved) lines.emplace_back("the last checkpoint was not written");
+  if (!saved) lines.emplace_back("the last checkpoint could not be written");
   lines.push_back(fmt::format("go on{} with: {} --restart {}",
                               saved ? "" : " from the one before it", call(Role::restart),
                               quoted(checkpoint)));

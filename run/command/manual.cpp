@@ -123,7 +123,7 @@ Each of the searches runs in one process, or on all ranks of an MPI job.
 )";
   for (const auto& row : list.own().rows()) text += paragraph(row);
   text +=
-      ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint all subcommands; after a subcommand, its "
+      ".TP\n\\fB\\-h\\fR, \\fB\\-\\-help\\fR\nPrint what it can do; of a subcommand, its "
       "options.\n";
   text += ".SH SUBCOMMANDS\n";
   for (const auto& chapter : list.chapters()) {

@@ -89,11 +89,11 @@ const char* phase_name(wedged::CriticalPhase phase) {
     case wedged::CriticalPhase::coefficients:
       return "coefficients";
     case wedged::CriticalPhase::lower_end:
-      return "lower bound";
+      return "lower end";
     case wedged::CriticalPhase::upper_end:
       break;
   }
-  return "upper bound";
+  return "upper end";
 }
 
 // Searches, one per line, and their sum.
@@ -149,7 +149,7 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
   std::string text;
   auto out = std::back_inserter(text);
   if (!findings.patterns.empty()) {
-    fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "absent at", "present at",
+    fmt::format_to(out, "\n{:>5}  {:>16}  {:>16}  {}\n", "", "dead at", "alive at",
                    "in contact (U); others separated (R)");
   }
   std::size_t number = 0;

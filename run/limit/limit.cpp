@@ -40,11 +40,12 @@ class Limit final : public Subcommand {
  public:
   [[nodiscard]] std::string_view name() const override { return "limit"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "collapse load factor of a truss, and its worst case";
+    return "the worst-case limit load of a truss";
   }
   [[nodiscard]] std::string_view description() const override {
     return "The load factor at which a truss collapses, and its worst case under loads that are "
-           "not known exactly.";
+           "not known "
+           "exactly.";
   }
   [[nodiscard]] std::string_view example() const override {
     return "examples/paper/limit-3x3.toml --alpha 40";
@@ -78,57 +79,62 @@ class Limit final : public Subcommand {
 
 void Limit::describe(OptionTable& table) {
   constexpr double most_samples = 1e8;
-  table.file("file", options_.file, Role::input, "problem file (TOML)").required();
+  table.file("file", options_.file, Role::input, "the problem, a TOML file").required();
   table
       .number("--alpha", &options_.asked.alpha, at_least(0),
-              "half-width of each uncertain load, unless the file gives it another one")
+              "the uncertain parts of the dead load are known up to +- this, but those that have "
+              "an alpha of their own")
       .unit("in the file's unit of force")
       .swept();
   table.text("--case", options_.load_case, "NAME",
-             "name of the load case; without this option all cases are analysed");
+             "of the load cases of the file, this one; without it all, one after another");
   table
       .text("--group-alpha", group_alpha_, "NAME=NUMBER,...",
-            "half-widths of uncertain loads or groups by name")
+            "likewise, of the uncertain loads or groups with these names")
       .unit("in the file's unit of force");
-  table.choice("--cuts", options_.question.method,
-               {{"none", limit::LimitMethod::fixed},
-                {"disjunctive", limit::LimitMethod::disjunctive},
-                {"tighten", limit::LimitMethod::tightened},
-                {"static", limit::LimitMethod::static_cuts},
-                {"all", limit::LimitMethod::all}},
-               "method for the worst case: static cuts, or the 0-1 program (29) of the paper with "
-               "no cuts, disjunctive cuts (the paper's method), a tightened M, or all of these. "
-               "With --big-m, none and disjunctive are as printed in the paper");
+  table.choice(
+      "--cuts", options_.question.method,
+      {{"none", limit::LimitMethod::fixed},
+       {"disjunctive", limit::LimitMethod::disjunctive},
+       {"tighten", limit::LimitMethod::tightened},
+       {"static", limit::LimitMethod::static_cuts},
+       {"all", limit::LimitMethod::all}},
+      "how the worst case is found: by static cuts, or by the 0-1 program (29) with none, "
+      "disjunctive ones (the paper's method), a tightened M, or all of these. With none or "
+      "disjunctive and --big-m: as printed in the paper");
   table
       .number("--big-m", &options_.question.big_m, above(0),
-              "M of (29), for motions with f_R'u = 1 in the unit of force; 5 in the paper. "
-              "Default: a safe value, derived from the problem")
+              "M of (29), where motions have f_R'u = 1 in the unit of force; 5 in the paper. "
+              "Without it a safe one is derived")
       .needs("--cuts");
-  table.number("--samples", &options_.question.samples, between(1, most_samples),
-               "number of random dead loads for comparison; --cuts none and disjunctive start from "
-               "the worst of them");
-  table.number("--seed", &options_.question.seed, at_least(0), "random seed for --samples");
+  table.number(
+      "--samples", &options_.question.samples, between(1, most_samples),
+      "compare with so many random dead loads; --cuts none and disjunctive start from the best");
+  table.number("--seed", &options_.question.seed, at_least(0), "of the random dead loads");
   table.flag("--curve", options_.question.curve,
-             "curves of the load factor over multiples of the critical load, and over alpha");
+             "how the load factor falls as the critical load, or alpha, grows from zero");
   table.file("--curve-load", options_.curve_load, Role::input,
-             "curve of the load factor over multiples of the load in this file: [[loads]] with "
-             "nodes and forces, or the critical load of an earlier result");
+             "how it falls as the load in this file grows: [[loads]] of nodes and force, or an "
+             "earlier result, of which it is the critical part");
   table.number("--curve-to", &options_.question.curve_to, between(1e-9, 1e9),
-               "end of the curves, in multiples of that load or of alpha");
+               "how far curves go, in multiples of that load or of alpha");
   table.file("--curve-csv", curve_csv_, Role::output,
-             "CSV file of the curves, one row per breakpoint");
+             "write the curves to this file, a line a breakpoint");
   table.time_limit(options_.limits);
   table.node_limit(options_.limits);
   table.resume(options_.checkpoint);
   table.save_on(options_.checkpoint);
   table.output();
-  table.further_output("--csv", "CSV file of the members: forces, utilisation, yielding");
+  table.further_output("--csv",
+                       "write the members to this file, a line each: forces, utilisation, yield");
   table
       .file("--vtu", vtu_, Role::folder,
-            "folder for VTU pictures of both collapses, nominal and worst case; limit.pvd opens "
-            "them in ParaView")
+            "write pictures of the collapse, nominal and in the worst case, to this folder, for "
+            "ParaView: limit.pvd opens them")
       .ends_in({"/limit.pvd"});
-  table.file("--certificate", certificate_, Role::output, "certificate file, for kusabi verify")
+  table
+      .file("--certificate", certificate_, Role::output,
+            "write the evidence to this file, for kusabi verify")
       .matters();
   table.quiet();
   table.serial();
@@ -138,10 +144,10 @@ void Limit::check() const {
   group_half_widths(group_alpha_);
   if (options_.question.curve || !options_.curve_load.empty()) return;
   if (!curve_csv_.empty()) {
-    throw WrongInput("--curve-csv: requires --curve or --curve-load");
+    throw WrongInput("--curve-csv: no curve is asked for; expected --curve or --curve-load, too");
   }
   if (options_.question.curve_to != limit::LimitQuestion{}.curve_to) {
-    throw WrongInput("--curve-to: requires --curve or --curve-load");
+    throw WrongInput("--curve-to: no curve is asked for; expected --curve or --curve-load, too");
   }
 }
 
@@ -154,8 +160,9 @@ void Limit::refuse_without_worst_case() const {
   if (question.curve) option = "--curve";
   if (option == nullptr) return;
   throw WrongInput(
-      fmt::format("{}: requires half-widths of the uncertain loads; expected --alpha, or alpha in "
-                  "the groups of the file",
+      fmt::format("{}: it is of a worst case, and how far uncertain loads may go is not known; "
+                  "expected --alpha, "
+                  "or alpha in the groups of the file",
                   option));
 }
 
@@ -236,14 +243,14 @@ void Limit::search(CommandRun& run) {
     }
   } catch (const limit::BigMTooSmall&) {
     throw WrongInput(
-        "--cuts: (29) is infeasible, since its M is too small; expected a larger --big-m, or none");
+        "--cuts: (29) has no point, its M is too small; expected a larger --big-m, or none");
   }
   const auto no_safe_m = [](const LimitCase& each) {
     return each.found.answer.worst && each.found.answer.worst->no_safe_m;
   };
   if (run.shows() && std::ranges::any_of(cases_, no_safe_m)) {
     print_message(
-        "--cuts: no safe M was found, so (29) was not solved; the bounds are those of static "
+        "--cuts: no safe M was found, and (29) was not tried; the ends are those of static "
         "cuts\n");
   }
 }
@@ -269,15 +276,15 @@ std::vector<Step> Limit::results(CommandRun& run) {
 
 const char* Limit::why_no_certificate() const {
   const auto& worst = cases_.front().found.answer.worst;
-  if (worst && worst->as_printed) return "the search stopped before both bounds were proved";
+  if (worst && worst->as_printed) return "the search was stopped before the two ends were proved";
   return "not every load case has its bounds proved";
 }
 
 Verdict Limit::verdict() const {
   auto verdict = limit_verdict(options_, cases_);
   if (!certificate_.empty() && !have_statements(cases_)) {
-    verdict.missing.push_back(fmt::format("No certificate was written ({} is unchanged): {}.",
-                                          certificate_, why_no_certificate()));
+    verdict.missing.push_back(
+        fmt::format("No certificate ({} is as it was): {}.", certificate_, why_no_certificate()));
   }
   return verdict;
 }

@@ -73,7 +73,7 @@ std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& c
   }
   if (others.empty()) return {};
   std::ranges::stable_sort(others, std::greater(), [&](int i) { return used(i); });
-  std::string text = "  utilisation of other members:";
+  std::string text = "  utilisation of the others:";
   const auto full = static_cast<std::size_t>(
       std::ranges::count_if(others, [&](int i) { return used(i) >= in_full; }));
   if (full > 0) text += fmt::format(" {} at 100 %,", full);

@@ -84,28 +84,20 @@ Verdict PatternsReport::verdict() const {
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
                                  : findings_.flat == 0 && problem_.loose_bodies.empty();
-  Verdict verdict{
-      .ended = findings_.outcome.status,
-      .nodes_left = findings_.outcome.open,
-      .answer = Sticking{.friction = options_.friction,
-                         .factor = !problems::uniform_friction(problem_),
-                         .count = findings_.count(),
-                         .undecided = findings_.open(),
-                         .standing = proved ? Standing::proved : Standing::computed,
-                         .grounds = exact.done ? Grounds::exact_arithmetic : Grounds::solver_bounds,
-                         .degenerate = exact.ties,
-                         .doubt = doubt_of(exact)}};
+  Verdict verdict{.ended = findings_.outcome.status,
+                  .nodes_left = findings_.outcome.open,
+                  .answer = Sticking{.friction = options_.friction,
+                                     .factor = !problems::uniform_friction(problem_),
+                                     .count = findings_.count(),
+                                     .undecided = findings_.open(),
+                                     .standing = proved ? Standing::proved : Standing::computed,
+                                     .doubt = doubt_of(exact)}};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
-  if (!options_.certificate.empty() && findings_.whole() && exact.ties > 0 && !exact.asked) {
-    verdict.missing.push_back(
-        fmt::format("The certificate proves the list but for {}, with a margin of zero: no "
-                    "claim is made about {}.",
-                    counted(exact.ties, "degenerate node"), exact.ties == 1 ? "it" : "them"));
-  }
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
-        "Not all coefficients of --sort critical were computed; the table is in the order of the "
-        "search.");
+        "The coefficients from which on the patterns stick (--sort critical) were not all "
+        "computed; "
+        "the table is as found.");
   }
   return verdict;
 }
@@ -116,7 +108,7 @@ std::string PatternsReport::largest_margin() const {
   if (leaves.empty()) return {};
   const auto best = std::ranges::max_element(leaves, {}, &wedged::Configuration::lower);
   if (best->state == wedged::LeafState::flat)
-    return "All are degenerate (t* = 0): in each, some inequality is an equality.";
+    return "None has a margin: in each, some inequality is an equality.";
   if (best->state != wedged::LeafState::alive) return {};
   const auto nearest = nearest_failure(problem_, options_.friction, best->block, best->pattern,
                                        best->reaction, best->displacement);
@@ -128,36 +120,36 @@ std::string PatternsReport::largest_margin() const {
 std::string PatternsReport::details() const {
   std::string text;
   auto out = std::back_inserter(text);
-  fmt::format_to(
-      out,
-      "\n{} of wedged configurations at friction coefficient {}{}; {} degenerate (|t*| <= {})\n",
-      patterns(findings_.count()), options_.friction,
-      problems::uniform_friction(problem_) ? "" : " times that of each candidate",
-      findings_.marginal, options_.tolerance);
+  fmt::format_to(out,
+                 "\n{} of wedged configurations at friction coefficient {}{}; {} marginal "
+                 "(|t*| <= {})\n",
+                 patterns(findings_.count()), options_.friction,
+                 problems::uniform_friction(problem_) ? "" : " times that of each candidate",
+                 findings_.marginal, options_.tolerance);
   if (findings_.flat != 0) {
     fmt::format_to(out,
-                   "{} of the list degenerate (t* = 0): in all their configurations some "
-                   "candidates are inactive (no reaction, no gap) or slip\n",
+                   "{} of the list flat (t* = 0): in all configurations of one the candidates at "
+                   "rest have neither a reaction nor a gap, or those in contact slip\n",
                    findings_.flat);
   }
   if (findings_.blocks.size() > 1) {
-    fmt::format_to(
-        out,
-        "the problem decouples into {} blocks, each of which wedges or is inactive by itself:\n",
-        findings_.blocks.size());
+    fmt::format_to(out,
+                   "the structure comes apart into {} blocks, which wedge or rest each by "
+                   "itself:\n",
+                   findings_.blocks.size());
     for (const auto& block : findings_.blocks) {
       fmt::format_to(out, "  {}: {}\n", with_ranges(candidate_names(problem_, block.candidates)),
-                     block.rests() ? "always inactive" : patterns(block.cones));
+                     block.rests() ? "at rest always" : patterns(block.cones));
     }
     const auto wedging = std::count_if(findings_.blocks.begin(), findings_.blocks.end(),
                                        [](const auto& b) { return b.cones != 0; });
     if (wedging > 1) {
       text +=
-          "patterns of different blocks combine freely: the number of patterns is the product over "
-          "the blocks, and the list has the patterns of each block\n";
+          "any pattern of one goes with any of another: their product is the number of patterns "
+          "of the whole, and the list has those of each block\n";
     }
     if (findings_.whole() && findings_.open() > 0) {
-      fmt::format_to(out, "including undecided patterns there are at most {}\n",
+      fmt::format_to(out, "with those that are undecided there are at most {} of the whole\n",
                      patterns(most_patterns(findings_)));
     }
   }
@@ -166,7 +158,8 @@ std::string PatternsReport::details() const {
                    findings_.outcome.tally().candidates, options_.facets);
   }
   if (findings_.undecided != 0) {
-    fmt::format_to(out, "{} undecided: the bracket of t* contains zero\n", findings_.undecided);
+    fmt::format_to(out, "{} undecided: the bracket of t* could not be made narrow enough\n",
+                   findings_.undecided);
   }
   return text;
 }

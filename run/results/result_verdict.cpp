@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "run/output/values.hpp"
-#include "run/verdict/verdict_json.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -76,17 +75,6 @@ class WrittenVerdict {
       reader_.refuse(fmt::format("'{}' is neither proved nor computed", key));
     return word == "proved" ? Standing::proved : Standing::computed;
   }
-  // Files from before they were written have none.
-  [[nodiscard]] Grounds grounds(const ResultJson& answer, Grounds usual) const {
-    if (ResultReader::find(answer, "grounds") == nullptr) return usual;
-    const auto word = reader_.text(answer, "grounds");
-    for (const auto each : {Grounds::exact_arithmetic, Grounds::solver_bounds})
-      if (word == grounds_name(each)) return each;
-    reader_.refuse("'grounds' is neither exact-arithmetic nor solver-bounds");
-  }
-  [[nodiscard]] std::uint64_t some_count(const ResultJson& object, const char* key) const {
-    return ResultReader::find(object, key) == nullptr ? 0 : count(object, key);
-  }
   [[nodiscard]] std::optional<Standing> some_standing(const ResultJson& object,
                                                       const char* key) const {
     if (ResultReader::find(object, key) == nullptr) return std::nullopt;
@@ -116,8 +104,6 @@ class WrittenVerdict {
             .count = digits(answer, "count"),
             .undecided = count(answer, "undecided"),
             .standing = standing(answer, "standing"),
-            .grounds = grounds(answer, Grounds::solver_bounds),
-            .degenerate = some_count(answer, "degenerate"),
             .ambiguous = truth(answer, "ambiguous"),
             .doubt = doubt(answer)};
   }
@@ -127,8 +113,7 @@ class WrittenVerdict {
             .most = reader_.number(answer, "most"),
             .width = reader_.number(answer, "width"),
             .wide = truth(answer, "wide"),
-            .patterns_open = truth(answer, "patterns_open"),
-            .grounds = grounds(answer, Grounds::exact_arithmetic)};
+            .patterns_open = truth(answer, "patterns_open")};
   }
   [[nodiscard]] FrictionSteps friction_steps(const ResultJson& answer) const {
     return {.most = reader_.number(answer, "most"),
@@ -158,7 +143,6 @@ class WrittenVerdict {
             .half_width = some_number(answer, "half_width"),
             .force = some_text(answer, "force"),
             .worst = bracket(answer, "worst"),
-            .least = ResultReader::find(answer, "least") ? bracket(answer, "least") : Bracket{},
             .worst_at_none = some_standing(answer, "worst_at_none"),
             .points = count(answer, "points"),
             .points_asked = count(answer, "points_asked"),

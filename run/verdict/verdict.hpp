@@ -23,12 +23,6 @@ enum class Standing {
   computed,  ///< in floating point, without a proof
 };
 
-/// Grounds of what is proved.
-enum class Grounds {
-  exact_arithmetic,  ///< the test of kusabi verify
-  solver_bounds,     ///< bounds of the solver in floating point, with room for rounding
-};
-
 struct Bound {
   double value = 0;
   Standing standing = Standing::computed;
@@ -53,10 +47,8 @@ struct Sticking {
   bool factor = false;          ///< `friction` multiplies the coefficient of each candidate
   support::ExactCount count{};  ///< may exceed any integer type
   std::uint64_t undecided = 0;  ///< sign patterns not counted
-  Standing standing = Standing::proved;      ///< of the list
-  Grounds grounds = Grounds::solver_bounds;  ///< of a proved list
-  std::uint64_t degenerate = 0;  ///< closed nodes with margin zero about which nothing is proved
-  bool ambiguous = false;        ///< numbers that cannot be distinguished from zero
+  Standing standing = Standing::proved;  ///< of the list
+  bool ambiguous = false;                ///< numbers that cannot be distinguished from zero
   std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was requested, or nothing remains
 };
 
@@ -69,7 +61,6 @@ struct CriticalBracket {
   bool wide = false;    ///< the bracket is wider
   /// The patterns that stick at `upper` were requested, and are not known.
   bool patterns_open = false;
-  Grounds grounds = Grounds::exact_arithmetic;  ///< of proved ends
 };
 
 /// Numbers of patterns over the friction coefficient: `sweep --mu`.
@@ -112,8 +103,7 @@ struct LoadSteps {
   std::optional<Standing> nominal_at_none{};   ///< the nominal load is not carried at any factor
   std::optional<double> half_width{};          ///< of the last point computed
   std::optional<std::string> force{};          ///< its unit, as in LoadRange
-  Bracket worst{};                             ///< the minimum of the largest factors there
-  Bracket least{};                             ///< the maximum of the least factors there
+  Bracket worst{};                             ///< the factor there
   std::optional<Standing> worst_at_none{};     ///< some load is not carried at any factor
   std::uint64_t points = 0, points_asked = 0;  ///< points computed, points requested
   bool open = false;                           ///< a point or a piece of the curve is not proved

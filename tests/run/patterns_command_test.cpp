@@ -87,30 +87,6 @@ TEST_F(Command, DecidesAtAnyFrictionThatItTakes) {
   EXPECT_THAT(beyond.output, HasSubstr("the friction at b13 comes out as 1e+07; expected"));
 }
 
-// A node on a rod along its normal, beside one that it does not move (worked out by hand: r_t = r_n
-// at c1, so it wedges from 1 on).
-constexpr auto rod_along_normal = R"(name = "a rod along the normal"
-dimension = 2
-units = { length = "m", force = "kN" }
-[nodes]
-g1 = [0.0, -1.0]
-g2 = [0.0, 1.0]
-g3 = [2.0, 2.5]
-c1 = [1.0, 0.0]
-c2 = [1.0, 1.0]
-[[members]]
-EA = 1.0
-between = [["g1","c1"],["g2","c2"],["c1","c2"],["g3","c2"]]
-[[supports]]
-nodes = ["g1","g2","g3"]
-[[contact]]
-nodes = ["c1"]
-normal = [0.0, 1.0]
-[[contact]]
-nodes = ["c2"]
-normal = [-1.0, 0.2]
-)";
-
 TEST_F(Command, ListsAFlatConeOnceWithItsCandidatesAtRest) {
   std::ofstream(in_folder("rod.toml")) << rod_along_normal;
   const auto run = shell(command + " patterns " + argument("rod.toml") + " --mu 1.1 --output " +

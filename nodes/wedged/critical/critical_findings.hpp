@@ -116,7 +116,6 @@ struct CriticalFindings {
   std::optional<double> upper;  ///< something does; nothing: not up to the largest
   bool lower_proved = false;    ///< every sign pattern was proved dead at `lower`
   bool upper_proved = false;    ///< a solid cone was proved to live at `upper`
-  bool exact = false;           ///< in exact arithmetic; else by the solver's bounds
   std::vector<CriticalDoubt> open;
   std::vector<CriticalCost> costs;  ///< of all searches, in their order
   /// What the last search for the bracket has cost, rank by rank: of the global one, or of that of
