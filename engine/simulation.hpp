@@ -1,11 +1,10 @@
 // Simulation of a parallel search inside one process, in virtual time: real workers on a simulated
 // transport.
 //
-// A rank with open nodes affects no other rank until it looks at a message, it runs out of nodes,
-// or a reduction is due. It is not simulated before the first moment at which one of these can
-// happen; then it catches up node by node, each at its own time. A message that arrives inside a
-// node is looked at when that node is done. This changes only the number of switches between ranks,
-// no time: thousands of ranks and 10^8 nodes take a minute.
+// A rank with open nodes affects no other rank until a message reaches it, it runs out of nodes, or
+// a reduction is due. It is not simulated before the first moment at which one of these can happen;
+// then it catches up node by node, each at its own time. This changes only the number of switches
+// between ranks: thousands of ranks and 10^8 nodes take a minute.
 #pragma once
 
 #include <algorithm>
@@ -63,22 +62,12 @@ struct Simulated {
   std::size_t left_behind = 0;      ///< messages never received; 0 unless the protocol is wrong
 };
 
-/// Simulation of ranks that have open nodes: both give the same times.
-enum class Stepping {
-  lazy,       ///< only when they can affect another rank
-  each_step,  ///< always; for tests
-};
-
 /// Event loop of `simulate`.
 template <Problem P>
 class Simulation {
  public:
-  Simulation(const P& problem, int ranks, const Weather& weather, const Options& options,
-             Stepping stepping)
-      : options_(options),
-        network_(ranks, options.seed, weather),
-        node_(weather.node),
-        stepping_(stepping) {
+  Simulation(const P& problem, int ranks, const Weather& weather, const Options& options)
+      : options_(options), network_(ranks, options.seed, weather), node_(weather.node) {
     ranks_.reserve(static_cast<std::size_t>(ranks));
     for (int rank = 0; rank < ranks; ++rank) {
       auto own = std::make_unique<P>(problem);
@@ -129,10 +118,7 @@ class Simulation {
       events_.emplace(notice.time, ++events_seen_, notice.rank);
     }
     if (rank.pace.state == Pace::State::waiting) expect(number, rank.clock);
-    if (rank.pace.state == Pace::State::working) {
-      const bool now = stepping_ == Stepping::each_step || network_.has_arrived(number, rank.clock);
-      expect(number, now ? rank.clock : undisturbed_until(rank));
-    }
+    if (rank.pace.state == Pace::State::working) expect(number, undisturbed_until(rank));
   }
 
   void expect(int number, double time) {
@@ -173,7 +159,6 @@ class Simulation {
   Options options_;
   SimulatedNetwork network_;
   double node_;
-  Stepping stepping_;
   std::vector<Rank> ranks_;
   std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
   std::uint64_t events_seen_ = 0;
@@ -186,13 +171,12 @@ class Simulation {
 template <class P>
 SimulatedOf<P> simulate(const P& problem, int ranks, std::uint64_t seed,
                         const Weather& weather = {}, Options options = {},
-                        std::uint64_t most_steps = 100'000'000,
-                        Stepping stepping = Stepping::lazy) {
+                        std::uint64_t most_steps = 100'000'000) {
   if constexpr (CheckedSimulation<P>::sound) {
     options.seed = seed;
     // Virtual clocks do not advance within a step, so the stride cannot be measured.
     if (options.nodes_per_step == 0) options.nodes_per_step = 1;
-    return Simulation<P>(problem, ranks, weather, options, stepping).run(most_steps);
+    return Simulation<P>(problem, ranks, weather, options).run(most_steps);
   }
 }
 

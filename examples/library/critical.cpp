@@ -1,6 +1,5 @@
-// Smallest friction coefficient with a wedged configuration, in a proved bracket. After a minute or
-// on Ctrl-C it prints the bracket known so far:
-//
+// The smallest friction coefficient at which anything can wedge, proved; a minute at most, and
+// Ctrl-C ends it with what is known by then:
 //   critical two-bars.toml
 #include <cstdio>
 

@@ -1,6 +1,5 @@
-// Collapse load factor of a truss, and its least value under uncertain loads, in one process or on
-// all ranks of an MPI job:
-//
+// The load factor at which a truss collapses, and the least one that uncertain loads can bring
+// about, in one process or on all ranks of an MPI job:
 //   limit limit-3x3.toml 40
 #include <cstdio>
 #include <cstdlib>

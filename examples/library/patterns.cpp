@@ -1,5 +1,4 @@
 // All sign patterns of wedged configurations, in one process or on all ranks of an MPI job:
-//
 //   patterns plane-truss.toml 0.8
 #include <cstdio>
 #include <cstdlib>
@@ -18,7 +17,7 @@
 using namespace kusabi;
 
 int answer(engine::Transport& transport, const char* file, double coefficient) {
-  // Rank 0 reads the file; each rank prepares the problem, and all must agree.
+  // One rank reads; each works the problem out by itself, and all must have come to the same.
   const auto text =
       engine::from_first_rank(transport, [&] { return problems::problem_text(file); });
   const auto problem = problems::wedged_problem(problems::read_structure(text, file));

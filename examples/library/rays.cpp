@@ -1,5 +1,4 @@
 // All extremal rays and maximal cones of wedged configurations in the plane:
-//
 //   rays plane-truss.toml 0.8
 #include <cstdio>
 #include <cstdlib>

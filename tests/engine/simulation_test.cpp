@@ -115,33 +115,6 @@ TEST(Simulation, AFailingSeedReplays) {
   }
 }
 
-// A message that arrives inside a node is looked at when the node is done, in both.
-TEST(Simulation, LazySteppingGivesTheTimesOfEachStep) {
-  const std::vector<Weather> weathers{
-      {.node = 10e-6, .handling = 0.5e-6},
-      {.latency = 100e-6},
-      {.latency = 5e-6, .node = 3e-6, .stall = 1e-3, .stall_probability = 0.01},
-  };
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    SCOPED_TRACE(seed);
-    Options options;
-    options.reduction_interval = seed % 2 == 0 ? 1e-3 : 0.05;
-    const auto run = [&](Stepping stepping) {
-      return simulate(RandomTree(seed, 12), 2 + static_cast<int>(seed % 13), seed,
-                      weathers[seed % weathers.size()], options, 100'000'000, stepping);
-    };
-    const auto lazy = run(Stepping::lazy);
-    const auto each = run(Stepping::each_step);
-    EXPECT_EQ(lazy.seconds, each.seconds);
-    for (std::size_t rank = 0; rank < lazy.outcome.ranks.size(); ++rank) {
-      const auto& one = lazy.outcome.ranks[rank].statistics;
-      const auto& other = each.outcome.ranks[rank].statistics;
-      EXPECT_EQ(one.idle_seconds, other.idle_seconds) << "rank " << rank;
-      EXPECT_EQ(one.opened, other.opened) << "rank " << rank;
-    }
-  }
-}
-
 // Virtual time does not depend on a clock, so shares and speed-up can be asserted.
 TEST(Simulation, TwoRanksShareTheWorkAndHalveTheTime) {
   RandomTree tree(1, 24);

@@ -39,6 +39,7 @@ LIMIT = {
     "gust.toml": ((), ("--alpha", 0.5, "--curve", "--samples", 10, "--cuts", "all", "--curve-to", 3)),
     "truss-bridge.toml": ((), ("--alpha", 1)),
     "steel-mast.toml": ((), ("--case", "wind")),
+    "roof-truss.toml": ((),),
     "static-gap.toml": ((), ("--alpha", 0.1)),
     "paper/limit-3x3.toml": ((), ("--alpha", 40, "--cuts", "none", "--big-m", 5, "--node-limit", 5)),
     "paper/limit-4x4.toml": ((),),

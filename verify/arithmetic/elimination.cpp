@@ -48,6 +48,7 @@ bool Elimination::demand(const Rationals& row) {
 
 void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
   std::vector<Rationals> product;  // of each row, with the vectors that are left
+  product.reserve(rows.size());
   for (const auto& row : rows) product.push_back(products(row));
   // Vectors of one size, that of their largest product.
   std::vector<double> size(left_.size(), 0);
@@ -63,7 +64,7 @@ void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
       for (std::size_t k = 0; k < left_.size(); ++k) {
         if (sgn(product[i][k]) == 0) continue;
         const double share = std::abs(product[i][k].get_d()) / size[k];
-        if (share <= most) continue;
+        if (!(share > most)) continue;  // nor where both are below all doubles
         most = share;
         row = i;
         at = k;
@@ -76,13 +77,12 @@ void Elimination::demand_largest_first(const std::vector<Rationals>& rows) {
   for (const auto& row : rows) demand(row);  // what is below all doubles
 }
 
-void Elimination::take(std::size_t at, const Rationals& pivots, std::vector<Rationals>& products) {
+void Elimination::take(std::size_t at, Rationals pivots, std::vector<Rationals>& products) {
   const auto place = static_cast<std::ptrdiff_t>(at);
-  const Rationals pivot_row = pivots;
   taken_.push_back(std::move(left_[at]));
   for (std::size_t k = 0; k < left_.size(); ++k) {
-    if (k == at || sgn(pivot_row[k]) == 0) continue;
-    const mpq_class factor = pivot_row[k] / pivot_row[at];
+    if (k == at || sgn(pivots[k]) == 0) continue;
+    const mpq_class factor = pivots[k] / pivots[at];
     subtract(left_[k], factor, taken_.back());
     for (auto& own : products) {
       if (sgn(own[at]) != 0) own[k] -= factor * own[at];

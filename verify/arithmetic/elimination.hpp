@@ -45,7 +45,7 @@ class Elimination {
 
  private:
   // Takes a vector away by the products of a row, and out of the products of others.
-  void take(std::size_t at, const Rationals& pivots, std::vector<Rationals>& products);
+  void take(std::size_t at, Rationals pivots, std::vector<Rationals>& products);
 
   std::vector<Rationals> left_;
   std::vector<Rationals> taken_;
