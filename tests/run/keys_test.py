@@ -17,8 +17,11 @@ WITH_NODES = {"except", "every"}  # a table of their own, for all lists of nodes
 SECTIONS = [
     ("members", ""), ("elements", ""), ("mesh", ""), ("mesh", 'name = "b"\nfile = "doorstop.msh"'), ("material", 'groups = ["stop.rubber"]'),
     ("supports", ""), ("ties", ""), ("springs", ""), ("stiffness", ""), ("contact", ""), ("loads", ""), ("uncertainty", ""),
-    ("uncertainty", 'name = "c"'),
+    ("uncertainty", 'name = "c"'), ("combinations", ""), ("actions", ""),
 ]
+# Text before a section with an unknown key, and its header, where they differ from the others.
+BEFORE = {"combinations": '[[actions]]\nname = "snow"\n', "actions": '[combinations]\nrule = "6.10"\nreference = "snow"\n'}
+HEADERS = {"combinations": "[combinations]"}
 
 
 def page_sections():
@@ -49,7 +52,7 @@ class Keys(KusabiCase):
         self.assertEqual(self.known("[zzz]\n"), table[0][1] | {name for name, _ in table[1:]})
         for (name, start), (_, keys) in zip(SECTIONS, table[2:]):
             with self.subTest(name):
-                self.assertEqual(self.known(f"\n[[{name}]]\n{start}\nzzz = 1\n"), keys)
+                self.assertEqual(self.known(f"\n{BEFORE.get(name, '')}{HEADERS.get(name, f'[[{name}]]')}\n{start}\nzzz = 1\n"), keys)
 
     def test_lists_of_nodes_have_two_more(self):
         besides = PAGE.read_text().split("Wherever there are `nodes`, there may be besides\n\n")[1].split("\n\n")[0]
