@@ -20,7 +20,8 @@ from compare import Kusabi, whole_cones
 from oracle import BodiesOracle
 
 #: (file, friction coefficient, further arguments of `patterns`, whether scales are far apart)
-ASKED = (("lever_3e11", 0.5, (), True), ("lever_1e12", 0.5719, (), True), ("weak_coupling_1e-11", 1.83834805972901, (), True),
+ASKED = (("lever_3e11", 0.5, (), True), ("lever_1e12", 0.5719, (), True), ("lever_2e10", 1.0, (), True), ("lever_2e11", 1.0, (), True),
+         ("weak_coupling_1e-11", 1.83834805972901, (), True),
          ("pair_on_edges", 1.2492575712727418, (), False), ("loose_with_cuts", 1.72062024876753, ("--cuts", "always"), False))
 #: Upper limit and width of the search for the smallest coefficient by the oracle.
 MOST, WIDTH = 8.0, Decimal("1e-10")
