@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "problems/families/rounded_place.hpp"
+
 namespace kusabi::problems {
 namespace {
 
@@ -15,11 +17,6 @@ constexpr YieldForces yield{800, 800};  // kN: 400 MPa times 20 cm^2
 constexpr double dead_load = -800;
 constexpr double lowest_reference_load = 52;
 constexpr double highest_reference_load = 28;
-
-// Rounds to a picometre, so that 3 x 0.35 is 1.05 in the file.
-double written(double number) {
-  return std::round(number * 1e12) / 1e12;
-}
 
 }  // namespace
 
@@ -36,8 +33,8 @@ Structure grid_truss(int bays) {
   truss.coordinates.resize(2, (bays + 1) * (bays + 1));
   for (int row = 0; row <= bays; ++row) {
     for (int column = 0; column <= bays; ++column) {
-      truss.coordinates.col(node(column, row)) << written(bay_width * column),
-          written(bay_height * row);
+      truss.coordinates.col(node(column, row)) << rounded_place(bay_width * column),
+          rounded_place(bay_height * row);
       truss.node_names.push_back(fmt::format("{},{}", column, row));
       truss.fixed.push_back({row == 0, row == 0, false});
     }

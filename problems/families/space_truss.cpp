@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "problems/families/rounded_place.hpp"
 #include "problems/structure/checks/structure_check.hpp"
 
 namespace kusabi::problems {
@@ -17,11 +18,6 @@ constexpr double width = 10;
 constexpr double row_distance = 2.5;
 constexpr double plane_distance = 4;
 constexpr double lean = std::numbers::pi / 6;  // of the obstacle's surface, from the vertical
-
-// Rounds coordinates to a picometre.
-double written(double length) {
-  return std::round(length * 1e12) / 1e12;
-}
 
 // Nodes in the order of their numbers: by planes, rows and columns.
 class Grid {
@@ -112,7 +108,8 @@ Structure space_truss(const SpaceTrussSize& size) {
     const bool leaning = column == grid.last_column();
     const double height = plane_distance * plane;
     const double x = width * column / size.bays + (leaning ? height * std::tan(lean) : 0);
-    truss.coordinates.col(grid.node(plane, row, column)) << written(x), row_distance * row, height;
+    truss.coordinates.col(grid.node(plane, row, column)) << rounded_place(x), row_distance * row,
+        height;
     truss.node_names.push_back(fmt::format("p{}r{}c{}", plane + 1, row + 1, column));
     truss.fixed.push_back(column == 0 ? std::array{true, true, true} : std::array<bool, 3>{});
   });

@@ -115,22 +115,23 @@ const MeshGroup* AbaqusGroups::find(std::string_view name) const {
 
 std::vector<int> AbaqusGroups::nodes(const MeshText& line, std::size_t field) const {
   if (field >= line.fields() || is_number(line.field(field))) return {index_.node(line, field)};
-  const MeshGroup* set = find(line.field(field));
-  if (set == nullptr || set->nodes.empty()) {
-    line.fail(field, fmt::format("node set {} does not exist; expected one that is given above",
-                                 support::in_quotes(line.field(field))));
-  }
-  return set->nodes;
+  return set_named(line, field, "node", &MeshGroup::nodes);
 }
 
 std::vector<int> AbaqusGroups::elements(const MeshText& line, std::size_t field) const {
   if (field >= line.fields() || is_number(line.field(field))) return {index_.element(line, field)};
+  return set_named(line, field, "element", &MeshGroup::elements);
+}
+
+const std::vector<int>& AbaqusGroups::set_named(const MeshText& line, std::size_t field,
+                                                std::string_view kind,
+                                                std::vector<int> MeshGroup::*members) const {
   const MeshGroup* set = find(line.field(field));
-  if (set == nullptr || set->elements.empty()) {
-    line.fail(field, fmt::format("element set {} does not exist; expected one that is given above",
+  if (set == nullptr || (set->*members).empty()) {
+    line.fail(field, fmt::format("{} set {} does not exist; expected one that is given above", kind,
                                  support::in_quotes(line.field(field))));
   }
-  return set->elements;
+  return set->*members;
 }
 
 const std::vector<int>& AbaqusGroups::element_set(const AbaqusText& text,

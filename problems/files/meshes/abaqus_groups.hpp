@@ -32,6 +32,9 @@ class AbaqusGroups {
 
  private:
   const MeshGroup* find(std::string_view name) const;
+  /// The members of the set that a field names. @param kind "node" or "element"
+  const std::vector<int>& set_named(const MeshText& line, std::size_t field, std::string_view kind,
+                                    std::vector<int> MeshGroup::*members) const;
   void read_face(const AbaqusText& text, MeshGroup& group);
 
   MeshData& mesh_;

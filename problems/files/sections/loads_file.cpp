@@ -122,6 +122,26 @@ std::string name_in(const TomlReader& reader, const TomlTable& group, std::strin
 
 }  // namespace
 
+std::vector<ForceComponent> force_components(const TomlReader& reader, const toml::node& forces,
+                                             const NodeLister& nodes, int dimension) {
+  std::vector<ForceComponent> components;
+  for (const toml::node* each : reader.elements(forces, "forces")) {
+    const TomlTable entry = reader.table(*each, "one of the forces");
+    reader.allow_only(entry, {"nodes", "except", "every", "force"});
+    reader.require(entry, "nodes", "nodes = [\"a\", ...]");
+    const Eigen::VectorXd force =
+        reader.vector(reader.require(entry, "force", "force = [...], at each of the nodes"),
+                      "the force", dimension);
+    for (const ListedNode& listed : nodes(entry)) {
+      for (int axis = 0; axis < dimension; ++axis) {
+        if (force(axis) == 0) continue;
+        components.push_back({listed.node, axis, force(axis), listed.position});
+      }
+    }
+  }
+  return components;
+}
+
 void LoadsFile::read_loads(const toml::node& section, Structure& structure) const {
   for (const TomlTable& group : reader_.groups(section, "loads")) load_group(group, structure);
 }
@@ -171,20 +191,10 @@ void LoadsFile::uncertain_load(const TomlTable& group, Structure& structure) con
                                half_width_in(reader_, group),
                                name_in(reader_, group, "group"),
                                name_in(reader_, group, "case")};
-  for (const toml::node* each : reader_.elements(forces, "forces")) {
-    const TomlTable entry = reader_.table(*each, "one of the forces");
-    reader_.allow_only(entry, {"nodes", "except", "every", "force"});
-    reader_.require(entry, "nodes", "nodes = [\"a\", ...]");
-    const Eigen::VectorXd force =
-        reader_.vector(reader_.require(entry, "force", "force = [...], at each of the nodes"),
-                       "the force", structure.dimension);
-    for (const ListedNode& listed : nodes_(entry)) {
-      for (int axis = 0; axis < structure.dimension; ++axis) {
-        if (force(axis) == 0) continue;
-        parameter.components.push_back({listed.node, axis, force(axis)});
-        structure.sources.uncertain.push_back(listed.position);
-      }
-    }
+  for (const auto& [node, axis, force, position] :
+       force_components(reader_, forces, nodes_, structure.dimension)) {
+    parameter.components.push_back({node, axis, force});
+    structure.sources.uncertain.push_back(position);
   }
   if (parameter.components.empty()) {
     reader_.fail(name.position, fmt::format("the uncertain load {} is zero; expected a force that "

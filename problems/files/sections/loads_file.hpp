@@ -18,11 +18,25 @@ namespace kusabi::problems {
 std::array<bool, 3> axes_in(const TomlReader& reader, const toml::node& node,
                             std::string_view called, int dimension);
 
+/// Function from a table to its listed nodes. @throws InputError
+using NodeLister = std::function<std::vector<ListedNode>(const TomlTable&)>;
+
+/// Component of a force at a node, not zero.
+struct ForceComponent {
+  int node;
+  int axis;
+  double force;
+  support::SourcePosition position;  ///< of the node in its list
+};
+
+/// The components of a list [{ nodes = [...], force = [...] }, ...], in its order; a component may
+/// occur more than once.
+std::vector<ForceComponent> force_components(const TomlReader& reader, const toml::node& forces,
+                                             const NodeLister& nodes, int dimension);
+
 class LoadsFile {
  public:
-  /// @param nodes function from a table to its listed nodes, or an InputError
-  LoadsFile(const TomlReader& reader,
-            std::function<std::vector<ListedNode>(const TomlTable&)> nodes)
+  LoadsFile(const TomlReader& reader, NodeLister nodes)
       : reader_(reader), nodes_(std::move(nodes)) {}
 
   /// Adds the loads of [[loads]] to the structure, and an uncertain parameter for each component
@@ -38,7 +52,7 @@ class LoadsFile {
   void uncertain_load(const TomlTable& group, Structure& structure) const;
 
   const TomlReader& reader_;
-  std::function<std::vector<ListedNode>(const TomlTable&)> nodes_;
+  NodeLister nodes_;
 };
 
 }  // namespace kusabi::problems
