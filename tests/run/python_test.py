@@ -144,7 +144,7 @@ class Python(KusabiCase):
                             self.assertEqual(float(cells[key]), value)
                         else:
                             expected = "" if value is None else " ".join(value) if isinstance(value, list) else str(value)
-                            self.assertEqual(cells[key], message)
+                            self.assertEqual(cells[key], expected)
                 if command == "limit":
                     self.assertEqual(list(rows[0]), list(table[0]))
 
