@@ -15,6 +15,7 @@
 #include "nodes/wedged/critical/critical_dive.hpp"
 #include "nodes/wedged/critical/critical_start.hpp"
 #include "nodes/wedged/critical/smallest_search.hpp"
+#include "nodes/wedged/primal/primal_bracket.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "nodes/wedged/tree/candidate_friction.hpp"
 #include "nodes/wedged/tree/maximal_cones.hpp"
@@ -110,7 +111,7 @@ class SmallestWays {
   // From below for so many nodes: of small trees that is the answer, of others a lower end to go
   // down to.
   void either() {
-    if (start() || known_at_most()) return;
+    if (start() || search_patterns() || known_at_most()) return;
     if (stopped(CriticalPhase::dive)) return;
     if (try_from_below()) return;
     if (stopped(CriticalPhase::trial)) return;
@@ -138,8 +139,24 @@ class SmallestWays {
     if (stopped(CriticalPhase::start)) return true;
     ends_.prove_at_once();
     if (stopped(CriticalPhase::start)) return true;
+    return is_answered();
+  }
+
+  [[nodiscard]] bool is_answered() const {
     const double cells = grid_.precision == Precision::doubles ? cells_in_doubt : 1;
     return bracket_.is_one_cell(cells * grid_.width);
+  }
+
+  // For patterns that stick at less than is known, without a tree. @return whether the bracket is
+  // the answer, or there is no time for more
+  bool search_patterns() {
+    if (problem_.contact_names.size() < fewest_to_start) return false;
+    const auto before = bracket_.upper();
+    const auto programs = sink_by_patterns(analysis_, problem_, grid_, bracket_);
+    findings_.costs.push_back({CriticalPhase::primal, 0, 0, programs});
+    if (stopped(CriticalPhase::primal)) return true;
+    if (bracket_.upper() != before) ends_.prove_at_once();
+    return stopped(CriticalPhase::primal) || is_answered();
   }
 
   // Whether anything lives at the largest coefficient, if it was given: it may be there to ask

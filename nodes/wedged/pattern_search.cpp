@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "engine/together.hpp"
+#include "nodes/wedged/primal/primal_leaf.hpp"
 #include "nodes/wedged/simple_leaves.hpp"
 #include "nodes/wedged/tree/enclosure.hpp"
 #include "nodes/wedged/tree/evidence_check.hpp"
@@ -51,6 +53,18 @@ std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Analysis& analy
   return std::get<verify::EnclosedProblem>(*std::move(enclosed));
 }
 
+// Whether the only leaf found shows nothing: the rest of the tree may.
+bool ended_at_an_open_leaf(engine::Analysis& analysis, const PatternFindings& findings) {
+  return engine::from_first_rank(analysis.transport(), [&] {
+    const auto& outcome = findings.outcome;
+    return outcome.status == engine::Status::solution_limit &&
+           std::ranges::none_of(outcome.solutions, [](const auto& found) {
+             return found.solution.state == LeafState::alive ||
+                    found.solution.state == LeafState::flat;
+           });
+  });
+}
+
 }  // namespace
 
 PatternFindings find_patterns(engine::Analysis& analysis, const problems::WedgedProblem& problem,
@@ -66,9 +80,14 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   std::vector<Configuration> known;
   if (options.facets == 0 && !enclosed)
     known = simple_leaves(analysis, problem, friction, options.tolerances);
-  // Without a search where these are all that is asked for.
-  const bool enough = known.size() >= analysis.budget().left().solutions;
   auto search = question.search;
+  if (question.exists) search.limits.solutions = 1;
+  if (question.exists && options.facets == 0 && !enclosed && known.empty())
+    if (auto leaf = leaf_without_tree(analysis, problem, friction, options.tolerances))
+      known.push_back(std::move(*leaf));
+  // Without a search where these are all that is asked for.
+  const auto most = std::min(analysis.budget().left().solutions, search.limits.solutions);
+  const bool enough = known.size() >= most;
   if (enough) search.limits.nodes = 0;
   const SignPatternOptions as_it_is{.tolerances = options.tolerances,
                                     .branching = Branching::relative,
@@ -90,10 +109,15 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
       tree.judge_by([&check](const auto& evidence) { return check->holds(evidence); }, true);
   }
   findings.outcome = analysis.search(tree, search);
+  if (question.exists && !enough && ended_at_an_open_leaf(analysis, findings)) {
+    search.limits.solutions = engine::Limits{}.solutions;
+    search.checkpoint = {};
+    findings.outcome = analysis.search(tree, search);
+  }
   if (enough) findings.outcome.status = engine::Status::solution_limit;
   std::vector<Configuration> leaves;
   for (const auto& found : findings.outcome.solutions) leaves.push_back(found.solution);
-  if (!findings.whole()) add_missing(known, analysis.budget().left().solutions, leaves);
+  if (!findings.whole()) add_missing(known, most, leaves);
   findings.leaves = maximal_cones(std::move(leaves));
   findings.tested = findings.outcome.tally().tested;
   std::ranges::sort(findings.tested, [](const auto& a, const auto& b) {

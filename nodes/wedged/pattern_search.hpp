@@ -88,6 +88,7 @@ struct PatternQuestion {
   Witness witness;         ///< told, on each rank, why nodes are closed there; empty: nobody
   const problems::Structure* structure = nullptr;  ///< of the problem; null: no exact test
   Proving proving = Proving::automatic;
+  bool exists = false;  ///< only whether there is any: one configuration is enough
 };
 
 /// Every rank makes the same call. The findings are whole on rank 0; elsewhere the status counts.

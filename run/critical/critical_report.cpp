@@ -74,6 +74,8 @@ const char* phase_name(wedged::CriticalPhase phase) {
   switch (phase) {
     case wedged::CriticalPhase::start:
       return "start";
+    case wedged::CriticalPhase::primal:
+      return "primal";
     case wedged::CriticalPhase::list:
       return "list";
     case wedged::CriticalPhase::trial:

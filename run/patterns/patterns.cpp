@@ -164,6 +164,9 @@ void Patterns::describe(OptionTable& table) {
              "write what each rank did when to this file, for ui.perfetto.dev");
   table.file("--certificate", options_.certificate, Role::evidence,
              "write the evidence to this file, for kusabi verify");
+  table.flag("--exists", options_.exists,
+             "only whether there is any: one pattern, or the proof that there is none; large "
+             "blocks are first searched without a tree");
   table.flag("--prove", options_.prove,
              "put every node to the exact test of kusabi verify while it is searched; without it "
              "this is done where the scales of the structure are more than 1e7 apart");
@@ -178,6 +181,11 @@ void Patterns::check() const {
   if (options_.list_candidates && !options_.polyhedral) {
     throw WrongInput(
         "--candidates: of cones that are not polyhedral; expected --method polyhedral");
+  }
+  if (options_.exists && !options_.certificate.empty()) {
+    throw WrongInput(
+        "--certificate: of one pattern kusabi critical writes a certificate, of all kusabi "
+        "patterns without --exists; expected one of --exists and --certificate");
   }
   if (options_.probes > 0 && options_.polyhedral)
     throw WrongInput("--probe: of polyhedral cones; expected --method cones");
@@ -199,6 +207,7 @@ std::uint64_t Patterns::tree_fingerprint() const {
   fingerprint.add(static_cast<std::uint64_t>(options_.facets_in_use()));
   if (options_.probes > 0) fingerprint.add(static_cast<std::uint64_t>(options_.probes));
   if (options_.prove) fingerprint.add(std::string_view("prove"));
+  if (options_.exists) fingerprint.add(std::string_view("exists"));
   return fingerprint.value();
 }
 
@@ -227,6 +236,7 @@ void Patterns::prepare(CommandRun& run) {
                     .thorough = !options_.certificate.empty()};
   question_.structure = &structure_;
   if (options_.prove) question_.proving = wedged::Proving::always;
+  question_.exists = options_.exists;
   auto& search = question_.search;
   search.order = options_.order;
   const auto fingerprint = tree_fingerprint();
@@ -322,7 +332,8 @@ Verdict Patterns::verdict() const {
 std::vector<std::string> Patterns::remarks(CommandRun& run) {
   std::vector<std::string> remarks;
   const auto& outcome = findings_->outcome;
-  if (!whole()) remarks = run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
+  if (!whole() && verdict().ended != engine::Status::solved)
+    remarks = run.how_to_go_on(options_.checkpoint, outcome.status, outcome.saved);
   const auto drawn = series_remark(findings_->leaves.size(), "patterns");
   if (run.wants("--vtu") && !drawn.empty()) remarks.push_back(drawn);
   if (!options_.certificate.empty() && !(whole() && run.quiet())) {

@@ -43,6 +43,7 @@ struct PatternsOptions {
   CheckpointChoice checkpoint;  ///< files of its state
   std::string certificate;      ///< certificate file; empty: none
   bool prove = false;           ///< exact test of every node
+  bool exists = false;          ///< one pattern, or the proof that there is none, is enough
 
   /// Facets of polyhedral cones; 0: second-order cones.
   [[nodiscard]] int facets_in_use() const { return polyhedral ? facets : 0; }

@@ -84,14 +84,17 @@ Verdict PatternsReport::verdict() const {
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
                                  : findings_.flat == 0 && problem_.loose_bodies.empty();
-  Verdict verdict{.ended = findings_.outcome.status,
-                  .nodes_left = findings_.outcome.open,
+  const bool example = options_.exists && findings_.count() != 0U;
+  const bool answered = example && findings_.outcome.status == engine::Status::solution_limit;
+  Verdict verdict{.ended = answered ? engine::Status::solved : findings_.outcome.status,
+                  .nodes_left = answered ? 0 : findings_.outcome.open,
                   .answer = Sticking{.friction = options_.friction,
                                      .factor = !problems::uniform_friction(problem_),
                                      .count = findings_.count(),
                                      .undecided = findings_.open(),
                                      .standing = proved ? Standing::proved : Standing::computed,
-                                     .doubt = doubt_of(exact)}};
+                                     .doubt = doubt_of(exact),
+                                     .example = example}};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
@@ -262,6 +265,7 @@ ordered_json PatternsReport::json(const WholeStateJson& whole) const {
       {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}};
   if (options_.probes > 0) chosen["probe"] = options_.probes;
   if (options_.prove) chosen["prove"] = true;
+  if (options_.exists) chosen["exists"] = true;
   if (options_.group > 0) chosen["group"] = options_.group;
   return {{"command", "patterns"},
           {"version", KUSABI_VERSION},

@@ -105,7 +105,8 @@ class WrittenVerdict {
             .undecided = count(answer, "undecided"),
             .standing = standing(answer, "standing"),
             .ambiguous = truth(answer, "ambiguous"),
-            .doubt = doubt(answer)};
+            .doubt = doubt(answer),
+            .example = ResultReader::find(answer, "example") != nullptr};
   }
   [[nodiscard]] CriticalBracket critical(const ResultJson& answer) const {
     return {.bracket = bracket(answer, "bracket"),

@@ -50,6 +50,8 @@ struct Sticking {
   Standing standing = Standing::proved;  ///< of the list
   bool ambiguous = false;                ///< numbers that cannot be distinguished from zero
   std::optional<ExactDoubt> doubt{};  ///< absent: no exact test was requested, or nothing remains
+  /// Existence was the question: what was found answers it, and the list is not complete.
+  bool example = false;
 };
 
 /// The critical friction coefficient: `critical`.

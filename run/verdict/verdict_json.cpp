@@ -37,15 +37,17 @@ ordered_json answer_json(const std::monostate& /*none*/) {
 }
 
 ordered_json answer_json(const Sticking& found) {
-  return {{"kind", "sticking"},
-          {"thing", found.thing},
-          {"friction", found.friction},
-          {"factor", found.factor},
-          {"count", found.count.digits()},
-          {"undecided", found.undecided},
-          {"standing", standing_name(found.standing)},
-          {"ambiguous", found.ambiguous},
-          {"doubt", doubt_json(found.doubt)}};
+  ordered_json json{{"kind", "sticking"},
+                    {"thing", found.thing},
+                    {"friction", found.friction},
+                    {"factor", found.factor},
+                    {"count", found.count.digits()},
+                    {"undecided", found.undecided},
+                    {"standing", standing_name(found.standing)},
+                    {"ambiguous", found.ambiguous},
+                    {"doubt", doubt_json(found.doubt)}};
+  if (found.example) json["example"] = true;
+  return json;
 }
 
 ordered_json answer_json(const CriticalBracket& found) {

@@ -44,6 +44,8 @@ std::string headline_of(const Sticking& found, engine::Status ended) {
   const auto where = fmt::format("{} {}{}", coefficient, found.friction, times(found.factor));
   const bool complete =
       ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous && !found.doubt;
+  if (found.example && !is_refuted(found.doubt))
+    return fmt::format("It can stick at {}: one pattern shows it.", where);
   if (found.count != 0U && !is_refuted(found.doubt)) {
     return fmt::format("It can stick: {}{} at {}.", counted(found.count, found.thing),
                        complete            ? ""

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "shell.hpp"
 
@@ -47,6 +48,24 @@ TEST_F(Command, NothingThatWedgesIsAnAnswer) {
   const auto run = shell(command + " critical " + truss + " --mu-max 0.4");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.output, HasSubstr("It cannot stick up to friction coefficient 0.4."));
+}
+
+// The 30 candidates' critical coefficient is 0.54124 (docs/theory/wedged.md). A tree comes upon it
+// after a thousand nodes.
+TEST_F(Command, FindsThePatternOfTheUpperBoundWithoutATree) {
+  const auto file = argument("long.toml");
+  shell(command + " example space-truss --rows 10 --depth 3 --output " + file);
+  const auto upper_on = [&](const std::string& launcher) {
+    const auto result = in_folder("result.json");
+    const auto run = shell(launcher + command + " critical " + file + " --node-limit 10 --output " +
+                           quoted(result));
+    EXPECT_EQ(run.exit_code, 3) << run.output;
+    return nlohmann::json::parse(content(result))["result"]["critical_friction"]["upper"];
+  };
+  const auto upper = upper_on("");
+  EXPECT_NEAR(upper.get<double>(), 0.54124225, 1e-8);
+  EXPECT_EQ(upper_on(ranks(2)), upper);
+  EXPECT_EQ(upper_on(ranks(3)), upper);
 }
 
 TEST_F(Command, ACriticalFrictionThatWasStoppedSaysWhatIsProved) {

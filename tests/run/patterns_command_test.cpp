@@ -184,6 +184,31 @@ TEST_F(Command, OfManyCandidatesOnePatternIsFoundWithoutASearch) {
   EXPECT_EQ(json["result"]["patterns"][0]["state"], "alive");
 }
 
+TEST_F(Command, SaysWhetherThereIsAnyPattern) {
+  const auto file = argument("long.toml");  // its critical coefficient is 0.54124
+  shell(command + " example space-truss --rows 10 --depth 3 --output " + file);
+  const auto ask = [&](const std::string& launcher, const std::string& mu) {
+    const auto run = shell(launcher + command + " patterns " + file + " --exists --mu " + mu +
+                           " --output " + argument("one.json"));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return run.output;
+  };
+  EXPECT_THAT(ask("", "0.545"),
+              HasSubstr("It can stick at friction coefficient 0.545: one pattern shows it."));
+  const auto one = nlohmann::json::parse(content(in_folder("one.json")));
+  EXPECT_EQ(one["status"], "solved");
+  ASSERT_EQ(one["result"]["patterns"].size(), 1U);
+  EXPECT_EQ(one["result"]["tree"]["opened"], 0);
+  ask(ranks(2), "0.545");
+  EXPECT_EQ(nlohmann::json::parse(content(in_folder("one.json")))["result"]["patterns"],
+            one["result"]["patterns"]);
+  EXPECT_THAT(ask("", "0.54"), HasSubstr("It cannot stick at friction coefficient 0.54."));
+  const auto both = shell(command + " patterns " + file + " --exists --mu 1 --certificate " +
+                          argument("certificate"));
+  EXPECT_EQ(both.exit_code, 2) << both.output;
+  EXPECT_THAT(both.output, HasSubstr("expected one of --exists and --certificate"));
+}
+
 TEST_F(Command, FindsTheSamePatternsByPolyhedralFriction) {
   const auto patterns = [&](const std::string& method) {
     const auto file = in_folder("result.json");

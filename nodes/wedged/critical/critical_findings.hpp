@@ -85,6 +85,7 @@ enum class CriticalDoubt {
 /// One of the searches that an answer takes.
 enum class CriticalPhase {
   start,         ///< the root relaxation and single leaves, without a tree
+  primal,        ///< for patterns that stick at little friction, without a tree
   trial,         ///< for the smallest, from zero up, for so many nodes
   dive,          ///< for one leaf, then for one that lives farther down
   coarse,        ///< for the smallest, down from some coefficient, to a few digits

@@ -1,0 +1,25 @@
+// The same contact problem with fewer candidates: those that respond alike are one, with the mean
+// of their motions and their reactions shared evenly. Patterns of it are guesses for the whole.
+#pragma once
+
+#include <vector>
+
+#include "problems/wedged/wedged_problem.hpp"
+#include "support/index_set.hpp"
+
+namespace kusabi::wedged {
+
+/// Candidates in clusters.
+struct Clusters {
+  std::vector<int> cluster_of;      ///< of each candidate
+  problems::WedgedProblem problem;  ///< of one block, without a structure
+
+  /// The candidates of these clusters.
+  [[nodiscard]] support::IndexSet members(const support::IndexSet& clusters) const;
+};
+
+/// By how candidates correlate in F_nn: no coordinates are needed.
+/// @param block a problem of one block with no fewer candidates than clusters
+Clusters clusters_of(const problems::WedgedProblem& block, int count);
+
+}  // namespace kusabi::wedged

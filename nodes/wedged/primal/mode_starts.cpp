@@ -1,0 +1,84 @@
+// Subspace iteration for the modes; coefficients from a generator that a number seeds.
+#include "nodes/wedged/primal/mode_starts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+namespace kusabi::wedged {
+namespace {
+
+constexpr Eigen::Index most_modes = 8;
+constexpr int iterations = 30;
+
+/// The softest mode has one sign: the others shape the set.
+constexpr double weight_of_first = 0.3;
+
+/// Shares of the candidates that are in contact.
+constexpr double least_share = 0.1, most_share = 0.9;
+
+/// Numbers in [0, 1), the same with every library.
+class Uniform {
+ public:
+  explicit Uniform(std::uint64_t seed) : generator_(seed) {}
+
+  double operator()() { return static_cast<double>(generator_() >> 11) * 0x1p-53; }
+
+  /// Near a normal distribution.
+  double normal() {
+    double sum = -6;
+    for (int i = 0; i < 12; ++i) sum += (*this)();
+    return sum;
+  }
+
+ private:
+  std::mt19937_64 generator_;
+};
+
+}  // namespace
+
+ModeStarts::ModeStarts(const problems::WedgedProblem& block) {
+  const Eigen::Index d = block.dimension;
+  const auto m = static_cast<Eigen::Index>(block.contact_names.size());
+  Eigen::MatrixXd normal(m, m);
+  for (Eigen::Index j = 0; j < m; ++j)
+    for (Eigen::Index i = 0; i < m; ++i) normal(i, j) = block.compliance(d * i, d * j);
+  const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+  normal = scale.asDiagonal() * normal * scale.asDiagonal();
+  const Eigen::Index count = std::min(m, most_modes);
+  Uniform uniform(static_cast<std::uint64_t>(m));
+  modes_.resize(m, count);
+  for (Eigen::Index j = 0; j < count; ++j)
+    for (Eigen::Index i = 0; i < m; ++i) modes_(i, j) = uniform() - 0.5;
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> factors(normal * modes_);
+    modes_ = factors.householderQ() * Eigen::MatrixXd::Identity(m, count);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> within(modes_.transpose() * normal * modes_);
+  modes_ = modes_ * within.eigenvectors().rowwise().reverse();
+}
+
+ModeStart ModeStarts::at(std::uint64_t number) const {
+  Uniform uniform(0x9e3779b97f4a7c15U * (number + 1));
+  Eigen::VectorXd weights(modes_.cols());
+  for (Eigen::Index j = 0; j < weights.size(); ++j)
+    weights[j] = uniform.normal() / std::sqrt(1.0 + static_cast<double>(j));
+  weights[0] *= weight_of_first;
+  const Eigen::VectorXd field = modes_ * weights;
+  const double share = least_share + (most_share - least_share) * uniform();
+  std::vector<double> sorted(field.begin(), field.end());
+  std::ranges::sort(sorted);
+  const double level =
+      sorted[static_cast<std::size_t>((1 - share) * static_cast<double>(sorted.size() - 1))];
+  ModeStart start;
+  for (int i = 0; i < static_cast<int>(field.size()); ++i)
+    if (field[i] >= level) start.contact.insert(i);
+  start.share = 0.5 * std::floor(3 * uniform());
+  return start;
+}
+
+}  // namespace kusabi::wedged

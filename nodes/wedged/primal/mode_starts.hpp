@@ -1,0 +1,32 @@
+// Guesses of the candidates in contact: level sets of combinations of the softest modes of F_nn,
+// smooth on any face, without coordinates and without its symmetries.
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
+
+#include "problems/wedged/wedged_problem.hpp"
+#include "support/index_set.hpp"
+
+namespace kusabi::wedged {
+
+/// What a trial begins with.
+struct ModeStart {
+  support::IndexSet contact;
+  double share = 0;  ///< see Linearisation
+};
+
+/// Of one block; the same numbers on all ranks.
+class ModeStarts {
+ public:
+  explicit ModeStarts(const problems::WedgedProblem& block);
+
+  /// The start of this number: the same each time.
+  [[nodiscard]] ModeStart at(std::uint64_t number) const;
+
+ private:
+  Eigen::MatrixXd modes_;  // m x count, the softest first
+};
+
+}  // namespace kusabi::wedged

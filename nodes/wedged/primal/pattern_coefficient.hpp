@@ -1,0 +1,26 @@
+// The friction coefficient that a pattern is feasible from, to a few digits: a search that compares
+// patterns needs no more.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "nodes/wedged/friction/critical_friction.hpp"
+#include "support/index_set.hpp"
+
+namespace kusabi::wedged {
+
+/// Where to look.
+struct CoefficientRange {
+  double infeasible = 0;  ///< nothing is feasible up to here
+  double guess = 1;       ///< where it is asked first if there is no limit
+  double limit = std::numeric_limits<double>::infinity();  ///< none above is of interest
+};
+
+/// A coefficient at which the pattern with these candidates in contact and all others separated is
+/// feasible by its program, near the smallest such; nothing if there is none in the range.
+std::optional<double> pattern_coefficient(CriticalFriction& critical,
+                                          const support::IndexSet& contact,
+                                          const CoefficientRange& range);
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,21 @@
+// One wedged configuration at given friction, without a tree: whether a structure can stick is
+// often answered by it.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "engine/analysis/analysis.hpp"
+#include "nodes/wedged/tree/sign_pattern.hpp"
+#include "problems/wedged/wedged_problem.hpp"
+
+namespace kusabi::wedged {
+
+/// A feasible leaf of one of the blocks that are not small. Every rank makes the same call and gets
+/// the same. @param friction mu of each candidate  @return nothing if none was found
+std::optional<Configuration> leaf_without_tree(engine::Analysis& analysis,
+                                               const problems::WedgedProblem& problem,
+                                               std::span<const double> friction,
+                                               const conic::Tolerances& tolerances);
+
+}  // namespace kusabi::wedged

@@ -1,0 +1,248 @@
+// Rounds of trials, in clusters and of all candidates.
+#include "nodes/wedged/primal/primal_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <boost/serialization/vector.hpp>
+#include <fmt/format.h>
+
+#include "nodes/wedged/friction/critical_friction.hpp"
+#include "nodes/wedged/primal/clusters.hpp"
+#include "nodes/wedged/primal/linearisation.hpp"
+#include "nodes/wedged/primal/mode_starts.hpp"
+#include "nodes/wedged/primal/pattern_coefficient.hpp"
+
+namespace kusabi::wedged {
+namespace {
+
+/// How much higher starts are tried if nothing comes of a round and no pattern is known.
+constexpr double next_factor = 4;
+
+/// Trials of a round from modes, and where they are made, as shares of the best coefficient.
+constexpr std::uint64_t starts_a_round = 6;
+constexpr std::array<double, 3> start_shares{0.98, 0.8, 0.6};
+
+/// Where the best pattern is tried again.
+constexpr std::array<double, 3> descent_shares{0.9, 0.97, 0.99};
+constexpr std::array<double, 2> descent_scales{0.5, 1};
+
+/// What takes less than this share off is no better.
+constexpr double hardly_better = 2e-5;
+
+/// A round that takes less than this share off comes to nothing.
+constexpr double worth_a_round = 1e-4;
+
+/// Rounds from modes that may come to nothing, one after another, before the search ends.
+constexpr int most_idle_rounds = 3;
+
+/// Clusters of a large block, and how many of their patterns are tried with all candidates: at a
+/// little more friction, since clusters are stiffer.
+constexpr int cluster_count = 50;
+constexpr std::size_t most_prolonged = 12;
+constexpr double room_to_prolong = 1.15;
+
+/// Patterns of clusters are kept that are feasible up to so many times the best coefficient.
+constexpr double pool_reach = 1.5;
+
+/// Programs at coefficients that are nearer to an infeasible one are of no use.
+constexpr double least_above = 1e-4;
+
+struct Trial {
+  support::IndexSet contact;
+  double factor = 1;
+  double share = 0.5;
+};
+
+struct TrialResult {
+  PrimalPattern pattern;
+  std::uint64_t programs = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive, unsigned /*version*/) {
+    archive& pattern& programs;
+  }
+};
+
+// The search of one level.
+class Level {
+ public:
+  Level(engine::Analysis& analysis, const problems::WedgedProblem& block,
+        const PrimalQuestion& question, double reach,
+        const std::function<void(const PrimalPattern&)>& better)
+      : analysis_(analysis),
+        question_(question),
+        reach_(reach),
+        better_(better),
+        modes_(block),
+        linearisation_(block),
+        critical_(block, 1e-8, Precision::doubles),
+        best_(question.known) {
+    linearisation_.end_when(analysis.budget().stop());
+    critical_.end_when(analysis.budget().stop());
+  }
+
+  // Rounds from modes, and from the best after each, until they come to nothing.
+  void run() {
+    double from = std::min(question_.from, question_.most);
+    for (int idle = 0; idle < most_idle_rounds && !done(); ++idle) {
+      if (round(mode_trials(from))) idle = -1;
+      descend();
+      if (!best_.is_known()) from = std::min(next_factor * from, question_.most);
+    }
+  }
+
+  // Down from the best pattern, as long as that leads anywhere.
+  void descend() {
+    while (best_.is_known() && !done()) {
+      std::vector<Trial> trials;
+      for (const double share : descent_shares)
+        for (const double scale : descent_scales)
+          trials.push_back({best_.contact, above_infeasible(share * best_.factor), scale});
+      if (!round(trials)) return;
+    }
+  }
+
+  // @return whether that led on
+  bool round(const std::vector<Trial>& trials) {
+    const auto results = analysis_.share<TrialResult>(
+        trials.size(), [&](std::uint64_t piece) { return made(trials[piece]); });
+    const double before = best_.factor;
+    for (const auto& [pattern, programs] : results) {
+      programs_ += programs;
+      if (!pattern.is_known()) continue;
+      pool_.push_back(pattern);
+      if (!(pattern.factor < best_.factor * (1 - hardly_better))) continue;
+      best_ = pattern;
+    }
+    if (best_.factor < before && better_) better_(best_);
+    analysis_.say_now_and_then([&] {
+      return best_.is_known()
+                 ? fmt::format(
+                       "looking for patterns without a tree: one sticks at {:.6g}, {} programs",
+                       best_.factor, programs_)
+                 : fmt::format("looking for patterns without a tree: none yet, {} programs",
+                               programs_);
+    });
+    return best_.factor < before * (1 - worth_a_round);
+  }
+
+  [[nodiscard]] bool done() {
+    return best_.factor <= question_.enough || best_.factor <= above_infeasible(0) ||
+           analysis_.ended();
+  }
+
+  [[nodiscard]] const PrimalPattern& best() const { return best_; }
+  [[nodiscard]] std::uint64_t programs() const { return programs_; }
+
+  // Distinct, the best first.
+  [[nodiscard]] std::vector<PrimalPattern> pool() const {
+    auto patterns = pool_;
+    std::ranges::sort(patterns, [](const auto& a, const auto& b) {
+      return a.factor != b.factor ? a.factor < b.factor : a.contact < b.contact;
+    });
+    const auto twice = std::ranges::unique(patterns, {}, &PrimalPattern::contact);
+    patterns.erase(twice.begin(), twice.end());
+    return patterns;
+  }
+
+ private:
+  std::vector<Trial> mode_trials(double from) {
+    std::vector<Trial> trials;
+    for (std::uint64_t i = 0; i < starts_a_round; ++i, ++next_start_) {
+      auto start = modes_.at(next_start_);
+      const double factor = best_.is_known() ? start_shares[i % start_shares.size()] * best_.factor
+                                             : from / static_cast<double>(1 << (i % 3));
+      trials.push_back({std::move(start.contact), above_infeasible(factor), start.share});
+    }
+    return trials;
+  }
+
+  [[nodiscard]] double above_infeasible(double factor) const {
+    return std::max(factor, question_.infeasible * (1 + least_above));
+  }
+
+  // Above, a pattern is of no interest.
+  [[nodiscard]] double limit() const {
+    return best_.factor * (reach_ > 1 ? reach_ : 1 - hardly_better);
+  }
+
+  TrialResult made(const Trial& trial) {
+    const auto before = critical_.programs() + linearisation_.programs();
+    TrialResult result;
+    try {
+      const auto guess = linearisation_.from(trial.contact, trial.factor, trial.share);
+      if (guess) {
+        const auto factor = pattern_coefficient(
+            critical_, guess->contact,
+            {.infeasible = question_.infeasible, .guess = trial.factor, .limit = limit()});
+        if (factor && *factor <= question_.most) result.pattern = {*factor, guess->contact};
+      }
+    } catch (const support::Stopped&) {
+    }
+    result.programs = critical_.programs() + linearisation_.programs() - before;
+    return result;
+  }
+
+  engine::Analysis& analysis_;
+  PrimalQuestion question_;
+  double reach_;
+  const std::function<void(const PrimalPattern&)>& better_;
+  ModeStarts modes_;
+  Linearisation linearisation_;
+  CriticalFriction critical_;
+  PrimalPattern best_;
+  std::vector<PrimalPattern> pool_;
+  std::uint64_t programs_ = 0, next_start_ = 0;
+};
+
+// Of clusters, for the whole block.
+std::vector<Trial> prolonged(engine::Analysis& analysis, const problems::WedgedProblem& block,
+                             const PrimalQuestion& question, std::uint64_t& programs) {
+  const auto clusters = clusters_of(block, cluster_count);
+  const std::function<void(const PrimalPattern&)> nobody;
+  Level coarse(
+      analysis, clusters.problem,
+      {.infeasible = 0, .most = question.most, .enough = 0, .from = question.from, .known = {}},
+      pool_reach, nobody);
+  coarse.run();
+  programs += coarse.programs();
+  std::vector<Trial> trials;
+  for (const auto& pattern : coarse.pool()) {
+    if (trials.size() == most_prolonged) break;
+    trials.push_back(
+        {clusters.members(pattern.contact),
+         std::max(room_to_prolong * pattern.factor, question.infeasible * (1 + least_above)), 0.5});
+  }
+  return trials;
+}
+
+}  // namespace
+
+PrimalFindings search_primal(engine::Analysis& analysis, const problems::WedgedProblem& block,
+                             const PrimalQuestion& question,
+                             const std::function<void(const PrimalPattern&)>& better) {
+  PrimalFindings findings;
+  Level level(analysis, block, question, 1, better);
+  if (static_cast<int>(block.contact_names.size()) >= fewest_to_cluster && !level.done()) {
+    auto trials = prolonged(analysis, block, question, findings.programs);
+    if (level.best().is_known())
+      for (auto& trial : trials)
+        trial.factor = std::min(trial.factor, start_shares[0] * level.best().factor);
+    for (std::size_t first = 0; first < trials.size() && !level.done(); first += starts_a_round) {
+      const auto last = std::min<std::size_t>(first + starts_a_round, trials.size());
+      level.round({trials.begin() + static_cast<std::ptrdiff_t>(first),
+                   trials.begin() + static_cast<std::ptrdiff_t>(last)});
+    }
+    level.descend();
+  }
+  level.run();
+  findings.best = level.best();
+  findings.programs += level.programs();
+  return findings;
+}
+
+}  // namespace kusabi::wedged
