@@ -1,4 +1,4 @@
-// The leaves sorted into blocks and counted.
+// Leaves sorted by blocks, and their counts.
 #include "nodes/wedged/pattern_search.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace kusabi::wedged {
 namespace {
 
-// Those that a search that stopped early did not come upon, up to so many in all.
+// Adds known patterns that a stopped search has not found, up to a maximum number in all.
 void add_missing(std::vector<Configuration>& known, std::uint64_t most,
                  std::vector<Configuration>& leaves) {
   for (auto& leaf : known) {
@@ -26,8 +26,7 @@ void add_missing(std::vector<Configuration>& known, std::uint64_t most,
   }
 }
 
-/// K of the structure, enclosed for the exact test, if the question asks for it or the scales of
-/// the structure do.
+/// Enclosure of K for the exact test, if requested or required by the scales of the structure.
 std::optional<verify::EnclosedProblem> enclosed_for_test(engine::Analysis& analysis,
                                                          const problems::WedgedProblem& problem,
                                                          const PatternQuestion& question,
@@ -66,7 +65,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
   std::vector<Configuration> known;
   if (options.facets == 0 && !enclosed)
     known = simple_leaves(analysis, problem, friction, options.tolerances);
-  // Without a search where these are all that is asked for.
+  // No search if the known patterns suffice.
   const bool enough = known.size() >= analysis.budget().left().solutions;
   auto search = question.search;
   if (enough) search.limits.nodes = 0;
@@ -83,7 +82,8 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
     check.emplace(problem, *enclosed, friction, findings.bounds,
                   far_apart ? FarMotion::counted : FarMotion::left_out);
     findings.exact.done = check->is_able();
-    // Of held bodies the solver's own bounds hold; its cut-offs are of motions.
+    // The bounds of the solver are valid for constrained bodies; its tolerances concern rigid-body
+    // modes.
     if (!check->is_able() && problem.motions.cols() > 0)
       findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
     if (check->is_able() || problem.motions.cols() > 0)

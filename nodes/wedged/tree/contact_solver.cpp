@@ -1,4 +1,4 @@
-// Doubles first, more digits where they are needed.
+// Solution in doubles, escalated to higher precision levels where necessary.
 #include "nodes/wedged/tree/contact_solver.hpp"
 
 #include <algorithm>
@@ -13,13 +13,13 @@ using support::IndexSet;
 
 namespace {
 
-// A margin of a leaf is given to three digits.
+// Relative accuracy of the margin of a leaf.
 constexpr double three_digits = 1e-3;
 
-// The quotient of F and its unit.
+// Rounding of the quotient of F and its unit.
 constexpr double scaling_roundings = 1.01;
 
-/// G with 104 bits, and combined as the solvers want it.
+/// G in 104 bits, combined as the solvers require.
 conic::Motions<numbers::Precise> combined(const problems::WedgedProblem& problem) {
   const bool precise = problem.precise_motions.size() != 0;
   const numbers::PreciseMatrix given =
@@ -123,7 +123,7 @@ auto ContactSolver::made(Rung<Real>& rung) -> Rung<Real>& {
 
 namespace {
 
-/// Calls `function` with the solver of a rung that has been made.
+/// Calls `function` with the solver of a precision level that has been constructed.
 template <class Rung, class Function>
 auto with(Rung& rung, Function function) {
   if (auto* plane = std::get_if<1>(&rung)) return function(*plane);
@@ -142,7 +142,7 @@ void ContactSolver::climb(Rung<Real>& rung, int number, const IndexSet& contact,
     const conic::ConicResult again = solver.solve(contact, separated, stop, ignored);
     answer.iterations += again.iterations;
     answer.precision_level = number;
-    // Both brackets hold, and so does what they have in common.
+    // Both brackets are valid, and so is their intersection.
     if (again.lower > answer.lower) {
       answer.lower = again.lower;
       answer.has_point = again.has_point;
@@ -243,9 +243,9 @@ std::optional<conic::RelativeInterior> ContactSolver::relative_interior(const In
   });
 }
 
-// Reactions that vanish move others all the same as long as they are not quite zero. What is left
-// counts as zero if it is no more than cancellation leaves, than a direction in sixteen digits
-// takes from the others of its block of F, or than the error of F.
+// Reactions that vanish only approximately still displace other candidates. A displacement counts
+// as zero if it is within the error of cancellation, of directions with sixteen digits in its block
+// of F, or of F.
 IndexSet ContactSolver::moved_by(const IndexSet& loaded) const {
   constexpr double cancelled = 1e-12;
   const double unknown = precise_compliance_.size() == 0 ? compliance_error_ : precise_error_;
