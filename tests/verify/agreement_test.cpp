@@ -1,4 +1,5 @@
-// A certificate and a problem file: genuine ones are proved of the structure, all others refused.
+// Consistency of certificates with problem files: genuine ones are proved for the structure, all
+// others refused.
 #include "verify/wedged/agreement.hpp"
 
 #include <cmath>
@@ -67,8 +68,8 @@ TEST(Agreement, TheCertificateOfAnotherProblemIsRefused) {
               HasSubstr("it has 0 motions of bodies that nothing holds, the structure has 10"));
 }
 
-// What is smaller than the comparison notices is not proved of the wrong structure either: the
-// proof uses the structure's K alone.
+// Differences below the tolerance of the comparison do not lead to a proof for the wrong structure
+// either, since the proof uses the structure's K alone.
 TEST(Agreement, TheKOfTheStructureIsWhatIsProved) {
   const auto structure = structure_of("plane-truss.toml");
   const auto certificate = read_certificate(searched(example("plane-truss.toml"), 1.0).text(), "c");
@@ -106,7 +107,7 @@ TEST(Agreement, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
               HasSubstr("the friction at r5 is 0"));
 }
 
-// Two towers without a connection: they may be two blocks or one; what is one may not be two.
+// Two disconnected towers may be two blocks or one; connected ones may not be two.
 TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
   auto structure = structure_of("two-bars.toml");
   const auto single = searched(example("two-bars.toml"), 3.0);
@@ -129,7 +130,7 @@ TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
   const auto said = verdict(text, &structure);
   EXPECT_THAT(said.refusals, IsEmpty());
   EXPECT_THAT(said.alive, ElementsAre(1U, 2U));
-  // A bar between the two, however weak.
+  // A bar between the two, of any stiffness.
   Bar weak;
   weak.first = structure.contact[0].node;
   weak.second = structure.contact[1].node;
@@ -140,8 +141,7 @@ TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
               ElementsAre(HasSubstr("in different blocks, but the structure connects them")));
 }
 
-// Stiffnesses from 1 to 1e9: K in double precision is known to a few digits only, and t* = 0 is
-// near.
+// Stiffnesses from 1 to 1e9: K in double precision has few correct digits, and t* = 0 is near.
 TEST(Agreement, HoldsForStiffnessesNineOrdersApart) {
   const auto file = problems::read_structure(R"(
 name = "contrast"

@@ -1,5 +1,5 @@
-// What a coarse matrix says of itself, against exact products; and that proofs that need the exact
-// one have it.
+// Error bounds of coarse matrices compared with exact products; and proofs that require the exact
+// matrix.
 #include "verify/arithmetic/coarse_matrix.hpp"
 
 #include <cstdint>
@@ -64,7 +64,7 @@ TEST(CoarseMatrix, IsNoFartherOffThanItSays) {
   }
 }
 
-// The largest sums there can be.
+// The largest possible sums.
 TEST(CoarseMatrix, ItsSumsHaveRoom) {
   constexpr std::size_t size = 1024;
   const auto largest = [](unsigned bits) -> mpz_class { return (mpz_class(1) << bits) - 1; };
@@ -94,7 +94,7 @@ TEST(CoarseMatrix, RefusesWhatDoesNotFit) {
   EXPECT_FALSE(large * DyadicList(std::size_t{1025}));
 }
 
-// K = diag(1, 2^-100) + 2^-200: what the coarse one knows of the second unknown is nothing.
+// K = diag(1, 2^-100) + 2^-200: the coarse matrix has lost the second unknown.
 TEST(HeldStiffness, ChecksWithAllDigitsWhatACoarseGuessLeavesOpen) {
   DyadicMatrix middle{.size = 2, .entries = DyadicList(std::size_t{4})};
   middle.entries.exponent = -200;

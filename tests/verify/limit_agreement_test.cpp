@@ -1,4 +1,4 @@
-// Certificates of limit loads and the truss in a file; and what harms no reader.
+// Consistency of limit-load certificates with the truss of a file; harmless faulty certificates.
 #include "verify/limit/limit_agreement.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Structure truss() {
   return structure;
 }
 
-// What proves the factor 1/2 for alpha = 1/2, from below up to 1e-9.
+// Proof of the factor 1/2 for alpha = 1/2, from below up to 1e-9.
 LimitCertificate evidence() {
   const double half_root = std::sqrt(0.5);
   LimitCertificate certificate;
@@ -79,12 +79,12 @@ TEST(LimitAgreement, TheEndsAreProvedOfTheTruss) {
   }
   const LimitProof proof(certificate, meant);
   const auto upper = std::get<mpq_class>(proof.upper());
-  EXPECT_GT(upper, mpq_class(0.5));  // the motion stretches the rising bar by a rounding
+  EXPECT_GT(upper, mpq_class(0.5));  // the motion stretches the rising bar by a rounding error
   EXPECT_LT(upper.get_d(), 0.5 + 1e-14);
   EXPECT_EQ(std::get<mpq_class>(proof.lower(certificate.nodes[0])), mpq_class(0.5 - 1e-9));
 }
 
-// The proof takes the errors into account: with larger ones the same evidence is worth less.
+// The proof includes the errors: with larger ones the same evidence proves less.
 TEST(LimitAgreement, ErrorsMoveTheUpperEndAndForbidTheLower) {
   const auto certificate = evidence();
   const Dyadic error(0x1p-20);
@@ -197,7 +197,7 @@ TEST(LimitCertificate, NoMemoryIsTakenForWhatTheFileCannotHold) {
   }
 }
 
-// More columns of T than displacements are no harm; nodes that say nothing of them would be.
+// More columns of T than displacements are harmless; nodes without signs for them would not be.
 TEST(LimitCertificate, NoMemoryIsTakenForSignsThatNoLineHolds) {
   auto certificate = evidence();
   certificate.uncertain.assign(5000, {{0, 1.0}});
@@ -208,7 +208,7 @@ TEST(LimitCertificate, NoMemoryIsTakenForSignsThatNoLineHolds) {
               HasSubstr("expected a sign or a share for each column of T"));
 }
 
-// A motion on which the reference load does 2^-1060 of work: the upper end is beyond all doubles.
+// A motion with work 2^-1060 of the reference load: the upper bound is beyond all doubles.
 TEST(LimitCertificate, AnEndBeyondAllDoublesIsRoundedToInfinity) {
   const mpq_class far = Dyadic(mpz_class(3), 1060).rational();
   const double largest = std::numeric_limits<double>::max();

@@ -99,7 +99,7 @@ Draft searched(const problems::WedgedProblem& problem, double friction) {
     draft.header.push_back(listed(row).substr(1) + "\n");
   }
   draft.header.emplace_back("nodes\n");
-  // Version 1 knows of no blocks.
+  // Version 1 has no blocks.
   auto whole = problem;
   whole.blocks.clear();
   wedged::SignPatternTree tree(whole, everywhere, {.tolerances = {}, .thorough = true});

@@ -1,4 +1,4 @@
-// Every node of a structure of whatever contrast is decided or a tie, by bounds that hold.
+// Decisions by valid bounds at every node of structures with any contrast of stiffness.
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -21,7 +21,7 @@ using numbers::PreciseVector;
 
 constexpr conic::Tolerances tight{};  // 1e-12
 
-// A problem whose doubles are meant.
+// A problem whose doubles are exact.
 problems::WedgedProblem exact_problem(const Eigen::MatrixXd& compliance, int dimension) {
   problems::WedgedProblem problem;
   problem.dimension = dimension;
@@ -38,8 +38,8 @@ struct Count {
   int nodes = 0, alive = 0, dead = 0, climbed = 0;
 };
 
-// All leaves and, as inner nodes, those with the last candidate open, against 104 bits from a cold
-// start; and the multipliers as they are handed over, as doubles, against the F of 104 bits.
+// All leaves and, as inner nodes, those with the last candidate undecided, compared with 104 bits
+// from a cold start; and the multipliers in doubles with the F of 104 bits.
 template <int D>
 void expect_decided(const testing::TrussKind& kind, double mu, double tolerance, Count& count,
                     std::mt19937_64& generator) {
@@ -208,7 +208,7 @@ TEST(Frictionless, OneCandidateWithoutFrictionHasItsClosedForm) {
   EXPECT_EQ(tie->moved, 0U);
 }
 
-// What is ignored might as well not be there.
+// Ignored candidates have no influence.
 TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
   std::mt19937_64 generator(61);
   for (int repetition = 0; repetition < 10; ++repetition) {
@@ -230,7 +230,7 @@ TEST(Ignored, CandidatesHaveNeitherAReactionNorARow) {
                                     static_cast<std::uint64_t>(separated), never);
       EXPECT_EQ(one.sign, other.sign);
       for (const Eigen::Index row : {2, 3, 6, 7}) EXPECT_EQ(whole.reaction()[row], 0);
-      // Gaps are in other units, so the values agree where no gap holds t.
+      // Gaps have other units, so the values agree where no gap limits t.
       if (separated == 0 && contact == 3 && one.sign == Sign::alive) {
         EXPECT_NEAR(one.lower, other.lower, 1e-6);
       }

@@ -1,4 +1,4 @@
-// Where a curve of values and slopes passes zero: on curves whose zeros are known.
+// Zeros of curves from values and slopes, on curves with known zeros.
 #include "nodes/wedged/friction/level_curve.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Concave, as t* is below its zero, which is at 0.6.
+// Concave, as t* below its zero, which is at 0.6.
 double level(double factor) {
   return 1 / 0.6 - 1 / factor;
 }
@@ -47,7 +47,7 @@ TEST(LevelCurve, TakesTheTangentFromAboveAsLongAsThereIsNothingBelow) {
   const auto guess = curve.next(0.5, 0.8);
   EXPECT_EQ(guess.factor, 0.7);
   EXPECT_FALSE(guess.settled);
-  // Not where it leads out of what is open.
+  // The estimate stays within the open interval.
   EXPECT_GE(curve.next(0.75, 0.8).factor, 0.75);
   EXPECT_LT(curve.next(0.75, 0.8).factor, 0.8);
 }
@@ -70,7 +70,7 @@ TEST(LevelCurve, GoesDownFromATie) {
   EXPECT_GE(guess.factor, 0.1);
 }
 
-// Whatever it was told, it leads to where the zero can be.
+// For arbitrary points the estimate stays within the interval of the zero.
 TEST(LevelCurve, StaysWithinWhatIsOpen) {
   LevelCurve curve(1e-8);
   for (const double newton : {-5.0, 0.2, 0.9, infinity, std::nan("")}) {

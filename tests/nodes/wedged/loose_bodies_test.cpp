@@ -1,6 +1,5 @@
-// Bodies that nothing holds, from the problem file to the proved critical coefficient, where
-// statics says what must come out: a block in a groove, a peg at two points, a bar across a corner,
-// a plug.
+// Unconstrained bodies, from the problem file to the proved critical coefficient, compared with
+// statics: a block in a groove, a peg at two points, a bar across a corner, a plug.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -55,7 +54,7 @@ TEST(LooseBodies, WedgeInAGrooveFromTheTangentOfItsHalfAngle) {
       EXPECT_TRUE(found.lower_proved && found.upper_proved) << theta << " " << elements;
     }
   }
-  // Of any material, and in any proportion.
+  // For any material and proportions.
   expect_from(critical(in_groove(20 * degree, 2, 5, 0.45)), std::tan(20 * degree));
   expect_from(critical(in_groove(20 * degree, 5, 2, 0.0)), std::tan(20 * degree));
 }
@@ -89,7 +88,7 @@ TEST(LooseBodies, PlugStaysInAConeFromTheTangentOfItsHalfAngle) {
   expect_from(critical(structure), std::tan(1.5 * degree));
 }
 
-// What no friction holds is not wedged, however far it can move.
+// Bodies supported from one side only are not wedged, however far they can move.
 TEST(LooseBodies, ThatRestOnAFloorDoNotWedge) {
   const auto structure = problems::read_structure(
       "name = \"floor\"\ndimension = 2\nunits = { length = \"mm\", force = \"N\" }\n"

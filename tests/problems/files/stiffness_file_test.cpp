@@ -1,5 +1,5 @@
-// Stiffnesses from files: CalculiX' of a brick against our own of the same mesh, in all the forms
-// in which a matrix may come; and what the keys of [[stiffness]] say.
+// Stiffness matrices from files: a brick by CalculiX compared with the same mesh here, in all
+// formats of matrices; and the keys of [[stiffness]].
 #include <functional>
 #include <sstream>
 #include <string>
@@ -60,7 +60,7 @@ TEST(StiffnessFile, OfCalculiXIsThatOfOurOwnElements) {
         with_rows(brick(fmt::format("[[stiffness]]\nmesh = \"m\"\nfile = \"{}\"\n", name))),
         "test.toml");
     const bool is_stored = name == std::string("box-hex8-stored.sti");
-    // In its substructures all nodes but the retained ones, 6 and 7, are held: see the warning.
+    // In its substructures all nodes except the retained ones, 6 and 7, are fixed: see the warning.
     const auto expected = is_stored ? own_brick() : own_brick_held_but_for_6_and_7();
     EXPECT_EQ(structure.warnings.size(), is_stored ? 0U : 1U);
     const auto found = wedged_problem(structure);
@@ -72,7 +72,7 @@ TEST(StiffnessFile, OfCalculiXIsThatOfOurOwnElements) {
 }
 
 TEST(StiffnessFile, OfNodesThatTheProblemDoesNotKnowIsCondensedToTheOthers) {
-  // The places of the two candidates are all that is said of the brick.
+  // Only the places of the two candidates of the brick are given.
   const auto toml = test::head(3) +
                     "[nodes]\n6 = [2, 0, 1]\n7 = [2, 1, 1]\n[[stiffness]]\nfile = "
                     "\"box-hex8-stored.sti\"\nothers = \"free\"\n[[contact]]\nnodes = [\"6\", "
@@ -81,7 +81,7 @@ TEST(StiffnessFile, OfNodesThatTheProblemDoesNotKnowIsCondensedToTheOthers) {
   EXPECT_TRUE(found.compliance.isApprox(own_brick().compliance, calculix_rounding));
 }
 
-// What the first lines of the example say.
+// The claim of the first lines of the example.
 TEST(StiffnessFile, OfTheExampleIsThatOfOurOwnElements) {
   const auto name = test::source_path("examples/brick-by-calculix.toml");
   const auto given = load_structure(name);
@@ -102,7 +102,7 @@ TEST(StiffnessFile, OfTheExampleIsThatOfOurOwnElements) {
   EXPECT_TRUE(found.compliance.isApprox(own.compliance, calculix_rounding));
 }
 
-/// The stiffness of the whole brick, which nothing holds, in the order of its nodes.
+/// The stiffness of the whole brick without supports, in the order of its nodes.
 Eigen::MatrixXd loose_stiffness() {
   const auto structure =
       test::read(test::head(3) + test::mesh_of("box-hex8-41.msh", 3) + touches_right);
@@ -110,7 +110,7 @@ Eigen::MatrixXd loose_stiffness() {
   return (matrix + matrix.transpose()) / 2;
 }
 
-/// A line for each entry that is wanted.
+/// A line for each selected entry.
 std::string lines(const Eigen::MatrixXd& matrix, const std::string& form,
                   const std::function<bool(Eigen::Index, Eigen::Index)>& wanted, bool with_places) {
   std::string text;
@@ -156,10 +156,10 @@ TEST(StiffnessFile, ComesInEveryFormOfMatrixMarket) {
 }
 
 TEST(StiffnessFile, TakesItsNodesAsListedAndRowsAsSaid) {
-  // Two nodes with a rotation that is free, and one that is held.
+  // Two nodes with a free rotation, and a fixed one.
   const std::string matrix =
       "%%MatrixMarket matrix array integer symmetric\n8 8\n"
-      "5\n0\n-1\n9\n0\n0\n0\n9\n"  // x of b, then y, free, held
+      "5\n0\n-1\n9\n0\n0\n0\n9\n"  // x of b, then y, free, fixed
       "6\n0\n9\n0\n0\n0\n9\n4\n9\n0\n0\n0\n9\n9\n0\n0\n0\n9\n"
       "7\n0\n0\n9\n8\n0\n9\n3\n9\n9\n";
   ProblemText problem{test::head(2) +

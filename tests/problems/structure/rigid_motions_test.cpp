@@ -1,4 +1,4 @@
-// Which motions supports leave a body: by hand, in any place and any unit.
+// Rigid-body modes that supports leave a body: by hand, at any place and in any unit.
 #include "problems/structure/bodies/rigid_motions.hpp"
 
 #include <gmock/gmock.h>
@@ -51,7 +51,7 @@ TEST(RigidMotions, AreWhatSupportsLeave) {
 
 TEST(RigidMotions, TwoRollersThatPassThroughOnePointLeaveATurnAboutIt) {
   Structure body = square();
-  hold(body, 0, 0);  // passes through (0, 0) horizontally
+  hold(body, 0, 0);  // through (0, 0) horizontally
   hold(body, 3, 1);  // and through (0, 1) vertically: they meet in (0, 0)
   EXPECT_EQ(motions(body), "can turn");
   hold(body, 1, 0);  // on the line of the first
@@ -104,7 +104,7 @@ TEST(RigidMotions, OfABarInSpaceAreFive) {
 
 TEST(RigidMotions, AreNoneOfStructuresThatAreHeldOrHaveAHingeMore) {
   EXPECT_EQ(motions(test::cantilever(4)), "held");
-  EXPECT_EQ(motions(test::cantilever(4, 2)), "held");  // a mechanism, but of no rigid body
+  EXPECT_EQ(motions(test::cantilever(4, 2)), "held");  // a mechanism, but not of a rigid body
 }
 
 TEST(RigidMotions, OfPiecesThatMeetOnTheGroundAreTheirOwn) {

@@ -1,5 +1,5 @@
-// Loose bodies: u = F r + G alpha solves K^0 u = r for every reaction in equilibrium, and no
-// temporary spring shows.
+// Unconstrained bodies: u = F r + G alpha solves K^0 u = r for all reactions in equilibrium,
+// independently of the grounding springs.
 #include <random>
 #include <vector>
 
@@ -18,7 +18,7 @@
 namespace kusabi::problems {
 namespace {
 
-/// A block of 4 x 3 elements in a groove: its lower corners touch two slopes.
+/// A block of 4 x 3 elements in a groove: its lower vertices touch two slopes.
 Structure block(const std::string& more = "") {
   return read_structure(R"(
 name = "block in a groove"
@@ -110,7 +110,7 @@ TEST(LooseBodies, HaveMotionsThatAreIndependentAndStrainNothing) {
     EXPECT_THAT(size, testing::AllOf(testing::Gt(0.4), testing::Le(1)));
 }
 
-// The same body with other springs: what differs is a rigid motion.
+// The same body with other springs: the difference is a rigid-body mode.
 TEST(LooseBodies, DoNotFeelTheTemporarySprings) {
   const auto problem = wedged_problem(block());
   const auto sprung = wedged_problem(block(R"(
@@ -207,7 +207,8 @@ normal = [-1, 0]
   }
 }
 
-// A pendulum whose only candidate is its tip sees its turn; a bar with one candidate sees no turn.
+// A pendulum with its tip as the only candidate has the rotation as a mode; a bar with one
+// candidate has no rotation among its modes.
 TEST(LooseBodies, KeepOnlyTheMotionsThatCandidatesSee) {
   const auto one = wedged_problem(read_structure(R"(
 name = "a bar"
