@@ -23,11 +23,11 @@ struct GuaranteedInterval {
   bool at_none = false;   ///< some admissible load has no factor
   bool at_none_proved = false;
 
-  /// Whether the bounds prove that no factor is carried under all admissible loads.
+  /// True if the bounds prove that no factor is carried under all admissible loads.
   [[nodiscard]] bool is_empty() const { return at_none || least.lower > largest.upper; }
-  /// Whether the bounds prove that some factor is.
+  /// True if the bounds prove that some factor is.
   [[nodiscard]] bool has_factors() const { return !at_none && least.upper <= largest.lower; }
-  /// Whether one of the two is proved.
+  /// True if one of the two is proved.
   [[nodiscard]] bool decided() const;
 };
 

@@ -28,7 +28,7 @@ struct LimitSweep {
   /// from 0 to 1, in multiples of alpha, unless loads have half-widths of their own.
   LimitAnswer last;
 
-  /// Whether all results are complete and proved. @param asked number of alphas
+  /// True if all results are complete and proved. @param asked number of alphas
   [[nodiscard]] bool whole(std::size_t asked) const;
 };
 

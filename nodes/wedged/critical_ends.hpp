@@ -52,7 +52,7 @@ using EndRecorder = std::function<std::unique_ptr<EndRecord>(CriticalEnd end, do
 struct EndsQuestion {
   CriticalGrid grid;
   Tightening tightening = Tightening::automatic;
-  bool list = false;             ///< whether all patterns are listed
+  bool list = false;             ///< true if all patterns are listed
   std::uint64_t list_nodes = 0;  ///< see CriticalQuestion
 };
 
@@ -77,14 +77,14 @@ class CriticalEnds {
 
  private:
   struct DecidedLeaf;
-  /// Whether evidence proves its claim.
+  /// True if evidence proves its claim.
   using Test = std::function<bool(const Evidence&)>;
 
   bool enclose();
   void know(std::vector<Configuration> found);
   bool roots_are_dead(double factor);
   DecidedLeaf decide_leaf(const PatternNode& leaf, double factor, bool recorded);
-  /// Whether the error of the search may exceed the largest relaxation of a bound, while the exact
+  /// True if the error of the search may exceed the largest relaxation of a bound, while the exact
   /// test is available.
   [[nodiscard]] bool is_to_bisect() const {
     return far_apart_ && question_.grid.precision == Precision::escalating &&
@@ -100,7 +100,7 @@ class CriticalEnds {
   engine::Status prove_lower();
   engine::Status prove_upper();
   engine::Status prove_by_any(double factor);
-  /// Whether the upper bound is `factor` and a configuration of its pattern is known.
+  /// True if the upper bound is `factor` and a configuration of its pattern is known.
   [[nodiscard]] bool known_at(double factor) const {
     return !known_.empty() && bracket_.upper() == factor && known_leaf_ == bracket_.leaf();
   }

@@ -143,7 +143,7 @@ class SmallestWays {
     return bracket_.is_one_cell(cells * grid_.width);
   }
 
-  // Whether any leaf is feasible at the largest coefficient, if the user specified one. A descent
+  // True if any leaf is feasible at the largest coefficient, if the user specified one. A descent
   // would begin with the same search. @return whether none is
   bool known_at_most() {
     if (!question_.most || bracket_.leaf()) return false;

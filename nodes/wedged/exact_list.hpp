@@ -21,7 +21,7 @@ struct ExactQuestion {
   Proving proving = Proving::automatic;
 };
 
-/// Whether the maximal cones that were found are those of the list. Nothing is done if no test is
+/// Compares the maximal cones that were found with those of the list. Nothing is done if no test is
 /// required. Every rank makes the same call; the answer is valid on rank 0. @param found of a
 /// complete search
 ExactTest tested_cones(engine::Analysis& analysis, const ExactQuestion& question,

@@ -28,7 +28,7 @@ struct PatternBlock {
   [[nodiscard]] bool rests() const { return cones == 0 && open == 0; }
 };
 
-/// Whether every node is verified by the exact test of `kusabi verify` during the search.
+/// Verification of every node by the exact test of `kusabi verify` during the search.
 enum class Proving {
   automatic,  ///< if floating point may miss a pattern: scale_ratio() is above wide_scales
   always,     ///< for structures of any size
@@ -52,7 +52,7 @@ struct ExactTest {
   std::uint64_t doubted = 0;  ///< nodes closed nevertheless, since their subtrees are too large
   std::uint64_t ties = 0;     ///< closed nodes without claim that it does not prove either
 
-  /// Whether the list may be incomplete although all its patterns are decided.
+  /// True if the list may be incomplete although all its patterns are decided.
   [[nodiscard]] bool leaves_doubt() const {
     return !unable.empty() || doubted > 0 || (asked && ties > 0);
   }

@@ -13,12 +13,12 @@ namespace kusabi::zero_one {
 
 /// Result of one call of BigMs::tighten().
 struct Tightening {
-  bool changed = false;     ///< whether any coefficient or bound of a binary has changed
+  bool changed = false;     ///< true if any coefficient or bound of a binary has changed
   std::uint64_t fixed = 0;  ///< binaries fixed because the other value is infeasible
   std::uint64_t rounds = 0;
   std::uint64_t programs = 0;
   bool nothing_left = false;  ///< no point is as good as the cutoff
-  bool proved = true;         ///< whether all of it holds despite rounding
+  bool proved = true;         ///< true if all of it holds despite rounding
 };
 
 /// The rows of the form a'x + M tau <= b, with one binary and other columns. Each new M is computed

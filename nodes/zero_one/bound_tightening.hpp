@@ -16,7 +16,7 @@ namespace kusabi::zero_one {
 struct FormRange {
   double lower = -linear::infinity;
   double upper = linear::infinity;
-  /// Whether both bounds hold despite rounding. If not, reduced costs that are zero up to the last
+  /// True if both bounds hold despite rounding. If not, reduced costs that are zero up to the last
   /// of 30 digits were counted as zero.
   bool proved = true;
   /// Of the terms at the bounds: the scale of rounding errors in the form.

@@ -53,9 +53,9 @@ struct MixedAnswer {
   [[nodiscard]] const ZeroOnePoint* point() const;
   /// Lower bound of the objective.
   [[nodiscard]] double bound() const;
-  /// Whether the bound holds despite rounding.
+  /// True if the bound holds despite rounding.
   [[nodiscard]] bool proved() const { return tree.proves(); }
-  /// Whether the answer is complete: not stopped, and nothing left open.
+  /// True if the answer is complete: not stopped, and nothing left open.
   [[nodiscard]] bool answered() const;
 };
 

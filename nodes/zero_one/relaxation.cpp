@@ -180,7 +180,7 @@ double Relaxation::left_out() const {
   return sum;
 }
 
-// Whether the bound agrees with the simplex method's optimum.
+// True if the bound agrees with the simplex method's optimum.
 bool Relaxation::is_tight(double objective) const {
   return std::isfinite(bound_) &&
          std::abs(objective - bound_) <= tight_share * steps_.width(bound_);

@@ -89,7 +89,7 @@ class Relaxation {
   /// The bound if the free `binary` were fixed at `at_one`, by the same multipliers.
   [[nodiscard]] double bound_if(std::size_t binary, bool at_one) const;
 
-  /// Whether bounds hold despite rounding (see above).
+  /// True if bounds hold despite rounding (see above).
   [[nodiscard]] bool proves() const { return proves_; }
   /// Makes the bounds those of the simplex method, for programs whose columns have bounds so wide
   /// that the safe bounds are useless.

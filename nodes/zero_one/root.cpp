@@ -80,7 +80,7 @@ void find_points(ZeroOneRoot& root, const ZeroOneRootOptions& options) {
   keep_better(root.point, dive(relaxation, relaxation.root(), root.basis));
 }
 
-// Whether the safe bound is useful: with very wide bounds of columns, rounding alone may decrease
+// True if the safe bound is useful: with very wide bounds of columns, rounding alone may decrease
 // it by more than the resolution of objectives, and no node would be closed.
 bool safe_bound_is_of_use(ZeroOneRoot& root) {
   relax(root);

@@ -26,7 +26,7 @@ struct ZeroOneRootOptions {
   /// A point and an upper bound of its objective for pruning from the first node on: v^U of remark
   /// 4.5. It is not checked.
   std::optional<ZeroOnePoint> incumbent = {};
-  /// Whether nodes follow Algorithm 4.2 only, without rounding heuristics and reduced-cost fixing.
+  /// True if nodes follow Algorithm 4.2 only, without rounding heuristics and reduced-cost fixing.
   bool as_printed = false;
   /// Polled during the work; ZeroOneRoot::interrupted records a stop. The tree polls it within long
   /// linear programs.
@@ -42,7 +42,7 @@ struct ZeroOneRootCounts {
   std::uint64_t tightened = 0;     ///< coefficients made smaller
   std::uint64_t tighten_programs = 0;
   std::uint64_t fixed = 0;                 ///< binaries fixed because the other value is infeasible
-  bool proved = true;                      ///< whether the tightening holds despite rounding
+  bool proved = true;                      ///< true if the tightening holds despite rounding
   double first_bound = -linear::infinity;  ///< of the given relaxation
   double last_bound = -linear::infinity;   ///< of the relaxation after all steps
 };

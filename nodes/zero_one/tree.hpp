@@ -100,7 +100,7 @@ class ZeroOneTree {
   /// bounds.
   [[nodiscard]] double lower_bound(double outcome_bound, const Tally& total) const;
 
-  /// Whether bounds hold despite rounding.
+  /// True if bounds hold despite rounding.
   [[nodiscard]] bool proves() const { return root_.relaxation.proves() && root_.counts.proved; }
 
   [[nodiscard]] const ZeroOneRoot& prepared() const { return root_; }

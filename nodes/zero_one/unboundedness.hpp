@@ -6,7 +6,7 @@
 
 namespace kusabi::zero_one {
 
-/// Whether there is a direction, found in 104 bits, along which the objective decreases and which
+/// True if there is a direction, found in 104 bits, along which the objective decreases and which
 /// no row, bound or binary limits: the program is then unbounded if it has a point.
 bool falls_for_ever(const linear::MixedProgram& mixed, const support::Stop& stop = {});
 

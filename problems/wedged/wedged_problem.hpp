@@ -77,7 +77,7 @@ struct WedgedProblem {
   std::uint64_t fingerprint = 0;
 };
 
-/// Whether all candidates have relative friction one.
+/// True if all candidates have relative friction one.
 bool uniform_friction(const WedgedProblem& problem);
 
 /// The mean of the diagonal of F_nn, the normal block of the compliance. F is divided by it, such

@@ -76,7 +76,7 @@ class BlockProof {
                                                    const std::optional<double>& most,
                                                    std::span<const double> numbers);
 
-  /// Whether equilibrium makes the reaction of a contact of U zero in all configurations below the
+  /// True if equilibrium makes the reaction of a contact of U zero in all configurations below the
   /// node (U, R).
   [[nodiscard]] bool leaves_a_contact_unloaded(const support::IndexSet& contact,
                                                const support::IndexSet& separated) const;
@@ -194,7 +194,7 @@ class BlockProof {
                                                          const DyadicList& w, const Dyadic& error,
                                                          const Dyadic& epsilon) const;
 
-  // Whether the reactions of all candidates displaced by a mode do negative work on it or on its
+  // True if the reactions of all candidates displaced by a mode do negative work on it or on its
   // opposite, and at least one of them is in U.
   [[nodiscard]] bool all_work_against(const Rationals& motion,
                                       const std::vector<std::size_t>& carrying,
@@ -223,7 +223,7 @@ class BlockProof {
   mutable std::list<HeldStiffness> held_;  // the first for infeasible nodes; others for leaves
 };
 
-/// Whether a candidate is in a set of them.
+/// True if a candidate is in a set of them.
 inline bool holds(const support::IndexSet& set, std::size_t candidate) {
   return set.contains(static_cast<int>(candidate));
 }

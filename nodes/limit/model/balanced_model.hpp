@@ -27,7 +27,7 @@ std::optional<problems::LimitModel> with_more_yield(const problems::LimitProblem
 double dissipation(const problems::LimitProblem& problem, const problems::LimitModel& model,
                    const Eigen::VectorXd& motion);
 
-/// Whether the scaled numbers are too far from one for the simplex method.
+/// True if the scaled numbers are too far from one for the simplex method.
 bool is_out_of_balance(double dissipation);
 
 }  // namespace kusabi::limit

@@ -29,7 +29,7 @@ struct LimitQuestion {
   std::optional<double> alpha{};
   LimitMethod method = LimitMethod::static_cuts;
   std::optional<double> big_m{};  ///< M of (29), in the paper's units; nothing: derived
-  /// Whether evidence for both bounds is required: the method as printed then also proves them,
+  /// True if evidence for both bounds is required: the method as printed then also proves them,
   /// after its tree. All other methods always prove them.
   bool evidence = false;
   /// Minimum number of uncertain loads for static cuts by operator splitting.
@@ -38,12 +38,12 @@ struct LimitQuestion {
   /// them.
   std::uint64_t samples = 0;
   std::uint64_t seed = 1;  ///< random seed of these
-  bool curve = false;      ///< whether the curve of the factor over the uncertainty is computed
+  bool curve = false;      ///< true if the curve of the factor over the uncertainty is computed
   /// Load of a further curve, n^d, force; nothing: none.
   std::optional<Eigen::VectorXd> curve_load{};
   double curve_to = 1;  ///< upper limit of beta of the curves, times alpha or times the load
 
-  /// Whether the method is the 0-1 program with the paper's means only.
+  /// True if the method is the 0-1 program with the paper's means only.
   [[nodiscard]] bool of_the_paper() const {
     return method == LimitMethod::fixed || method == LimitMethod::disjunctive;
   }

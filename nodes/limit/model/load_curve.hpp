@@ -31,7 +31,7 @@ struct CurvePoint {
 struct NotCarried {
   double last = 0;  ///< upper bound, exact or approximate, of the places with a factor, by a motion
                     ///< found there
-  bool proved = false;  ///< whether it is proved in exact arithmetic that the place has no factor
+  bool proved = false;  ///< true if it is proved in exact arithmetic that the place has no factor
 };
 
 /// Result at a place; nothing: unknown, since the simplex method failed or was stopped.
@@ -52,14 +52,14 @@ struct CurvePiece {
 struct CurveEnd {
   double carried_at = 0;
   double not_carried_at = 0;
-  bool proved = false;  ///< whether it is proved in exact arithmetic that the latter has no factor
+  bool proved = false;  ///< true if it is proved in exact arithmetic that the latter has no factor
 };
 
 struct LoadCurve {
   std::vector<CurvePiece> pieces;  ///< in order, from 0 on; empty: some place is unknown
   std::optional<CurveEnd> end;     ///< nothing: the curve continues to the end of the range
 
-  /// Whether all of it is proved in exact arithmetic.
+  /// True if all of it is proved in exact arithmetic.
   [[nodiscard]] bool proved() const;
 };
 

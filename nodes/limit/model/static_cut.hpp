@@ -53,7 +53,7 @@ class StaticPricing {
   /// The best cut for a column of T; nothing if the simplex method fails.
   std::optional<StaticCut> cut(int column);
 
-  /// Whether the run is to stop.
+  /// True if the run is to stop.
   [[nodiscard]] bool stopped() const { return support::asked(stop_); }
   [[nodiscard]] std::uint64_t solves() const { return simplex_.solves(); }
   [[nodiscard]] std::uint64_t iterations() const { return simplex_.iterations(); }

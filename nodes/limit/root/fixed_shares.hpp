@@ -18,7 +18,7 @@ std::vector<StaticCut> cuts_of_point(const splitting::ColumnBlocks& point,
                                      const splitting::Sharing& sharing,
                                      const problems::LimitModel& model, double alpha);
 
-/// Whether there is one cut for each column, in their order.
+/// True if there is one cut for each column, in their order.
 bool is_one_for_each(std::span<const StaticCut> cuts, const problems::LimitModel& model);
 
 /// The proof without decided signs, for yield forces reduced by `room`; members whose force is

@@ -59,7 +59,7 @@ struct LimitZeroOne {
 struct LimitWorstCase {
   RootStatus status = RootStatus::failed;
   LimitEnds ends;
-  bool proved = false;  ///< whether both bounds are proved and close to each other
+  bool proved = false;  ///< true if both bounds are proved and close to each other
   /// If (29) was requested.
   std::optional<LimitZeroOne> zero_one;
   /// The bounds are those of (29) only: M was given without evidence requested, or the run was
@@ -79,7 +79,7 @@ struct LimitWorstCase {
 struct LimitAnswer {
   LoadStatus status = LoadStatus::undetermined;
   std::optional<LimitCollapse> nominal;  ///< of `collapses`
-  bool no_factor_proved = false;         ///< whether `not_carried` is proved in exact arithmetic
+  bool no_factor_proved = false;         ///< true if `not_carried` is proved in exact arithmetic
   std::optional<LimitWorstCase> worst;
   /// The same with the opposite reference load: its factors are minus the least factors of loads.
   /// Nothing: some load has no factor, the worst case is that of (29) as printed, or the run was
@@ -96,7 +96,7 @@ struct LimitAnswer {
   /// Reason of the first early end of a search; solved: none.
   [[nodiscard]] engine::Status ended() const;
 
-  /// Whether the results are complete and proved: the worst case, and the factors carried under
+  /// True if the results are complete and proved: the worst case, and the factors carried under
   /// every admissible load.
   [[nodiscard]] bool whole() const;
 };

@@ -106,7 +106,7 @@ void Master::leave_room(const Eigen::VectorXd& room) {
 // Members whose yield force limits a motion that reaches the limit of its box: equilibrium
 // determines their forces, so they have no margin.
 std::vector<int> Master::members_without_choice() const {
-  constexpr double along = 1e-2 * far;  // what moves with it
+  constexpr double along = 1e-2 * far;  // elongation of a member that moves with it
   std::vector<int> members;
   bool to_the_end = false;
   for (int i = 0; i < model_.member_count(); ++i) {
@@ -120,7 +120,7 @@ std::vector<int> Master::members_without_choice() const {
   return members;
 }
 
-// Whether the optimal dual, within the tolerances of the simplex method, keeps at least half of the
+// True if the optimal dual, within the tolerances of the simplex method, keeps at least half of the
 // margin of each member, and gives the cuts of each column their share.
 bool Master::has_room(double share) const {
   constexpr double kept = 0.5;

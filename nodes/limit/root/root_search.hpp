@@ -28,7 +28,7 @@ class RootSearch {
 
   /// Solves the nominal load in a model, which is used from then on.
   LoadStatus set_up(problems::LimitModel model);
-  /// Whether the result of the last set_up() was `collapses`, which the other functions require.
+  /// True if the result of the last set_up() was `collapses`, which the other functions require.
   [[nodiscard]] bool is_set_up() const { return solvers_ && solvers_->nominal.motion.size() > 0; }
 
   /// Uses units not far below the uncertain loads, if the simplex method succeeds with them. @param
@@ -42,10 +42,10 @@ class RootSearch {
   /// nominal ones may cause another collapse. @param alpha in the unit of force
   RootResult solve_balanced(double alpha);
 
-  /// Whether solve() finds all cuts at once.
+  /// True if solve() finds all cuts at once.
   [[nodiscard]] bool splits() const { return model().uncertain_count() >= split_from_; }
 
-  /// Whether the ranks have agreed to stop; all get the same answer.
+  /// True if the ranks have agreed to stop; all get the same answer.
   bool ended();
 
   [[nodiscard]] engine::Analysis& analysis() { return analysis_; }

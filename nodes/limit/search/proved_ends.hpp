@@ -23,7 +23,7 @@ struct LimitEvidence {
   double alpha = 0;  ///< in the unit of force
   const Worst& worst;
   const std::vector<StaticCut>& cuts;  ///< common to all nodes
-  std::vector<ClosedNode> nodes;       ///< which cover all signs
+  std::vector<ClosedNode> nodes;       ///< cover all signs
   /// The expected lower bound, in the unit of the load factor; no better proof is attempted.
   double lower = std::numeric_limits<double>::infinity();
 };

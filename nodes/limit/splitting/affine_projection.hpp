@@ -19,7 +19,7 @@ class AffineProjection {
   /// @param metric d, > 0, one for each column of A
   AffineProjection(const Eigen::SparseMatrix<double>& a, Eigen::VectorXd metric);
 
-  /// Whether there is a factor; required by all other calls.
+  /// True if there is a factor; required by all other calls.
   [[nodiscard]] bool definite() const { return definite_; }
   [[nodiscard]] const Eigen::VectorXd& metric() const { return metric_; }
   /// Multiplications for one block.

@@ -21,7 +21,7 @@ enum class CriticalWay {
   bisection,  ///< the same by bisection, as in the paper
 };
 
-/// Whether the search is for the smallest coefficient only, instead of one for each pattern.
+/// True if the search is for the smallest coefficient only, instead of one for each pattern.
 constexpr bool looks_for_smallest(CriticalWay way) {
   return way == CriticalWay::automatic || way == CriticalWay::descent || way == CriticalWay::global;
 }
@@ -45,12 +45,12 @@ struct CriticalQuestion {
   std::optional<double> most{};
   /// Of the brackets. Nothing: usual_width, or usual_width_in_doubles.
   std::optional<double> width{};
-  /// Whether candidates are bounded during the descent and for the verification of the bracket.
+  /// Bounding of candidates during the descent and for the verification of the bracket.
   Tightening tightening = Tightening::automatic;
   /// Maximum number of nodes of the global search of `automatic` before descent; nothing: by the
   /// number of candidates.
   std::optional<std::uint64_t> trial_nodes{};
-  /// Whether all patterns feasible at the upper bound are listed, and the limit of nodes for that.
+  /// Listing of all patterns feasible at the upper bound, and the limit of nodes for that.
   bool list = false;
   std::uint64_t list_nodes = std::numeric_limits<std::uint64_t>::max();
 };

@@ -38,7 +38,7 @@ class PatternBisection {
   struct Node {
     std::uint32_t first = 0, count = 0;  ///< a range of patterns
     CriticalCell cell;                   ///< of its one pattern
-    bool claimed = true;  ///< whether the pattern is known to become feasible within the cell
+    bool claimed = true;  ///< true if the pattern is known to become feasible within the cell
 
     template <class Archive>
     void serialize(Archive& archive, unsigned /*version*/) {

@@ -42,7 +42,7 @@ bool CriticalFriction::lasts(const SignPattern& leaf, double factor, const conic
          is_tie(leaf, std::max(range_.least, factor * (1 - beside)), tie);
 }
 
-// Whether some candidates of the leaf are inactive, and the others are feasible without them.
+// True if some candidates of the leaf are inactive, and the others are feasible without them.
 bool CriticalFriction::lives_at_rest(const SignPattern& leaf,
                                      const conic::RelativeInterior& inside) {
   const auto& [loaded, moved] = inside;

@@ -216,7 +216,7 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       curve.take(factor, said.level, said.newton);
     return said;
   };
-  // Whether a grid point within the cell is decided: infeasible, or feasible including flat cones.
+  // True if a grid point within the cell is decided: infeasible, or feasible including flat cones.
   const auto decided = [&](std::int64_t point) {
     if (point <= cell.dead || point >= cell.alive) return true;
     if (at(point) < range_.least) return false;

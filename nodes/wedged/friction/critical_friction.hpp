@@ -114,7 +114,7 @@ class CriticalFriction {
   /// the cell unchanged if it cannot be halved.
   CriticalCell halve(const SignPattern& pattern, CriticalCell cell);
 
-  /// Whether the pattern is proved infeasible at a grid point (x width).
+  /// True if the pattern is proved infeasible at a grid point (x width).
   bool dead(const SignPattern& pattern, std::int64_t point);
 
   /// The state of the leaf at a grid point (x width).
@@ -151,13 +151,13 @@ class CriticalFriction {
 
   CriticalCell approach(const SignPattern& pattern, CriticalCell cell, std::int64_t most);
   CriticalCell bisect(const SignPattern& pattern, CriticalCell cell);
-  // Whether a degenerate leaf is a flat cone at this coefficient.
+  // True if a degenerate leaf is a flat cone at this coefficient.
   bool is_flat(const SignPattern& pattern, double factor);
   bool lives_at_rest(const SignPattern& leaf, const conic::RelativeInterior& inside);
-  // Whether a degenerate leaf is also degenerate at a coefficient beside this one.
+  // True if a degenerate leaf is also degenerate at a coefficient beside this one.
   bool lasts(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
   bool is_tie(const SignPattern& leaf, double factor, const conic::Tolerances& tie);
-  // Whether these are feasible as the only candidates. Rigid-body modes that do not displace them
+  // True if these are feasible as the only candidates. Rigid-body modes that do not displace them
   // are left out.
   bool lives_alone(const support::IndexSet& contact, const support::IndexSet& separated);
   void set_friction(double factor);

@@ -20,7 +20,7 @@ double squared(double number) {
 // no infeasible point is known.
 constexpr double downwards = 0.98;
 
-// Whether a step is accurate: the error of a tangent is a few times the square of the step, that of
+// Accuracy of a step: the error of a tangent is a few times the square of the step, that of
 // two points a few times the square of the product of both distances.
 bool is_within(double step, double width) {
   return squared(10 * step) < width;

@@ -15,7 +15,7 @@ class LevelCurve {
  public:
   struct Guess {
     double factor;
-    bool settled;  ///< whether the error is far below the width
+    bool settled;  ///< true if the error is far below the width
   };
 
   /// @param width required accuracy of the zero, > 0

@@ -43,7 +43,7 @@ class DividedRays {
   Tally tally() const;
 
  private:
-  /// Whether this part may report a ray.
+  /// True if this part may report a ray.
   bool may_have_own(const Node& list);
 
   SignPatternTree tree_;

@@ -23,7 +23,7 @@ enum class RayMethod {
   tree,                ///< for each pattern, on all ranks
 };
 
-/// Whether these limits may stop a search early.
+/// True if these limits may stop a search early.
 bool limited(const engine::Limits& limits);
 
 /// Statistics of the tree of sign patterns or of lists.

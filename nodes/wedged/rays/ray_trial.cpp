@@ -64,7 +64,7 @@ class LeafTree {
     if (fate.leaf) out.solution(RayLeaf::of(node, fate));
   }
 
-  /// Whether nodes were discarded.
+  /// True if nodes were discarded.
   bool gave_up() const { return gave_up_; }
 
  private:

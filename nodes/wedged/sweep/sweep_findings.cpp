@@ -57,7 +57,7 @@ void unite(std::vector<ConeLife>& lives) {
   lives = std::move(united);
 }
 
-/// Whether the first range is not empty after the others have begun.
+/// True if the first range is not empty after the others have begun.
 bool remains(ConeLife& life, const std::vector<ConeLife>& all) {
   if (life.solid()) return true;
   for (const auto& other : all) {

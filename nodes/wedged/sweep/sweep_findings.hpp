@@ -64,7 +64,7 @@ struct Tread {
 
 struct SweepFindings {
   engine::Status status = engine::Status::solved;
-  bool enumerated = false;  ///< whether the tree at the largest coefficient is complete
+  bool enumerated = false;  ///< true if the tree at the largest coefficient is complete
   double most = 0;          ///< the largest coefficient
   std::size_t blocks = 1;
   std::vector<ConeLife> cones;  ///< in the order of their critical coefficients

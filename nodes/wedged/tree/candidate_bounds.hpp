@@ -42,7 +42,7 @@ struct CandidateBounds {
   double gap = std::numeric_limits<double>::infinity();
   double reaction = 1;  ///< of r_n, in contact
 
-  /// Whether there may be configurations on each side.
+  /// True if there may be configurations on each side.
   [[nodiscard]] bool can_separate() const { return gap > 0; }
   [[nodiscard]] bool can_touch() const { return reaction > 0; }
   [[nodiscard]] bool is_free() const { return can_separate() && can_touch(); }
@@ -66,7 +66,7 @@ struct ProvedBound {
   }
 };
 
-/// Whether the bounds exclude the side of one of these candidates.
+/// True if the bounds exclude the side of one of these candidates.
 bool leaves_nothing(std::span<const CandidateBounds> bounds, const support::IndexSet& contact,
                     const support::IndexSet& separated);
 

@@ -28,7 +28,7 @@ namespace kusabi::wedged {
 inline constexpr double least_friction = 1e-6;
 inline constexpr double most_friction = 1e6;
 
-/// Whether programs undecided in doubles are solved at higher precision levels, which take minutes
+/// Escalation of programs undecided in doubles to higher precision levels, which take minutes
 /// for hundreds of candidates.
 enum class Precision { escalating, doubles };
 

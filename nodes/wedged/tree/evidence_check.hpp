@@ -32,7 +32,7 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
 std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_of_any(
     const problems::Structure& structure, const support::LongWork& work = {});
 
-/// Whether proofs that exclude configurations which move far are accepted
+/// Treatment of proofs that exclude configurations which move far
 /// (verify/wedged/block_proof.hpp). In structures with long levers, small rotations move far.
 enum class FarMotion { left_out, counted };
 
@@ -47,11 +47,11 @@ class EvidenceCheck {
   EvidenceCheck(const EvidenceCheck&) = delete;
   EvidenceCheck& operator=(const EvidenceCheck&) = delete;
 
-  /// Whether K was proved to be positive definite up to rigid-body modes; without it nothing can be
+  /// True if K was proved to be positive definite up to rigid-body modes; without it nothing can be
   /// proved.
   [[nodiscard]] bool is_able() const { return proof_->least_eigenvalue().has_value(); }
 
-  /// Whether the evidence proves its claim. For a node without claim: whether a contact without
+  /// True if the evidence proves its claim. For a node without claim: whether a contact without
   /// reaction proves that its configurations are those of other nodes.
   [[nodiscard]] bool holds(const Evidence& evidence) const;
 

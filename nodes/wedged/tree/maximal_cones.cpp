@@ -8,7 +8,7 @@
 namespace kusabi::wedged {
 namespace {
 
-/// Whether the first comes before the second in lexicographic order of the increasing lists.
+/// True if the first comes before the second in lexicographic order of the increasing lists.
 bool precedes(const support::IndexSet& a, const support::IndexSet& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }

@@ -11,7 +11,7 @@
 
 namespace kusabi::wedged {
 
-/// Whether all configurations of the first cone are configurations of the second: if, and only if,
+/// True if all configurations of the first cone are configurations of the second: if, and only if,
 /// the candidates with reactions and with gaps in its relative interior are subsets of those of the
 /// second.
 /// @pre both feasible or flat, of one block

@@ -198,7 +198,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   }
 };
 
-/// Whether the candidates are bounded before the tree is searched (candidate_bounds.hpp).
+/// Bounding of candidates before the tree is searched (candidate_bounds.hpp).
 enum class Tightening {
   automatic,  ///< if the tree is large, as decided by find_patterns
   never,
@@ -218,7 +218,7 @@ struct SignPatternOptions {
   /// the number of facets of circumscribed polyhedral cones; leaves feasible with these are tested
   /// with the cones themselves (Algorithm 5.8).
   int facets = 0;
-  /// Whether redundant degenerate nodes are also branched: then each sign pattern below them is
+  /// True if redundant degenerate nodes are also branched: then each sign pattern below them is
   /// decided by itself, which a certificate needs. Up to 2^k times as many nodes for k inactive
   /// candidates.
   bool thorough = false;

@@ -77,7 +77,7 @@ Place first_large(const PreciseMatrix& matrix) {
   return {0, 0};
 }
 
-/// Whether the elimination continues with a pivot.
+/// True if the elimination continues with a pivot.
 /// @return nothing if numerically undecided
 std::optional<bool> goes_on(double pivot) {
   if (pivot <= dependent) return false;

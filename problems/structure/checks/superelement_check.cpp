@@ -114,7 +114,7 @@ Matrix scaled(const Matrix& matrix, const Eigen::VectorXd& scale) {
   return scale.asDiagonal() * matrix * scale.asDiagonal();
 }
 
-/// Whether the matrix plus `shift` times the unit matrix is positive definite.
+/// True if the matrix plus `shift` times the unit matrix is positive definite.
 bool definite(const Matrix& matrix, double shift) {
   Eigen::SimplicialLLT<Matrix> factor;
   factor.setShift(shift);

@@ -29,7 +29,7 @@ void set_leaders(const Structure& structure, FreeDegrees& degrees);
 /// The axis of the largest component, the first of equal ones.
 int steepest_axis(const Eigen::VectorXd& direction);
 
-/// Whether any displacement is dependent; limit analysis does not support such structures.
+/// True if any displacement is dependent; limit analysis does not support such structures.
 bool has_constraints(const Structure& structure);
 
 }  // namespace kusabi::problems

@@ -126,7 +126,7 @@ std::vector<Way> ways() {
   return all;
 }
 
-// Whether each row is satisfied to 1e-12 of its terms, each bound and binary exactly.
+// True if each row is satisfied to 1e-12 of its terms, each bound and binary exactly.
 bool holds(const MixedProgram& mixed, const std::vector<double>& values) {
   const auto& program = mixed.program;
   std::vector<mpq_class> sums(program.rows.size());

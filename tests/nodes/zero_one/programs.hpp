@@ -39,7 +39,7 @@ inline std::optional<double> by_brute_force(const MixedProgram& mixed) {
   return best;
 }
 
-/// Whether `values` satisfies the program, binaries exactly.
+/// True if `values` satisfies the program, binaries exactly.
 inline bool satisfies(const MixedProgram& mixed, const std::vector<double>& values,
                       double tolerance = 1e-6) {
   const auto& program = mixed.program;

@@ -32,7 +32,7 @@ Structure patch(ElementShape shape, double moved, std::mt19937& bits);
 /// The middle element of the patch by itself.
 Structure one_element(ElementShape shape, double moved, std::mt19937& bits);
 
-/// Whether a node is on the surface of the unit square or cube.
+/// True if a node is on the surface of the unit square or cube.
 bool on_surface(const Structure& structure, int node);
 
 }  // namespace kusabi::problems::test
