@@ -13,7 +13,7 @@
 #include "nodes/limit/root/root_search.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
 #include "nodes/limit/search/worst_case_search.hpp"
-#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_consistency.hpp"
 
 namespace kusabi::limit {
 namespace {

@@ -74,7 +74,7 @@ PatternFindings find_patterns(engine::Analysis& analysis, const problems::Wedged
                                     .tightening = Tightening::never};
   const auto prepared = prepare(analysis, problem, friction, enough ? as_it_is : options);
   inform(tree, prepared);
-  if (question.witness) tree.report_to(question.witness);
+  if (question.recorder) tree.report_to(question.recorder);
   findings.bounds = proved_bounds(prepared);
   std::optional<EvidenceCheck> check;
   if (enclosed) {

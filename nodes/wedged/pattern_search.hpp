@@ -86,8 +86,8 @@ struct PatternFindings {
 /// Options of the analysis.
 struct PatternQuestion {
   SignPatternOptions tree;
-  engine::Options search;  ///< checkpoints, traces, warnings
-  Witness witness;         ///< receives on each rank the evidence of closed nodes; empty: none
+  engine::Options search;     ///< checkpoints, traces, warnings
+  EvidenceRecorder recorder;  ///< receives on each rank the evidence of closed nodes; empty: none
   const problems::Structure* structure = nullptr;  ///< of the problem; null: no exact test
   Proving proving = Proving::automatic;
 };

@@ -24,7 +24,7 @@ constexpr double least_violation = 1e-6;
 // limited to this multiple of the size of the point.
 constexpr double most_violation = 1e3;
 // Right-hand sides without a safe bound are relaxed by this, relative to the size of the terms.
-constexpr double give_way = 1e-8;
+constexpr double relaxation_share = 1e-8;
 // Smaller numbers are rounded zeros. As coefficients of the cut-generating program they would spoil
 // its scaling; the cut remains valid, since its right-hand side is computed anew.
 constexpr double noise = 1e-9;
@@ -217,8 +217,8 @@ class CutProgram {
       auto scaled = y[side];
       for (double& multiplier : scaled) multiplier *= scale;
       const double held = side == 0 ? 0 : 1;
-      cut.lower = std::min(
-          cut.lower, relaxation_.least(alpha, scaled, static_cast<int>(split_), held, give_way));
+      cut.lower = std::min(cut.lower, relaxation_.least(alpha, scaled, static_cast<int>(split_),
+                                                        held, relaxation_share));
     }
     cut.violation = cut.lower - at_point;
     if (!(cut.violation > least_violation)) return {};

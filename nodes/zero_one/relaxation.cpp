@@ -282,7 +282,7 @@ double Relaxation::objective() const {
 }
 
 double Relaxation::least(const std::vector<double>& alpha, const std::vector<double>& duals,
-                         int column, double held, double give_way) const {
+                         int column, double held, double relaxation_share) const {
   auto bounds = proves_ ? implied_ : own_bounds(mixed_.program);
   const auto at = static_cast<std::size_t>(column);
   bounds.lower[at] = bounds.upper[at] = held;
@@ -306,13 +306,13 @@ double Relaxation::least(const std::vector<double>& alpha, const std::vector<dou
     const double residual = safe.residuals[j].lower;
     const double bound = residual > 0 ? bounds.lower[j] : bounds.upper[j];
     if (!std::isfinite(bound)) {
-      if (std::abs(residual) > give_way) return -linear::infinity;
+      if (std::abs(residual) > relaxation_share) return -linear::infinity;
       continue;
     }
     total += residual * bound;
     size += std::abs(residual * bound);
   }
-  return total - give_way * size;
+  return total - relaxation_share * size;
 }
 
 double Relaxation::bound_if(std::size_t binary, bool at_one) const {

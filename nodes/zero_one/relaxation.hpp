@@ -61,10 +61,10 @@ class Relaxation {
   linear::LinearStatus solve(const Fixings& fixings, const linear::Basis& basis,
                              const linear::SolveLimits& limits = {});
   /// A lower bound of alpha'x over all points with `held` in `column`, by the multipliers
-  /// `duals` of the rows: safe if bounds are proved, otherwise reduced by `give_way` relative to
-  /// the size of its terms.
+  /// `duals` of the rows: safe if bounds are proved, otherwise reduced by `relaxation_share`
+  /// relative to the size of its terms.
   [[nodiscard]] double least(const std::vector<double>& alpha, const std::vector<double>& duals,
-                             int column, double held, double give_way) const;
+                             int column, double held, double relaxation_share) const;
 
   // ---- after a solve ---------------------------------------------------------------------------
 

@@ -83,7 +83,7 @@ Verdict PatternsReport::verdict() const {
   // test has decided them.
   const auto& exact = findings_.exact;
   const bool proved = exact.done ? !exact.leaves_doubt() && exact.ties == 0
-                                 : findings_.flat == 0 && problem_.loose_bodies.empty();
+                                 : findings_.flat == 0 && problem_.unconstrained_bodies.empty();
   Verdict verdict{.ended = findings_.outcome.status,
                   .nodes_left = findings_.outcome.open,
                   .answer = Sticking{.friction = options_.friction,

@@ -163,9 +163,9 @@ TEST(Bounds, RestOnThoseBeforeThem) {
   EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(2));
 }
 
-// A bar in a groove, as in loose_bodies_test.cpp: the walls' normals are (0.6, 0.8) and (-0.6,
-// 0.8), and it is wedged from mu = 4/3 on, by two equal reactions. Rigid-body modes alone give all
-// proofs.
+// A bar in a groove, as in unconstrained_bodies_test.cpp: the walls' normals are (0.6, 0.8) and
+// (-0.6, 0.8), and it is wedged from mu = 4/3 on, by two equal reactions. Rigid-body modes alone
+// give all proofs.
 BoundsDraft loose_bar(double mu) {
   BoundsDraft draft;
   draft.header = {

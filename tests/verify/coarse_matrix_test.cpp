@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "verify/structure/held_stiffness.hpp"
+#include "verify/structure/regularised_stiffness.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -95,18 +95,18 @@ TEST(CoarseMatrix, RefusesWhatDoesNotFit) {
 }
 
 // K = diag(1, 2^-100) + 2^-200: the coarse matrix has lost the second unknown.
-TEST(HeldStiffness, ChecksWithAllDigitsWhatACoarseGuessLeavesOpen) {
+TEST(RegularisedStiffness, ChecksExactlyWhatACoarseMatrixLeavesOpen) {
   DyadicMatrix middle{.size = 2, .entries = DyadicList(std::size_t{4})};
   middle.entries.exponent = -200;
   middle.entries.mantissas[0] = (mpz_class(1) << 200U) + 1;
   middle.entries.mantissas[3] = (mpz_class(1) << 100U) + 1;
-  const HeldStiffness held({middle, {}}, {});
+  const RegularisedStiffness held({middle, {}}, {});
   const auto all = first_numbers(2);
   const std::vector<double> right{1, 1};
   int coarse = 0;
   int exact = 0;
   const auto refusal =
-      held.guess(all, DyadicList(right),
+      held.solve(all, DyadicList(right),
                  [&](const DyadicList& x, const DyadicList& kx,
                      const Dyadic& off) -> std::optional<std::string> {
                    const auto error = norm_above(difference(middle * x, kx));

@@ -14,8 +14,8 @@
 #include "problems/files/structure_file.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "searched.hpp"
-#include "verify/wedged/agreement.hpp"
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/consistency.hpp"
 #include "verify/wedged/proof.hpp"
 
 namespace kusabi::verify {
@@ -131,7 +131,7 @@ TEST(RoundedNormals, LetNoEvidencePassWhereSomethingWedges) {
   const auto text = written(problems::wedged_problem(body), 0.35);
   const auto certificate = read_certificate(text, "test");
   const auto agreed =
-      std::get<Agreement>(agreement(certificate, evidence::verified_structure(body)));
+      std::get<ConsistentStructure>(consistency(certificate, evidence::verified_structure(body)));
   const Proof proof(certificate, agreed.stiffness, agreed.motions);
   std::size_t tried = 0;
   for (const auto& leaf : certificate.records) {
@@ -163,7 +163,7 @@ TEST(RoundedNormals, OfAConeLetAPlugBeProvedToStay) {
   EXPECT_EQ(said.marginal, 0U);
   // The leaf with other tangential reactions, or with less friction, is not proved.
   auto certificate = read_certificate(text, "test");
-  const auto agreed = std::get<Agreement>(agreement(certificate, own));
+  const auto agreed = std::get<ConsistentStructure>(consistency(certificate, own));
   const auto refused = [&] {
     const Proof proof(certificate, agreed.stiffness, agreed.motions);
     for (const auto& record : certificate.records) {

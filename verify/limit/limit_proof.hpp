@@ -11,8 +11,8 @@
 #include <gmpxx.h>
 
 #include "verify/arithmetic/exact.hpp"
+#include "verify/limit/equilibrium_correction.hpp"
 #include "verify/limit/limit_certificate.hpp"
-#include "verify/limit/limit_reach.hpp"
 
 namespace kusabi::verify {
 

@@ -95,7 +95,7 @@ class SplitRoot {
   [[nodiscard]] double share_of_best(const std::vector<double>& taken) const;
   [[nodiscard]] double gap() const { return result_.worst->collapse.factor - result_.lower; }
   [[nodiscard]] bool stopped() const { return support::asked(control_.stop); }
-  void tell(int steps) const;
+  void show(int steps) const;
 
   const LimitModel& model_;
   double alpha_;
@@ -162,7 +162,7 @@ void SplitRoot::bound(const splitting::ColumnBlocks& y) {
   best_taken_ = std::move(taken);
 }
 
-void SplitRoot::tell(int steps) const {
+void SplitRoot::show(int steps) const {
   if (!control_.watcher) return;
   control_.watcher(static_cast<std::uint64_t>(steps), result_.lower,
                    result_.worst->collapse.factor);
@@ -189,7 +189,7 @@ RootStatus SplitRoot::look_at_face(splitting::AffineIteration& iteration, bool p
       bound(face.affine_point());
       bounded = face.residual();
     }
-    tell(iteration.steps() + face.steps());
+    show(iteration.steps() + face.steps());
     if (gap() <= closed_gap) return RootStatus::closed;
     const bool good = gap() <= good_gap;
     if (good && good_steps == 0) good_steps = face.steps();
@@ -241,7 +241,7 @@ RootStatus SplitRoot::iterate(splitting::AffineIteration& iteration) {
     }
     if (iteration.residual() < near) bound(iteration.affine_point());
     const int steps = iteration.steps();
-    tell(steps);
+    show(steps);
     if (gap() <= closed_gap) return RootStatus::closed;
     if (steps < least_steps || steps < next_face || iteration.residual() > near_enough) continue;
     ++faces;

@@ -9,14 +9,14 @@
 
 #include "nodes/limit/root/worst_case.hpp"
 #include "nodes/limit/search/limit_evidence.hpp"
-#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::limit {
 namespace {
 
 /// Scaled forces; the first has been tried, but not for all members.
-constexpr double rooms[] = {first_room, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
+constexpr double margins[] = {first_room, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5};
 
 double infinite() {
   return std::numeric_limits<double>::infinity();
@@ -26,7 +26,7 @@ double infinite() {
 // length almost zero).
 verify::LimitTruss meant_truss(const verify::LimitCertificate& certificate,
                                const verify::Structure& truss) {
-  auto found = verify::limit_agreement(certificate, truss);
+  auto found = verify::limit_consistency(certificate, truss);
   if (auto* const meant = std::get_if<verify::LimitTruss>(&found)) return std::move(*meant);
   return verify::recorded_truss(certificate);
 }
@@ -55,7 +55,7 @@ double with_more_room(const LimitEvidence& evidence, const verify::LimitTruss& t
       limit_certificate(evidence.problem, evidence.model, evidence.alpha, evidence.worst, cuts, {});
   const verify::LimitProof proof(certificate, truss);
   const double alpha = evidence.alpha / evidence.model.force_unit;
-  for (const double room : rooms) {
+  for (const double room : margins) {
     for (const bool for_all : {false, true}) {
       const auto found = proof_with_room(evidence.model, alpha, cuts, node.signs, room, for_all);
       if (!found) continue;

@@ -249,9 +249,9 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       if (!decided(tip) || !decided(cell.dead + 1)) break;
       if (cell.alive - cell.dead <= 1) return cell;
     }
-    auto guess = curve.next(floor(), top());
-    if (guess.settled) {
-      const auto below = static_cast<std::int64_t>(std::floor(guess.factor / width()));
+    auto estimate = curve.next(floor(), top());
+    if (estimate.settled) {
+      const auto below = static_cast<std::int64_t>(std::floor(estimate.factor / width()));
       const auto before = programs_;
       if (!decided(below + 1) || !decided(below)) {
         if (cell.alive != CriticalCell::nowhere && below > cell.dead && below < cell.alive)
@@ -260,11 +260,11 @@ CriticalCell CriticalFriction::approach(const SignPattern& pattern, CriticalCell
       }
       if (cell.alive - cell.dead <= 1) return cell;
       // The estimate was wrong; the additional programs lead to a new one.
-      if (programs_ != before) guess = curve.next(floor(), top());
+      if (programs_ != before) estimate = curve.next(floor(), top());
     }
     if (step > trusted_steps && step % 3 == 0 && std::isfinite(top()))
-      guess.factor = std::midpoint(floor(), top());
-    factor = std::min(guess.factor, at(most));
+      estimate.factor = std::midpoint(floor(), top());
+    factor = std::min(estimate.factor, at(most));
   }
   return locate(pattern, cell, CriticalMethod::bisection, most);
 }

@@ -57,7 +57,7 @@ double LevelCurve::zero_between(const Point& one, const Point& other) {
          (3 * square - 2 * cube) * other.factor + (cube - square) * span / other.slope();
 }
 
-LevelCurve::Guess LevelCurve::from_below(const Point& point, double floor) const {
+LevelCurve::Estimate LevelCurve::from_below(const Point& point, double floor) const {
   const double step = point.newton - point.factor;
   if (is_within(step, width_)) return {point.newton, true};
   if (further_below_ && further_below_->level != point.level) {
@@ -71,13 +71,13 @@ LevelCurve::Guess LevelCurve::from_below(const Point& point, double floor) const
   return {point.newton - bend * std::max(0.0, point.newton - known), false};
 }
 
-LevelCurve::Guess LevelCurve::next(double floor, double top) const {
+LevelCurve::Estimate LevelCurve::next(double floor, double top) const {
   const auto inside = [&](double factor) { return factor >= floor && factor < top; };
   const bool leads = above_ && inside(above_->newton);
   if (leads && is_within(above_->newton - above_->factor, width_)) return {above_->newton, true};
   if (below_) {
-    const auto guess = from_below(*below_, floor);
-    if (inside(guess.factor)) return guess;
+    const auto estimate = from_below(*below_, floor);
+    if (inside(estimate.factor)) return estimate;
     const double known = std::max(floor, std::min(below_->factor, downwards * top));
     return {std::isfinite(top) ? std::midpoint(known, top) : 2 * known, false};
   }

@@ -13,7 +13,7 @@ namespace kusabi::wedged {
 
 class LevelCurve {
  public:
-  struct Guess {
+  struct Estimate {
     double factor;
     bool settled;  ///< true if the error is far below the width
   };
@@ -31,7 +31,7 @@ class LevelCurve {
 
   /// The next estimate. @param floor, top where t* is known to be negative, and not negative:
   /// infinity if nowhere @return from floor on, and below top
-  [[nodiscard]] Guess next(double floor, double top) const;
+  [[nodiscard]] Estimate next(double floor, double top) const;
 
  private:
   struct Point {
@@ -42,7 +42,7 @@ class LevelCurve {
     [[nodiscard]] double slope() const { return level / (factor - newton); }
   };
 
-  [[nodiscard]] Guess from_below(const Point& point, double floor) const;
+  [[nodiscard]] Estimate from_below(const Point& point, double floor) const;
   static double zero_between(const Point& one, const Point& other);
 
   double width_;

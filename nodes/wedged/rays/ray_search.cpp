@@ -76,8 +76,8 @@ rays::Steps steps_of_all(engine::Analysis& analysis, const rays::ReactionCone& c
     conduct.share = [&](std::uint64_t count, const auto& piece) {
       return engine::share_work<rays::NewRays>(transport, count, piece);
     };
-    conduct.agree = [&](bool told) {
-      return engine::from_first_rank(transport, [&] { return told; });
+    conduct.agree = [&](bool own) {
+      return engine::from_first_rank(transport, [&] { return own; });
     };
   }
   return rays::go_on(list, cone, conduct);

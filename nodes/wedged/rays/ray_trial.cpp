@@ -36,8 +36,8 @@ double closed_before(const engine::Path& path) {
 }
 
 std::uint64_t cost(const SignPatternTally& nodes, std::uint64_t opened) {
-  const auto ties =
-      nodes.flat + nodes.faces + nodes.marginal + nodes.undecided + nodes.doubtful + nodes.climbed;
+  const auto ties = nodes.flat + nodes.faces + nodes.marginal + nodes.undecided + nodes.doubtful +
+                    nodes.escalated;
   return pairs_for_a_node * opened + pairs_for_a_tie * ties;
 }
 

@@ -110,33 +110,33 @@ double ContactSolver::scaled_error() const {
 }
 
 template <class Real>
-auto ContactSolver::made(Rung<Real>& rung) -> Rung<Real>& {
-  if (!std::holds_alternative<std::monostate>(rung)) return rung;
+auto ContactSolver::made(Level<Real>& level) -> Level<Real>& {
+  if (!std::holds_alternative<std::monostate>(level)) return level;
   if (dimension_ == 2)
-    rung.template emplace<1>(scaled_compliance<Real>(), friction_, tolerances_,
-                             scaled_error<Real>(), motions<Real>());
+    level.template emplace<1>(scaled_compliance<Real>(), friction_, tolerances_,
+                              scaled_error<Real>(), motions<Real>());
   else
-    rung.template emplace<2>(scaled_compliance<Real>(), friction_, tolerances_,
-                             scaled_error<Real>(), motions<Real>());
-  return rung;
+    level.template emplace<2>(scaled_compliance<Real>(), friction_, tolerances_,
+                              scaled_error<Real>(), motions<Real>());
+  return level;
 }
 
 namespace {
 
 /// Calls `function` with the solver of a precision level that has been constructed.
-template <class Rung, class Function>
-auto with(Rung& rung, Function function) {
-  if (auto* plane = std::get_if<1>(&rung)) return function(*plane);
-  return function(std::get<2>(rung));
+template <class Level, class Function>
+auto with(Level& level, Function function) {
+  if (auto* plane = std::get_if<1>(&level)) return function(*plane);
+  return function(std::get<2>(level));
 }
 
 }  // namespace
 
 template <class Real>
-void ContactSolver::climb(Rung<Real>& rung, int number, const IndexSet& contact,
-                          const IndexSet& separated, const IndexSet& ignored, conic::StopEarly stop,
-                          conic::ConicResult& answer) {
-  with(made(rung), [&](auto& solver) {
+void ContactSolver::escalate(Level<Real>& level, int number, const IndexSet& contact,
+                             const IndexSet& separated, const IndexSet& ignored,
+                             conic::StopEarly stop, conic::ConicResult& answer) {
+  with(made(level), [&](auto& solver) {
     solver.end_when(stop_);
     solver.set_friction(friction_);
     const conic::ConicResult again = solver.solve(contact, separated, stop, ignored);
@@ -216,8 +216,8 @@ conic::ConicResult ContactSolver::solve(const IndexSet& contact, const IndexSet&
       },
       solver_);
   has_centre_ = has_centre(answer, stop);
-  if (is_open(answer, stop)) climb(long_rung_, 1, contact, separated, ignored, stop, answer);
-  if (is_open(answer, stop)) climb(precise_rung_, 2, contact, separated, ignored, stop, answer);
+  if (is_open(answer, stop)) escalate(long_level_, 1, contact, separated, ignored, stop, answer);
+  if (is_open(answer, stop)) escalate(precise_level_, 2, contact, separated, ignored, stop, answer);
   return answer;
 }
 
@@ -230,7 +230,7 @@ std::optional<conic::RelativeInterior> ContactSolver::relative_interior(const In
                                                                         const IndexSet& separated,
                                                                         const IndexSet& ignored) {
   if (precision_ == Precision::doubles) return {};
-  return with(made(precise_rung_), [&](auto& solver) {
+  return with(made(precise_level_), [&](auto& solver) {
     solver.end_when(stop_);
     solver.set_friction(friction_);
     auto found = solver.relative_interior(contact, separated, ignored);

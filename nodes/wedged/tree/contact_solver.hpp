@@ -123,7 +123,7 @@ class ContactSolver {
 
  private:
   template <class Real>
-  using Rung =
+  using Level =
       std::variant<std::monostate, conic::PlainSolver<2, Real>, conic::PlainSolver<3, Real>>;
 
   /// G, combined as the solvers require, with the precision of Real.
@@ -139,11 +139,11 @@ class ContactSolver {
   [[nodiscard]] double scaled_error() const;
   /// The solver of a precision level, constructed at its first use.
   template <class Real>
-  Rung<Real>& made(Rung<Real>& rung);
+  Level<Real>& made(Level<Real>& level);
   template <class Real>
-  void climb(Rung<Real>& rung, int number, const support::IndexSet& contact,
-             const support::IndexSet& separated, const support::IndexSet& ignored,
-             conic::StopEarly stop, conic::ConicResult& answer);
+  void escalate(Level<Real>& level, int number, const support::IndexSet& contact,
+                const support::IndexSet& separated, const support::IndexSet& ignored,
+                conic::StopEarly stop, conic::ConicResult& answer);
   /// The candidates displaced by the reactions of these.
   [[nodiscard]] support::IndexSet moved_by(const support::IndexSet& loaded) const;
   [[nodiscard]] bool is_open(const conic::ConicResult& answer, conic::StopEarly stop) const;
@@ -160,8 +160,8 @@ class ContactSolver {
   double compliance_error_, precise_error_;
   conic::Motions<numbers::Precise> motions_;  // combined
   std::variant<conic::NodeSolver<2>, conic::NodeSolver<3>> solver_;
-  Rung<long double> long_rung_;
-  Rung<numbers::Precise> precise_rung_;
+  Level<long double> long_level_;
+  Level<numbers::Precise> precise_level_;
   Eigen::VectorXd reaction_, displacement_, multipliers_;
   Eigen::VectorXd motion_;   // of the combined modes, those with normal displacements
   bool has_centre_ = false;  // of the last solved node

@@ -8,7 +8,7 @@
 #include "engine/analysis/analysis.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "support/stop.hpp"
-#include "verify/structure/loose_stiffness.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 
 namespace kusabi::wedged {
 

@@ -12,7 +12,7 @@
 #include "problems/structure/model/structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "support/stop.hpp"
-#include "verify/structure/loose_stiffness.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 #include "verify/wedged/certificate.hpp"
 #include "verify/wedged/proof.hpp"
 

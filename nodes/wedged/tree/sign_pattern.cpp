@@ -116,7 +116,7 @@ SignPatternTree::Fate SignPatternTree::decide(const Node& node) {
   }
   const auto answer = block.solver.solve(contact, separated, stop);
   tally_.iterations += static_cast<std::uint64_t>(answer.iterations);
-  if (answer.precision_level > 0) ++tally_.climbed;
+  if (answer.precision_level > 0) ++tally_.escalated;
   if (block.outer && leaf) note_tested(node, polyhedral, answer);
   switch (answer.sign) {
     case conic::Sign::dead:
@@ -198,7 +198,7 @@ SignPatternTree::Fate SignPatternTree::decide_doubt(const Node& node,
       // If equilibrium makes all reactions of the free candidates zero, the node is degenerate, but
       // the single leaf below it with configurations may be solid.
       if (cone.at_rest.empty() && !free.empty()) {
-        if (thorough_ || witness_) return branch(node, free);
+        if (thorough_ || recorder_) return branch(node, free);
         const auto own = block.solver.solve(cone.contact, cone.separated,
                                             {.when_dead = true, .when_alive = false});
         tally_.iterations += static_cast<std::uint64_t>(own.iterations);
@@ -287,7 +287,7 @@ bool SignPatternTree::closes(const Node& node, Evidence::Kind kind,
   } else if (kind == Evidence::Kind::alive) {
     ++tally_.proved;
   }
-  if (witness_) witness_(evidence);
+  if (recorder_) recorder_(evidence);
   return true;
 }
 
@@ -311,7 +311,7 @@ SignPatternTree::Fate SignPatternTree::doubt(const Node& node) {
 }
 
 SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::VectorXd& multipliers) {
-  if (witness_ || judge_) {
+  if (recorder_ || judge_) {
     const Block& block = blocks_[node.block];
     const auto numbers = block.mean_motion.with_multipliers(multipliers, block.solver.unit());
     if (!closes(node, Evidence::Kind::dead, numbers)) return doubt(node);
@@ -322,7 +322,7 @@ SignPatternTree::Fate SignPatternTree::prune(const Node& node, const Eigen::Vect
 
 std::optional<SignPatternTree::Fate> SignPatternTree::prune_with(std::span<const conic::Cut> cuts,
                                                                  const Node& node) {
-  if (witness_ || judge_) {
+  if (recorder_ || judge_) {
     const Block& block = blocks_[node.block];
     const auto numbers = cut_evidence(block.solver, block.mean_motion, cuts);
     if (!closes(node, Evidence::Kind::cut, numbers)) return {};
@@ -333,7 +333,7 @@ std::optional<SignPatternTree::Fate> SignPatternTree::prune_with(std::span<const
 
 // Infeasible by the bounds alone.
 std::optional<SignPatternTree::Fate> SignPatternTree::prune_by_bounds(const Node& node) {
-  if (witness_ || judge_) {
+  if (recorder_ || judge_) {
     const Block& block = blocks_[node.block];
     const std::vector<double> nothing(2 * block.bounds.size() +
                                       static_cast<std::size_t>(block.mean_motion.count()));
@@ -400,7 +400,7 @@ void SignPatternTree::report_open(const Node& node) {
                           .node = in_whole(node.pattern, blocks_[node.block].candidates),
                           .numbers = {}};
   if (!judge_ || !judge_(evidence)) ++tally_.unproved;
-  if (witness_) witness_(evidence);
+  if (recorder_) recorder_(evidence);
 }
 
 }  // namespace kusabi::wedged

@@ -139,7 +139,7 @@ struct Evidence {
 };
 
 /// Recorder of the evidence of every closed node.
-using Witness = std::function<void(const Evidence&)>;
+using EvidenceRecorder = std::function<void(const Evidence&)>;
 
 /// Exact test of the evidence of a node to be closed; for a node without claim, whether its
 /// configurations are also those of others.
@@ -155,7 +155,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
   std::uint64_t marginal = 0;  ///< leaves that are marginal
   std::uint64_t undecided = 0;   ///< leaves that are undecided
   std::uint64_t doubtful = 0;    ///< nodes branched although they are marginal or undecided
-  std::uint64_t climbed = 0;     ///< nodes solved at a higher precision level
+  std::uint64_t escalated = 0;   ///< nodes solved at a higher precision level
   std::uint64_t probed = 0;      ///< children solved for strong branching
   std::uint64_t iterations = 0;  ///< interior-point iterations, over all nodes
   std::uint64_t candidates = 0;  ///< leaves to test of Algorithm 5.8
@@ -191,7 +191,7 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
                       field("marginal_leaves", &SignPatternTally::marginal),
                       field("undecided_leaves", &SignPatternTally::undecided),
                       field("doubtful_branched", &SignPatternTally::doubtful),
-                      field("climbed", &SignPatternTally::climbed),
+                      field("climbed", &SignPatternTally::escalated),
                       field("probed", &SignPatternTally::probed),
                       field("iterations", &SignPatternTally::iterations),
                       field("candidates", &SignPatternTally::candidates)};
@@ -277,7 +277,7 @@ class SignPatternTree {
   void end_when(support::Stop stop) { pollable_.end_when(std::move(stop)); }
 
   /// Sets the recorder of evidence of closed nodes. Branched nodes are not closed.
-  void report_to(Witness witness) { witness_ = std::move(witness); }
+  void report_to(EvidenceRecorder recorder) { recorder_ = std::move(recorder); }
 
   /// Sets the exact test of evidence; refused claims are counted.
   /// @param binding whether refused claims are not used: a node with few free candidates is then
@@ -334,7 +334,7 @@ class SignPatternTree {
   Pollable pollable_;
   std::vector<Block> blocks_;
   Tally tally_;
-  Witness witness_;
+  EvidenceRecorder recorder_;
   Judge judge_;
   bool binding_ = false;
 };

@@ -162,7 +162,7 @@ class Piece {
  public:
   Piece(const Structure& structure, const std::set<int>& nodes);
 
-  [[nodiscard]] LooseBody body() &&;
+  [[nodiscard]] UnconstrainedBody body() &&;
 
  private:
   void set_conditions(const std::set<int>& nodes);
@@ -176,7 +176,7 @@ class Piece {
   // component: rows of q entries.
   std::vector<PreciseMatrix> conditions_;
   std::vector<std::pair<int, PreciseMatrix>> ties_;  // number of the constraint
-  LooseBody body_;
+  UnconstrainedBody body_;
 };
 
 Piece::Piece(const Structure& structure, const std::set<int>& nodes) : structure_(structure) {
@@ -276,7 +276,7 @@ void Piece::refuse() const {
 
 // A single bar may rotate about its axis without displacement of a node; this is not counted as a
 // mode.
-LooseBody Piece::body() && {
+UnconstrainedBody Piece::body() && {
   auto [columns, pivot] = null_space(held());
   if (pivot == 0) refuse();
   const Eigen::Index d = structure_.dimension;
@@ -334,19 +334,19 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Eigen::Index LooseBody::translations() const {
+Eigen::Index UnconstrainedBody::translations() const {
   const Eigen::MatrixXd turning = motions.bottomRows(motions.rows() - centre.size()).cast<double>();
   Eigen::Index count = 0;
   while (count < motions.cols() && turning.col(count).isZero(0.0)) ++count;
   return count;
 }
 
-PreciseMatrix displacements(const LooseBody& body, const Eigen::VectorXd& place) {
+PreciseMatrix displacements(const UnconstrainedBody& body, const Eigen::VectorXd& place) {
   return lever(body.centre, body.size, place) * body.motions;
 }
 
-std::vector<LooseBody> loose_bodies(const Structure& structure) {
-  std::vector<LooseBody> bodies;
+std::vector<UnconstrainedBody> unconstrained_bodies(const Structure& structure) {
+  std::vector<UnconstrainedBody> bodies;
   std::set<int> of_superelements;
   for (const Superelement& each : structure.superelements) {
     const auto nodes = nodes_of(each);
@@ -363,7 +363,7 @@ std::vector<LooseBody> loose_bodies(const Structure& structure) {
   return bodies;
 }
 
-std::string described(const LooseBody& body) {
+std::string described(const UnconstrainedBody& body) {
   const Eigen::MatrixXd motions = body.motions.cast<double>();
   const Eigen::Index d = body.centre.size();
   const Eigen::Index shifts = body.translations();

@@ -16,7 +16,7 @@
 #include "support/input_error.hpp"
 #include "tests/nodes/limit/correlated_trusses.hpp"
 #include "tests/nodes/limit/plain_truss.hpp"
-#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 
 namespace kusabi::limit::test {
@@ -49,7 +49,7 @@ struct Shown {
 };
 
 inline Shown shown(const verify::LimitCertificate& certificate, const problems::Structure& truss) {
-  auto agreed = verify::limit_agreement(certificate, evidence::verified_structure(truss));
+  auto agreed = verify::limit_consistency(certificate, evidence::verified_structure(truss));
   if (const auto* why = std::get_if<std::string>(&agreed)) return {.why = *why};
   const verify::LimitProof proof(certificate, std::get<verify::LimitTruss>(std::move(agreed)));
   Shown result;

@@ -26,7 +26,8 @@ namespace kusabi::wedged {
 namespace {
 
 PatternFindings searched(const problems::WedgedProblem& problem, double mu, Tightening tightening,
-                         const Witness& witness = {}, bool thorough = false, int probes = 0) {
+                         const EvidenceRecorder& recorder = {}, bool thorough = false,
+                         int probes = 0) {
   const std::vector<double> friction(problem.contact_names.size(), mu);
   engine::SingleProcess alone;
   engine::Analysis analysis(alone);
@@ -34,7 +35,7 @@ PatternFindings searched(const problems::WedgedProblem& problem, double mu, Tigh
   question.tree.tightening = tightening;
   question.tree.thorough = thorough;
   question.tree.probes = probes;
-  question.witness = witness;
+  question.recorder = recorder;
   return find_patterns(analysis, problem, friction, question);
 }
 
@@ -106,7 +107,7 @@ TEST_P(CutTreesIn, FindTheSameWhereThereAreTiesAndBlocks) {
 }
 
 /// The problems of random unconstrained bodies.
-std::vector<problems::Structure> loose_bodies(int dimension, std::size_t count) {
+std::vector<problems::Structure> unconstrained_bodies(int dimension, std::size_t count) {
   std::vector<problems::Structure> bodies;
   for (std::uint64_t seed = 1; bodies.size() < count; ++seed) {
     auto structure = random_loose_structure(dimension, seed);
@@ -120,10 +121,10 @@ std::vector<problems::Structure> loose_bodies(int dimension, std::size_t count) 
   return bodies;
 }
 
-TEST_P(CutTreesIn, FindTheSameOfLooseBodies) {
+TEST_P(CutTreesIn, FindTheSameOfUnconstrainedBodies) {
   Leaves compared;
   int number = 0;
-  for (const auto& body : loose_bodies(GetParam(), 40)) {
+  for (const auto& body : unconstrained_bodies(GetParam(), 40)) {
     const auto problem = problems::wedged_problem(body);
     for (const double mu : {0.4, 1.0, 2.5})
       compared.compare(problem, mu, fmt::format("body {}, mu {}", number, mu));
@@ -146,10 +147,10 @@ double missed_contact(const Configuration& leaf, int dimension) {
 
 // Coefficients at which forces along lines through candidates lie on the boundary of their cones,
 // and one so large that these are almost half-spaces.
-TEST_P(CutTreesIn, LeaveNothingOpenOfLooseBodies) {
+TEST_P(CutTreesIn, LeaveNothingOpenOfUnconstrainedBodies) {
   std::size_t flat = 0;
   int number = 0;
-  for (const auto& body : loose_bodies(GetParam(), 60)) {
+  for (const auto& body : unconstrained_bodies(GetParam(), 60)) {
     const auto problem = problems::wedged_problem(body);
     for (const double mu : {0.01, 0.5, std::sqrt(0.5), 1.0, std::sqrt(2), 3.0, 100.0}) {
       const auto findings = searched(problem, mu, Tightening::never);
@@ -359,9 +360,9 @@ TEST(CutTrees, HaveBoundsThatTheVerifierRefusesOnceTheyAreTooLow) {
 }
 
 // Unconstrained bodies with many degenerate nodes; undecided leaves have no claim.
-TEST_P(CutTreesIn, OfLooseBodiesHaveEvidenceThatStandsTheTestOfTheVerifier) {
+TEST_P(CutTreesIn, OfUnconstrainedBodiesHaveEvidenceThatTheVerifierProves) {
   std::size_t cut = 0, alive = 0, bounds = 0, refused = 0;
-  for (const auto& body : loose_bodies(GetParam(), 25)) {
+  for (const auto& body : unconstrained_bodies(GetParam(), 25)) {
     for (const double mu : {0.4, 1.0}) {
       const Searched own(body, mu);
       const EvidenceCheck check(own.problem, own.enclosed, own.friction, own.findings.bounds);

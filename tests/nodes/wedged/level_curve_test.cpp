@@ -28,15 +28,15 @@ TEST(LevelCurve, FindsTheZeroFromBelowInAFewPoints) {
   take(curve, 0.5);
   double error = 0.1;
   for (int points = 1; points < 4; ++points) {
-    const auto guess = curve.next(0, infinity);
-    const double now = std::abs(guess.factor - 0.6);
-    if (guess.settled) {
+    const auto estimate = curve.next(0, infinity);
+    const double now = std::abs(estimate.factor - 0.6);
+    if (estimate.settled) {
       EXPECT_LT(now, 1e-8);
       return;
     }
     EXPECT_LT(now, error / 3);
     error = now;
-    take(curve, guess.factor);
+    take(curve, estimate.factor);
   }
   ADD_FAILURE() << "four points do not settle it";
 }
@@ -44,9 +44,9 @@ TEST(LevelCurve, FindsTheZeroFromBelowInAFewPoints) {
 TEST(LevelCurve, TakesTheTangentFromAboveAsLongAsThereIsNothingBelow) {
   LevelCurve curve(1e-8);
   curve.take(0.8, 0.1, 0.7);
-  const auto guess = curve.next(0.5, 0.8);
-  EXPECT_EQ(guess.factor, 0.7);
-  EXPECT_FALSE(guess.settled);
+  const auto estimate = curve.next(0.5, 0.8);
+  EXPECT_EQ(estimate.factor, 0.7);
+  EXPECT_FALSE(estimate.settled);
   // The estimate stays within the open interval.
   EXPECT_GE(curve.next(0.75, 0.8).factor, 0.75);
   EXPECT_LT(curve.next(0.75, 0.8).factor, 0.8);
@@ -65,9 +65,9 @@ TEST(LevelCurve, GoesDownFromATie) {
   curve.take(0.8, 0.1, 0.7);
   curve.take_tie(0.7);
   EXPECT_EQ(curve.least_tie(), 0.7);
-  const auto guess = curve.next(0.1, 0.7);
-  EXPECT_LT(guess.factor, 0.7);
-  EXPECT_GE(guess.factor, 0.1);
+  const auto estimate = curve.next(0.1, 0.7);
+  EXPECT_LT(estimate.factor, 0.7);
+  EXPECT_GE(estimate.factor, 0.1);
 }
 
 // For arbitrary points the estimate stays within the interval of the zero.
@@ -77,9 +77,9 @@ TEST(LevelCurve, StaysWithinWhatIsOpen) {
     for (const double level : {-1.0, -1e-12, 0.0, 1.0}) {
       for (const double factor : {0.3, 0.5}) {
         curve.take(factor, level, newton);
-        const auto guess = curve.next(0.4, 0.45);
-        EXPECT_GE(guess.factor, 0.4);
-        EXPECT_LT(guess.factor, 0.45);
+        const auto estimate = curve.next(0.4, 0.45);
+        EXPECT_GE(estimate.factor, 0.4);
+        EXPECT_LT(estimate.factor, 0.45);
       }
     }
   }

@@ -353,7 +353,7 @@ TEST(GivenNormals, ThatPointOutOfTheBodyAreRefused) {
 }
 
 // The paper's own normal is that of the mirrored edge, 2 atan(0.1) off.
-TEST(GivenNormals, ThatAreOffByMoreThanADegreeAreTold) {
+TEST(GivenNormals, ThatAreOffByMoreThanADegreeAreReported) {
   const auto path = std::string(KUSABI_SOURCE_DIR "/examples/paper/elastic-body.toml");
   const auto warnings = load_structure(path).warnings;
   ASSERT_EQ(warnings.size(), 1U);

@@ -103,7 +103,7 @@ TEST(StiffnessFile, OfTheExampleIsThatOfOurOwnElements) {
 }
 
 /// The stiffness of the whole brick without supports, in the order of its nodes.
-Eigen::MatrixXd loose_stiffness() {
+Eigen::MatrixXd unconstrained_stiffness() {
   const auto structure =
       test::read(test::head(3) + test::mesh_of("box-hex8-41.msh", 3) + touches_right);
   const Eigen::MatrixXd matrix = element_stiffness(structure, free_degrees(structure));
@@ -137,7 +137,7 @@ Structure with_matrix(const std::string& keys, const std::string& matrix,
 
 TEST(StiffnessFile, ComesInEveryFormOfMatrixMarket) {
   const auto expected = own_brick();
-  const Eigen::MatrixXd k = loose_stiffness();
+  const Eigen::MatrixXd k = unconstrained_stiffness();
   const auto all = [](auto, auto) { return true; };
   const auto lower = [](auto row, auto column) { return row >= column; };
   const auto upper = [](auto row, auto column) { return row <= column; };
@@ -181,7 +181,7 @@ TEST(StiffnessFile, TakesItsNodesAsListedAndRowsAsSaid) {
 }
 
 TEST(StiffnessFile, IsMadeSymmetricWithAWarning) {
-  Eigen::MatrixXd k = loose_stiffness();
+  Eigen::MatrixXd k = unconstrained_stiffness();
   k(3, 5) += 1e-14;
   const auto all = [](auto, auto) { return true; };
   const auto structure = with_matrix("", lines(k, "array real general", all, false), clamped_below);
@@ -195,7 +195,7 @@ std::string error_with(const std::string& keys, const std::string& more = "") {
   auto problem = test::with_meshes(test::head(3) + test::mesh_of("box-hex8-41.msh", 3) +
                                    "[[stiffness]]\nfile = \"k.mtx\"\n" + keys + more);
   problem.meshes["k.mtx"] = lines(
-      loose_stiffness(), "array real general", [](auto, auto) { return true; }, false);
+      unconstrained_stiffness(), "array real general", [](auto, auto) { return true; }, false);
   return test::error_of(problem);
 }
 
@@ -229,7 +229,7 @@ TEST(StiffnessFile, RefusesACandidateWithoutARow) {
 TEST(StiffnessFile, OfALooseBodyIsRefusedByItsNodes) {
   const auto all = [](auto, auto) { return true; };
   const auto structure =
-      with_matrix("", lines(loose_stiffness(), "array real general", all, false));
+      with_matrix("", lines(unconstrained_stiffness(), "array real general", all, false));
   try {
     wedged_problem(structure);
     FAIL() << "a loose body was accepted";

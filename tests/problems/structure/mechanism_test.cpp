@@ -57,7 +57,7 @@ TEST(Mechanism, IsFoundInCoordinatesTypedWithEightDigits) {
   EXPECT_THAT(moving(structure), testing::ElementsAre(2));
 }
 
-TEST(Mechanism, IsToldFromTheSoftBendingOfASlenderTruss) {
+TEST(Mechanism, IsDistinguishedFromTheSoftBendingOfASlenderTruss) {
   EXPECT_THAT(moving(test::cantilever(300, 299)), testing::ElementsAre(600, 601));
 }
 

@@ -170,7 +170,8 @@ normal = [-1, 0]
   EXPECT_EQ(joined.elements.size(), 4U + 6);
   EXPECT_NO_THROW(wedged_problem(joined));
   const auto apart = read_structure(text("[[1.1, 0], [2, 0], [2, 1], [1.1, 1]]"), "apart");
-  EXPECT_EQ(wedged_problem(apart).loose_bodies.size(), 1U);  // the second block is disconnected
+  EXPECT_EQ(wedged_problem(apart).unconstrained_bodies.size(),
+            1U);  // the second block is disconnected
 }
 
 TEST(Mesh, IsWrittenAsElementsAndReadBack) {

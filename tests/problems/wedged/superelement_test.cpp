@@ -115,7 +115,7 @@ std::string error_of(const Structure& structure) {
   return "no error";
 }
 
-TEST(Superelement, IsRefusedIfNothingHoldsIt) {
+TEST(Superelement, IsRefusedIfItIsUnconstrained) {
   Structure structure = cantilever(2);
   structure.fixed[0] = {true, false, false};
   EXPECT_THAT(error_of(structure), HasSubstr("can move: a [[stiffness]] resists it by no more"));

@@ -159,7 +159,7 @@ TEST(TiedMeshes, MoveAsMultipliersSay) {
     ASSERT_FALSE(row.structure.ties.empty());
     const auto normal = Eigen::VectorXd::Unit(row.structure.dimension, 0);
     for (const int node : row.at(1, 1)) touch(row.structure, node, -normal);
-    ASSERT_EQ(loose_bodies(row.structure).size(), 1U);
+    ASSERT_EQ(unconstrained_bodies(row.structure).size(), 1U);
     expect_what_multipliers_say(row.structure, row.structure.dimension == 2 ? 3 : 6);
     Row sprung = row;
     sprung.structure.springs.push_back({row.structure.ties[1].node, 0, 30});
@@ -202,7 +202,7 @@ TEST(InclinedRoller, LeavesOneMotionLess) {
     const int roller = row.at(0, 0).front();
     structure.inclined.push_back({roller, direction});
     for (const int node : row.at(0, 1)) touch(structure, node, -Eigen::VectorXd::Unit(d, 0));
-    const auto bodies = loose_bodies(structure);
+    const auto bodies = unconstrained_bodies(structure);
     ASSERT_EQ(bodies.size(), 1U);
     EXPECT_EQ(bodies[0].translations(), d - 1);
     const Eigen::MatrixXd moves =

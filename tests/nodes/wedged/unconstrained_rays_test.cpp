@@ -49,7 +49,7 @@ problems::Structure loose_truss(int candidates, std::mt19937_64& bits) {
   return truss;
 }
 
-TEST(LooseRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
+TEST(UnconstrainedRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
   std::mt19937_64 bits(3);
   std::size_t rays = 0;
   std::size_t cones = 0;
@@ -83,7 +83,7 @@ TEST(LooseRays, AreTheSameByBothWaysAndTheirCliquesAreThePatterns) {
 }
 
 // A bar between walls that lean by 20 degrees to either side: two opposite forces along it.
-TEST(LooseRays, OfABarInAGrooveBeginAtTheTangentOfItsHalfAngle) {
+TEST(UnconstrainedRays, OfABarInAGrooveBeginAtTheTangentOfItsHalfAngle) {
   const double angle = 20 * std::acos(-1.0) / 180;
   problems::Structure bar;
   bar.dimension = 2;

@@ -111,7 +111,7 @@ std::optional<double> margin(const Eigen::MatrixXd& f, const support::IndexSet& 
 }
 
 TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
-  constexpr double told = 1e-6;  // accuracy of the simplex method in doubles
+  constexpr double accuracy = 1e-6;  // accuracy of the simplex method in doubles
   std::mt19937_64 bits(5);
   int open = 0;
   std::size_t patterns = 0;
@@ -130,7 +130,7 @@ TEST(Corner, HasThePatternsThatLinearProgramsFindOneByOne) {
       for (std::uint64_t ones = 1; ones < std::uint64_t{1} << static_cast<unsigned>(m); ++ones) {
         const support::IndexSet contact = ones;
         const double most = margin(f, contact, mu).value_or(-1);
-        if (std::abs(most) <= told) continue;
+        if (std::abs(most) <= accuracy) continue;
         EXPECT_EQ(found.contains(contact), most > 0) << mu << ' ' << most << ' ' << ones;
         patterns += most > 0;
         of_corners += most > 0 && contact.contains(0) && contact.contains(3);

@@ -1,5 +1,5 @@
 // Consistency of limit-load certificates with the truss of a file; harmless faulty certificates.
-#include "verify/limit/limit_agreement.hpp"
+#include "verify/limit/limit_consistency.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ LimitCertificate evidence() {
 }
 
 LimitTruss agreed(const LimitCertificate& certificate, const Structure& structure) {
-  auto found = limit_agreement(certificate, structure);
+  auto found = limit_consistency(certificate, structure);
   if (const auto* why = std::get_if<std::string>(&found)) {
     ADD_FAILURE() << *why;
     return {};
@@ -64,7 +64,7 @@ LimitTruss agreed(const LimitCertificate& certificate, const Structure& structur
   return std::get<LimitTruss>(found);
 }
 
-TEST(LimitAgreement, TheEndsAreProvedOfTheTruss) {
+TEST(LimitConsistency, TheEndsAreProvedOfTheTruss) {
   const auto certificate = evidence();
   const auto meant = agreed(certificate, truss());
   ASSERT_EQ(meant.columns.size(), 2U);
@@ -85,7 +85,7 @@ TEST(LimitAgreement, TheEndsAreProvedOfTheTruss) {
 }
 
 // The proof includes the errors: with larger ones the same evidence proves less.
-TEST(LimitAgreement, ErrorsMoveTheUpperEndAndForbidTheLower) {
+TEST(LimitConsistency, ErrorsMoveTheUpperEndAndForbidTheLower) {
   const auto certificate = evidence();
   const Dyadic error(0x1p-20);
   auto coarse = agreed(certificate, truss());
@@ -109,11 +109,11 @@ TEST(LimitAgreement, ErrorsMoveTheUpperEndAndForbidTheLower) {
               HasSubstr("no bound of motions"));
 }
 
-TEST(LimitAgreement, AnotherTrussIsRefused) {
+TEST(LimitConsistency, AnotherTrussIsRefused) {
   const auto refusal = [&](const auto& change) {
     auto other = truss();
     change(other);
-    const auto found = limit_agreement(evidence(), other);
+    const auto found = limit_consistency(evidence(), other);
     const auto* const why = std::get_if<std::string>(&found);
     return why == nullptr ? std::string() : *why;
   };
@@ -137,13 +137,13 @@ TEST(LimitAgreement, AnotherTrussIsRefused) {
   EXPECT_THAT(refusal([](Structure& s) { s.bars.pop_back(); }), HasSubstr("members"));
 }
 
-TEST(LimitAgreement, AnEntryMayBeThereOnceOnly) {
+TEST(LimitConsistency, AnEntryMayBeThereOnceOnly) {
   auto certificate = evidence();
   certificate.columns[0] = {{0, 0.5}, {0, 0.5}};
-  EXPECT_TRUE(std::holds_alternative<std::string>(limit_agreement(certificate, truss())));
+  EXPECT_TRUE(std::holds_alternative<std::string>(limit_consistency(certificate, truss())));
   certificate = evidence();
   certificate.columns[0].clear();
-  EXPECT_TRUE(std::holds_alternative<std::string>(limit_agreement(certificate, truss())));
+  EXPECT_TRUE(std::holds_alternative<std::string>(limit_consistency(certificate, truss())));
   certificate = evidence();
   certificate.columns[0].emplace_back(1, 0x1p-60);
   const auto meant = agreed(certificate, truss());  // a rounding of 0

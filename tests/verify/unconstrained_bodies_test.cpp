@@ -18,9 +18,9 @@
 #include "searched.hpp"
 #include "verify/arithmetic/elimination.hpp"
 #include "verify/structure/contact_motions.hpp"
-#include "verify/structure/loose_stiffness.hpp"
-#include "verify/wedged/agreement.hpp"
+#include "verify/structure/enclosed_problem.hpp"
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/consistency.hpp"
 #include "verify/wedged/proof.hpp"
 
 namespace kusabi::verify {
@@ -311,8 +311,8 @@ TEST(LooseTrusses, AreNotProvedDeadWhereTheyWedge) {
     const auto truss = random_truss(trial % 2 == 0 ? 2 : 3, 5, bits);
     const auto text = written(problems::wedged_problem(truss), 1.0);
     const auto certificate = read_certificate(text, "test");
-    const auto agreed =
-        std::get<Agreement>(agreement(certificate, evidence::verified_structure(truss)));
+    const auto agreed = std::get<ConsistentStructure>(
+        consistency(certificate, evidence::verified_structure(truss)));
     const Proof proof(certificate, agreed.stiffness, agreed.motions);
     for (const auto& leaf : certificate.records) {
       if (leaf.claim != Claim::alive) continue;
@@ -365,7 +365,7 @@ normal = [0, 0, 1]
   // At a feasible node no contact is without reaction.
   auto certificate = read_certificate(written(problems::wedged_problem(body), 0.5), "test");
   const auto agreed =
-      std::get<Agreement>(agreement(certificate, evidence::verified_structure(body)));
+      std::get<ConsistentStructure>(consistency(certificate, evidence::verified_structure(body)));
   const Proof proof(certificate, agreed.stiffness, agreed.motions);
   for (auto& record : certificate.records) {
     if (record.claim != Claim::alive) continue;
@@ -376,7 +376,7 @@ normal = [0, 0, 1]
   }
 }
 
-TEST(ContactMotions, OfTheStructureStrainNothingAndAreComplete) {
+TEST(ContactMotions, OfTheStructureAreRigidAndComplete) {
   std::mt19937 bits(3);
   for (const int dimension : {2, 3}) {
     const auto truss = evidence::verified_structure(random_truss(dimension, 5, bits));

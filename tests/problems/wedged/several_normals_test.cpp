@@ -1,6 +1,6 @@
 // Several contact normals at a node: F by multipliers, which are independent of them; names; the
 // whole structure; refusals.
-#include "problems/structure/model/corner.hpp"
+#include "problems/structure/model/several_normals.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -33,7 +33,7 @@ TEST(Corner, IsWhatMultipliersSayButForATangentialCompliance) {
     const Eigen::Index d = structure.dimension;
     const Eigen::MatrixXd expected = test::compliance_by_multipliers(structure);
     Eigen::MatrixXd added = problem.compliance - expected;
-    const auto corners = corner_nodes(structure);
+    const auto corners = nodes_with_several_normals(structure);
     EXPECT_EQ(corners.size(), d == 2 ? 4U : 5U);
     const double size = expected.norm();
     for (Eigen::Index i = 0; i < std::ssize(structure.contact); ++i) {

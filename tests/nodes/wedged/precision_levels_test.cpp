@@ -35,7 +35,7 @@ problems::WedgedProblem exact_problem(const Eigen::MatrixXd& compliance, int dim
 }
 
 struct Count {
-  int nodes = 0, alive = 0, dead = 0, climbed = 0;
+  int nodes = 0, alive = 0, dead = 0, escalated = 0;
 };
 
 // All leaves and, as inner nodes, those with the last candidate undecided, compared with 104 bits
@@ -68,7 +68,7 @@ void expect_decided(const testing::TrussKind& kind, double mu, double tolerance,
       ++count.nodes;
       count.alive += answer.sign == Sign::alive;
       count.dead += answer.sign == Sign::dead;
-      count.climbed += answer.precision_level > 0;
+      count.escalated += answer.precision_level > 0;
       EXPECT_LE(answer.lower, answer.upper);
       EXPECT_TRUE(answer.sign != Sign::marginal || conic::is_tie(answer, tolerances));
       if (answer.sign == Sign::alive && open == 0) {
@@ -131,7 +131,7 @@ TEST(Ladder, DecidesEveryNodeInSpaceWhateverTheContrast) {
 
 TEST(Ladder, DoublesDoForNearlyAllNodes) {
   const Count count = expect_all_decided<2>(1e4, 0.1, 10, 1e-9, 30, 21);
-  EXPECT_LT(count.climbed, count.nodes / 50);
+  EXPECT_LT(count.escalated, count.nodes / 50);
 }
 
 TEST(Ladder, NeedlesAndHalfSpacesAreRight) {

@@ -1,5 +1,5 @@
 // Equilibrium defects beyond all doubles.
-#include "verify/limit/limit_reach.hpp"
+#include "verify/limit/equilibrium_correction.hpp"
 
 #include <limits>
 #include <string>

@@ -1,6 +1,6 @@
 // Consistency of certificates with problem files: genuine ones are proved for the structure, all
 // others refused.
-#include "verify/wedged/agreement.hpp"
+#include "verify/wedged/consistency.hpp"
 
 #include <cmath>
 #include <string>
@@ -24,7 +24,7 @@ Structure structure_of(const std::string& name) {
   return evidence::verified_structure(example_structure(name));
 }
 
-TEST(Agreement, GenuineCertificatesAreProvedOfTheirStructures) {
+TEST(Consistency, GenuineCertificatesAreProvedOfTheirStructures) {
   for (const auto* name :
        {"two-bars.toml", "plane-truss.toml", "space-truss.toml", "elastic-body.toml"}) {
     const auto structure = structure_of(name);
@@ -39,7 +39,7 @@ TEST(Agreement, GenuineCertificatesAreProvedOfTheirStructures) {
   }
 }
 
-TEST(Agreement, TheCertificateOfAnotherProblemIsRefused) {
+TEST(Consistency, TheCertificateOfAnotherProblemIsRefused) {
   const auto text = searched(example("plane-truss.toml"), 1.0).text();
   const auto structure = structure_of("plane-truss.toml");
   ASSERT_TRUE(verdict(text, &structure).proved());
@@ -70,20 +70,20 @@ TEST(Agreement, TheCertificateOfAnotherProblemIsRefused) {
 
 // Differences below the tolerance of the comparison do not lead to a proof for the wrong structure
 // either, since the proof uses the structure's K alone.
-TEST(Agreement, TheKOfTheStructureIsWhatIsProved) {
+TEST(Consistency, TheKOfTheStructureIsWhatIsProved) {
   const auto structure = structure_of("plane-truss.toml");
   const auto certificate = read_certificate(searched(example("plane-truss.toml"), 1.0).text(), "c");
   auto other = structure;
   for (auto& bar : other.bars) bar.axial_stiffness *= 1 + 1e-9;
-  const auto one = std::get<Agreement>(agreement(certificate, structure));
-  const auto two = std::get<Agreement>(agreement(certificate, other));
+  const auto one = std::get<ConsistentStructure>(consistency(certificate, structure));
+  const auto two = std::get<ConsistentStructure>(consistency(certificate, other));
   const double ratio =
       two.stiffness.middle.entries[0].nearest() / one.stiffness.middle.entries[0].nearest();
   EXPECT_NEAR(ratio - 1, 1e-9, 1e-15);
   EXPECT_EQ(one.friction, 1.0);
 }
 
-TEST(Agreement, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
+TEST(Consistency, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
   auto problem = example("plane-truss.toml");
   auto structure = structure_of("plane-truss.toml");
   auto draft = searched(problem, 1.0);
@@ -99,16 +99,16 @@ TEST(Agreement, FrictionsAreThoseOfTheFileTimesOneCoefficient) {
     }
     line += "\n";
   }
-  const auto found = agreement(read_certificate(draft.text(), "c"), structure);
-  ASSERT_TRUE(std::holds_alternative<Agreement>(found)) << std::get<std::string>(found);
-  EXPECT_EQ(std::get<Agreement>(found).friction, 0.3);
+  const auto found = consistency(read_certificate(draft.text(), "c"), structure);
+  ASSERT_TRUE(std::holds_alternative<ConsistentStructure>(found)) << std::get<std::string>(found);
+  EXPECT_EQ(std::get<ConsistentStructure>(found).friction, 0.3);
   structure.contact[4].friction = 1e-3;
-  EXPECT_THAT(std::get<std::string>(agreement(read_certificate(draft.text(), "c"), structure)),
+  EXPECT_THAT(std::get<std::string>(consistency(read_certificate(draft.text(), "c"), structure)),
               HasSubstr("the friction at r5 is 0"));
 }
 
 // Two disconnected towers may be two blocks or one; connected ones may not be two.
-TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
+TEST(Consistency, BlocksMustBeUnconnectedInTheStructure) {
   auto structure = structure_of("two-bars.toml");
   const auto single = searched(example("two-bars.toml"), 3.0);
   const auto nodes = structure.names.size();
@@ -142,7 +142,7 @@ TEST(Agreement, BlocksMustBeUnconnectedInTheStructure) {
 }
 
 // Stiffnesses from 1 to 1e9: K in double precision has few correct digits, and t* = 0 is near.
-TEST(Agreement, HoldsForStiffnessesNineOrdersApart) {
+TEST(Consistency, HoldsForStiffnessesNineOrdersApart) {
   const auto file = problems::read_structure(R"(
 name = "contrast"
 dimension = 2
@@ -174,7 +174,7 @@ normal = [0.99, -0.1]
   }
 }
 
-TEST(Agreement, ANameIsComparedAsTheFileHoldsIt) {
+TEST(Consistency, ANameIsComparedAsTheFileHoldsIt) {
   EXPECT_EQ(on_one_line("a b"), "a b");
   EXPECT_EQ(on_one_line("a\nb\x7f"), "a\\x0ab\\x7f");
 }
