@@ -276,8 +276,8 @@ CriticalFindings find_critical_friction(engine::Analysis& analysis,
                                         const EndRecorder& recorder) {
   if (!looks_for_smallest(question.way) && !question.most) {
     throw std::invalid_argument(
-        "the patterns are looked for at the largest friction coefficient of interest, which must "
-        "be given");
+        "the upper limit of the friction coefficient is missing; expected one for a search of all "
+        "patterns");
   }
   const auto grid = grid_of(problem, question);
   CriticalFindings findings;

@@ -107,8 +107,8 @@ void refuse_untouched(const Structure& structure, std::span<const UnconstrainedB
     const int node = bodies[b].nodes.front();
     throw structure_error(
         structure, position_of(structure.sources.nodes, node),
-        fmt::format("the body of node {} is loose, {}, and has no contact candidate; expected "
-                    "supports, or a candidate that something may hold it at",
+        fmt::format("the body of node {} is unconstrained, {}, and has no contact candidate; "
+                    "expected supports, or a contact candidate on it",
                     name(structure, node), described(bodies[b])));
   }
 }
@@ -116,16 +116,18 @@ void refuse_untouched(const Structure& structure, std::span<const UnconstrainedB
 [[noreturn]] void refuse_line(const Structure& structure) {
   throw structure_error(
       structure, position_of(structure.sources.contact, 0),
-      "the contact candidates of a loose body lie almost on one line, so that it cannot be told "
-      "whether it can turn about it; expected candidates exactly on a line, or clearly off it");
+      "the contact candidates of an unconstrained body lie almost on one line, and whether it can "
+      "turn "
+      "about that line is numerically undecided; expected candidates exactly on a line, or clearly "
+      "off it");
 }
 
 [[noreturn]] void refuse_gap(const Structure& structure) {
   throw structure_error(
       structure, position_of(structure.sources.contact, 0),
-      "loose bodies touch at places that are almost, but not exactly, one, or almost on one line, "
-      "so that it cannot be told whether the candidates see them turn together; expected pairs of "
-      "nodes that meet, or candidates that a rigid obstacle may hold the bodies at");
+      "unconstrained bodies touch at places that almost coincide, or almost lie on one line, and "
+      "whether they can turn together is numerically undecided; expected pairs of nodes that "
+      "coincide, or candidates on a rigid obstacle");
 }
 
 double least_sine(const Structure& structure) {

@@ -65,7 +65,7 @@ TEST(Consistency, TheCertificateOfAnotherProblemIsRefused) {
               HasSubstr("the friction at r2 is 1"));
   EXPECT_THAT(refusal([](Structure& s) { s.dimension = 3; }), HasSubstr("dimension"));
   EXPECT_THAT(refusal([](Structure& s) { s.bars.clear(); }),
-              HasSubstr("it has 0 motions of bodies that nothing holds, the structure has 10"));
+              HasSubstr("it has 0 rigid-body modes of unconstrained bodies, the structure has 10"));
 }
 
 // Differences below the tolerance of the comparison do not lead to a proof for the wrong structure

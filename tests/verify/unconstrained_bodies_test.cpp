@@ -190,7 +190,7 @@ TEST(LooseBar, IsNotProvedFromForcesOrMotionsThatAreNotItsOwn) {
   fewer.header.emplace_back("nodes\n");
   EXPECT_THAT(
       verdict(fewer.text(), &structure).refusals,
-      ElementsAre(HasSubstr("0 motions of bodies that nothing holds, the structure has 3")));
+      ElementsAre(HasSubstr("0 rigid-body modes of unconstrained bodies, the structure has 3")));
   EXPECT_THAT(verdict(fewer.text()).refusals, ElementsAre("K"));
 }
 

@@ -205,7 +205,7 @@ std::variant<std::vector<double>, std::string> forces_against_defects(
     const std::vector<double>& defect) {
   const auto slack = slack_of_use(members, slack_of_all, defect);
   const auto part = part_with_defects(members, slack, defect);
-  if (!part) return "forces are not in equilibrium where no member has anything left";
+  if (!part) return "forces are not in equilibrium where no member has slack";
   if (part->displacements.empty()) return std::vector<double>(slack.size(), 0.0);
   double most = 0;
   for (const auto i : part->members) most = std::max(most, slack[i]);

@@ -20,7 +20,8 @@ constexpr long stiffness_grid = -300;
 constexpr long displacement_grid = -160;
 constexpr long kept_bits = 160;  // of K
 constexpr const char* too_ill =
-    "its stiffness was not shown to be definite: it is a mechanism, or too ill-conditioned for a "
+    "its stiffness is not proved to be positive definite: it is a mechanism, or too "
+    "ill-conditioned for a "
     "factor in double precision";
 
 struct Entry {
@@ -210,7 +211,7 @@ std::optional<std::string> Condensation::factorise() {
     for (const auto& entry : parts_.rest_rest[row]) first[row] = std::min(first[row], entry.column);
   }
   profile_ = Profile(std::move(first));
-  if (profile_.entries() > largest_profile) return "it is too large to be proved here";
+  if (profile_.entries() > largest_profile) return "it is too large for a proof";
   DyadicList entries(profile_.entries());
   entries.exponent = stiffness_grid;
   std::vector<double> rounded(profile_.entries(), 0.0);

@@ -85,7 +85,7 @@ std::optional<std::string> other_bodies(const Certificate& certificate,
     for (const auto& block : certificate.blocks) {
       if (block.meets(moving) && !block.includes(moving)) {
         return certificate.names_of(moving) +
-               " are not in one block, but of one body that nothing holds";
+               " are not in one block, but on one unconstrained body";
       }
     }
   }
@@ -99,7 +99,7 @@ std::optional<std::string> other_motions(const Certificate& certificate,
   const auto p = motions.count;
   if (certificate.motions != p) {
     return "it has " + std::to_string(certificate.motions) +
-           " motions of bodies that nothing holds, the structure has " + std::to_string(p);
+           " rigid-body modes of unconstrained bodies, the structure has " + std::to_string(p);
   }
   const auto own = motions.nearest();
   for (std::size_t k = 0; k < p; ++k) {

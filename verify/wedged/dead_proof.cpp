@@ -245,7 +245,7 @@ std::optional<std::string> BlockProof::check_margins(const IndexSet& separated, 
     if (!delta || margin < *delta) delta = margin;
   }
   if (*delta * *least_ > epsilon * steepest_) return {};
-  return "its multipliers rule out too little, or ask for what u_n >= 0 does not give";
+  return "its multipliers exclude too little, or exceed the coefficients of u_n >= 0";
 }
 
 }  // namespace kusabi::verify

@@ -22,7 +22,7 @@ std::optional<std::string> BlockProof::refusal_of_alive(const IndexSet& contact,
   }
   if (auto why = read_leaf(numbers, leaf)) return why;
   if (!stiffness->least_eigenvalue())
-    return "K was not shown to be definite with its contacts held";
+    return "K is not proved to be definite with its contacts fixed";
   return stiffness->solve(leaf.unknowns, leaf.right,
                           [&](const auto& u, const auto& r, const auto& off) {
                             return check_alive(*stiffness, leaf, u, r, off);
@@ -144,7 +144,7 @@ std::optional<std::string> BlockProof::check_alive(const RegularisedStiffness& h
     auto shift = seen_of(block_.motions, missing(leaf.mean, u, leaf.sliding));
     const auto pressures = normal_size({r, quotient_above(error, s)}, leaf.contact);
     const auto lifted = error_of_lift(held, leaf, shift, pressures);
-    if (!lifted) return "what slides along its contacts lifts them too much";
+    if (!lifted) return "its sliding modes displace the contacts along their normals by too much";
     right_error = right_error + *lifted;
     rest = rest + *lifted;
     error = error + held.size() * *lifted;

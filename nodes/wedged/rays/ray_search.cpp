@@ -166,7 +166,7 @@ RayFindings find_rays(engine::Analysis& analysis, const problems::WedgedProblem&
                       std::span<const double> friction, const rays::ReactionCone& cone,
                       RayMethod method) {
   if (cone.equations() != problem.motions.cols())
-    throw std::invalid_argument("the cone of reactions is not that of the loose bodies");
+    throw std::invalid_argument("the cone of reactions is not that of the unconstrained bodies");
   const bool by_pattern = method == RayMethod::tree;
   auto found = by_pattern ? searched(analysis, RayTree(whole_tree(problem, friction), cone))
                           : by_double_description(analysis, problem, friction, cone, method);

@@ -242,9 +242,9 @@ void Piece::require_ties_in_place(const PreciseMatrix& motions) const {
     throw structure_error(
         structure_, position_of(structure_.sources.ties, tie),
         fmt::format(
-            "node {} is tied to a place that is not exactly its own, in a body that can "
-            "move as a whole; expected nodes that meet, shares of nodes that give the place "
-            "exactly, or supports that hold the body",
+            "node {} is tied to a place that differs from its own, in an unconstrained body; "
+            "expected coincident nodes, weights that give the place exactly, or supports of the "
+            "body",
             support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
   }
 }
@@ -268,9 +268,9 @@ void Piece::refuse() const {
   const int node = held_.empty() ? body_.nodes.front() : held_.front().first;
   throw structure_error(
       structure_, position_of(structure_.sources.nodes, node),
-      fmt::format("what holds the body of node {} lies almost on one line, so that it cannot be "
-                  "told whether the body can turn about it; expected supports exactly on a line, "
-                  "or clearly off it",
+      fmt::format("the supports of the body of node {} lie almost on one line, and whether the "
+                  "body can turn about it is numerically undecided; expected supports exactly on "
+                  "a line, or clearly off it",
                   support::in_quotes(structure_.node_names[static_cast<std::size_t>(node)])));
 }
 

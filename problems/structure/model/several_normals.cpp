@@ -66,8 +66,8 @@ void check_corner(const Structure& structure, const std::vector<std::size_t>& ca
   refuse_corner(
       structure, candidates.back(),
       fmt::format("node {} is a contact candidate {} with normals that are {:.2f} degrees from "
-                  "depending on each other; expected once, or the normals of a corner, {:g} "
-                  "degrees or more from that",
+                  "linear dependence; expected one normal, or normals at least {:g} degrees from "
+                  "it",
                   name, candidates.size() == 2 ? "twice" : "three times", angle,
                   smallest_angle_of_normals));
 }

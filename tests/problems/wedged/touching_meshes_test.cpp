@@ -183,7 +183,7 @@ TEST(TiedMeshes, OfALooseBodyAreInPlace) {
       wedged_problem(off);
       ADD_FAILURE() << gap;
     } catch (const support::InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("not exactly its own"));
+      EXPECT_THAT(error.what(), HasSubstr("differs from its own"));
     }
     for (const int node : row.at(0, 0)) test::fix(off, node);
     EXPECT_EQ(wedged_problem(off).motions.cols(), 0);

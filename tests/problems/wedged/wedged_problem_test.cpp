@@ -139,7 +139,7 @@ std::string error_of(Action action) {
 TEST(WedgedProblem, RefusesAMechanismAndNamesWhatMoves) {
   EXPECT_EQ(error_of([] { wedged_problem(test::cantilever(3, 2)); }),
             "test: the structure is a mechanism: \"node 6\", \"node 7\" move without straining any "
-            "member; expected supports and members that hold every node");
+            "member; expected supports and members that prevent this");
 }
 
 TEST(WedgedProblem, NamesOnlyTheFirstOfManyMovingNodes) {
